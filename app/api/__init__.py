@@ -1,0 +1,1 @@
+"""The HTTP door: requests in, BML or JSON out."""

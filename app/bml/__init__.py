@@ -1,0 +1,1 @@
+"""Chosen movements in; a timed schedule and its BML out (paper §3.5)."""

@@ -1,0 +1,65 @@
+"""The errors a user can meet. Each has a stable `code` and a message that says what, where and what would be right.
+
+They are raised where the mistake is found and caught only at the doors (`app.cli`, `app.api`).
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+
+class UnderstudyError(Exception):
+    """Root of the tree. `code` is stable and machine-readable; the message is one line for people."""
+
+    def __init__(self, code: str, message: str) -> None:
+        super().__init__(message)
+        self.code = code
+        self.message = message
+
+
+class InputError(UnderstudyError):
+    """What the caller sent is wrong: text, options or a file's content. `field` names the part at fault."""
+
+    def __init__(self, code: str, message: str, *, field: str | None = None) -> None:
+        super().__init__(code, message)
+        self.field = field
+
+
+class UndecodableError(InputError):
+    """The bytes are not what they claim to be: broken audio, broken JSON."""
+
+
+class UnsupportedFormatError(InputError):
+    """The format is none of those we read."""
+
+
+class TooLargeError(InputError):
+    """The input passes a limit of `app.settings`."""
+
+
+class ServiceError(UnderstudyError):
+    """Our own trouble, not the caller's: the aligner died, the deadline passed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mistake:
+    """A mistake in a file that authors write. Line and column count from 1; `source_line` is the line itself."""
+
+    path: Path
+    line: int
+    column: int
+    message: str
+    source_line: str = ""
+
+    def __str__(self) -> str:
+        where = f"{self.path}:{self.line}:{self.column}: {self.message}"
+        if not self.source_line:
+            return where
+        return f"{where}\n    {self.source_line}\n    {' ' * (self.column - 1)}^"
+
+
+class AuthoringError(UnderstudyError):
+    """Files under `app/rules/` or `lexicon/` that do not load: every mistake at once."""
+
+    def __init__(self, mistakes: tuple[Mistake, ...]) -> None:
+        super().__init__("authoring", "\n".join(str(mistake) for mistake in mistakes))
+        self.mistakes = mistakes

@@ -1,0 +1,303 @@
+"""The values that travel through a performance, from the audio to the schedule.
+
+Conventions: times are seconds from the start of the audio. Words are what white space separates in the transcript,
+numbered from 0; `first` and `last` are word numbers, both included. Everything here is frozen: a stage that changes
+a value returns a changed copy (`dataclasses.replace`).
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+SAMPLE_RATE_HZ = 16_000
+"""The rate at which every signal travels between the stages."""
+
+FRAME_SHIFT_S = 0.010
+"""One analysis frame every 10 ms: frame k is centred on k × 10 ms (paper §3.1.1, §3.1.2)."""
+
+
+class Level(StrEnum):
+    """The speaker's agitation (paper §3.1): lax, modal or tense voice."""
+
+    LOW = "low"
+    MEDIUM = "medium"
+    HIGH = "high"
+
+
+class Channel(StrEnum):
+    """The part of the body a behaviour occupies; two behaviours compete only on the same channel."""
+
+    GESTURE = "gesture"
+    HEAD = "head"
+    GAZE = "gaze"
+    FACE = "face"
+    EYES = "eyes"
+    POSTURE = "posture"
+
+
+class Hand(StrEnum):
+    """Which hand a gesture takes."""
+
+    LEFT = "left"
+    RIGHT = "right"
+    BOTH = "both"
+
+
+class Mode(StrEnum):
+    """What drives the gestures, as in the paper's study (§5)."""
+
+    SEMANTIC = "semantic"
+    PROSODY = "prosody"
+    RANDOM = "random"
+
+
+@dataclass(frozen=True, slots=True)
+class Interval:
+    """A stretch of time, in seconds from the start of the audio."""
+
+    start_s: float
+    end_s: float
+
+    @property
+    def duration_s(self) -> float:
+        return self.end_s - self.start_s
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something degraded, dropped or guessed on the way; `code` is stable, `message` is for people."""
+
+    code: str
+    message: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Audio:
+    """One mono signal at `SAMPLE_RATE_HZ`; samples are floats, full scale is ±1."""
+
+    samples: FloatArray
+
+    @property
+    def duration_s(self) -> float:
+        return len(self.samples) / SAMPLE_RATE_HZ
+
+
+@dataclass(frozen=True, slots=True)
+class Phone:
+    """A speech sound: ARPABET label without digit; `stress` is 0, 1 or 2 on vowels, None on consonants."""
+
+    label: str
+    interval: Interval
+    stress: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A word of the transcript; without audio it has no interval, no phones and no stressed ratio."""
+
+    index: int
+    text: str
+    interval: Interval | None = None
+    phones: tuple[Phone, ...] = ()
+    stressed_ratio: float | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contours:
+    """Frame-wise measures, one row a frame (`FRAME_SHIFT_S`): energy in dB, f0 in Hz (0 where unvoiced), 12 MFCC."""
+
+    energy_db: FloatArray
+    f0_hz: FloatArray
+    mfcc: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class StressThresholds:
+    """The utterance's own 90th percentiles (paper §3.1.5); `f0_hz` is None when no frame is voiced."""
+
+    energy_db: float
+    f0_hz: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Agitation:
+    """Memberships of the three levels (paper §3.1.4), in [0, 1], summing to 1."""
+
+    low: float
+    medium: float
+    high: float
+
+    @property
+    def level(self) -> Level:
+        """The level of maximal membership; the calmer one on a tie."""
+        return max(Level, key=lambda level: float(getattr(self, level.value)))
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A unit of the parser: a transcript word or a part of one ("do" and "n't" both have the word of "don't").
+
+    `head` is the index of the governing token (its own index at a root); labels are Universal Dependencies'.
+    """
+
+    index: int
+    word: int
+    text: str
+    lemma: str
+    part_of_speech: str
+    tag: str
+    dependency: str
+    head: int
+
+
+@dataclass(frozen=True, slots=True)
+class Phrase:
+    """A noun phrase or verb group: words `first` to `last`, `head` the word that governs it."""
+
+    kind: str
+    first: int
+    last: int
+    head: int
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """A clause: words `first` to `last`, `head` its predicate, `label` its relation to its parent."""
+
+    label: str
+    first: int
+    last: int
+    head: int
+
+
+@dataclass(frozen=True, slots=True)
+class Parse:
+    """The syntactic structure of an utterance (paper §3.2), phrases and clauses in order of `first`."""
+
+    tokens: tuple[Token, ...]
+    phrases: tuple[Phrase, ...]
+    clauses: tuple[Clause, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Utterance:
+    """All that is known of a line before its meaning is sought; `agitation` is None when nothing was heard."""
+
+    words: tuple[Word, ...]
+    parse: Parse
+    agitation: Agitation | None = None
+    thresholds: StressThresholds | None = None
+    duration_s: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Because:
+    """One support of a derivation: a word of the transcript, or a fact with the rule that derived it (None: given)."""
+
+    word: int | None = None
+    fact: str | None = None
+    rule: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A communicative function (paper §3.3): what words `first` to `last` do, how much it matters, and why we think so.
+
+    A function that lost a conflict stays, with `kept` false and the winner's id in `lost_to`.
+    """
+
+    id: str
+    class_name: str
+    subtype: str
+    first: int
+    last: int
+    priority: float
+    rule: str
+    because: tuple[Because, ...] = ()
+    kept: bool = True
+    lost_to: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Movement:
+    """A behaviour class chosen to show a function (paper §3.4), before clock and neighbours are asked.
+
+    `name` is an entry of the behaviour table; `alternative` tells which movements were chosen together.
+    """
+
+    name: str
+    first: int
+    last: int
+    priority: float
+    rule: str
+    function: str | None
+    alternative: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class SyncPoints:
+    """When a behaviour's phases fall (paper §3.8, Table 3). Only gestures and head movements have the inner five;
+    faces and gazes have `ready` (the peak, the target reached) and `relax`."""
+
+    start: float
+    end: float
+    ready: float | None = None
+    stroke_start: float | None = None
+    stroke: float | None = None
+    stroke_end: float | None = None
+    relax: float | None = None
+
+    def in_order(self) -> Iterator[tuple[str, float]]:
+        """The points that are set, by name, in the order in which they must fall."""
+        for name in ("start", "ready", "stroke_start", "stroke", "stroke_end", "relax", "end"):
+            time_s = getattr(self, name)
+            if time_s is not None:
+                yield name, time_s
+
+    def shifted(self, delay_s: float) -> "SyncPoints":
+        """The same phases, `delay_s` later."""
+        return replace(self, **{name: time_s + delay_s for name, time_s in self.in_order()})
+
+
+@dataclass(frozen=True, slots=True)
+class Behavior:
+    """One movement of the schedule. `rule` mapped it, `function` (an id) is what it shows; both are None for what the
+    body does by itself, such as blinks. `lexeme` is the BML word for it, `amount` its size in [0, 1], `target` what a
+    gaze or a pointing is at, `repetitions` how often a nod or shake goes. What lost a conflict stays, with `kept`
+    false, the winner's id in `lost_to` and the reason in words."""
+
+    id: str
+    kind: Channel
+    lexeme: str
+    sync: SyncPoints
+    first: int
+    last: int
+    priority: float
+    rule: str | None = None
+    function: str | None = None
+    hand: Hand | None = None
+    amount: float | None = None
+    target: str | None = None
+    direction: str | None = None
+    repetitions: int | None = None
+    kept: bool = True
+    lost_to: str | None = None
+    reason: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Performance:
+    """The whole performance of a line: what was heard and understood, what the body does with it, and every reason."""
+
+    utterance: Utterance
+    functions: tuple[Function, ...]
+    behaviors: tuple[Behavior, ...]
+    character: str
+    seed: int
+    mode: Mode
+    notices: tuple[Notice, ...] = ()

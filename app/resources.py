@@ -1,0 +1,18 @@
+"""Where the files beside the code lie: in the checkout they are the package's neighbours, in a wheel its children."""
+
+from pathlib import Path
+
+from app.errors import ServiceError
+
+_PACKAGE = Path(__file__).resolve().parent
+
+
+def resource_folder(name: str) -> Path:
+    """The folder `name` ("lexicon", "models", "examples"), wherever the package is installed.
+
+    Raises ServiceError with code `installation_incomplete` when it is in neither place.
+    """
+    for parent in (_PACKAGE, _PACKAGE.parent):
+        if (parent / name).is_dir():
+            return parent / name
+    raise ServiceError("installation_incomplete", f"the folder {name!r} is missing beside {_PACKAGE}; reinstall understudy")

@@ -1,0 +1,27 @@
+"""What an operator may set, from the environment (`UNDERSTUDY_…`); every setting is listed in docs/settings.md."""
+
+from pathlib import Path
+
+from pydantic import Field
+from pydantic_settings import BaseSettings, SettingsConfigDict
+
+
+class Settings(BaseSettings):
+    """Limits and places. Limits hold for the command line and the service alike."""
+
+    model_config = SettingsConfigDict(env_prefix="UNDERSTUDY_", frozen=True, extra="ignore")
+
+    max_audio_s: float = Field(default=120.0, gt=0, description="longest audio accepted, seconds")
+    max_audio_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest audio file accepted, bytes")
+    min_sample_rate_hz: int = Field(default=8_000, gt=0, description="lowest sample rate accepted, Hz")
+    max_sample_rate_hz: int = Field(default=192_000, gt=0, description="highest sample rate accepted, Hz")
+    max_channels: int = Field(default=8, gt=0, description="most channels accepted")
+    max_text_characters: int = Field(default=20_000, gt=0, description="longest transcript accepted, characters")
+    parser: Path | str | None = Field(
+        default=None, description="another spaCy pipeline, by name or folder (ClearNLP or UD labels); ours if unset"
+    )
+    emphasis_ratio: float = Field(default=0.1, ge=0, le=1, description="stressed ratio above which a word is emphasised")
+    host: str = Field(default="127.0.0.1", description="address the service listens on")
+    port: int = Field(default=8000, ge=0, le=65535, description="port the service listens on; 0 picks a free one")
+    max_concurrent: int = Field(default=4, gt=0, description="lines performed at the same time; more are answered 503")
+    deadline_s: float = Field(default=60.0, gt=0, description="a request that takes longer is answered 504")
