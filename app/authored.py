@@ -43,9 +43,9 @@ class Source:
         try:
             return schema.model_validate(self.value)
         except ValidationError as error:
-            raise AuthoringError(tuple(
-                self.mistake(tuple(found["loc"]), _readable(found["msg"])) for found in error.errors()
-            )) from None
+            raise AuthoringError(
+                tuple(self.mistake(tuple(found["loc"]), _readable(found["msg"])) for found in error.errors())
+            ) from None
 
     def mistake(self, location: Sequence[str | int], message: str) -> Mistake:
         """A mistake at `location`, a path of keys and list positions; its deepest part that exists gives the place."""

@@ -48,14 +48,6 @@ class Hand(StrEnum):
     BOTH = "both"
 
 
-class Mode(StrEnum):
-    """What drives the gestures, as in the paper's study (§5)."""
-
-    SEMANTIC = "semantic"
-    PROSODY = "prosody"
-    RANDOM = "random"
-
-
 @dataclass(frozen=True, slots=True)
 class Interval:
     """A stretch of time, in seconds from the start of the audio."""
@@ -299,5 +291,4 @@ class Performance:
     behaviors: tuple[Behavior, ...]
     character: str
     seed: int
-    mode: Mode
     notices: tuple[Notice, ...] = ()

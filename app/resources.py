@@ -15,4 +15,6 @@ def resource_folder(name: str) -> Path:
     for parent in (_PACKAGE, _PACKAGE.parent):
         if (parent / name).is_dir():
             return parent / name
-    raise ServiceError("installation_incomplete", f"the folder {name!r} is missing beside {_PACKAGE}; reinstall understudy")
+    raise ServiceError(
+        "installation_incomplete", f"the folder {name!r} is missing beside {_PACKAGE}; reinstall understudy"
+    )

@@ -20,7 +20,9 @@ class Settings(BaseSettings):
     parser: Path | str | None = Field(
         default=None, description="another spaCy pipeline, by name or folder (ClearNLP or UD labels); ours if unset"
     )
-    emphasis_ratio: float = Field(default=0.1, ge=0, le=1, description="stressed ratio above which a word is emphasised")
+    emphasis_ratio: float = Field(
+        default=0.1, ge=0, le=1, description="stressed ratio above which a word is emphasised"
+    )
     host: str = Field(default="127.0.0.1", description="address the service listens on")
     port: int = Field(default=8000, ge=0, le=65535, description="port the service listens on; 0 picks a free one")
     max_concurrent: int = Field(default=4, gt=0, description="lines performed at the same time; more are answered 503")
