@@ -1,0 +1,43 @@
+# Two commands on a fresh machine with Python 3.11+ and make: `make perform` and `make test`.
+
+PYTHON ?= python3
+BIN := .venv/bin
+
+.PHONY: perform test serve lock clean
+
+perform: .venv/installed
+	mkdir -p out
+	$(BIN)/understudy perform examples/example.flac --text-file examples/example.txt -o out/example.bml --trace out/example.json
+
+serve: .venv/installed
+	$(BIN)/understudy serve
+
+test: .venv/installed-test
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	$(BIN)/understudy rules check
+	$(BIN)/pytest
+
+.venv/bin/python:
+	$(PYTHON) -c 'import sys; sys.exit(None if sys.version_info >= (3, 11) else "understudy needs Python 3.11 or newer")'
+	$(PYTHON) -m venv .venv
+
+.venv/installed: .venv/bin/python requirements.lock pyproject.toml
+	$(BIN)/pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+	$(BIN)/pip install --quiet --disable-pip-version-check --no-deps --editable .
+	touch $@
+
+.venv/installed-test: .venv/installed requirements-test.lock
+	$(BIN)/pip install --quiet --disable-pip-version-check --require-hashes -r requirements-test.lock
+	touch $@
+
+# For maintainers, after a change of the dependencies in pyproject.toml.
+lock: .venv/installed-test
+	$(BIN)/pip install --quiet uv
+	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --output-file requirements.lock pyproject.toml
+	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --constraint requirements.lock --output-file requirements-test.lock pyproject.toml
+
+clean:
+	rm -rf .venv out dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache

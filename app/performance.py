@@ -1,0 +1,257 @@
+"""The whole way of a line, in order: read it and you have read the paper's Figure 2, up to the schedule.
+
+Every stage is a pure function over the values of `app.model`; what they need besides (models, rules, tables) is loaded
+once into an `Understudy` and never changes. The doors (`app.cli`, `app.api`) call this module and know nothing of the stages.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Self
+
+from app.acoustic.agitation import AgitationModel
+from app.acoustic.alignment import Aligner
+from app.acoustic.decoding import AudioLimits, decode
+from app.acoustic.pitch import track_f0
+from app.acoustic.spectrum import energy_db, mfcc
+from app.acoustic.stress import stress
+from app.acoustic.timings import read_timings
+from app.bml.characters import Characters
+from app.bml.scheduling import schedule
+from app.bml.writer import write_bml
+from app.model import Agitation, Audio, Contours, Function, Level, Notice, Performance, Utterance, Word
+from app.resources import resource_folder
+from app.rules.derivation import FunctionRules, derive_functions
+from app.rules.mapping import MappingRules, choose_movements
+from app.settings import Settings
+from app.syntax.parser import Parser
+from app.transcript import read_transcript
+
+Progress = Callable[[str], None]
+"""Told the name of each stage as it begins."""
+
+RULES = Path(__file__).resolve().parent / "rules"
+
+
+def unheard(_stage: str) -> None:
+    """The progress of a performance that nobody watches."""
+
+
+@dataclass(frozen=True, slots=True)
+class Timings:
+    """Words timed elsewhere: the file's content and its format, "json", "textgrid" or "ctm"."""
+
+    content: bytes
+    format: str
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """What is sent in: the audio file's bytes, the transcript, and the words' timings when they are known already."""
+
+    audio: bytes
+    text: str
+    timings: Timings | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How the line is to be performed; `agitation` overrides what the voice says."""
+
+    character: str = "default"
+    agitation: Level | None = None
+    seed: int = 0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Heard:
+    """What the signal alone says."""
+
+    audio: Audio
+    contours: Contours
+    agitation: Agitation
+    notices: tuple[Notice, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Aligned:
+    """The words in time; `duration_s` is the audio's."""
+
+    words: tuple[Word, ...]
+    duration_s: float
+    notices: tuple[Notice, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Analysis:
+    """What a line says and does, before any movement is chosen."""
+
+    utterance: Utterance
+    functions: tuple[Function, ...]
+    notices: tuple[Notice, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Ears:
+    """What hearing needs (paper §3.1). The aligner runs in a process of its own, started by the first line."""
+
+    settings: Settings
+    aligner: Aligner
+    agitation: AgitationModel
+
+    @classmethod
+    def load(cls, settings: Settings) -> "Ears":
+        """Raises ServiceError when a model is missing or broken."""
+        models, lexicon = resource_folder("models"), resource_folder("lexicon")
+        return cls(
+            settings=settings,
+            aligner=Aligner(models / "pronunciation", lexicon / "en"),
+            agitation=AgitationModel.load(models / "agitation"),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Mind:
+    """What understanding needs (paper §3.2, §3.3)."""
+
+    settings: Settings
+    parser: Parser
+    rules: FunctionRules
+
+    @classmethod
+    def load(cls, settings: Settings) -> "Mind":
+        """Raises AuthoringError with every mistake in words and rules, ServiceError when the parser does not load."""
+        return cls(
+            settings=settings,
+            parser=Parser.load(settings.parser or resource_folder("models") / "parser"),
+            rules=FunctionRules.load(RULES, resource_folder("lexicon") / "en"),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """What moving needs (paper §3.4, §3.5)."""
+
+    characters: Characters
+    rules: MappingRules
+
+    @classmethod
+    def load(cls) -> "Body":
+        """Raises AuthoringError with every mistake in characters, behaviour table and mapping rules."""
+        characters = Characters.load(resource_folder("lexicon"))
+        return cls(characters=characters, rules=MappingRules.load(RULES, characters.behavior_names))
+
+
+@dataclass(frozen=True, slots=True)
+class Understudy:
+    """The whole of it, loaded once and shared by threads. `close` (or a `with` block) ends the aligner's process."""
+
+    ears: Ears
+    mind: Mind
+    body: Body
+
+    @classmethod
+    def load(cls, settings: Settings) -> "Understudy":
+        return cls(ears=Ears.load(settings), mind=Mind.load(settings), body=Body.load())
+
+    def close(self) -> None:
+        self.ears.aligner.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self.close()
+
+
+def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = unheard) -> Performance:
+    """The performance of a recorded line (paper §3, Figure 2).
+
+    Raises InputError for audio, text, timings or options that cannot be used.
+    """
+    character = understudy.body.characters.named(options.character)
+    analysis = analyze(understudy, line, agitation=options.agitation, progress=progress)
+    progress("mapping")
+    movements = choose_movements(understudy.body.rules, analysis.utterance, analysis.functions, seed=options.seed)
+    progress("schedule")
+    behaviors = schedule(movements, analysis.utterance, character, seed=options.seed)
+    return Performance(
+        utterance=analysis.utterance,
+        functions=analysis.functions,
+        behaviors=behaviors,
+        character=character.name,
+        seed=options.seed,
+        notices=analysis.notices,
+    )
+
+
+def analyze(
+    understudy: Understudy, line: Line, *, agitation: Level | None = None, progress: Progress = unheard
+) -> Analysis:
+    """What is heard, said and meant (paper §3.1 to §3.3)."""
+    ears, mind = understudy.ears, understudy.mind
+    transcript = read_transcript(line.text, max_characters=mind.settings.max_text_characters)
+    heard = hear(ears, line.audio, progress)
+    progress("align")
+    words, notices = _timed(ears, heard.audio, transcript, line.timings)
+    progress("stress")
+    words, thresholds = stress(words, heard.contours)
+    progress("parse")
+    utterance = Utterance(
+        words=words,
+        parse=mind.parser.parse(words),
+        agitation=_certain(agitation) if agitation else heard.agitation,
+        thresholds=thresholds,
+        duration_s=heard.audio.duration_s,
+    )
+    progress("functions")
+    return Analysis(utterance, derive_functions(mind.rules, utterance), heard.notices + notices)
+
+
+def understand(mind: Mind, text: str) -> Analysis:
+    """What the words alone say and mean: nothing is heard, so nothing has a time (paper §3.2, §3.3)."""
+    words = read_transcript(text, max_characters=mind.settings.max_text_characters)
+    utterance = Utterance(words=words, parse=mind.parser.parse(words))
+    return Analysis(utterance, derive_functions(mind.rules, utterance))
+
+
+def hear(ears: Ears, audio: bytes, progress: Progress = unheard) -> Heard:
+    """What the signal alone says: its contours and the speaker's agitation (paper §3.1.1 to §3.1.4)."""
+    progress("decode")
+    signal, notices = decode(audio, _limits(ears.settings))
+    progress("contours")
+    contours = Contours(energy_db=energy_db(signal), f0_hz=track_f0(signal), mfcc=mfcc(signal))
+    progress("agitation")
+    return Heard(signal, contours, ears.agitation.memberships(contours.mfcc, contours.energy_db), notices)
+
+
+def align(ears: Ears, line: Line) -> Aligned:
+    """The words and phones of a line in time."""
+    transcript = read_transcript(line.text, max_characters=ears.settings.max_text_characters)
+    signal, notices = decode(line.audio, _limits(ears.settings))
+    words, align_notices = _timed(ears, signal, transcript, line.timings)
+    return Aligned(words, signal.duration_s, notices + align_notices)
+
+
+def _timed(
+    ears: Ears, audio: Audio, transcript: tuple[Word, ...], timings: Timings | None
+) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
+    """The words in time: as the caller timed them, else as the aligner hears them."""
+    if timings is None:
+        return ears.aligner.align(audio, transcript)
+    return read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s), ()
+
+
+def _limits(settings: Settings) -> AudioLimits:
+    return AudioLimits(
+        max_duration_s=settings.max_audio_s,
+        max_bytes=settings.max_audio_bytes,
+        min_sample_rate_hz=settings.min_sample_rate_hz,
+        max_sample_rate_hz=settings.max_sample_rate_hz,
+        max_channels=settings.max_channels,
+    )
+
+
+def _certain(level: Level) -> Agitation:
+    """The memberships of a level that the caller gave."""
+    return Agitation(**{name.value: float(name is level) for name in Level})
