@@ -1,7 +1,8 @@
 """The whole way of a line, in order: read it and you have read the paper's Figure 2, up to the schedule.
 
 Every stage is a pure function over the values of `app.model`; what they need besides (models, rules, tables) is loaded
-once into an `Understudy` and never changes. The doors (`app.cli`, `app.api`) call this module and know nothing of the stages.
+once into an `Understudy` and never changes. The doors (`app.cli`, `app.api`) call this module and know nothing of the
+stages; the forms in which results leave (BML, TextGrid, CTM) are passed on from here.
 """
 
 from collections.abc import Callable
@@ -15,7 +16,7 @@ from app.acoustic.decoding import AudioLimits, decode
 from app.acoustic.pitch import track_f0
 from app.acoustic.spectrum import energy_db, mfcc
 from app.acoustic.stress import stress
-from app.acoustic.timings import read_timings
+from app.acoustic.timings import read_timings, to_ctm, to_textgrid
 from app.bml.characters import Characters
 from app.bml.scheduling import schedule
 from app.bml.writer import write_bml
@@ -26,6 +27,28 @@ from app.rules.mapping import MappingRules, choose_movements
 from app.settings import Settings
 from app.syntax.parser import Parser
 from app.transcript import read_transcript
+
+__all__ = [
+    "Aligned",
+    "Analysis",
+    "Body",
+    "Ears",
+    "Heard",
+    "Line",
+    "Mind",
+    "Options",
+    "Progress",
+    "Timings",
+    "Understudy",
+    "align",
+    "analyze",
+    "hear",
+    "perform",
+    "to_ctm",
+    "to_textgrid",
+    "understand",
+    "write_bml",
+]
 
 Progress = Callable[[str], None]
 """Told the name of each stage as it begins."""
