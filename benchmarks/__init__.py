@@ -1,0 +1,1 @@
+"""Scripts that measure Understudy; each prints its figures: `python -m benchmarks.NAME`."""

@@ -1,0 +1,1 @@
+"""Scripts that make what lies in models/, from data outside the repository."""
