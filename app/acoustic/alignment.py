@@ -1,0 +1,162 @@
+"""Words and phones in time: where in the recording each word of the transcript is spoken.
+
+Forced alignment with pocketsphinx in two passes, words and then their phones, at 125 frames a second, as measured in
+`benchmarks/alignment.py`. Phones are ARPABET without stress digits; their `stress` is None, for the dictionary has
+none. A word for which nothing is spoken ("—") keeps its number and has no interval and no phones.
+"""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Self
+
+import numpy as np
+from pocketsphinx import get_model_path
+
+from app.acoustic.decoder_process import DecodedPhone, DecoderProcess
+from app.acoustic.fit import check_fit
+from app.acoustic.normalisation import Normaliser
+from app.acoustic.pronunciation import Pronouncer, Pronunciation
+from app.acoustic.spreading import spread
+from app.errors import InputError
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Interval, Notice, Phone, Word
+
+FRAMES_PER_S = 125
+PADDING_S = 0.2
+WINDOW_DELAY_S = 0.0085
+"""A phone begins this much after the start of its first frame: the analysis window is that much longer than a step."""
+
+PEAK = 0.9
+NOISE_AMPLITUDE = 3e-4
+NOISE_SEED = 20_200
+
+
+@dataclass(frozen=True, slots=True)
+class _Spoken:
+    """A transcript word that is spoken, with the pronunciations of its tokens."""
+
+    word: Word
+    tokens: tuple[str, ...]
+    pronunciations: tuple[Pronunciation, ...]
+
+
+class Aligner:
+    """Loaded once, shared by threads; the decoder works in a process of its own that the first line starts."""
+
+    def __init__(self, models: Path, lexicon: Path) -> None:
+        """`models` holds `graphones.npz`, `lexicon` holds `abbreviations.yaml`.
+
+        Raises ServiceError when a model is missing or broken, AuthoringError for the abbreviations.
+        """
+        dictionary = Path(get_model_path()) / "en-us" / "cmudict-en-us.dict"
+        self._pronouncer = Pronouncer.load(dictionary, models / "graphones.npz")
+        self._normaliser = Normaliser.load(lexicon / "abbreviations.yaml", self._pronouncer.dictionary.keys())
+        self._process = DecoderProcess()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self.close()
+
+    def warm_up(self) -> None:
+        """Starts the decoder's process, so that the first line need not wait for it."""
+        self._process.start()
+
+    def close(self) -> None:
+        """Ends the decoder's process; a later `align` starts another."""
+        self._process.close()
+
+    def align(self, audio: Audio, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
+        """`words` with the intervals and phones that `audio` gives them.
+
+        Notices: `pronunciation_guessed`, `word_unreadable`, `transcript_suspect`, `alignment_low_confidence`. Raises
+        InputError `transcript_unspoken` (nothing to say in it) and `transcript_mismatch` (another text than the
+        audio's), ServiceError `aligner_crashed`.
+        """
+        spoken, notices = self._pronounced(words)
+        decoded = self._process.align(
+            pcm(audio.samples),
+            [[" ".join(phones) for phones in each.variants] for word in spoken for each in word.pronunciations],
+        )
+        if decoded is None:
+            timed, fit_notices = spread(audio, _expected(spoken))
+        else:
+            timed = _timed(spoken, decoded, audio.duration_s)
+            fit_notices = check_fit(audio, timed, decoded)
+        in_time = {word.index: word for word in timed}
+        return tuple(in_time.get(word.index, word) for word in words), notices + fit_notices
+
+    def _pronounced(self, words: tuple[Word, ...]) -> tuple[list[_Spoken], tuple[Notice, ...]]:
+        spoken, unreadable, guessed = [], [], []
+        for word, tokens in zip(words, self._normaliser.spoken(words), strict=True):
+            said = [(token, found) for token in tokens if (found := self._pronouncer.pronounce(token))]
+            guessed += [token for token, found in said if found.guessed]
+            if said:
+                spoken.append(_Spoken(word, *zip(*said, strict=True)))
+            elif any(map(str.isalnum, word.text)):
+                unreadable.append(word)
+        if not spoken:
+            raise InputError(
+                "transcript_unspoken",
+                "nothing in the text can be spoken; send the English words of the line",
+                field="text",
+            )
+        return spoken, (*_guessed(guessed), *_unreadable(unreadable))
+
+
+def pcm(samples: FloatArray) -> bytes:
+    """The signal as the decoder wants it: loud, 16-bit, between two stretches of faint noise, always the same."""
+    noise = np.random.default_rng(NOISE_SEED).standard_normal(2 * round(PADDING_S * SAMPLE_RATE_HZ)) * NOISE_AMPLITUDE
+    before, after = np.split(noise, 2)
+    peak = float(np.abs(samples).max(initial=0.0)) or 1.0
+    padded = np.concatenate([before, samples * (PEAK / peak), after])
+    return (padded * 32767).round().astype("<i2").tobytes()
+
+
+def _timed(spoken: list[_Spoken], decoded: list[list[DecodedPhone]], duration_s: float) -> tuple[Word, ...]:
+    remaining = iter(decoded)
+    words = []
+    for each in spoken:
+        phones = tuple(_phone(phone, duration_s) for _ in each.tokens for phone in next(remaining))
+        interval = Interval(phones[0].interval.start_s, phones[-1].interval.end_s)
+        words.append(replace(each.word, interval=interval, phones=phones))
+    return tuple(words)
+
+
+def _phone(phone: DecodedPhone, duration_s: float) -> Phone:
+    return Phone(
+        phone.label,
+        Interval(_seconds(phone.first_frame, duration_s), _seconds(phone.first_frame + phone.frames, duration_s)),
+    )
+
+
+def _seconds(frame: int, duration_s: float) -> float:
+    """When a frame begins, in the unpadded signal; to the millisecond."""
+    time_s = round(frame / FRAMES_PER_S + WINDOW_DELAY_S - PADDING_S, 3)
+    return min(max(time_s, 0.0), duration_s)
+
+
+def _expected(spoken: list[_Spoken]) -> tuple[Word, ...]:
+    """The words with the phones they should have, at no time yet."""
+    nowhere = Interval(0.0, 0.0)
+    return tuple(
+        replace(
+            each.word,
+            phones=tuple(Phone(label, nowhere) for said in each.pronunciations for label in said.variants[0]),
+        )
+        for each in spoken
+    )
+
+
+def _guessed(tokens: list[str]) -> tuple[Notice, ...]:
+    if not tokens:
+        return ()
+    names = ", ".join(dict.fromkeys(tokens))
+    return (Notice("pronunciation_guessed", f"not in the dictionary, pronounced by guess: {names}"),)
+
+
+def _unreadable(words: list[Word]) -> tuple[Notice, ...]:
+    if not words:
+        return ()
+    names = ", ".join(f"{word.index} ({word.text})" for word in words)
+    return (Notice("word_unreadable", f"not in the Latin alphabet, left without a time: word {names}"),)

@@ -1,0 +1,107 @@
+"""Our end of the process in which pocketsphinx works (`decoder_worker`): starts it, asks it, survives its death."""
+
+import json
+import subprocess
+import sys
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.errors import ServiceError
+
+WORKER = Path(__file__).with_name("decoder_worker.py")
+TIME_LIMIT_S = 120.0
+
+
+@dataclass(frozen=True, slots=True)
+class DecodedPhone:
+    """A phone where the decoder heard it, in its frames; `score` sums the log likelihoods of its frames."""
+
+    label: str
+    first_frame: int
+    frames: int
+    score: int
+
+
+class DecoderProcess:
+    """One worker, started when first needed and again after a crash; threads take turns.
+
+    The worker ends when its standard input does, so it never outlives us. It has a session of its own: Ctrl-C at the
+    terminal is ours to handle.
+    """
+
+    def __init__(self, worker: Path = WORKER, *, time_limit_s: float = TIME_LIMIT_S) -> None:
+        self._command = [sys.executable, "-P", str(worker)]
+        self._time_limit_s = time_limit_s
+        self._turn = threading.Lock()
+        self._process: subprocess.Popen[bytes] | None = None
+
+    def start(self) -> None:
+        """Starts the worker, if it does not run yet."""
+        with self._turn:
+            self._running()
+
+    def align(self, audio: bytes, words: Sequence[Sequence[str]]) -> list[list[DecodedPhone]] | None:
+        """The phones of each word; None when the decoder finds no path.
+
+        `audio` is 16-bit mono at 16 kHz; a word is its pronunciations, each phones between spaces. Raises ServiceError
+        `aligner_crashed` when the worker dies over it or takes longer than the time limit; the next call has a new one.
+        """
+        request = json.dumps({"words": words, "bytes": len(audio)}).encode() + b"\n" + audio
+        with self._turn:
+            answer = self._asked(self._running(), request)
+        decoded = json.loads(answer)["words"]
+        return decoded and [[DecodedPhone(*phone) for phone in word] for word in decoded]
+
+    def close(self) -> None:
+        """Ends the worker. A later `align` starts another."""
+        with self._turn:
+            if self._process is not None:
+                self._end(self._process)
+
+    def _running(self) -> subprocess.Popen[bytes]:
+        if self._process is not None and self._process.poll() is not None:
+            self._end(self._process)
+        if self._process is None:
+            self._process = subprocess.Popen(
+                self._command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                start_new_session=True,
+            )
+        return self._process
+
+    def _asked(self, process: subprocess.Popen[bytes], request: bytes) -> bytes:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        timer = threading.Timer(self._time_limit_s, process.kill)
+        timer.start()
+        try:
+            process.stdin.write(request)
+            process.stdin.flush()
+            answer = process.stdout.readline()
+        except BrokenPipeError:
+            answer = b""
+        finally:
+            timer.cancel()
+        if not answer.endswith(b"\n"):
+            process.kill()
+            raise ServiceError(
+                "aligner_crashed",
+                f"the aligner's process ended (status {self._end(process)}) while it aligned this line; "
+                "other lines are not affected",
+            )
+        return answer
+
+    def _end(self, process: subprocess.Popen[bytes]) -> int:
+        """Closes the pipes, waits, and forgets the process; its exit status, negative for a signal."""
+        self._process = None
+        for pipe in (process.stdin, process.stdout):
+            if pipe is not None:
+                try:
+                    pipe.close()
+                except BrokenPipeError:
+                    continue
+        return process.wait()

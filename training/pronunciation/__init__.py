@@ -1,0 +1,1 @@
+"""Makes `models/pronunciation/` from the dictionary that ships with pocketsphinx."""
