@@ -1,0 +1,164 @@
+"""What is known while rules run: the facts, indexed by the arguments that joins will ask for, and why each is there.
+
+A `Knowledge` lives for one derivation and is the only thing in the chainer that changes.
+"""
+
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from operator import itemgetter
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from app.errors import AuthoringError, Mistake
+from app.rules.tree import Argument
+
+Environment: TypeAlias = list[Any]
+"""The slots of a rule while it is matched: its constants, the values of its variables, the facts it joined."""
+
+Pick: TypeAlias = Callable[[Sequence[Any]], Any]
+
+
+def pick(places: Sequence[int]) -> Pick:
+    """Picks what stands at `places` as a key: one value bare, several as a tuple, none as the empty tuple."""
+    return itemgetter(*places) if places else _nothing
+
+
+def _nothing(_row: Sequence[Any]) -> tuple[()]:
+    return ()
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """`predicate(arguments)`, without the annotation: two facts are one when predicate and arguments are equal."""
+
+    predicate: str
+    arguments: tuple[Argument, ...]
+
+    def __str__(self) -> str:
+        return f"{self.predicate}({', '.join(map(str, self.arguments))})"
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """A place in a rule file, to blame when a rule goes wrong while it runs."""
+
+    path: Path
+    line: int
+    column: int
+    source_line: str
+    rule: str
+
+    def error(self, message: str) -> AuthoringError:
+        return AuthoringError(
+            (Mistake(self.path, self.line, self.column, f"rule {self.rule}: {message}", self.source_line),)
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What a derivation may grow to before it is stopped; a line of a hundred words needs a hundredth of it."""
+
+    facts: int = 200_000
+    rounds: int = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class Reason:
+    """Why a fact holds: the first rule that derived it, and the facts it joined."""
+
+    origin: Origin
+    supports: tuple[Fact, ...]
+
+    @property
+    def rule(self) -> str:
+        return self.origin.rule
+
+    @property
+    def path(self) -> Path:
+        return self.origin.path
+
+    @property
+    def line(self) -> int:
+        return self.origin.line
+
+
+@dataclass(frozen=True, slots=True)
+class Index:
+    """The facts of `predicate` by the arguments at `positions` (in order)."""
+
+    predicate: str
+    positions: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """What one match of a rule would make a fact's annotation, from the annotations of the facts in `reads`."""
+
+    fact: Fact
+    reads: tuple[Fact, ...]
+    value: Callable[[dict[Fact, float]], float]
+
+
+Filed: TypeAlias = defaultdict[object, list[Fact]]
+
+
+@dataclass(slots=True)
+class Knowledge:
+    """Facts in order of derivation, filed under every index. New facts are filed when the round ends (`end_round`)."""
+
+    indexes: tuple[Index, ...]
+    limits: Limits
+    filed: list[Filed] = field(default_factory=list)
+    known: defaultdict[str, dict[tuple[Argument, ...], Fact]] = field(default_factory=lambda: defaultdict(dict))
+    facts: list[Fact] = field(default_factory=list)
+    reasons: dict[Fact, Reason] = field(default_factory=dict)
+    claims: list[Claim] = field(default_factory=list)
+    annotations: dict[Fact, float] = field(default_factory=dict)
+    choices: list[Any] = field(default_factory=list)
+    recent: dict[tuple[str, Argument | None], list[Fact]] = field(default_factory=dict)
+    _pending: list[Fact] = field(default_factory=list)
+    _filing: Mapping[str, list[tuple[Index, defaultdict[object, list[Fact]]]]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.filed = [defaultdict(list) for _ in self.indexes]
+        filing: defaultdict[str, list[tuple[Pick, Filed]]] = defaultdict(list)
+        for index, filed in zip(self.indexes, self.filed, strict=True):
+            filing[index.predicate].append((pick(index.positions), filed))
+        self._filing = filing
+
+    def add(self, predicate: str, arguments: tuple[Argument, ...]) -> tuple[Fact, bool]:
+        """The fact, and whether it is new; a new one is seen by joins from the next round on."""
+        known = self.known[predicate]
+        fact = known.get(arguments)
+        if fact is not None:
+            return fact, False
+        fact = known[arguments] = Fact(predicate, arguments)
+        self.facts.append(fact)
+        self._pending.append(fact)
+        return fact, True
+
+    def end_round(self) -> bool:
+        """Files what this round brought, so that joins see it and `recent` holds it; False when it brought nothing."""
+        self.recent = {}
+        for fact in self._pending:
+            for key, filed in self._filing.get(fact.predicate, ()):
+                filed[key(fact.arguments)].append(fact)
+            self._remember(fact)
+        brought = bool(self._pending)
+        self._pending = []
+        return brought
+
+    def blamed(self) -> Origin:
+        """The rule that derived the latest fact."""
+        return self.reasons[self.facts[-1]].origin
+
+    def _remember(self, fact: Fact) -> None:
+        self.recent.setdefault((fact.predicate, None), []).append(fact)
+        if fact.arguments:
+            self.recent.setdefault((fact.predicate, fact.arguments[0]), []).append(fact)
+
+
+def in_canonical_order(facts: Iterable[Fact]) -> list[Fact]:
+    """Sorted by predicate and arguments, numbers before texts: the same whatever order they came in."""
+    return sorted(facts, key=lambda fact: (fact.predicate, [(isinstance(a, str), a) for a in fact.arguments]))

@@ -1,0 +1,187 @@
+"""What a rule file says, before anybody asks whether it makes sense: the syntax tree, with the place of every part.
+
+Lines and columns count from 1.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeAlias
+
+Argument: TypeAlias = str | int | float
+"""What facts are about: a text (a symbol is a text), or a number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    line: int
+    column: int
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """`$name`, without the dollar sign."""
+
+    name: str
+    place: Place
+
+    def __str__(self) -> str:
+        return f"${self.name}"
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    value: Argument
+    place: Place
+
+    def __str__(self) -> str:
+        return str(self.value)
+
+
+@dataclass(frozen=True, slots=True)
+class Wildcard:
+    """`_`: anything, and nobody asks what."""
+
+    place: Place
+
+    def __str__(self) -> str:
+        return "_"
+
+
+@dataclass(frozen=True, slots=True)
+class Alternatives:
+    """`modal|mental`: any one of these constants."""
+
+    values: tuple[Argument, ...]
+    place: Place
+
+    def __str__(self) -> str:
+        return "|".join(map(str, self.values))
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """`left operator right`; the operator is one of + - * /."""
+
+    operator: str
+    left: "Expression"
+    right: "Expression"
+    place: Place
+
+    def __str__(self) -> str:
+        return f"{self.left} {self.operator} {self.right}"
+
+
+@dataclass(frozen=True, slots=True)
+class Atom:
+    """`name(arguments)`: by where it stands a pattern, an assertion, a behaviour or the call of a function."""
+
+    name: str
+    arguments: tuple["Expression", ...]
+    place: Place
+
+    def __str__(self) -> str:
+        return f"{self.name}({', '.join(map(str, self.arguments))})"
+
+
+Expression: TypeAlias = Variable | Constant | Wildcard | Alternatives | Operation | Atom
+
+
+@dataclass(frozen=True, slots=True)
+class Pattern:
+    """A fact that must be there or, with `absent`, must not."""
+
+    fact: Atom
+    absent: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Computation:
+    """`variable = expression`."""
+
+    variable: Variable
+    expression: Expression
+
+
+@dataclass(frozen=True, slots=True)
+class Guard:
+    """`left operator right`; the operator is one of < <= > >= == !=."""
+
+    operator: str
+    left: Expression
+    right: Expression
+    place: Place
+
+
+Statement: TypeAlias = Pattern | Computation | Guard
+
+
+@dataclass(frozen=True, slots=True)
+class WeightedCalls:
+    """`weight 2 when guard and guard`, and the behaviours below it."""
+
+    weight: float
+    guards: tuple[Guard, ...]
+    calls: tuple[Atom, ...]
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Assertion:
+    """The `assert` part of a rule."""
+
+    facts: tuple[Atom, ...]
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """The `choose` part of a rule."""
+
+    alternatives: tuple[WeightedCalls, ...]
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """An argument in a declaration; `merged` when it is marked `max`."""
+
+    name: str
+    merged: bool
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class PredicateTree:
+    """`predicate name(parameters)`."""
+
+    name: str
+    parameters: tuple[Parameter, ...]
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class RuleTree:
+    """`rule name foreach statements`, and what follows: rightly one assertion or one choice."""
+
+    name: str
+    statements: tuple[Statement, ...]
+    conclusions: tuple[Assertion | Choice, ...]
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A declaration or rule, the comment lines directly above it and its text as written."""
+
+    tree: PredicateTree | RuleTree
+    comment: str
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
+class RuleFile:
+    """The blocks of one file that could be read, and its lines to show mistakes in."""
+
+    path: Path
+    lines: tuple[str, ...]
+    blocks: tuple[Block, ...]
