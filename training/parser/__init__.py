@@ -1,0 +1,1 @@
+"""Trains the speech parser of models/parser: `python -m training.parser --treebanks FOLDER --output FOLDER`."""
