@@ -55,22 +55,25 @@ class RuleParser:
         try:
             text = path.read_text(encoding="utf-8-sig")
         except OSError as error:
-            return RuleFile(path, (), ()), (Mistake(path, 1, 1, f"cannot be read: {error.strerror}"),)
+            return RuleFile(path), (Mistake(path, 1, 1, f"cannot be read: {error.strerror}"),)
         except UnicodeDecodeError as error:
-            return RuleFile(path, (), ()), (Mistake(path, 1, 1, f"not UTF-8 text at byte {error.start}"),)
+            return RuleFile(path), (Mistake(path, 1, 1, f"not UTF-8 text at byte {error.start}"),)
         return self.parse(text, path)
 
     def parse(self, text: str, path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
         """As `read`, of text already read; `path` is where it says it comes from."""
         lines = tuple(line.expandtabs(1) for line in text.split("\n"))
         blocks: list[Block] = []
+        unread: list[str] = []
         mistakes = [*_stray_lines(lines, path)]
         for cut in _cut(lines):
             tree, found = self._parse_block(cut)
             mistakes += [Mistake(path, place.line, place.column, what, lines[place.line - 1]) for place, what in found]
-            if tree is not None:
+            if tree is None:
+                unread += cut.source.replace("(", " ").split()[1:2]
+            else:
                 blocks.append(Block(tree, cut.comment, cut.source))
-        return RuleFile(path, lines, tuple(blocks)), tuple(mistakes)
+        return RuleFile(path, lines, tuple(blocks), frozenset(unread)), tuple(mistakes)
 
     def _parse_block(self, cut: "_Cut") -> "tuple[PredicateTree | RuleTree | None, list[_Located]]":
         builder = _Builder(cut.first_line)

@@ -180,8 +180,9 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class RuleFile:
-    """The blocks of one file that could be read, and its lines to show mistakes in."""
+    """The blocks of one file that could be read, its lines to show mistakes in, and the names of what could not."""
 
     path: Path
-    lines: tuple[str, ...]
-    blocks: tuple[Block, ...]
+    lines: tuple[str, ...] = ()
+    blocks: tuple[Block, ...] = ()
+    unread: frozenset[str] = frozenset()
