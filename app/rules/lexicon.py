@@ -1,0 +1,274 @@
+"""The words and phrases that `lexicon/en/` knows, found in an utterance by one trie (paper §3.3, §3.7).
+
+A file holds one class in groups: words that share a subtype and conditions. A phrase's words match the transcript's
+words, or the parts the parser tells apart in them ("that" in "that's"); with `match: lemma` their lemmas do as well
+("turn into" finds "turning into"). `...` in a phrase stands for up to three words, or none. A file's exceptions are
+phrases in which its words do not mean its class ("no wonder" is no negation). Among overlapping matches of one class
+the longest counts. Finding costs the same however many entries there are.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal
+
+from pydantic import Field, field_validator
+
+from app.authored import Entry, Source, all_or_every_mistake
+from app.errors import AuthoringError, Mistake
+from app.model import Token, Utterance
+from app.rules.facts import bare
+
+GAP = "..."
+LONGEST_GAP = 3
+SLOT = "{}"
+"""Where an example takes each word of its group in turn."""
+
+PARTS_OF_SPEECH = frozenset("ADJ ADP ADV AUX CCONJ DET INTJ NOUN NUM PART PRON PROPN SCONJ VERB X SYM".split())
+
+
+class Conditions(Entry):
+    """Words and what must hold where they stand. Neighbours are tested by their form; the part of speech is that of
+    the phrase's first word."""
+
+    words: tuple[str, ...] = Field(min_length=1)
+    match: Literal["form", "lemma"] = "form"
+    part_of_speech: frozenset[str] = frozenset()
+    after: frozenset[str] = frozenset()
+    not_after: frozenset[str] = frozenset()
+    before: frozenset[str] = frozenset()
+    not_before: frozenset[str] = frozenset()
+
+    @field_validator("part_of_speech")
+    @classmethod
+    def _known(cls, labels: frozenset[str]) -> frozenset[str]:
+        unknown = ", ".join(sorted(labels - PARTS_OF_SPEECH))
+        if unknown:
+            raise ValueError(f"unknown part of speech {unknown}; known are {', '.join(sorted(PARTS_OF_SPEECH))}")
+        return labels
+
+
+class Group(Conditions):
+    """Words of one subtype, with an example in which each of them must be found."""
+
+    subtype: str = "plain"
+    example: str
+
+    @field_validator("example")
+    @classmethod
+    def _shows_the_words(cls, example: str) -> str:
+        if SLOT not in example:
+            raise ValueError(f"the example needs {SLOT} where the word stands")
+        return example
+
+
+class LexiconFile(Entry):
+    """A file of `lexicon/en/`."""
+
+    class_name: str = Field(alias="class")
+    groups: tuple[Group, ...] = Field(min_length=1)
+    exceptions: tuple[Conditions, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class LexicalEntry:
+    """A word or phrase of the lexicon; `subtype` is None for an exception of its class."""
+
+    phrase: str
+    class_name: str
+    subtype: str | None
+    conditions: Conditions
+    path: Path
+    line: int
+    example: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class LexicalMatch:
+    """Words `first` to `last`, both included, are an entry of the lexicon."""
+
+    class_name: str
+    subtype: str
+    first: int
+    last: int
+
+
+@dataclass(slots=True)
+class _Node:
+    """A state of the trie, reached by the words of a phrase so far; written only while the lexicon loads."""
+
+    forms: dict[str, "_Node"] = field(default_factory=dict)
+    lemmas: dict[str, "_Node"] = field(default_factory=dict)
+    gap: "_Node | None" = None
+    entries: list[LexicalEntry] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class _Spelling:
+    """How a word may be looked up: its text and its parts' texts, its parts' lemmas, with their parts of speech."""
+
+    forms: dict[str, frozenset[str]]
+    lemmas: dict[str, frozenset[str]]
+
+
+@dataclass(frozen=True, slots=True)
+class _Found:
+    entry: LexicalEntry
+    words: tuple[int, ...]
+
+    @property
+    def length(self) -> int:
+        return self.words[-1] - self.words[0] + 1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Lexicon:
+    """Every entry, and the trie that finds them; shared by threads, never changed."""
+
+    entries: tuple[LexicalEntry, ...]
+    root: _Node
+
+    @classmethod
+    def load(cls, folder: Path) -> "Lexicon":
+        """The lexicon of every YAML file in `folder` that has a `class`; raises AuthoringError with all mistakes."""
+        files = all_or_every_mistake(_read(path) for path in sorted(folder.glob("*.yaml")))
+        entries = tuple(entry for found in files for entry in found)
+        return cls(entries, _trie(entries))
+
+    def matches(self, utterance: Utterance) -> tuple[LexicalMatch, ...]:
+        """The entries found, in order of their first words; per class the longest of overlapping ones."""
+        spellings = _spellings(utterance)
+        found = [match for start in range(len(spellings)) for match in _found_from(self.root, spellings, start)]
+        return tuple(
+            LexicalMatch(match.entry.class_name, match.entry.subtype, match.words[0], match.words[-1])
+            for match in _longest(found)
+            if match.entry.subtype is not None
+        )
+
+
+def _read(path: Path) -> tuple[LexicalEntry, ...] | AuthoringError:
+    """The entries of a file, or its mistakes; a file without `class` is none of ours and has no entries."""
+    try:
+        source = Source(path)
+        if not isinstance(source.value, dict) or "class" not in source.value:
+            return ()
+        content = source.validated(LexiconFile)
+        entries = tuple(_entries(source, content))
+    except AuthoringError as error:
+        return error
+    mistakes = tuple(_duplicates(source, entries))
+    return AuthoringError(mistakes) if mistakes else entries
+
+
+def _entries(source: Source, content: LexiconFile) -> Iterator[LexicalEntry]:
+    for kind, groups in (("groups", content.groups), ("exceptions", content.exceptions)):
+        for position, group in enumerate(groups):
+            subtype, example = (group.subtype, group.example) if isinstance(group, Group) else (None, None)
+            for number, phrase in enumerate(group.words):
+                line = source.mistake((kind, position, "words", number), "").line
+                yield LexicalEntry(phrase, content.class_name, subtype, group, source.path, line, example)
+
+
+def _duplicates(source: Source, entries: Iterable[LexicalEntry]) -> Iterator[Mistake]:
+    """Entries that an earlier one of the file makes useless: the same words under the same conditions."""
+    seen: dict[tuple[str, object], int] = {}
+    for entry in entries:
+        key = (entry.phrase, entry.conditions.model_copy(update={"words": (), "subtype": "", "example": ""}))
+        first = seen.setdefault(key, entry.line)
+        if first != entry.line:
+            text = source.lines[entry.line - 1]
+            column = max(text.find(entry.phrase), 0) + 1
+            yield Mistake(source.path, entry.line, column, f"{entry.phrase!r} stands already in line {first}", text)
+
+
+def _trie(entries: Iterable[LexicalEntry]) -> _Node:
+    root = _Node()
+    for entry in entries:
+        node = root
+        for word in entry.phrase.split():
+            if word == GAP:
+                node.gap = node.gap or _Node()
+                node = node.gap
+            else:
+                edges = node.lemmas if entry.conditions.match == "lemma" else node.forms
+                node = edges.setdefault(word.lower(), _Node())
+        node.entries.append(entry)
+    return root
+
+
+def _spellings(utterance: Utterance) -> tuple[_Spelling, ...]:
+    parts: list[list[Token]] = [[] for _ in utterance.words]
+    for token in utterance.parse.tokens:
+        parts[token.word].append(token)
+    return tuple(_spelling(bare(word.text), parts[word.index]) for word in utterance.words)
+
+
+def _spelling(text: str, parts: list[Token]) -> _Spelling:
+    parts = [part for part in parts if part.part_of_speech != "PUNCT"]
+    forms = {bare(part.text): frozenset((part.part_of_speech,)) for part in parts}
+    lemmas = {part.lemma.lower(): frozenset((part.part_of_speech,)) for part in parts}
+    forms[text] = frozenset(part.part_of_speech for part in parts)
+    return _Spelling(forms, lemmas)
+
+
+def _found_from(root: _Node, spellings: tuple[_Spelling, ...], start: int) -> Iterator[_Found]:
+    """Every entry whose words begin at `start` and whose conditions hold."""
+    states: list[tuple[_Node, tuple[int, ...], frozenset[str]]] = [(root, (), frozenset())]
+    while states:
+        node, words, parts_of_speech = states.pop()
+        here = words[-1] + 1 if words else start
+        for entry in node.entries:
+            if _holds(entry.conditions, spellings, words, parts_of_speech):
+                yield _Found(entry, words)
+        for edges, position in _edges(node, here):
+            if position < len(spellings):
+                for following, labels in _steps(edges, spellings[position]):
+                    states.append((following, (*words, position), parts_of_speech if words else labels))
+
+
+def _edges(node: _Node, here: int) -> Iterator[tuple[_Node, int]]:
+    yield node, here
+    if node.gap is not None:
+        for skipped in range(LONGEST_GAP + 1):
+            yield node.gap, here + skipped
+
+
+def _steps(node: _Node, spelling: _Spelling) -> Iterator[tuple[_Node, frozenset[str]]]:
+    for form, labels in spelling.forms.items():
+        if form in node.forms:
+            yield node.forms[form], labels
+        if form in node.lemmas and form not in spelling.lemmas:
+            yield node.lemmas[form], labels
+    for lemma, labels in spelling.lemmas.items():
+        if lemma in node.lemmas:
+            yield node.lemmas[lemma], labels
+
+
+def _holds(
+    conditions: Conditions, spellings: tuple[_Spelling, ...], words: tuple[int, ...], parts_of_speech: frozenset[str]
+) -> bool:
+    before = spellings[words[0] - 1].forms.keys() if words[0] else frozenset()
+    after = spellings[words[-1] + 1].forms.keys() if words[-1] + 1 < len(spellings) else frozenset()
+    return (
+        (not conditions.part_of_speech or bool(conditions.part_of_speech & parts_of_speech))
+        and (not conditions.after or bool(conditions.after & before))
+        and (not conditions.before or bool(conditions.before & after))
+        and not conditions.not_after & before
+        and not conditions.not_before & after
+    )
+
+
+def _longest(found: list[_Found]) -> list[_Found]:
+    """Per class, no two that share a matched word: the longer counts, then exceptions, then the earlier.
+
+    Subtypes of the same words stay beside each other: "left" may be a direction and an absence."""
+    taken: dict[tuple[str, int], tuple[int, ...]] = {}
+    kept: list[_Found] = []
+    for match in sorted(found, key=lambda match: (-match.length, match.entry.subtype is not None, match.words[0])):
+        name = match.entry.class_name
+        if any((name, word) in taken for word in match.words):
+            continue
+        for word in match.words:
+            taken[name, word] = match.words
+        kept.append(match)
+    return sorted(kept, key=lambda match: (match.words[0], match.words[-1], match.entry.class_name))
