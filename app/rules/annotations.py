@@ -10,32 +10,35 @@ both, not twice.
 """
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from app.rules.knowledge import Claim, Fact
 
 
-def annotate(facts: Sequence[Fact], claims: Sequence[Claim], given: Mapping[Fact, float]) -> dict[Fact, float]:
-    """The annotation of every fact in `facts`, from what was given and what was claimed."""
+def annotate(claims: Sequence[Claim], annotations: dict[Fact, float]) -> None:
+    """Adds to `annotations`, which holds what was given and what was claimed outright, what `claims` make of it."""
     claims_on: defaultdict[Fact, list[Claim]] = defaultdict(list)
     for claim in claims:
         claims_on[claim.fact].append(claim)
-    annotations = dict(given)
-    for knot in _knots(facts, claims_on):
-        _settle(knot, [claim for fact in knot for claim in claims_on.get(fact, ())], annotations)
-    return annotations
+    for knot in _knots(claims_on):
+        _settle(set(knot), [claim for fact in knot for claim in claims_on[fact]], annotations)
 
 
-def _settle(knot: Sequence[Fact], claims: Sequence[Claim], annotations: dict[Fact, float]) -> None:
-    inside = set(knot)
-    entering = [claim for claim in claims if inside.isdisjoint(claim.reads)]
-    waiting = [claim for claim in claims if not inside.isdisjoint(claim.reads)]
+def _settle(knot: set[Fact], claims: Sequence[Claim], annotations: dict[Fact, float]) -> None:
+    entering, waiting = _parted(claims, lambda claim: knot.isdisjoint(claim.reads))
     _make(entering, annotations)
     while waiting:
-        ready = [claim for claim in waiting if all(fact in annotations for fact in claim.reads)]
-        waiting = [claim for claim in waiting if not all(fact in annotations for fact in claim.reads)]
+        ready, waiting = _parted(waiting, lambda claim: all(fact in annotations for fact in claim.reads))
         _make(ready, annotations)
+
+
+def _parted(claims: Sequence[Claim], holds: Callable[[Claim], bool]) -> tuple[list[Claim], list[Claim]]:
+    """The claims for which something holds, and the others."""
+    parts: tuple[list[Claim], list[Claim]] = ([], [])
+    for claim in claims:
+        parts[not holds(claim)].append(claim)
+    return parts
 
 
 def _make(claims: Sequence[Claim], annotations: dict[Fact, float]) -> None:
@@ -46,13 +49,13 @@ def _make(claims: Sequence[Claim], annotations: dict[Fact, float]) -> None:
             annotations[fact] = value
 
 
-def _knots(facts: Sequence[Fact], claims_on: Mapping[Fact, Sequence[Claim]]) -> Iterator[list[Fact]]:
+def _knots(claims_on: Mapping[Fact, Sequence[Claim]]) -> Iterator[list[Fact]]:
     """The strongly connected components of "reads", what is read before what reads it (Tarjan's algorithm)."""
-    search = _Search()
-    for root in facts:
+    search = _Search(claims_on)
+    for root in claims_on:
         if root in search.number:
             continue
-        ways = [(root, search.enter(root, claims_on))]
+        ways = [(root, search.enter(root))]
         while ways:
             fact, reads = ways[-1]
             onward = next(reads, None)
@@ -63,7 +66,7 @@ def _knots(facts: Sequence[Fact], claims_on: Mapping[Fact, Sequence[Claim]]) -> 
                 if search.low[fact] == search.number[fact]:
                     yield search.leave(fact)
             elif onward not in search.number:
-                ways.append((onward, search.enter(onward, claims_on)))
+                ways.append((onward, search.enter(onward)))
             elif onward in search.open:
                 search.lower(fact, search.number[onward])
 
@@ -72,15 +75,16 @@ def _knots(facts: Sequence[Fact], claims_on: Mapping[Fact, Sequence[Claim]]) -> 
 class _Search:
     """Where Tarjan's search stands: numbers by first visit, the lowest reached from each, what is not settled yet."""
 
+    claims_on: Mapping[Fact, Sequence[Claim]]
     number: dict[Fact, int] = field(default_factory=dict)
     low: dict[Fact, int] = field(default_factory=dict)
     open: dict[Fact, None] = field(default_factory=dict)
 
-    def enter(self, fact: Fact, claims_on: Mapping[Fact, Sequence[Claim]]) -> Iterator[Fact]:
-        """Number the fact; the facts it reads are still to be visited."""
+    def enter(self, fact: Fact) -> Iterator[Fact]:
+        """Number the fact; the facts it reads, as far as there are claims on them, are still to be visited."""
         self.number[fact] = self.low[fact] = len(self.number)
         self.open[fact] = None
-        return iter([read for claim in claims_on.get(fact, ()) for read in claim.reads])
+        return iter([read for claim in self.claims_on[fact] for read in claim.reads if read in self.claims_on])
 
     def lower(self, fact: Fact, number: int) -> None:
         self.low[fact] = min(self.low[fact], number)

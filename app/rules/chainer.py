@@ -13,7 +13,7 @@ from types import MappingProxyType
 
 from app.rules.annotations import annotate
 from app.rules.conclusions import Alternative, Call, Choice
-from app.rules.knowledge import Fact, Knowledge, Limits, Reason, in_canonical_order
+from app.rules.knowledge import Fact, Knowledge, Limits, Reason
 from app.rules.program import Program, Stratum
 from app.rules.tree import Argument
 
@@ -67,14 +67,15 @@ def derive(
     Raises AuthoringError, naming the rule, when it goes beyond the limits or computes what cannot be computed;
     ValueError when a given fact is none of the declared predicates'.
     """
+    facts = list(given)
+    _refuse_undeclared(program, facts)
     knowledge = Knowledge(program.indexes, limits)
-    for fact in in_canonical_order(given):
-        _refuse_undeclared(program, fact)
-        knowledge.add(fact.predicate, fact.arguments)
-    knowledge.end_round()
+    knowledge.give(facts)
+    annotated = (fact for fact in facts if program.predicates[fact.predicate].annotation)
+    knowledge.annotations.update((fact, annotations.get(fact, 0.0)) for fact in annotated)
     for stratum in program.strata:
         _close(stratum, knowledge)
-    _annotate(program, knowledge, annotations)
+    annotate(knowledge.claims, knowledge.annotations)
     for plan in program.choosers:
         plan.run(knowledge)
     return Derivation(
@@ -85,11 +86,11 @@ def derive(
     )
 
 
-def _refuse_undeclared(program: Program, fact: Fact) -> None:
-    declared = program.predicates.get(fact.predicate)
-    if declared is None or len(declared.parameters) != len(fact.arguments):
-        expected = f"takes {', '.join(declared.parameters)}" if declared else "is not declared"
-        raise ValueError(f"given fact {fact}: {fact.predicate} {expected}")
+def _refuse_undeclared(program: Program, facts: Iterable[Fact]) -> None:
+    arities = {name: len(predicate.parameters) for name, predicate in program.predicates.items()}
+    for fact in facts:
+        if arities.get(fact.predicate) != len(fact.arguments):
+            raise ValueError(f"given fact {fact}: no predicate is declared so")
 
 
 def _close(stratum: Stratum, knowledge: Knowledge) -> None:
@@ -103,10 +104,3 @@ def _close(stratum: Stratum, knowledge: Knowledge) -> None:
         for plan in stratum.later:
             plan.run(knowledge)
         rounds += 1
-
-
-def _annotate(program: Program, knowledge: Knowledge, given: Mapping[Fact, float]) -> None:
-    annotated = {name for name, predicate in program.predicates.items() if predicate.annotation}
-    facts = [fact for fact in knowledge.facts if fact.predicate in annotated]
-    values = {fact: given.get(fact, 0.0) for fact in facts if fact not in knowledge.reasons}
-    knowledge.annotations.update(annotate(facts, knowledge.claims, values))

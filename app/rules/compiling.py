@@ -1,6 +1,6 @@
 """Compiles one checked rule: splits what can be known while matching from what waits for annotations, and plans it."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -12,6 +12,7 @@ from app.rules.tree import (
     Atom,
     Choice,
     Computation,
+    Constant,
     Expression,
     Pattern,
     Place,
@@ -25,9 +26,11 @@ from app.rules.tree import (
 def compiled(rule: RuleTree, file: RuleFile, annotated: Mapping[str, bool], indexes: dict[Index, int]) -> Plans:
     """The plans of a checked rule; `annotated` tells the predicates with annotation, `indexes` numbers the indexes."""
     layout = Layout(annotated, partial(_locate, file, rule.name))
-    compiler = _Compiler(rule, layout, annotated)
-    last = compiler.conclusion()
-    return plans(rule, layout, indexes, computed=compiler.computed, last=last)
+    compiler = _Compiler(rule, layout, [part for part in rule.statements if isinstance(part, Computation)])
+    last = compiler.last_step()
+    late = late_computations(compiler.computations, annotation_variables(rule, annotated))
+    early = [part for part in compiler.computations if part not in late]
+    return plans(rule, layout, indexes, computed=early, last=last)
 
 
 def annotation_variables(rule: RuleTree, annotated: Mapping[str, bool]) -> dict[str, int]:
@@ -40,27 +43,18 @@ def annotation_variables(rule: RuleTree, annotated: Mapping[str, bool]) -> dict[
     }
 
 
-def after_annotations(rule: RuleTree, annotations: Mapping[str, int]) -> tuple[Computation, ...]:
-    """The computations that read annotations, directly or through one another, in the order to take them."""
-    tainted = set(annotations)
-    waiting = [part for part in rule.statements if isinstance(part, Computation)]
+def late_computations(computations: Sequence[Computation], annotations: Mapping[str, int]) -> tuple[Computation, ...]:
+    """The computations that read annotations, directly or through one another; each after those it reads."""
+    late = set(annotations)
+    while more := {part.variable.name for part in computations if variables_of(part.expression) & late} - late:
+        late |= more
+    waiting = [part for part in computations if part.variable.name in late]
     ordered: list[Computation] = []
-    while reading := [part for part in waiting if variables_of(part.expression) & tainted]:
-        ordered += reading
-        tainted |= {part.variable.name for part in reading}
-        waiting = [part for part in waiting if part not in reading]
-    return _in_order_of_use(ordered)
-
-
-def _in_order_of_use(computations: list[Computation]) -> tuple[Computation, ...]:
-    """Each after those whose results it reads."""
-    ordered: list[Computation] = []
-    waiting = computations
     while waiting:
-        open_names = {part.variable.name for part in waiting}
-        free = [part for part in waiting if not variables_of(part.expression) & open_names]
-        ordered += free or waiting
-        waiting = [part for part in waiting if part not in free] if free else []
+        unmade = {part.variable.name for part in waiting}
+        ready = [part for part in waiting if not variables_of(part.expression) & unmade] or waiting
+        ordered += ready
+        waiting = [part for part in waiting if part not in ready]
     return tuple(ordered)
 
 
@@ -70,55 +64,57 @@ def _locate(file: RuleFile, rule: str, place: Place) -> Origin:
 
 @dataclass(slots=True)
 class _Compiler:
+    """Makes the last step of a rule. What is computed in its arguments is added to `computations`, hidden ones last."""
+
     rule: RuleTree
     layout: Layout
-    annotated: Mapping[str, bool]
-    computed: tuple[Computation, ...] = ()
+    computations: list[Computation]
 
-    def conclusion(self) -> Step:
-        """The last step; what it needs computed before is added to `computed`."""
-        annotations = annotation_variables(self.rule, self.annotated)
-        late = after_annotations(self.rule, annotations)
-        self.computed = tuple(
-            part for part in self.rule.statements if isinstance(part, Computation) and part not in late
-        )
-        waiting = Annotated(
-            tuple((self.layout.variable(name), self.layout.fact(number)) for name, number in annotations.items()),
-            tuple(
+    def last_step(self) -> Step:
+        [concluded] = self.rule.conclusions
+        origin = self.layout.locate(self.rule.place)
+        joins = sum(isinstance(part, Pattern) and not part.absent for part in self.rule.statements)
+        supports = tuple(map(self.layout.fact, range(joins)))
+        if isinstance(concluded, Choice):
+            offers = tuple(map(self._offer, concluded.alternatives))
+            return Choose(offers, self._annotated(), supports, origin)
+        slots = [tuple(map(self._slot, atom.arguments)) for atom in concluded.facts]
+        annotated = self._annotated()
+        heads = tuple(self._head(atom, of, annotated) for atom, of in zip(concluded.facts, slots, strict=True))
+        return Assert(heads, annotated, supports, origin)
+
+    def _head(self, atom: Atom, slots: tuple[int, ...], annotated: Annotated) -> Head:
+        if not self.layout.annotated[atom.name]:
+            return Head(atom.name, slots, annotation=None, late=False)
+        return Head(atom.name, slots[:-1], annotation=slots[-1], late=slots[-1] in annotated.fills)
+
+    def _offer(self, alternative: WeightedCalls) -> Offer:
+        guards = tuple((self.layout.test(guard), self.layout.locate(guard.place)) for guard in alternative.guards)
+        calls = tuple((call.name, tuple(map(self._slot, call.arguments))) for call in alternative.calls)
+        return Offer(alternative.weight, guards, calls)
+
+    def _slot(self, argument: Expression) -> int:
+        """The slot of a concluded argument; a computed one gets a variable whose name no author can write."""
+        if isinstance(argument, Variable):
+            return self.layout.variable(argument.name)
+        if isinstance(argument, Constant):
+            return self.layout.constant(argument.value)
+        hidden = Variable(f"({len(self.computations)})", argument.place)
+        self.computations.append(Computation(hidden, argument))
+        return self.layout.variable(hidden.name)
+
+    def _annotated(self) -> Annotated:
+        binding = annotation_variables(self.rule, self.layout.annotated)
+        late = late_computations(self.computations, binding)
+        layout = self.layout
+        return Annotated(
+            reads=tuple((layout.variable(name), layout.fact(number)) for name, number in binding.items()),
+            computations=tuple(
                 (
-                    self.layout.variable(part.variable.name),
-                    self.layout.evaluator(part.expression),
-                    self.layout.locate(part.variable.place),
+                    layout.variable(part.variable.name),
+                    layout.evaluator(part.expression),
+                    layout.locate(part.variable.place),
                 )
                 for part in late
             ),
-        )
-        joins = sum(isinstance(part, Pattern) and not part.absent for part in self.rule.statements)
-        supports = tuple(self.layout.fact(number) for number in range(joins))
-        origin = self.layout.locate(self.rule.place)
-        [concluded] = self.rule.conclusions
-        if isinstance(concluded, Choice):
-            return Choose(tuple(map(self._offer, concluded.alternatives)), waiting, supports, origin)
-        return Assert(tuple(map(self._head, concluded.facts)), waiting, supports, origin)
-
-    def _head(self, atom: Atom) -> Head:
-        slots = tuple(self._argument(argument) for argument in self.layout.identity(atom))
-        annotation = self.layout.evaluator(atom.arguments[-1]) if self.annotated[atom.name] else None
-        return Head(atom.name, slots, annotation)
-
-    def _argument(self, argument: Expression) -> int:
-        """The slot of an asserted argument; a computed one gets a variable no author can write."""
-        if isinstance(argument, Variable):
-            return self.layout.variable(argument.name)
-        if not variables_of(argument) and hasattr(argument, "value"):
-            return self.layout.constant(argument.value)
-        hidden = Variable(f"({len(self.computed)})", argument.place)
-        self.computed += (Computation(hidden, argument),)
-        return self.layout.variable(hidden.name)
-
-    def _offer(self, alternative: WeightedCalls) -> Offer:
-        return Offer(
-            alternative.weight,
-            tuple((self.layout.test(guard), self.layout.locate(guard.place)) for guard in alternative.guards),
-            tuple((call.name, tuple(map(self.layout.evaluator, call.arguments))) for call in alternative.calls),
         )

@@ -1,9 +1,8 @@
-"""What happens where a rule holds: facts are asserted, with what they claim for their annotation, or choices offered."""
+"""What follows where a rule holds: facts are asserted, with what they claim for their annotation, or choices made."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
-from typing import TypeAlias
+from functools import partial
 
 from app.rules.arithmetic import ComputationError
 from app.rules.knowledge import Claim, Environment, Fact, Knowledge, Origin, Reason
@@ -31,11 +30,13 @@ class Alternative:
 class Choice:
     """What a choose-rule offers where it holds: the alternatives whose guard holds, and the facts it joined."""
 
-    rule: str
-    path: Path
-    line: int
+    origin: Origin
     supports: tuple[Fact, ...]
     alternatives: tuple[Alternative, ...]
+
+    @property
+    def rule(self) -> str:
+        return self.origin.rule
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,21 +49,30 @@ class Annotated:
     reads: tuple[tuple[int, int], ...]
     computations: tuple[tuple[int, Evaluate, Origin], ...]
 
-    def fill(self, environment: Environment, annotations: dict[Fact, float]) -> None:
+    @property
+    def fills(self) -> frozenset[int]:
+        """The slots that have no value before."""
+        return frozenset((*(slot for slot, _ in self.reads), *(slot for slot, _, _ in self.computations)))
+
+    def fill(self, environment: Environment, annotations: Mapping[Fact, float]) -> None:
         """Put the annotations and what is computed from them into their slots."""
         for slot, fact in self.reads:
             environment[slot] = annotations[environment[fact]]
         for slot, evaluate, origin in self.computations:
-            environment[slot] = _evaluated(evaluate, environment, origin)
+            try:
+                environment[slot] = evaluate(environment)
+            except ComputationError as error:
+                raise origin.error(str(error)) from None
 
 
 @dataclass(frozen=True, slots=True)
 class Head:
-    """A fact to assert: slots of its arguments, and the expression that claims its annotation, if it has one."""
+    """A fact to assert: the slots of its arguments and of its annotation, which is `late` if it reads annotations."""
 
     predicate: str
     slots: tuple[int, ...]
-    annotation: Evaluate | None
+    annotation: int | None
+    late: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,39 +88,47 @@ class Assert:
         for head in self.heads:
             fact, new = knowledge.add(head.predicate, tuple([environment[slot] for slot in head.slots]))
             if new:
-                supports = tuple(environment[slot] for slot in self.supports)
-                knowledge.reasons[fact] = Reason(self.origin, supports)
+                knowledge.reasons[fact] = Reason(self.origin, tuple([environment[slot] for slot in self.supports]))
                 if len(knowledge.facts) > knowledge.limits.facts:
                     raise self.origin.error(f"more than {knowledge.limits.facts} facts; does it compute ever new ones?")
-            if head.annotation is not None:
-                reads = tuple(environment[slot] for _, slot in self.annotated.reads)
-                knowledge.claims.append(Claim(fact, reads, self._claim(head.annotation, environment.copy())))
+            if head.late:
+                reads = tuple([environment[slot] for _, slot in self.annotated.reads])
+                knowledge.claims.append(Claim(fact, reads, partial(self._claimed, head, environment.copy())))
+            elif head.annotation is not None:
+                knowledge.claim(fact, self._number(environment[head.annotation]))
 
-    def _claim(self, annotation: Evaluate, environment: Environment) -> Callable[[dict[Fact, float]], float]:
-        def claimed(annotations: dict[Fact, float]) -> float:
-            self.annotated.fill(environment, annotations)
-            value = _evaluated(annotation, environment, self.origin)
-            if isinstance(value, str):
-                raise self.origin.error(f"an annotation is a number, and {value!r} is a text")
-            return value
+    def _claimed(self, head: Head, environment: Environment, annotations: Mapping[Fact, float]) -> float:
+        """The annotation that `head` claims when those it reads are final."""
+        self.annotated.fill(environment, annotations)
+        return self._number(environment[head.annotation])
 
-        return claimed
-
-
-_Guards: TypeAlias = tuple[tuple[Callable[[Environment], bool], Origin], ...]
+    def _number(self, value: Argument) -> float:
+        if isinstance(value, str):
+            raise self.origin.error(f"an annotation is a number, and {value!r} is a text")
+        return value
 
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """An alternative of a choose-rule: its weight, its guards and the behaviours it calls."""
+    """An alternative of a choose-rule: its weight, its guards, and its calls with the slots of their arguments."""
 
     weight: float
-    guards: _Guards
-    calls: tuple[tuple[str, tuple[Evaluate, ...]], ...]
+    guards: tuple[tuple[Callable[[Environment], bool], Origin], ...]
+    calls: tuple[tuple[str, tuple[int, ...]], ...]
 
     def stands(self, environment: Environment) -> bool:
         """Whether every guard holds."""
-        return all(_evaluated(holds, environment, origin) for holds, origin in self.guards)
+        for holds, origin in self.guards:
+            try:
+                if not holds(environment):
+                    return False
+            except ComputationError as error:
+                raise origin.error(str(error)) from None
+        return True
+
+    def made(self, environment: Environment) -> Alternative:
+        calls = [Call(name, tuple([environment[slot] for slot in slots])) for name, slots in self.calls]
+        return Alternative(self.weight, tuple(calls))
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,26 +142,7 @@ class Choose:
 
     def run(self, knowledge: Knowledge, environment: Environment) -> None:
         self.annotated.fill(environment, knowledge.annotations)
-        alternatives = tuple(
-            Alternative(
-                offer.weight,
-                tuple(
-                    Call(name, tuple(_evaluated(argument, environment, self.origin) for argument in arguments))
-                    for name, arguments in offer.calls
-                ),
-            )
-            for offer in self.offers
-            if offer.stands(environment)
-        )
+        alternatives = [offer.made(environment) for offer in self.offers if offer.stands(environment)]
         if alternatives:
-            supports = tuple(environment[slot] for slot in self.supports)
-            knowledge.choices.append(
-                Choice(self.origin.rule, self.origin.path, self.origin.line, supports, alternatives)
-            )
-
-
-def _evaluated(evaluate: Evaluate, environment: Environment, origin: Origin) -> Argument:
-    try:
-        return evaluate(environment)
-    except ComputationError as error:
-        raise origin.error(str(error)) from None
+            supports = tuple([environment[slot] for slot in self.supports])
+            knowledge.choices.append(Choice(self.origin, supports, tuple(alternatives)))

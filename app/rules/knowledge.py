@@ -6,9 +6,10 @@ A `Knowledge` lives for one derivation and is the only thing in the chainer that
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from math import inf
 from operator import itemgetter
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from app.errors import AuthoringError, Mistake
 from app.rules.tree import Argument
@@ -28,9 +29,11 @@ def _nothing(_row: Sequence[Any]) -> tuple[()]:
     return ()
 
 
-@dataclass(frozen=True, slots=True)
-class Fact:
-    """`predicate(arguments)`, without the annotation: two facts are one when predicate and arguments are equal."""
+class Fact(NamedTuple):
+    """`predicate(arguments)`, without the annotation: two facts are one when predicate and arguments are equal.
+
+    A named tuple where the house has frozen dataclasses: a line makes hundreds and hashes them thousands of times.
+    """
 
     predicate: str
     arguments: tuple[Argument, ...]
@@ -91,8 +94,7 @@ class Index:
     positions: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Claim:
+class Claim(NamedTuple):
     """What one match of a rule would make a fact's annotation, from the annotations of the facts in `reads`."""
 
     fact: Fact
@@ -116,7 +118,7 @@ class Knowledge:
     claims: list[Claim] = field(default_factory=list)
     annotations: dict[Fact, float] = field(default_factory=dict)
     choices: list[Any] = field(default_factory=list)
-    recent: dict[tuple[str, Argument | None], list[Fact]] = field(default_factory=dict)
+    recent: defaultdict[tuple[str, Argument | None], list[Fact]] = field(default_factory=lambda: defaultdict(list))
     _pending: list[Fact] = field(default_factory=list)
     _filing: Mapping[str, list[tuple[Index, defaultdict[object, list[Fact]]]]] = field(default_factory=dict)
 
@@ -126,6 +128,14 @@ class Knowledge:
         for index, filed in zip(self.indexes, self.filed, strict=True):
             filing[index.predicate].append((pick(index.positions), filed))
         self._filing = filing
+
+    def give(self, facts: Iterable[Fact]) -> None:
+        """Adds facts that need no reason; joins see them at once."""
+        for fact in in_canonical_order(facts):
+            if fact.arguments not in self.known[fact.predicate]:
+                self.known[fact.predicate][fact.arguments] = fact
+                self.facts.append(fact)
+        self._file(self.facts)
 
     def add(self, predicate: str, arguments: tuple[Argument, ...]) -> tuple[Fact, bool]:
         """The fact, and whether it is new; a new one is seen by joins from the next round on."""
@@ -140,25 +150,34 @@ class Knowledge:
 
     def end_round(self) -> bool:
         """Files what this round brought, so that joins see it and `recent` holds it; False when it brought nothing."""
-        self.recent = {}
-        for fact in self._pending:
+        brought, self._pending = self._pending, []
+        self._file(brought)
+        self.recent.clear()
+        for fact in brought:
+            self.recent[fact.predicate, None].append(fact)
+            if fact.arguments:
+                self.recent[fact.predicate, fact.arguments[0]].append(fact)
+        return bool(brought)
+
+    def claim(self, fact: Fact, annotation: float) -> None:
+        """Raises the fact's annotation to `annotation`, if it is not so high already."""
+        if annotation > self.annotations.get(fact, -inf):
+            self.annotations[fact] = annotation
+
+    def _file(self, facts: Iterable[Fact]) -> None:
+        for fact in facts:
             for key, filed in self._filing.get(fact.predicate, ()):
                 filed[key(fact.arguments)].append(fact)
-            self._remember(fact)
-        brought = bool(self._pending)
-        self._pending = []
-        return brought
 
     def blamed(self) -> Origin:
         """The rule that derived the latest fact."""
         return self.reasons[self.facts[-1]].origin
 
-    def _remember(self, fact: Fact) -> None:
-        self.recent.setdefault((fact.predicate, None), []).append(fact)
-        if fact.arguments:
-            self.recent.setdefault((fact.predicate, fact.arguments[0]), []).append(fact)
-
 
 def in_canonical_order(facts: Iterable[Fact]) -> list[Fact]:
     """Sorted by predicate and arguments, numbers before texts: the same whatever order they came in."""
-    return sorted(facts, key=lambda fact: (fact.predicate, [(isinstance(a, str), a) for a in fact.arguments]))
+    listed = list(facts)
+    try:
+        return sorted(listed)
+    except TypeError:  # a predicate has a text where it has a number elsewhere
+        return sorted(listed, key=lambda fact: (fact.predicate, [(isinstance(a, str), a) for a in fact.arguments]))

@@ -153,7 +153,7 @@ class _Planner:
         arguments = self.layout.identity(atom)
         then = self.rest(_bound_by(arguments), tuple(number for number in joins if number != chosen), conditions)
         first = arguments[0].value if arguments and isinstance(arguments[0], Constant) else None
-        return JoinRecent(atom.name, first, self._shape(chosen, frozenset(), keyed=False), then)
+        return JoinRecent((atom.name, first), self._shape(chosen, frozenset(), keyed=False), then)
 
     def _join(
         self, chosen: int, bound: frozenset[str], joins: tuple[int, ...], conditions: tuple[Statement, ...]

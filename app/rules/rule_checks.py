@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 
 from app.rules.arithmetic import BUILTINS, is_ordering
-from app.rules.compiling import after_annotations, annotation_variables
+from app.rules.compiling import annotation_variables, late_computations
 from app.rules.planning import variables_of
 from app.rules.stratification import asserted
 from app.rules.tree import (
@@ -79,7 +79,7 @@ def rule_mistakes(rule: RuleTree, declared: Declared) -> Iterator[Located]:
 
 
 def _parts(rule: RuleTree) -> Iterator[Located]:
-    """Mistakes of the rule's build."""
+    """Parts that are missing or too many."""
     if not any(isinstance(part, Pattern) and not part.absent for part in rule.statements):
         yield rule.place, f"rule {rule.name} joins no fact: `foreach` needs one that is not under `unless`"
     if len(rule.statements) > MOST_STATEMENTS:
@@ -88,6 +88,10 @@ def _parts(rule: RuleTree) -> Iterator[Located]:
         yield rule.place, f"rule {rule.name} concludes nothing: it must end in `assert` or in `choose`"
     for part in rule.conclusions[1:]:
         yield part.place, f"rule {rule.name} has concluded already: one `assert` or one `choose` ends a rule"
+    yield from _conclusions(rule)
+
+
+def _conclusions(rule: RuleTree) -> Iterator[Located]:
     for part in rule.conclusions:
         if isinstance(part, Assertion) and not part.facts:
             yield part.place, "expected a fact to assert below `assert`"
@@ -211,8 +215,8 @@ def _bound(rule: RuleTree) -> set[str]:
 def _annotations(rule: RuleTree, declared: Declared) -> Iterator[Located]:
     """Annotations, and what is computed from them, where they would decide which facts there are."""
     binding = annotation_variables(rule, declared.annotated)
-    late = {part.variable.name for part in after_annotations(rule, binding)}
-    tainted = binding.keys() | late
+    computations = [part for part in rule.statements if isinstance(part, Computation)]
+    tainted = binding.keys() | {part.variable.name for part in late_computations(computations, binding)}
     for expression in _deciding(rule, declared):
         for variable in _variables(expression):
             if variable.name in tainted:
@@ -222,7 +226,7 @@ def _annotations(rule: RuleTree, declared: Declared) -> Iterator[Located]:
         for pattern in _patterns(rule)
         if declared.annotated[pattern.fact.name] and not pattern.absent
     ]
-    computed = [part.variable for part in rule.statements if isinstance(part, Computation)]
+    computed = [part.variable for part in computations]
     names = Counter(argument.name for argument in annotating if isinstance(argument, Variable))
     names.update({variable.name for variable in computed})
     for variable in (*annotating, *computed):

@@ -70,15 +70,17 @@ class Join:
 
 @dataclass(frozen=True, slots=True)
 class JoinRecent:
-    """For every fact of the last round that has the shape: where a rule begins from what is new."""
+    """For every fact of the last round that has the shape: where a rule begins from what is new.
 
-    predicate: str
-    first: Argument | None
+    `beginning` is the predicate and, where it is a constant, the first argument.
+    """
+
+    beginning: tuple[str, Argument | None]
     shape: Shape
     then: Step
 
     def run(self, knowledge: Knowledge, environment: Environment) -> None:
-        facts = knowledge.recent.get((self.predicate, self.first))
+        facts = knowledge.recent.get(self.beginning)
         if facts:
             self.shape.each(facts, self.then, knowledge, environment)
 
