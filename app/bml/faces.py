@@ -1,0 +1,45 @@
+"""The words for what the face does: BML 1.0's own, and FACS action units for what it has no word for.
+
+A blink is action unit 45 and not the core's CLOSE_EYES, which is an eye that is closed and stays so (unit 43); BML
+gives units in `faceFacs`, in its core extensions, which strict parsers read (shared/bml.md).
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+CORE_LEXEMES = frozenset(
+    {
+        "OBLIQUE_BROWS",
+        "RAISE_BROWS",
+        "RAISE_LEFT_BROW",
+        "RAISE_RIGHT_BROW",
+        "LOWER_BROWS",
+        "LOWER_LEFT_BROW",
+        "LOWER_RIGHT_BROW",
+        "LOWER_MOUTH_CORNERS",
+        "LOWER_LEFT_MOUTH_CORNER",
+        "LOWER_RIGHT_MOUTH_CORNER",
+        "RAISE_MOUTH_CORNERS",
+        "RAISE_LEFT_MOUTH_CORNER",
+        "RAISE_RIGHT_MOUTH_CORNER",
+        "OPEN_MOUTH",
+        "OPEN_LIPS",
+        "WIDEN_EYES",
+        "CLOSE_EYES",
+    }
+)
+"""The lexemes of BML 1.0's `faceLexeme`."""
+
+ACTION_UNITS: Mapping[str, int] = MappingProxyType(
+    {
+        "RAISE_CHEEKS": 6,
+        "NARROW_EYES": 7,
+        "WRINKLE_NOSE": 9,
+        "DIMPLE": 14,
+        "PUCKER_LIPS": 18,
+        "STRETCH_LIPS": 20,
+        "PRESS_LIPS": 24,
+        "BLINK": 45,
+    }
+)
+"""Our words for FACS action units (shared/motion.md)."""
