@@ -228,7 +228,8 @@ def analyze(
         duration_s=heard.audio.duration_s,
     )
     progress("functions")
-    return Analysis(utterance, derive_functions(mind.rules, utterance), heard.notices + notices)
+    functions = derive_functions(mind.rules, utterance, emphasis_ratio=mind.settings.emphasis_ratio)
+    return Analysis(utterance, functions, heard.notices + notices)
 
 
 def understand(mind: Mind, text: str) -> Analysis:
