@@ -2,20 +2,27 @@
 
 from pathlib import Path
 
-from pydantic import Field
+from pydantic import Field, ValidationError
 from pydantic_settings import BaseSettings, SettingsConfigDict
+
+from app.errors import InputError
+
+PREFIX = "UNDERSTUDY_"
 
 
 class Settings(BaseSettings):
     """Limits and places. Limits hold for the command line and the service alike."""
 
-    model_config = SettingsConfigDict(env_prefix="UNDERSTUDY_", frozen=True, extra="ignore")
+    model_config = SettingsConfigDict(env_prefix=PREFIX, frozen=True, extra="ignore")
 
     max_audio_s: float = Field(default=120.0, gt=0, description="longest audio accepted, seconds")
     max_audio_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest audio file accepted, bytes")
     min_sample_rate_hz: int = Field(default=8_000, gt=0, description="lowest sample rate accepted, Hz")
     max_sample_rate_hz: int = Field(default=192_000, gt=0, description="highest sample rate accepted, Hz")
     max_channels: int = Field(default=8, gt=0, description="most channels accepted")
+    max_body_bytes: int = Field(
+        default=40 * 1024 * 1024, gt=0, description="largest HTTP request accepted, bytes, audio and words together"
+    )
     max_text_characters: int = Field(default=20_000, gt=0, description="longest transcript accepted, characters")
     parser: Path | str | None = Field(
         default=None, description="another spaCy pipeline, by name or folder (ClearNLP or UD labels); ours if unset"
@@ -27,3 +34,12 @@ class Settings(BaseSettings):
     port: int = Field(default=8000, ge=0, le=65535, description="port the service listens on; 0 picks a free one")
     max_concurrent: int = Field(default=4, gt=0, description="lines performed at the same time; more are answered 503")
     deadline_s: float = Field(default=60.0, gt=0, description="a request that takes longer is answered 504")
+
+
+def read_settings() -> Settings:
+    """The settings of the environment; raises InputError `setting_wrong` naming every variable that is wrong."""
+    try:
+        return Settings()
+    except ValidationError as error:
+        wrong = "; ".join(f"{PREFIX}{found['loc'][0]}".upper() + f": {found['msg']}" for found in error.errors())
+        raise InputError("setting_wrong", f"{wrong}; docs/settings.md lists what may be set") from None

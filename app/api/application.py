@@ -1,0 +1,44 @@
+"""The service: one application that loads everything once and shares it between requests."""
+
+from collections.abc import AsyncIterator
+from contextlib import ExitStack, asynccontextmanager
+
+from fastapi import FastAPI
+
+from app import __version__
+from app.api.body_limit import BodyLimit
+from app.api.capacity import Capacity
+from app.api.problems import answer_errors_as_problems
+from app.api.routes import router
+from app.api.service import Service
+from app.catalogue import Catalogue
+from app.performance import Understudy
+from app.settings import Settings
+
+DESCRIPTION = "Performs a spoken line in an actor's stead: audio and words in, a BML schedule of movements out."
+
+
+def create_app(settings: Settings, understudy: Understudy | None = None) -> FastAPI:
+    """The application. An `understudy` that is given stays its giver's to close; otherwise one is loaded when the
+    application starts and closed when it stops."""
+
+    @asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        with ExitStack() as stack:
+            loaded = understudy or stack.enter_context(Understudy.load(settings))
+            capacity = Capacity(settings.max_concurrent)
+            stack.callback(capacity.close)
+            app.state.service = Service(settings, loaded, Catalogue.load(), capacity)
+            yield
+
+    app = FastAPI(
+        title="Understudy",
+        description=DESCRIPTION,
+        version=__version__,
+        lifespan=lifespan,
+        redirect_slashes=False,
+    )
+    app.add_middleware(BodyLimit, max_bytes=settings.max_body_bytes)
+    app.include_router(router)
+    answer_errors_as_problems(app)
+    return app

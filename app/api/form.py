@@ -1,0 +1,120 @@
+"""Reads a multipart form into memory: every part's bytes, nothing on disk, nothing guessed.
+
+The size of the whole is limited where the bytes come in (`app.api.body_limit`).
+"""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from python_multipart.exceptions import FormParserError
+from python_multipart.multipart import MultipartParser, parse_options_header
+from starlette.requests import Request
+
+from app.errors import InputError, UndecodableError, UnsupportedFormatError
+
+if TYPE_CHECKING:
+    from python_multipart.multipart import MultipartCallbacks
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A field of the form; `file_name` is None when it was sent as a plain value."""
+
+    name: str
+    content: bytes
+    file_name: str | None
+
+    @property
+    def text(self) -> str:
+        """The content as text. A surrogate is let through, for the transcript's own check to name it.
+
+        Raises UndecodableError `text_not_utf8`.
+        """
+        try:
+            return self.content.decode("utf-8", "surrogatepass")
+        except UnicodeDecodeError as error:
+            raise UndecodableError(
+                "text_not_utf8", f"{self.name} is not UTF-8 at byte {error.start}; send it as UTF-8", field=self.name
+            ) from None
+
+
+async def read_form(request: Request, names: Collection[str]) -> dict[str, Part]:
+    """The parts by name; `names` are those that may come, each once.
+
+    Raises UnsupportedFormatError `media_type`, UndecodableError `form_broken`, InputError `field_unknown` and
+    `field_repeated`.
+    """
+    media_type, parameters = parse_options_header(request.headers.get("content-type"))
+    if media_type != b"multipart/form-data":
+        raise UnsupportedFormatError("media_type", "send multipart/form-data with the fields audio and text")
+    collector = _Collector(names)
+    try:
+        parser = MultipartParser(parameters.get(b"boundary", b""), collector.callbacks())
+        async for chunk in request.stream():
+            parser.write(chunk)
+    except FormParserError as error:
+        raise UndecodableError("form_broken", f"the multipart form cannot be read: {error}") from None
+    if not collector.ended:
+        raise UndecodableError("form_broken", "the multipart form ends before its closing boundary")
+    return collector.parts
+
+
+class _Collector:
+    """Gathers the parts as the parser calls back."""
+
+    def __init__(self, names: Collection[str]) -> None:
+        self.parts: dict[str, Part] = {}
+        self.ended = False
+        self._names = names
+        self._header_name = b""
+        self._header_value = b""
+        self._headers: dict[bytes, bytes] = {}
+        self._content = bytearray()
+        self._name = ""
+        self._file_name: str | None = None
+
+    def callbacks(self) -> "MultipartCallbacks":
+        return {
+            "on_part_begin": self._on_part_begin,
+            "on_header_field": self._on_header_field,
+            "on_header_value": self._on_header_value,
+            "on_header_end": self._on_header_end,
+            "on_headers_finished": self._on_headers_finished,
+            "on_part_data": self._on_part_data,
+            "on_part_end": self._on_part_end,
+            "on_end": self._on_end,
+        }
+
+    def _on_part_begin(self) -> None:
+        self._headers, self._content = {}, bytearray()
+
+    def _on_header_field(self, chunk: bytes, start: int, end: int) -> None:
+        self._header_name += chunk[start:end]
+
+    def _on_header_value(self, chunk: bytes, start: int, end: int) -> None:
+        self._header_value += chunk[start:end]
+
+    def _on_header_end(self) -> None:
+        self._headers[self._header_name.lower()] = self._header_value
+        self._header_name = self._header_value = b""
+
+    def _on_headers_finished(self) -> None:
+        _, options = parse_options_header(self._headers.get(b"content-disposition"))
+        self._name = options.get(b"name", b"").decode("utf-8", "replace")
+        file_name = options.get(b"filename")
+        self._file_name = None if file_name is None else file_name.decode("utf-8", "replace")
+        if self._name not in self._names:
+            known = ", ".join(self._names)
+            raise InputError("field_unknown", f"unknown field {self._name[:40]!r}; known are {known}", field=self._name)
+        if self._name in self.parts:
+            raise InputError("field_repeated", f"the field {self._name} came twice; send it once", field=self._name)
+
+    def _on_part_data(self, chunk: bytes, start: int, end: int) -> None:
+        self._content += chunk[start:end]
+
+    def _on_part_end(self) -> None:
+        self.parts[self._name] = Part(self._name, bytes(self._content), self._file_name)
+
+    def _on_end(self) -> None:
+        self.ended = True

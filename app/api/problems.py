@@ -1,0 +1,85 @@
+"""Every error leaves as `application/problem+json` (RFC 9457) with a stable type and code."""
+
+from http import HTTPStatus
+
+from fastapi import FastAPI
+from starlette.exceptions import HTTPException
+from starlette.requests import ClientDisconnect, Request
+from starlette.responses import JSONResponse, Response
+
+from app.errors import (
+    InputError,
+    ServiceError,
+    TooLargeError,
+    UndecodableError,
+    UnderstudyError,
+    UnsupportedFormatError,
+)
+
+MEDIA_TYPE = "application/problem+json"
+RETRY_AFTER_S = 1
+
+_STATUS_OF_CLASS: tuple[tuple[type[UnderstudyError], int], ...] = (
+    (UndecodableError, 400),
+    (TooLargeError, 413),
+    (UnsupportedFormatError, 415),
+    (InputError, 422),
+)
+_STATUS_OF_SERVICE_CODE = {"service_full": 503, "deadline_passed": 504}
+_CODE_OF_STATUS = {404: "not_found", 405: "method_not_allowed", 406: "not_acceptable"}
+
+
+def answer_errors_as_problems(app: FastAPI) -> None:
+    """Installs the handlers of every error that can leave `app`."""
+    app.add_exception_handler(UnderstudyError, _known)
+    app.add_exception_handler(HTTPException, _refused)
+    app.add_exception_handler(ClientDisconnect, _gone)
+    app.add_exception_handler(Exception, _unexpected)
+
+
+def problem(
+    status: int, code: str, detail: str, *, field: str | None = None, headers: dict[str, str] | None = None
+) -> Response:
+    """`field` names the part of the request at fault."""
+    content = {
+        "type": f"urn:understudy:error:{code}",
+        "title": HTTPStatus(status).phrase,
+        "status": status,
+        "code": code,
+        "detail": detail,
+    }
+    if field is not None:
+        content["field"] = field
+    return JSONResponse(content, status, headers=headers, media_type=MEDIA_TYPE)
+
+
+def status_of(error: UnderstudyError) -> int:
+    """The HTTP status that tells `error`."""
+    if isinstance(error, ServiceError):
+        return _STATUS_OF_SERVICE_CODE.get(error.code, 500)
+    return next((status for of_class, status in _STATUS_OF_CLASS if isinstance(error, of_class)), 500)
+
+
+async def _known(_request: Request, error: Exception) -> Response:
+    assert isinstance(error, UnderstudyError)
+    status = status_of(error)
+    field = error.field if isinstance(error, InputError) else None
+    headers = {"Retry-After": str(RETRY_AFTER_S)} if status == HTTPStatus.SERVICE_UNAVAILABLE else None
+    return problem(status, error.code, error.message, field=field, headers=headers)
+
+
+async def _refused(_request: Request, error: Exception) -> Response:
+    """What the framework or an endpoint refuses: no such path, method or representation."""
+    assert isinstance(error, HTTPException)
+    code = _CODE_OF_STATUS.get(error.status_code, "http_error")
+    return problem(error.status_code, code, error.detail, headers=dict(error.headers or {}))
+
+
+async def _gone(_request: Request, _error: Exception) -> Response:
+    """The client went away while it sent; nobody reads this answer."""
+    return problem(400, "client_disconnected", "the connection closed before the request was complete")
+
+
+async def _unexpected(_request: Request, _error: Exception) -> Response:
+    """A mistake of ours; the server logs its traceback, the answer tells nothing of the inside."""
+    return problem(500, "internal_error", "an unexpected error; it has been logged")

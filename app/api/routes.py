@@ -1,0 +1,132 @@
+"""The paths of the service."""
+
+from functools import partial
+from typing import Any
+
+from fastapi import APIRouter, Request, Response
+from starlette.exceptions import HTTPException
+
+from app.answers import CharactersAnswer, FunctionsAnswer, PerformAnswer, RulesAnswer
+from app.api.capacity import Deadline
+from app.api.form import Part, read_form
+from app.api.negotiation import preferred
+from app.api.problems import MEDIA_TYPE as PROBLEM
+from app.api.service import Shared
+from app.catalogue import Kind
+from app.errors import InputError, UnsupportedFormatError
+from app.performance import Line, Options, Progress, Understudy, perform, understand, write_bml
+from app.questions import read_object, read_options, read_question, read_timings
+
+XML = "application/xml"
+JSON = "application/json"
+PERFORM_FIELDS = ("audio", "text", "options", "words")
+WARNINGS_HEADER = "Understudy-Warnings"
+
+_TEXT = {"type": "string"}
+_FILE = {"type": "string", "format": "binary"}
+_PERFORM_BODY = {
+    "requestBody": {
+        "required": True,
+        "content": {
+            "multipart/form-data": {
+                "schema": {
+                    "type": "object",
+                    "required": ["audio", "text"],
+                    "properties": {"audio": _FILE, "text": _TEXT, "options": _TEXT, "words": _FILE},
+                }
+            }
+        },
+    }
+}
+_FUNCTIONS_BODY = {
+    "requestBody": {
+        "required": True,
+        "content": {JSON: {"schema": {"type": "object", "required": ["text"], "properties": {"text": _TEXT}}}},
+    }
+}
+_ERRORS: dict[int | str, dict[str, Any]] = {"4XX": {"content": {PROBLEM: {}}}, "5XX": {"content": {PROBLEM: {}}}}
+_PERFORMED: dict[int | str, dict[str, Any]] = {200: {"content": {XML: {}}, "model": PerformAnswer}}
+
+router = APIRouter()
+
+
+@router.post("/perform", responses=_PERFORMED | _ERRORS, openapi_extra=_PERFORM_BODY)
+async def post_perform(request: Request, shared: Shared) -> Response:
+    """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation, seed."""
+    media_type = preferred(request.headers.get("accept"), (XML, JSON))
+    if media_type is None:
+        raise HTTPException(406, f"a performance comes as {XML} or {JSON}; accept one of them")
+    shared.capacity.require_place()
+    deadline = Deadline.starting_now(shared.settings.deadline_s)
+    form = await deadline.within(read_form(request, PERFORM_FIELDS))
+    line = _line(form)
+    options = read_options(form["options"].content) if "options" in form else Options()
+    work = partial(_performed, shared.understudy, line, options, media_type)
+    return await shared.capacity.run(work, deadline)
+
+
+@router.post("/functions", response_model=FunctionsAnswer, responses=_ERRORS, openapi_extra=_FUNCTIONS_BODY)
+async def post_functions(request: Request, shared: Shared) -> Response:
+    """What words alone do."""
+    if request.headers.get("content-type", "").partition(";")[0].strip().lower() != JSON:
+        raise UnsupportedFormatError("media_type", f'send {JSON}: {{"text": "…"}}')
+    deadline = Deadline.starting_now(shared.settings.deadline_s)
+    question = read_question(read_object(await deadline.within(request.body()), "body"))
+    analysis = await shared.capacity.run(lambda _: understand(shared.understudy.mind, question.text), deadline)
+    return _json(FunctionsAnswer.of(analysis, question.id))
+
+
+@router.get("/characters", response_model=CharactersAnswer)
+def get_characters(shared: Shared) -> Response:
+    """Who can perform, and how they move."""
+    return _json(CharactersAnswer.of(shared.catalogue.characters.by_name.values()))
+
+
+@router.get("/rules", response_model=RulesAnswer)
+def get_rules(shared: Shared) -> Response:
+    """Every function rule, mapping rule and table entry."""
+    return _json(RulesAnswer.of(item for item in shared.catalogue.items if item.kind is not Kind.WORD))
+
+
+@router.get("/lexicon", response_model=RulesAnswer)
+def get_lexicon(shared: Shared) -> Response:
+    """Every word and phrase."""
+    return _json(RulesAnswer.of(item for item in shared.catalogue.items if item.kind is Kind.WORD))
+
+
+@router.get("/healthz")
+async def get_healthz() -> dict[str, str]:
+    """The process answers."""
+    return {"status": "alive"}
+
+
+@router.get("/readyz")
+async def get_readyz(_shared: Shared) -> dict[str, str]:
+    """Everything is loaded."""
+    return {"status": "ready"}
+
+
+def _line(form: dict[str, Part]) -> Line:
+    """Raises InputError `field_missing`, and what the parts' own checks raise."""
+    for name in ("audio", "text"):
+        if name not in form:
+            raise InputError("field_missing", f"the field {name} is missing; send audio and text", field=name)
+    words = form.get("words")
+    timings = None if words is None else read_timings(words.file_name or "", words.content)
+    return Line(audio=form["audio"].content, text=form["text"].text, timings=timings)
+
+
+def _performed(understudy: Understudy, line: Line, options: Options, media_type: str, progress: Progress) -> Response:
+    """The answer, also written out in the thread that made it."""
+    performance = perform(understudy, line, options, progress)
+    progress("write")
+    bml = write_bml(performance)
+    content = bml if media_type == XML else PerformAnswer.of(performance, bml).to_json()
+    headers = {"Vary": "Accept"}
+    if performance.notices:
+        headers[WARNINGS_HEADER] = ", ".join(dict.fromkeys(notice.code for notice in performance.notices))
+    return Response(content, media_type=media_type, headers=headers)
+
+
+def _json(answer: FunctionsAnswer | CharactersAnswer | RulesAnswer) -> Response:
+    return Response(answer.to_json(), media_type=JSON)

@@ -1,0 +1,30 @@
+"""What every request shares."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from fastapi import Depends, Request
+
+from app.api.capacity import Capacity
+from app.catalogue import Catalogue
+from app.performance import Understudy
+from app.settings import Settings
+
+
+@dataclass(frozen=True, slots=True)
+class Service:
+    """Loaded once, when the application starts."""
+
+    settings: Settings
+    understudy: Understudy
+    catalogue: Catalogue
+    capacity: Capacity
+
+
+def service_of(request: Request) -> Service:
+    """The service of the application that got `request`."""
+    service: Service = request.app.state.service
+    return service
+
+
+Shared = Annotated[Service, Depends(service_of)]

@@ -1,0 +1,121 @@
+"""The arguments of every command."""
+
+import argparse
+from collections.abc import Callable
+from functools import partial
+from typing import NoReturn
+
+from app import __version__
+from app.errors import InputError
+from app.model import Level
+
+Adding = Callable[[str, str], argparse.ArgumentParser]
+"""Adds a command, given its name and what it does."""
+
+AUDIO_HELP = "WAV, FLAC or OGG file; - for standard input"
+
+
+class _Parser(argparse.ArgumentParser):
+    """Argparse that tells a mistake as every other mistake is told, and takes no abbreviations."""
+
+    def error(self, message: str) -> NoReturn:
+        raise InputError("usage", f"{message}; see {self.prog} --help")
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """The parser of the whole command line; it raises InputError `usage`."""
+    parser = _Parser(
+        prog="understudy",
+        description="Performs a spoken line in an actor's stead: audio and words in, BML out.",
+        parents=[_voices()],
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action="version", version=__version__)
+    add = partial(_add, parser.add_subparsers(dest="command", metavar="COMMAND", required=True).add_parser)
+    _add_perform(add)
+    _add_analyses(add)
+    _add_rules(add)
+    _add_characters(add)
+    _add_serve(add)
+    return parser
+
+
+def _add(add_parser: Callable[..., argparse.ArgumentParser], name: str, does: str) -> argparse.ArgumentParser:
+    return add_parser(name, help=does, description=does, parents=[_voices()], allow_abbrev=False)
+
+
+def _voices() -> argparse.ArgumentParser:
+    """`--quiet` and `--json-log`, before or after the command's name; `app.cli.log` looks for them."""
+    parser = argparse.ArgumentParser(add_help=False)
+    voice = parser.add_mutually_exclusive_group()
+    voice.add_argument("--quiet", action="store_true", help="say nothing on standard error but errors")
+    voice.add_argument("--json-log", action="store_true", help="one JSON object a line on standard error")
+    return parser
+
+
+def _add_perform(add: Adding) -> None:
+    parser = add("perform", "perform one line: audio and words in, BML out")
+    _add_line(parser)
+    parser.add_argument("-o", "--output", metavar="OUT.bml", help="where the BML goes (default: standard output)")
+    parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
+    _add_agitation(parser)
+    parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
+    parser.add_argument("--trace", metavar="FILE", help="write the whole performance as JSON: every reason")
+
+
+def _add_analyses(add: Adding) -> None:
+    analyze = add("analyze", "what a line says and does, as JSON, before any movement is chosen")
+    _add_line(analyze)
+    _add_agitation(analyze)
+    align = add("align", "words and phones in time")
+    _add_line(align)
+    align.add_argument("--format", choices=("json", "textgrid", "ctm"), default="json")
+    pitch = add("pitch", "pitch and energy every 10 ms")
+    pitch.add_argument("audio", metavar="AUDIO", help=AUDIO_HELP)
+    pitch.add_argument("--format", choices=("csv",), default="csv")
+    agitation = add("agitation", "the speaker's agitation, one JSON line a file")
+    agitation.add_argument("audio", metavar="AUDIO", nargs="+", help=AUDIO_HELP)
+    functions = add("functions", "what the words alone do; without --text, JSON lines in and out")
+    functions.add_argument("--text", help='the words; without it, lines of {"id", "text"} from standard input')
+
+
+def _add_line(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("audio", metavar="AUDIO", help=AUDIO_HELP)
+    text = parser.add_mutually_exclusive_group(required=True)
+    text.add_argument("--text", help="the words that are spoken")
+    text.add_argument("--text-file", metavar="FILE", help="a file that holds them; - for standard input")
+    parser.add_argument(
+        "--words", metavar="FILE", help="the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned"
+    )
+
+
+def _add_agitation(parser: argparse.ArgumentParser) -> None:
+    levels = [level.value for level in Level]
+    parser.add_argument(
+        "--agitation", choices=levels, help="how agitated the speaker is (default: as the voice sounds)"
+    )
+
+
+def _add_rules(add: Adding) -> None:
+    actions = add("rules", "the rules, words, mappings and table entries").add_subparsers(
+        dest="action", metavar="ACTION", required=True
+    )
+    check = _add(actions.add_parser, "check", "tell every mistake in rules, words, characters and tables")
+    check.add_argument("paths", metavar="PATH", nargs="*", help="files or folders (default: those that are in use)")
+    listing = _add(actions.add_parser, "list", "list them")
+    listing.add_argument("--json", action="store_true", help="as JSON")
+    explain = _add(actions.add_parser, "explain", "what one of them does")
+    explain.add_argument("name", metavar="NAME", help="a rule, a behaviour, a word or a phrase")
+
+
+def _add_characters(add: Adding) -> None:
+    actions = add("characters", "who can perform").add_subparsers(dest="action", metavar="ACTION", required=True)
+    _add(actions.add_parser, "list", "list them")
+    show = _add(actions.add_parser, "show", "show how one of them moves")
+    show.add_argument("name", metavar="NAME")
+
+
+def _add_serve(add: Adding) -> None:
+    parser = add("serve", "answer over HTTP")
+    parser.add_argument("--host", help="address to listen on (default: UNDERSTUDY_HOST, else 127.0.0.1)")
+    parser.add_argument("--port", type=int, help="port to listen on (default: UNDERSTUDY_PORT, else 8000)")

@@ -1,0 +1,57 @@
+"""`understudy rules`: check, list and explain what authors edit."""
+
+import argparse
+from pathlib import Path
+
+from app.answers import RulesAnswer
+from app.catalogue import Catalogue, Item, check_files, check_files_in_use
+from app.cli.files import write_standard
+from app.cli.log import Log
+
+
+def run(arguments: argparse.Namespace, log: Log) -> int:
+    {"check": _check, "list": _list, "explain": _explain}[arguments.action](arguments, log)
+    return 0
+
+
+def _check(arguments: argparse.Namespace, log: Log) -> None:
+    """Every mistake is raised; without one, one line on standard error says what was checked."""
+    if arguments.paths:
+        count = check_files([Path(path) for path in arguments.paths])
+        log.note(f"no mistake in {count} files")
+    else:
+        check_files_in_use()
+        log.note("no mistake in rules, words, characters and tables")
+
+
+def _list(arguments: argparse.Namespace, _log: Log) -> None:
+    items = Catalogue.load().items
+    if arguments.json:
+        write_standard(RulesAnswer.of(items).to_json(indent=2) + b"\n")
+    else:
+        write_standard("".join(f"{_headline(item)}\n" for item in items).encode())
+
+
+def _explain(arguments: argparse.Namespace, _log: Log) -> None:
+    items = Catalogue.load().named(arguments.name)
+    write_standard("\n".join(_explanation(item) for item in items).encode())
+
+
+def _headline(item: Item) -> str:
+    function = " ".join(part for part in (item.class_name, item.subtype) if part)
+    return f"{item.kind:8s} {item.name:36s} {function:32s} {item.file}:{item.line}"
+
+
+def _explanation(item: Item) -> str:
+    function = f", {item.class_name} ({item.subtype})" if item.class_name else ""
+    text = "\n".join(part for part in (item.comment, item.source) if part)
+    indented = "".join(f"    {line}\n" for line in text.splitlines())
+    return f"{item.name}: {_MEANING[item.kind]}{function}\n  {item.file}:{item.line}\n{indented}"
+
+
+_MEANING = {
+    "function": "a rule that finds a function",
+    "behavior": "a rule that chooses movements for a function",
+    "bml": "a movement of the behaviour table",
+    "word": "a word or phrase of the lexicon",
+}

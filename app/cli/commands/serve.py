@@ -1,0 +1,40 @@
+"""`understudy serve`: the service, until it is told to stop.
+
+Everything is loaded, and the bundled example performed once, before the first request is taken: a mistake in rules or
+settings is told like any other, and no caller waits for what only the first line needs.
+"""
+
+import argparse
+
+import uvicorn
+
+from app.api.application import create_app
+from app.cli.log import Log
+from app.performance import Line, Options, Understudy, perform
+from app.resources import resource_folder
+from app.settings import read_settings
+
+GRACE_S = 10
+"""How long requests under way may go on when the service stops."""
+
+
+def run(arguments: argparse.Namespace, log: Log) -> int:
+    settings = read_settings()
+    chosen = {"host": arguments.host, "port": arguments.port}
+    settings = settings.model_copy(update={key: value for key, value in chosen.items() if value is not None})
+    with Understudy.load(settings) as understudy:
+        perform(understudy, _example(), Options(), log.stage)
+        server = uvicorn.Config(
+            create_app(settings, understudy),
+            host=settings.host,
+            port=settings.port,
+            log_config=log.service_logging(),
+            timeout_graceful_shutdown=GRACE_S,
+        )
+        uvicorn.Server(server).run()
+    return 0
+
+
+def _example() -> Line:
+    examples = resource_folder("examples")
+    return Line((examples / "example.flac").read_bytes(), (examples / "example.txt").read_text(encoding="utf-8"))

@@ -1,0 +1,87 @@
+"""Files and standard streams as the commands use them: read up to a limit, written whole or not at all.
+
+`-` is standard input or output.
+"""
+
+import os
+import sys
+from pathlib import Path
+
+from app.errors import InputError, TooLargeError, UndecodableError
+
+STANDARD = "-"
+LARGEST_CHARACTER_BYTES = 4
+
+
+def read_bytes(name: str, *, limit: int, field: str) -> bytes:
+    """The content of the file; raises InputError `file_unreadable`, TooLargeError `file_too_large`."""
+    try:
+        if name == STANDARD:
+            content = sys.stdin.buffer.read(limit + 1)
+        else:
+            with Path(name).open("rb") as file:
+                content = file.read(limit + 1)
+    except (OSError, ValueError) as error:
+        raise InputError("file_unreadable", f"{name}: cannot be read: {_reason(error)}", field=field) from None
+    if len(content) > limit:
+        raise TooLargeError("file_too_large", f"{name}: larger than the {limit} bytes allowed", field=field)
+    return content
+
+
+def read_text(name: str, *, max_characters: int, field: str) -> str:
+    """The content as UTF-8; raises as `read_bytes` does, and UndecodableError `text_not_utf8`."""
+    content = read_bytes(name, limit=max_characters * LARGEST_CHARACTER_BYTES, field=field)
+    try:
+        return content.decode()
+    except UnicodeDecodeError as error:
+        raise UndecodableError(
+            "text_not_utf8", f"{name}: not UTF-8 at byte {error.start}; save the text as UTF-8", field=field
+        ) from None
+
+
+def require_writable(name: str, *, field: str) -> None:
+    """Raises InputError `file_unwritable` when `write` would, so that no work is done in vain."""
+    if name == STANDARD:
+        return
+    target = Path(name).resolve()
+    if target.is_dir():
+        raise InputError("file_unwritable", f"{name}: is a folder; give the name of a file", field=field)
+    if not os.access(target.parent, os.W_OK):
+        raise InputError("file_unwritable", f"{name}: there is no folder {target.parent} to write to", field=field)
+
+
+def write(name: str, content: bytes) -> None:
+    """Writes a file by way of a temporary neighbour: readers see the old content or the new, never a part.
+
+    Raises InputError `file_unwritable`.
+    """
+    if name == STANDARD:
+        write_standard(content)
+        return
+    target = Path(name).resolve()
+    try:
+        if target.exists() and not target.is_file():
+            target.write_bytes(content)  # a device such as /dev/null must stay what it is
+        else:
+            _replace(target, content)
+    except OSError as error:
+        raise InputError("file_unwritable", f"{name}: cannot be written: {_reason(error)}") from None
+
+
+def write_standard(content: bytes) -> None:
+    """Writes to standard output, at once."""
+    sys.stdout.buffer.write(content)
+    sys.stdout.buffer.flush()
+
+
+def _replace(target: Path, content: bytes) -> None:
+    neighbour = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        neighbour.write_bytes(content)
+        os.replace(neighbour, target)
+    finally:
+        neighbour.unlink(missing_ok=True)
+
+
+def _reason(error: OSError | ValueError) -> str:
+    return error.strerror or str(error) if isinstance(error, OSError) else str(error)

@@ -1,0 +1,30 @@
+"""Turns the arguments that several commands share into what the performance takes."""
+
+import argparse
+
+from app.cli.files import STANDARD, read_bytes, read_text
+from app.errors import InputError
+from app.performance import Line, Timings
+from app.questions import read_timings
+from app.settings import Settings
+
+
+def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:
+    """The line of AUDIO, `--text` or `--text-file`, and `--words`. Raises InputError for what cannot be read."""
+    if [arguments.audio, arguments.text_file, arguments.words].count(STANDARD) > 1:
+        raise InputError("usage", "only one of audio, text and words can come from standard input (-)")
+    return Line(
+        audio=read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio"),
+        text=_text(arguments, settings),
+        timings=None if arguments.words is None else _timings(arguments.words, settings),
+    )
+
+
+def _text(arguments: argparse.Namespace, settings: Settings) -> str:
+    if arguments.text is not None:
+        return str(arguments.text)
+    return read_text(arguments.text_file, max_characters=settings.max_text_characters, field="text")
+
+
+def _timings(name: str, settings: Settings) -> Timings:
+    return read_timings(name, read_bytes(name, limit=settings.max_body_bytes, field="words"))

@@ -1,0 +1,93 @@
+"""What the command line says on standard error, in one of three voices: for people, for machines, or hardly at all.
+
+`--json-log` gives one JSON object a line, `--quiet` errors alone. Results never come this way.
+"""
+
+import json
+import logging
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from app.errors import AuthoringError, InputError, UnderstudyError
+from app.model import Notice
+
+
+class Voice(StrEnum):
+    """Who listens."""
+
+    PEOPLE = "people"
+    MACHINES = "machines"
+    QUIET = "quiet"
+
+
+@dataclass(frozen=True, slots=True)
+class Log:
+    """Writes what happens to standard error."""
+
+    voice: Voice
+
+    @classmethod
+    def for_arguments(cls, argv: Sequence[str]) -> "Log":
+        """The voice that `argv` asks for, wherever the option stands: mistakes in `argv` itself are told in it too."""
+        if "--json-log" in argv:
+            return cls(Voice.MACHINES)
+        return cls(Voice.QUIET if "--quiet" in argv else Voice.PEOPLE)
+
+    def stage(self, name: str) -> None:
+        """A stage of a performance begins."""
+        if self.voice is Voice.MACHINES:
+            _write(json.dumps({"event": "stage", "stage": name}))
+
+    def warnings(self, notices: Sequence[Notice], *, of: str = "") -> None:
+        """What was degraded, dropped or guessed; `of` is the file it concerns where there are several."""
+        for notice in notices:
+            self._say("warning", f"warning: {of + ': ' if of else ''}{notice.message}", code=notice.code)
+
+    def note(self, message: str) -> None:
+        """Something a person may want to know."""
+        self._say("note", message)
+
+    def error(self, error: UnderstudyError) -> None:
+        """Why nothing came of it: one line, or one a mistake with its source line where an author has to look."""
+        if self.voice is Voice.MACHINES:
+            field = error.field if isinstance(error, InputError) else None
+            _write(json.dumps({"event": "error", "code": error.code, "field": field, "message": error.message}))
+        elif isinstance(error, AuthoringError):
+            _write(error.message)
+        else:
+            _write(f"understudy: {' '.join(error.message.splitlines())}")
+
+    def service_logging(self) -> dict[str, Any]:
+        """How the service logs in this voice, for `logging.config.dictConfig`."""
+        form = {"()": JsonLines} if self.voice is Voice.MACHINES else {"format": "%(levelname)s: %(message)s"}
+        return {
+            "version": 1,
+            "disable_existing_loggers": False,
+            "formatters": {"line": form},
+            "handlers": {"stderr": {"class": "logging.StreamHandler", "formatter": "line"}},
+            "root": {"handlers": ["stderr"], "level": "ERROR" if self.voice is Voice.QUIET else "INFO"},
+        }
+
+    def _say(self, event: str, message: str, **fields: str) -> None:
+        if self.voice is Voice.MACHINES:
+            _write(json.dumps({"event": event, **fields, "message": message}))
+        elif self.voice is Voice.PEOPLE:
+            _write(message)
+
+
+class JsonLines(logging.Formatter):
+    """The service's log as one JSON object a line."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        event = {"event": "log", "level": record.levelname.lower(), "message": record.getMessage()}
+        if record.exc_info:
+            event["traceback"] = self.formatException(record.exc_info)
+        return json.dumps(event)
+
+
+def _write(line: str) -> None:
+    sys.stderr.write(line + "\n")
+    sys.stderr.flush()

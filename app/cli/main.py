@@ -1,0 +1,43 @@
+"""The command `understudy`: reads its arguments, runs one command, and turns every foreseen mistake into one line.
+
+Exit codes: 0 done, 2 the input is wrong, 130 interrupted. A command is the module of its name in `app.cli.commands`
+with a function `run(arguments, log) -> int`; it is imported when it is called, so that `understudy --help` is quick.
+"""
+
+import importlib
+import os
+import sys
+from collections.abc import Sequence
+from typing import cast
+
+from app.cli.arguments import make_parser
+from app.cli.log import Log
+from app.errors import UnderstudyError
+
+WRONG_INPUT = 2
+INTERRUPTED = 130
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Runs the command that `argv` (default: the process's arguments) names; the exit code."""
+    argv = sys.argv[1:] if argv is None else argv
+    log = Log.for_arguments(argv)
+    try:
+        arguments = make_parser().parse_args(argv)
+        command = importlib.import_module(f"app.cli.commands.{arguments.command}")
+        code = cast(int, command.run(arguments, log))
+        sys.stdout.flush()
+    except UnderstudyError as error:
+        log.error(error)
+        return WRONG_INPUT
+    except BrokenPipeError:
+        _discard_the_rest()
+        return 0
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    return code
+
+
+def _discard_the_rest() -> None:
+    """Whoever read standard output has enough; what is still buffered must not raise again when Python ends."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

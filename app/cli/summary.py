@@ -1,0 +1,42 @@
+"""What the character does and why, in lines for people."""
+
+from collections import Counter
+from collections.abc import Iterator
+
+from app.model import Behavior, Function, Performance
+
+WORDS_WIDTH = 28
+
+
+def summary(performance: Performance) -> str:
+    """The line's movements in order of time, each with its words, the function it shows and the rule that chose it."""
+    return "\n".join(_lines(performance))
+
+
+def _lines(performance: Performance) -> Iterator[str]:
+    utterance = performance.utterance
+    kept = sorted((behavior for behavior in performance.behaviors if behavior.kept), key=lambda one: one.sync.start)
+    functions = {function.id: function for function in performance.functions}
+    level = utterance.agitation.level if utterance.agitation else "unknown"
+    duration_s = utterance.duration_s or 0.0
+    yield f"{performance.character} performs {duration_s:.2f} s, agitation {level}, seed {performance.seed}"
+    for behavior in kept:
+        if behavior.function is not None:
+            yield _movement(performance, behavior, functions[behavior.function])
+    own = Counter(behavior.lexeme.lower() for behavior in kept if behavior.function is None)
+    if own:
+        yield "by itself: " + ", ".join(f"{count} × {lexeme}" for lexeme, count in own.items())
+    dropped = len(performance.behaviors) - len(kept)
+    if dropped:
+        yield f"not shown: {dropped} movements that gave way to others (see --trace)"
+
+
+def _movement(performance: Performance, behavior: Behavior, function: Function) -> str:
+    words = " ".join(word.text for word in performance.utterance.words[behavior.first : behavior.last + 1])
+    shown = words if len(words) <= WORDS_WIDTH else words[: WORDS_WIDTH - 1] + "…"
+    movement = behavior.lexeme.lower() + (f" ({behavior.hand})" if behavior.hand else "")
+    return (
+        f"{behavior.sync.start:6.2f}–{behavior.sync.end:5.2f} s  {behavior.kind:7s} {movement:24s} "
+        f"{shown:{WORDS_WIDTH}s}  {function.class_name} ({function.subtype}), "
+        f"by {function.rule} → {behavior.rule}"
+    )

@@ -1,0 +1,99 @@
+"""What comes in through either door besides audio and plain text, checked and turned into the performance's values."""
+
+from pathlib import PurePath
+from typing import Annotated, Any, TypeVar
+
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
+
+from app.errors import InputError, UndecodableError
+from app.model import Level
+from app.performance import Options, Timings
+
+LARGEST_SEED = 2**63 - 1
+
+Seed = Annotated[int, Field(ge=-LARGEST_SEED, le=LARGEST_SEED)]
+Checked = TypeVar("Checked", bound=BaseModel)
+
+
+class OptionsQuestion(BaseModel):
+    """`options` of a request: the same names as on the command line."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+
+    character: str = "default"
+    agitation: Level | None = None
+    seed: Seed = 0
+
+    def to_options(self) -> Options:
+        return Options(character=self.character, agitation=self.agitation, seed=self.seed)
+
+
+class TextQuestion(BaseModel):
+    """A text whose functions are asked for; keys besides these are not read."""
+
+    model_config = ConfigDict(frozen=True, strict=True)
+
+    id: str | int | None = None
+    text: str
+
+
+def read_options(content: bytes) -> Options:
+    """Raises UndecodableError `options_not_json`, InputError `options_wrong` with the option's name in `field`."""
+    fields = read_object(content, "options")
+    if isinstance(fields.get("agitation"), str):
+        fields["agitation"] = _level(fields["agitation"])
+    return _checked(OptionsQuestion, fields, "options").to_options()
+
+
+def read_object(content: bytes, field: str) -> dict[str, Any]:
+    """The JSON object `content`, named `field` in errors.
+
+    Raises UndecodableError `…_not_json`, InputError `text_surrogate` and `…_wrong`.
+    """
+    try:
+        return TypeAdapter(dict[str, Any]).validate_json(content)
+    except ValidationError as error:
+        found = error.errors()[0]
+    if found["type"] != "json_invalid":
+        raise InputError(f"{field}_wrong", f"{field} must be a JSON object in braces", field=field)
+    why = found["ctx"]["error"]
+    if "surrogate" in why:
+        raise InputError("text_surrogate", f"{field} holds a lone surrogate ({why}); send well-formed Unicode")
+    raise UndecodableError(f"{field}_not_json", f"{field} is not JSON: {why}", field=field)
+
+
+def read_question(fields: dict[str, Any]) -> TextQuestion:
+    """Raises InputError `body_wrong` with the key's name in `field`."""
+    return _checked(TextQuestion, fields, "body")
+
+
+def line_id(fields: dict[str, Any]) -> str | int | None:
+    """The `id` of a question that may be wrong otherwise; None where there is none that could come back."""
+    found = fields.get("id")
+    return found if isinstance(found, (str, int)) else None
+
+
+def read_timings(file_name: str, content: bytes) -> Timings:
+    """Words timed elsewhere; the ending of the file's name tells their format.
+
+    Raises InputError `words_format`.
+    """
+    ending = PurePath(file_name).suffix.lower().removeprefix(".")
+    if ending not in {"json", "textgrid", "ctm"}:
+        raise InputError(
+            "words_format", f"words are read from .json, .TextGrid or .ctm, not from {file_name!r}", field="words"
+        )
+    return Timings(content=content, format=ending)
+
+
+def _level(name: str) -> Level | str:
+    return Level(name) if name in set(Level) else name
+
+
+def _checked(model: type[Checked], fields: dict[str, Any], of: str) -> Checked:
+    try:
+        return model.model_validate(fields)
+    except ValidationError as error:
+        found = error.errors()[0]
+    name = str(found["loc"][0])
+    raise InputError(f"{of}_wrong", f"{name}: {found['msg'][0].lower()}{found['msg'][1:]}", field=name)
