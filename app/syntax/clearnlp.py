@@ -1,0 +1,91 @@
+"""ClearNLP's dependency labels, those of spaCy's own English pipelines, as Universal Dependencies'.
+
+Most labels translate one to one. Two constructions differ in shape and are rehung: where ClearNLP lets a preposition
+govern its noun and the verb the preposition, the verb here governs the noun and the noun the preposition (`case`);
+where it lets "be" govern the predicate, the predicate here governs "be" (`cop`).
+"""
+
+from dataclasses import replace
+
+from app.model import Token
+
+_LABELS = {
+    "acomp": "xcomp",
+    "attr": "xcomp",
+    "auxpass": "aux:pass",
+    "csubjpass": "csubj:pass",
+    "dative": "iobj",
+    "dobj": "obj",
+    "intj": "discourse",
+    "meta": "dep",
+    "neg": "advmod",
+    "nn": "compound",
+    "npadvmod": "obl:unmarked",
+    "nsubjpass": "nsubj:pass",
+    "num": "nummod",
+    "number": "nummod",
+    "oprd": "xcomp",
+    "pobj": "obl",
+    "poss": "nmod:poss",
+    "possessive": "case",
+    "preconj": "cc:preconj",
+    "predet": "det:predet",
+    "prt": "compound:prt",
+    "quantmod": "advmod",
+    "rcmod": "acl:relcl",
+    "relcl": "acl:relcl",
+}
+_PREPOSITION_LABELS = frozenset({"prep", "agent", "dative"})
+_PREDICATE_LABELS = ("attr", "acomp")
+_NOMINAL_PARTS = frozenset({"NOUN", "PROPN", "PRON", "NUM"})
+
+
+def to_universal(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """The same tokens under Universal Dependencies labels and heads."""
+    rehung = list(tokens)
+    for token in tokens:
+        if token.dependency in _PREPOSITION_LABELS:
+            _rehang_preposition(rehung, tokens, token.index)
+    for token in tokens:
+        if token.lemma == "be" and token.dependency not in ("aux", "auxpass"):
+            _rehang_copula(rehung, token.index)
+    return tuple(replace(token, dependency=_LABELS.get(token.dependency, token.dependency)) for token in rehung)
+
+
+def _rehang_preposition(rehung: list[Token], tokens: tuple[Token, ...], index: int) -> None:
+    """Lets the object of preposition `index` take its place; without object it stays, as an adverbial of its head."""
+    preposition = rehung[index]
+    of_preposition = (token for token in tokens if token.head == index and token.dependency in ("pobj", "pcomp"))
+    governed = next(of_preposition, None)
+    if governed is None:
+        if preposition.dependency != "dative":
+            rehung[index] = replace(preposition, dependency="advmod")
+        return
+    label = _oblique_label(preposition, tokens[preposition.head], governed)
+    rehung[governed.index] = replace(governed, head=preposition.head, dependency=label)
+    mark = "mark" if governed.dependency == "pcomp" else "case"
+    rehung[index] = replace(preposition, head=governed.index, dependency=mark)
+
+
+def _oblique_label(preposition: Token, head: Token, governed: Token) -> str:
+    if governed.dependency == "pcomp":
+        return "acl" if head.part_of_speech in _NOMINAL_PARTS else "advcl"
+    if preposition.dependency == "agent":
+        return "obl:agent"
+    return "nmod" if head.part_of_speech in _NOMINAL_PARTS else "obl"
+
+
+def _rehang_copula(rehung: list[Token], index: int) -> None:
+    """Lets the predicate of "be" take its place, with all that hung on it."""
+    copula = rehung[index]
+    of_copula = [token for token in rehung if token.head == index and token.index != index]
+    predicate = next((token for token in of_copula if token.dependency in _PREDICATE_LABELS), None)
+    if predicate is None:
+        return
+    for token in of_copula:
+        rehung[token.index] = replace(token, head=predicate.index)
+    is_root = copula.head == index
+    rehung[predicate.index] = replace(
+        predicate, head=predicate.index if is_root else copula.head, dependency=copula.dependency
+    )
+    rehung[index] = replace(copula, head=predicate.index, dependency="cop")

@@ -1,0 +1,107 @@
+"""The parser of lines: a spaCy pipeline, ours or another, behind one method that returns our own records (paper §3.2).
+
+The paper used Charniak's constituent parser and names its trouble with spoken language. We use a dependency parser
+trained on speech (training/parser), and derive noun phrases, verb groups and clauses from the dependencies.
+"""
+
+import threading
+from bisect import bisect_right
+from dataclasses import dataclass
+from itertools import accumulate
+from pathlib import Path
+
+import spacy
+from spacy.language import Language
+from spacy.tokens import Doc
+
+from app.errors import ServiceError
+from app.model import Parse, Word
+from app.syntax.clauses import find_clauses
+from app.syntax.phrases import find_phrases
+from app.syntax.sentences import sentence_starts
+from app.syntax.tokens import Scheme, read_tokens, scheme_of
+from app.syntax.tree import Tree
+from app.transcript import with_short_runs
+
+_PROBE = "I must have seen those signals."
+_UNUSED_PIPES = ("ner", "senter", "textcat", "entity_linker")
+
+
+@dataclass(frozen=True, slots=True)
+class Parser:
+    """A loaded pipeline, which threads may share: they take turns, and its memory does not grow with what it reads."""
+
+    _pipeline: Language
+    _scheme: Scheme
+    _turn: threading.Lock
+
+    @classmethod
+    def load(cls, where: Path | str) -> "Parser":
+        """The pipeline in a folder, or installed under a name, with Universal Dependencies or ClearNLP labels.
+
+        Raises ServiceError: `parser_missing` where spaCy loads nothing, `parser_labels` for dependency labels of
+        another kind, `parser_incomplete` for a pipeline that leaves out parts of speech, tags, lemmas or heads.
+        """
+        pipeline = _load_pipeline(where)
+        scheme = scheme_of(pipeline.pipe_labels.get("parser", ()))
+        if scheme is None:
+            raise ServiceError(
+                "parser_labels",
+                f"the pipeline {str(where)!r} has no parser with Universal Dependencies labels (obj, obl) or ClearNLP "
+                "labels (dobj, pobj); name one that has",
+            )
+        missing = _missing_annotations(pipeline(_PROBE))
+        if missing:
+            raise ServiceError(
+                "parser_incomplete", f"the pipeline {str(where)!r} gives no {', no '.join(missing)}; name one that does"
+            )
+        return cls(pipeline, scheme, threading.Lock())
+
+    def parse(self, words: tuple[Word, ...]) -> Parse:
+        """Tokens, phrases and clauses of a line, each with the numbers of its words; all empty without words.
+
+        Runs of punctuation are shortened for the tokenizer (`app.transcript.with_short_runs`). The same words and
+        pauses always give the same parse.
+        """
+        if not words:
+            return Parse((), (), ())
+        texts = [with_short_runs(word.text) for word in words]
+        with self._turn, self._pipeline.memory_zone():
+            document = self._pipeline.make_doc(" ".join(texts))
+            numbers = _word_numbers(document, texts, words)
+            _begin_sentences(document, numbers, sentence_starts(words))
+            tokens = read_tokens(self._pipeline(document), numbers, self._scheme)
+        tree = Tree.of(tokens)
+        return Parse(tokens, find_phrases(tree), find_clauses(tree))
+
+
+def _load_pipeline(where: Path | str) -> Language:
+    try:
+        return spacy.load(where, exclude=_UNUSED_PIPES)
+    except (OSError, ValueError, ImportError) as error:
+        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+        raise ServiceError(
+            "parser_missing", f"no spaCy pipeline can be loaded from {str(where)!r} ({reason}); give its folder or name"
+        ) from error
+
+
+def _missing_annotations(document: Doc) -> tuple[str, ...]:
+    needed = {"parts of speech": "POS", "tags": "TAG", "lemmas": "LEMMA", "heads": "HEAD"}
+    return tuple(name for name, annotation in needed.items() if not document.has_annotation(annotation))
+
+
+def _word_numbers(document: Doc, texts: list[str], words: tuple[Word, ...]) -> list[int]:
+    """The transcript word of each token, found by where the token begins in the text."""
+    begins = list(accumulate((len(text) + 1 for text in texts[:-1]), initial=0))
+    return [words[bisect_right(begins, token.idx) - 1].index for token in document]
+
+
+def _begin_sentences(document: Doc, numbers: list[int], starts: frozenset[int]) -> None:
+    """Tells the parser where sentences begin; between words it may begin further ones, within a word none."""
+    previous = None
+    for token, number in zip(document, numbers, strict=True):
+        if number == previous:
+            token.is_sent_start = False
+        elif number in starts:
+            token.is_sent_start = True
+        previous = number

@@ -1,0 +1,111 @@
+"""Noun phrases and verb groups, by rules over the dependency tree (paper §3.2).
+
+A noun phrase is a nominal that is no inner modifier itself, with the determiners, adjectives, numbers, compounds and
+possessives that stand unbroken before it; prepositions, copulas, conjunctions and clauses end it. A verb group is a
+verb with its auxiliaries, "to", negation, the adverbs between those, and the particle that follows it; a copula's
+group is its chain of auxiliaries. An auxiliary before the subject ("do you think") joins its verb, and the group then
+spans the subject. Spans are words of the transcript; punctuation never counts.
+"""
+
+from collections.abc import Iterator
+
+from app.model import Phrase, Token
+from app.syntax.tree import Tree, base_label, is_inner
+
+NOUN = "noun"
+VERB = "verb"
+
+_NOMINAL_PARTS = frozenset({"NOUN", "PROPN", "PRON"})
+_NOMINAL_LABELS = frozenset({"nsubj", "obj", "iobj", "obl", "nmod", "expl", "appos", "vocative", "dislocated"})
+_PARTS_USED_AS_NOMINALS = frozenset({"NUM", "DET", "ADJ", "SYM"})
+_NAME_LABELS = frozenset({"flat", "goeswith", "fixed"})
+_AUXILIARY_LABELS = frozenset({"aux", "cop"})
+
+
+def find_phrases(tree: Tree) -> tuple[Phrase, ...]:
+    """The noun phrases and verb groups of an utterance, in the order of their first words."""
+    phrases = (*_noun_phrases(tree), *_verb_groups(tree))
+    return tuple(sorted(phrases, key=lambda phrase: (phrase.first, phrase.last, phrase.kind)))
+
+
+def _noun_phrases(tree: Tree) -> Iterator[Phrase]:
+    for token in tree.tokens:
+        if _is_nominal(token) and not is_inner(token):
+            yield _phrase(tree, NOUN, first=_left_edge(tree, token), last=_right_edge(tree, token), head=token)
+
+
+def _is_nominal(token: Token) -> bool:
+    if token.part_of_speech in _NOMINAL_PARTS:
+        return True
+    return token.part_of_speech in _PARTS_USED_AS_NOMINALS and base_label(token.dependency) in _NOMINAL_LABELS
+
+
+def _left_edge(tree: Tree, head: Token) -> int:
+    """The first token of the unbroken run of inner modifiers before a nominal; a comma between two is passed over."""
+    edge = reached = head.index
+    for dependent in reversed(tree.dependents_of(head)):
+        first, last = tree.edges_of(dependent)
+        if dependent.index > head.index:
+            continue
+        if last != reached - 1 or not (is_inner(dependent) or dependent.part_of_speech == "PUNCT"):
+            break
+        reached = first
+        if dependent.part_of_speech != "PUNCT":
+            edge = first
+    return edge
+
+
+def _right_edge(tree: Tree, head: Token) -> int:
+    """The last token of a name that goes on after its head: "John" in "John Smith"."""
+    edge = head.index
+    for dependent in tree.dependents_of(head):
+        first, last = tree.edges_of(dependent)
+        if first == edge + 1 and base_label(dependent.dependency) in _NAME_LABELS:
+            edge = last
+    return edge
+
+
+def _verb_groups(tree: Tree) -> Iterator[Phrase]:
+    for token in tree.tokens:
+        dependents = tree.dependents_of(token)
+        copulas = [dependent for dependent in dependents if dependent.dependency == "cop"]
+        if _heads_verb_group(token):
+            yield _verb_group(tree, token, dependents)
+        elif copulas:
+            yield _verb_group(tree, copulas[-1], dependents)
+
+
+def _heads_verb_group(token: Token) -> bool:
+    if token.part_of_speech == "VERB":
+        return not is_inner(token)
+    return token.part_of_speech == "AUX" and base_label(token.dependency) not in _AUXILIARY_LABELS
+
+
+def _verb_group(tree: Tree, verb: Token, dependents: tuple[Token, ...]) -> Phrase:
+    """From the first auxiliary, "to" or negation before the verb to what is closely bound to it on its right."""
+    first = last = verb.index
+    for dependent in reversed(dependents):
+        is_bound = dependent.index == first - 1 and _is_negation(dependent)
+        if dependent.index < first and (is_bound or _is_auxiliary(dependent)):
+            first = dependent.index
+    for dependent in dependents:
+        if dependent.index == last + 1 and _ends_group(dependent, verb):
+            last = dependent.index
+    return _phrase(tree, VERB, first=first, last=last, head=verb)
+
+
+def _is_auxiliary(token: Token) -> bool:
+    return base_label(token.dependency) in _AUXILIARY_LABELS or token.tag == "TO"
+
+
+def _is_negation(token: Token) -> bool:
+    return token.dependency == "advmod" and token.part_of_speech == "PART"
+
+
+def _ends_group(token: Token, verb: Token) -> bool:
+    """A particle ("give up"), the "not" of an auxiliary ("is not"); that of "guess not" stands for a clause."""
+    return token.dependency == "compound:prt" or (verb.part_of_speech == "AUX" and _is_negation(token))
+
+
+def _phrase(tree: Tree, kind: str, *, first: int, last: int, head: Token) -> Phrase:
+    return Phrase(kind, tree.tokens[first].word, tree.tokens[last].word, head.word)

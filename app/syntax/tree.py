@@ -1,0 +1,47 @@
+"""Tokens seen as a tree: who governs whom, and which run of tokens hangs on one."""
+
+from dataclasses import dataclass
+
+from app.model import Token
+
+
+@dataclass(frozen=True, slots=True)
+class Tree:
+    """The tokens of an utterance, all sentences together, and the dependents of each, in their order."""
+
+    tokens: tuple[Token, ...]
+    dependents: tuple[tuple[Token, ...], ...]
+
+    @classmethod
+    def of(cls, tokens: tuple[Token, ...]) -> "Tree":
+        dependents: list[list[Token]] = [[] for _ in tokens]
+        for token in tokens:
+            if token.head != token.index:
+                dependents[token.head].append(token)
+        return cls(tokens, tuple(tuple(group) for group in dependents))
+
+    def dependents_of(self, token: Token) -> tuple[Token, ...]:
+        """What `token` governs directly, from left to right."""
+        return self.dependents[token.index]
+
+    def edges_of(self, token: Token) -> tuple[int, int]:
+        """First and last token of all that hangs on `token`, itself included."""
+        reached = [token]
+        for governor in reached:
+            reached.extend(self.dependents_of(governor))
+        indices = [one.index for one in reached]
+        return min(indices), max(indices)
+
+
+def base_label(label: str) -> str:
+    """A dependency label without its subtype: `nsubj` of `nsubj:pass`."""
+    return label.partition(":")[0]
+
+
+def is_inner(token: Token) -> bool:
+    """Whether the token only modifies a noun from within its phrase, as "running" in "running shoes" does."""
+    return base_label(token.dependency) in INNER_LABELS or token.dependency in INNER_SUBTYPES
+
+
+INNER_LABELS = frozenset({"det", "amod", "nummod", "compound", "flat", "fixed", "goeswith"})
+INNER_SUBTYPES = frozenset({"nmod:poss", "nmod:desc"})
