@@ -1,0 +1,189 @@
+"""How well words and phones are placed in time, against hand labels, and whether a wrong text is noticed.
+
+    python -m benchmarks.alignment [--sentences N] [--timit FOLDER]
+
+Data: TIMIT (`.wrd`, `.phn`: start and end in samples at 16 kHz). Errors are |ours − theirs| of every word's start and
+end, and of every phone's start where both have the same folded labels in a word. Texts that must be flagged: the next
+speaker's sentence, half of the words missing, and eight words of another sentence appended; false alarms are
+correct texts flagged. The speed is that of one core, everything warm.
+
+Some files of ../shared have lost bytes, after which every sample is noise at full scale; TIMIT itself is never that
+loud. They are left out.
+"""
+
+import argparse
+import time
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import soundfile
+
+from app.acoustic.alignment import Aligner
+from app.errors import InputError
+from app.model import SAMPLE_RATE_HZ, Audio, Interval, Word
+from app.transcript import read_transcript
+
+ROOT = Path(__file__).resolve().parents[1]
+TIMIT = ROOT.parent / "shared" / "data" / "speech" / "timit"
+TOLERANCES_S = (0.020, 0.050, 0.100)
+FULL_SCALE = 0.95
+FLAGS = {"transcript_suspect", "alignment_low_confidence"}
+FOLDED = {
+    "ax": "ah",
+    "ax-h": "ah",
+    "ix": "ih",
+    "axr": "er",
+    "ux": "uw",
+    "hv": "hh",
+    "nx": "n",
+    "em": "m",
+    "en": "n",
+    "eng": "ng",
+    "el": "l",
+    "dx": "t",
+}
+CLOSURES = {"bcl", "dcl", "gcl", "pcl", "tcl", "kcl", "epi", "pau", "h#", "q"}
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """A recording with its text, and the words and phones that a human placed."""
+
+    audio: Audio
+    text: str
+    words: tuple[Interval, ...]
+    phones: tuple[tuple[str, Interval], ...]
+
+
+def main() -> None:
+    """Prints the table."""
+    options = _options()
+    paths = sorted(options.timit.rglob("*.wrd"))[: options.sentences]
+    everything = [read_sentence(path) for path in paths]
+    sentences = [sentence for sentence in everything if np.abs(sentence.audio.samples).max() < FULL_SCALE]
+    with Aligner(ROOT / "models" / "pronunciation", ROOT / "lexicon" / "en") as aligner:
+        aligner.align(sentences[0].audio, _words(sentences[0].text))
+        began = time.perf_counter()
+        aligned = [aligned_words(aligner, sentence.audio, sentence.text) for sentence in sentences]
+        seconds = time.perf_counter() - began
+        total_s = sum(sentence.audio.duration_s for sentence in sentences)
+        pairs = list(zip(sentences, aligned, strict=True))
+        print(f"{len(sentences)} of {len(everything)} sentences are whole, {total_s:.0f} s")
+        print_errors("words, start and end", [error for pair in pairs for error in word_errors(*pair)])
+        print_errors("phones, start", [error for pair in pairs for error in phone_errors(*pair)])
+        print(f"{'× real time':24}{seconds / total_s:.3f}")
+        print_flags(aligner, sentences)
+
+
+def read_sentence(path: Path) -> Sentence:
+    """The sentence whose words lie at `path` (.wrd), its other files beside it."""
+    samples, rate_hz = soundfile.read(path.with_suffix(".flac"))
+    assert rate_hz == SAMPLE_RATE_HZ
+    rows = [line.split() for line in path.read_text().splitlines()]
+    phones = [line.split() for line in path.with_suffix(".phn").read_text().splitlines()]
+    return Sentence(
+        Audio(samples),
+        " ".join(word for _, _, word in rows),
+        tuple(_interval(start, end) for start, end, _ in rows),
+        tuple((label, _interval(start, end)) for start, end, label in phones),
+    )
+
+
+def aligned_words(aligner: Aligner, audio: Audio, text: str) -> tuple[Word, ...]:
+    """The words in time; none when the text is refused, which then counts as no match at all."""
+    try:
+        return aligner.align(audio, _words(text))[0]
+    except InputError:
+        return ()
+
+
+def word_errors(sentence: Sentence, words: tuple[Word, ...]) -> Iterable[float]:
+    """Absolute errors of starts and ends, seconds; a word without a time is wrong by the sentence's length."""
+    intervals = [word.interval for word in words] or [None] * len(sentence.words)
+    for truth, ours in zip(sentence.words, intervals, strict=True):
+        if ours is None:
+            yield from (sentence.audio.duration_s,) * 2
+        else:
+            yield from (abs(ours.start_s - truth.start_s), abs(ours.end_s - truth.end_s))
+
+
+def phone_errors(sentence: Sentence, words: tuple[Word, ...]) -> Iterable[float]:
+    """Absolute errors of phone starts in the words whose phones, folded, are those that were said."""
+    for truth, word in zip(sentence.words, words, strict=False):
+        said = [(FOLDED.get(label, label), start_s) for label, start_s in _opened(sentence.phones, truth)]
+        if [label for label, _ in said] == [phone.label.lower() for phone in word.phones]:
+            for (_, start_s), phone in zip(said, word.phones, strict=True):
+                yield abs(phone.interval.start_s - start_s)
+
+
+def print_errors(name: str, errors: list[float]) -> None:
+    """One row: share within each tolerance, mean, median, how many."""
+    values = np.array(errors)
+    within = " / ".join(f"{np.mean(values <= tolerance_s):.1%}" for tolerance_s in TOLERANCES_S)
+    print(
+        f"{name:24}within 20 / 50 / 100 ms {within}, mean {values.mean() * 1e3:.1f} ms, "
+        f"median {np.median(values) * 1e3:.1f} ms ({len(values)})"
+    )
+
+
+def print_flags(aligner: Aligner, sentences: list[Sentence]) -> None:
+    """How often each kind of wrong text is refused or flagged."""
+    others = [*sentences[11:], *sentences[:11]]
+    pairs = list(zip(sentences, others, strict=True))
+    kinds = {
+        "correct text": [(one, one.text) for one in sentences],
+        "another sentence": [(one, other.text) for one, other in pairs if one.text != other.text],
+        "second half missing": [(one, " ".join(one.text.split()[: len(one.words) // 2])) for one in sentences],
+        "eight words too many": [(one, " ".join([one.text, *other.text.split()[:8]])) for one, other in pairs],
+    }
+    for kind, cases in kinds.items():
+        outcomes = [outcome(aligner, sentence.audio, text) for sentence, text in cases]
+        print(
+            f"{kind:24}refused {outcomes.count('refused') / len(outcomes):.1%}, "
+            f"warned {outcomes.count('warned') / len(outcomes):.1%} ({len(outcomes)})"
+        )
+
+
+def outcome(aligner: Aligner, audio: Audio, text: str) -> str:
+    """ "refused", "warned" or "passed"."""
+    try:
+        _, notices = aligner.align(audio, _words(text))
+    except InputError:
+        return "refused"
+    return "warned" if FLAGS & {notice.code for notice in notices} else "passed"
+
+
+def _opened(phones: tuple[tuple[str, Interval], ...], word: Interval) -> list[tuple[str, float]]:
+    """The phones of a word with their starts, a stop's closure counted to the stop."""
+    opened = []
+    closed_s = None
+    for label, interval in phones:
+        if not word.start_s <= interval.start_s < word.end_s:
+            continue
+        if label in CLOSURES:
+            closed_s = interval.start_s if closed_s is None else closed_s
+            continue
+        opened.append((label, interval.start_s if closed_s is None else closed_s))
+        closed_s = None
+    return opened
+
+
+def _interval(start: str, end: str) -> Interval:
+    return Interval(int(start) / SAMPLE_RATE_HZ, int(end) / SAMPLE_RATE_HZ)
+
+
+def _words(text: str) -> tuple[Word, ...]:
+    return read_transcript(text, max_characters=10_000)
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--timit", type=Path, default=TIMIT)
+    parser.add_argument("--sentences", type=int, default=None, help="only the first N")
+    return parser.parse_args()
+
+
+if __name__ == "__main__":
+    main()
