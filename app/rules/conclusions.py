@@ -91,16 +91,19 @@ class Assert:
                 knowledge.reasons[fact] = Reason(self.origin, tuple([environment[slot] for slot in self.supports]))
                 if len(knowledge.facts) > knowledge.limits.facts:
                     raise self.origin.error(f"more than {knowledge.limits.facts} facts; does it compute ever new ones?")
+            if head.annotation is None:
+                continue
             if head.late:
                 reads = tuple([environment[slot] for _, slot in self.annotated.reads])
-                knowledge.claims.append(Claim(fact, reads, partial(self._claimed, head, environment.copy())))
-            elif head.annotation is not None:
+                claimed = partial(self._claimed, head.annotation, environment.copy())
+                knowledge.claims.append(Claim(fact, reads, claimed))
+            else:
                 knowledge.claim(fact, self._number(environment[head.annotation]))
 
-    def _claimed(self, head: Head, environment: Environment, annotations: Mapping[Fact, float]) -> float:
-        """The annotation that `head` claims when those it reads are final."""
+    def _claimed(self, slot: int, environment: Environment, annotations: Mapping[Fact, float]) -> float:
+        """The annotation claimed in `slot` when those that the rule reads are final."""
         self.annotated.fill(environment, annotations)
-        return self._number(environment[head.annotation])
+        return self._number(environment[slot])
 
     def _number(self, value: Argument) -> float:
         if isinstance(value, str):

@@ -7,6 +7,7 @@ that a mistake in one hides none in the others. Newlines separate statements exc
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -42,56 +43,55 @@ _BLOCK_START = re.compile(r"[ \t]*(rule|predicate)\b(?![ \t]*\()")
 _SIGNS_IN_A_LINE = 60
 
 
-class RuleParser:
-    """The grammar, ready to parse; one serves any number of files."""
+def read_rules(path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
+    """What could be read of the file at `path`, and its syntax mistakes in order."""
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        return RuleFile(path), (Mistake(path, 1, 1, f"cannot be read: {error.strerror}"),)
+    except UnicodeDecodeError as error:
+        return RuleFile(path), (Mistake(path, 1, 1, f"not UTF-8 text at byte {error.start}"),)
+    return parse_rules(text, path)
 
-    def __init__(self) -> None:
-        self._lark = Lark.open(
-            "grammar.lark", rel_to=__file__, parser="lalr", postlex=_Lines(), propagate_positions=True
-        )
 
-    def read(self, path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
-        """What could be read of the file at `path`, and its syntax mistakes in order."""
-        try:
-            text = path.read_text(encoding="utf-8-sig")
-        except OSError as error:
-            return RuleFile(path), (Mistake(path, 1, 1, f"cannot be read: {error.strerror}"),)
-        except UnicodeDecodeError as error:
-            return RuleFile(path), (Mistake(path, 1, 1, f"not UTF-8 text at byte {error.start}"),)
-        return self.parse(text, path)
-
-    def parse(self, text: str, path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
-        """As `read`, of text already read; `path` is where it says it comes from."""
-        lines = tuple(line.expandtabs(1) for line in text.split("\n"))
-        blocks: list[Block] = []
-        unread: list[str] = []
-        mistakes = [*_stray_lines(lines, path)]
-        for cut in _cut(lines):
-            tree, found = self._parse_block(cut)
-            mistakes += [Mistake(path, place.line, place.column, what, lines[place.line - 1]) for place, what in found]
-            if tree is None:
-                unread += cut.source.replace("(", " ").split()[1:2]
-            else:
-                blocks.append(Block(tree, cut.comment, cut.source))
-        return RuleFile(path, lines, tuple(blocks), frozenset(unread)), tuple(mistakes)
-
-    def _parse_block(self, cut: "_Cut") -> "tuple[PredicateTree | RuleTree | None, list[_Located]]":
-        builder = _Builder(cut.first_line)
-        try:
-            parsed = self._lark.parse(cut.source + "\n")
-        except UnexpectedInput as error:
-            line = min(error.line, cut.source.count("\n") + 1) if error.line > 0 else 1
-            place = Place(cut.first_line + line - 1, max(error.column, 1))
-            return None, [(place, syntax_message(self._lark, error, cut.source + "\n"))]
-        except _OverlongLineError as error:
-            return None, [
-                (builder.place(error.token), f"more than {_SIGNS_IN_A_LINE} signs in a line; compute in steps")
-            ]
-        tree: PredicateTree | RuleTree = builder.transform(parsed)
-        return (None, builder.mistakes) if builder.mistakes else (tree, [])
+def parse_rules(text: str, path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
+    """As `read_rules`, of text already read; `path` is where it says it comes from."""
+    lines = tuple(line.expandtabs(1) for line in text.split("\n"))
+    blocks: list[Block] = []
+    unread: list[str] = []
+    mistakes = [*_stray_lines(lines, path)]
+    for cut in _cut(lines):
+        tree, found = _parse_block(cut)
+        mistakes += [Mistake(path, place.line, place.column, what, lines[place.line - 1]) for place, what in found]
+        if tree is None:
+            unread += cut.source.replace("(", " ").split()[1:2]
+        else:
+            blocks.append(Block(tree, cut.comment, cut.source))
+    return RuleFile(path, lines, tuple(blocks), frozenset(unread)), tuple(mistakes)
 
 
 _Located = tuple[Place, str]
+
+
+@cache
+def _grammar() -> Lark:
+    return Lark.open("grammar.lark", rel_to=__file__, parser="lalr", postlex=_Lines())
+
+
+def _parse_block(cut: "_Cut") -> tuple[PredicateTree | RuleTree | None, list[_Located]]:
+    """The tree of a block, or None and what is wrong with it."""
+    text = cut.source + "\n"
+    builder = _Builder(cut.first_line)
+    try:
+        parsed = _grammar().parse(text)
+    except UnexpectedInput as error:
+        line = min(max(error.line, 1), cut.source.count("\n") + 1)
+        place = Place(cut.first_line + line - 1, max(error.column, 1))
+        return None, [(place, syntax_message(_grammar(), error, text))]
+    except _OverlongLineError as error:
+        return None, [(builder.place(error.token), f"more than {_SIGNS_IN_A_LINE} signs in a line; compute in steps")]
+    tree: PredicateTree | RuleTree = builder.transform(parsed)
+    return (None, builder.mistakes) if builder.mistakes else (tree, [])
 
 
 @dataclass(frozen=True, slots=True)

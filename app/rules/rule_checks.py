@@ -229,9 +229,9 @@ def _annotations(rule: RuleTree, declared: Declared) -> Iterator[Located]:
     computed = [part.variable for part in computations]
     names = Counter(argument.name for argument in annotating if isinstance(argument, Variable))
     names.update({variable.name for variable in computed})
-    for variable in (*annotating, *computed):
-        if isinstance(variable, Variable) and names[variable.name] > 1 and variable.name in tainted:
-            yield variable.place, f"${variable.name} has a value already, and an annotation cannot be compared with it"
+    for value in (*annotating, *computed):
+        if isinstance(value, Variable) and names[value.name] > 1 and value.name in tainted:
+            yield value.place, f"${value.name} has a value already, and an annotation cannot be compared with it"
     for name, count in Counter(variable.name for variable in computed).items():
         if count > 1:
             place = next(variable.place for variable in reversed(computed) if variable.name == name)
