@@ -18,7 +18,7 @@ def ship(checkpoint: Path, output: Path) -> None:
     """Writes the pipeline of the folder `checkpoint` to the folder `output`; what else lies there, the card, stays."""
     nlp = spacy.load(checkpoint)
     nlp.meta.update(META)
-    nlp.config["paths"] = {"train": None, "dev": None}
+    nlp.config["paths"] = dict.fromkeys(nlp.config["paths"])
     for part in (*nlp.pipe_names, "tokenizer", "vocab"):
         shutil.rmtree(output / part, ignore_errors=True)
     nlp.to_disk(output)
