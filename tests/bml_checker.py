@@ -62,7 +62,9 @@ CLOSED: Mapping[str, frozenset[str]] = {
     "mode": frozenset({"LEFT_HAND", "RIGHT_HAND", "BOTH_HANDS"}),
     "side": frozenset({"LEFT", "RIGHT", "BOTH"}),
     "composition": frozenset({"MERGE", "APPEND", "REPLACE"}),
-    "offsetDirection": frozenset("LEFT RIGHT UP DOWN UPLEFT UPRIGHT DOWNLEFT DOWNRIGHT POLAR".split()),
+    "offsetDirection": frozenset(
+        ["LEFT", "RIGHT", "UP", "DOWN", "UPLEFT", "UPRIGHT", "DOWNLEFT", "DOWNRIGHT", "POLAR"]
+    ),
 }
 WHOLE = frozenset({"au", "repetition"})
 DECIMAL_ATTRIBUTES = frozenset({"amount", "offsetAngle", "max-wait"})
@@ -96,9 +98,9 @@ def check(bml: bytes) -> list[str]:
 
 def _root(root: etree._Element) -> Iterator[str]:
     for name in ("id", "characterId"):
-        if name not in root.attrib:
+        if name not in _given(root):
             yield f"<bml> has no {name}"
-    for name in root.attrib:
+    for name in _given(root):
         if name not in ("id", "characterId", "composition"):
             yield f"<bml> may not have {name}"
     if not list(root):
@@ -118,7 +120,7 @@ def _elements(root: etree._Element) -> Iterator[str]:
 def _parts(behavior: etree._Element) -> Iterator[str]:
     for part in behavior.iterdescendants("*"):
         if part.tag == SYNC:
-            yield from _attributes(part, Kind(optional=frozenset({"ref"}), identified="ref" not in part.attrib))
+            yield from _attributes(part, Kind(optional=frozenset({"ref"}), identified="ref" not in _given(part)))
         elif part.tag in PARTS:
             yield from _attributes(part, PARTS[part.tag])
         elif part.tag in KINDS and behavior.tag == CORE + "required":
@@ -132,15 +134,16 @@ def _parts(behavior: etree._Element) -> Iterator[str]:
 def _attributes(element: etree._Element, kind: Kind) -> Iterator[str]:
     identity = frozenset({"id"}) if kind.identified else frozenset()
     explicit = frozenset({"start"}) if kind.syncs else frozenset()
-    for name in sorted((identity | explicit | kind.required) - element.attrib.keys()):
+    given = _given(element).keys()
+    for name in sorted((identity | explicit | kind.required) - given):
         yield f"{_name(element)}: no {name}"
-    for name in sorted(element.attrib.keys() - identity - kind.required - kind.optional - set(kind.syncs)):
+    for name in sorted(given - identity - kind.required - kind.optional - set(kind.syncs)):
         yield f"{_name(element)}: {name} is refused"
     yield from _values(element)
 
 
 def _values(element: etree._Element) -> Iterator[str]:
-    for name, value in element.attrib.items():
+    for name, value in _given(element).items():
         where = f"{_name(element)}: {name}={value!r}"
         if not value.strip():
             yield f"{where} is empty"
@@ -221,6 +224,10 @@ def _resources(element: etree._Element) -> tuple[str, ...]:
     if name == "faceFacs":
         return ("eyelids",) if element.get("au") in ("43", "45") else ("face",)
     return {"head": ("head",), "gaze": ("gaze",), "gazeShift": ("gaze",), "faceLexeme": ("face",)}.get(name, ())
+
+
+def _given(element: etree._Element) -> dict[str, str]:
+    return {str(name): str(value) for name, value in element.attrib.items()}
 
 
 def _name(element: etree._Element) -> str:

@@ -1,0 +1,206 @@
+from pathlib import Path
+
+import pytest
+
+from app.bml.characters import Characters
+from app.errors import AuthoringError
+from app.model import Function, Level, Movement
+from app.rules.mapping import MappingRules, choose_movements
+from app.rules.program import load_program
+from tests.by_hand import FIGURE_8, figure_8, function, spoken, utterance
+
+ROOT = Path(__file__).resolve().parents[1]
+RULES = ROOT / "app" / "rules"
+CHARACTERS = Characters.load(ROOT / "lexicon")
+
+# The behaviours that the paper's Table 2 names for each class, by our names.
+TABLE_2 = {
+    "affirmation": {"big_nod", "tilt_left_nod", "tilt_right_nod"},
+    "negation": {"gesture_negation", "shake", "small_shake"},
+    "interrogative": {"gesture_question", "brow_raise"},
+    "contrast": {"gesture_contrast", "tilt_right", "tilt_left"},
+    "comparison": {"gesture_comparative", "gesture_comparative_longer", "gesture_comparative_bigger"},
+    "mental": {"tilt_half_nod_left", "shrug"},
+    "performance": {"gaze_aversion_upright", "short_blink"},
+    "deixis": {"gesture_point_left", "gesture_point_right", "gaze_left", "gaze_right"},
+    "emphasis": {"gesture_rhythm", "small_nod", "beat_gesture"},
+    "intensifier": {"brow_frown", "half_nod"},
+}
+
+# Every class of shared/functions.md with its subtypes; `plain` where a subtype may be unknown.
+SUBTYPES = {
+    "affirmation": "plain",
+    "negation": "plain",
+    "interrogative": "wh polar tag indirect",
+    "contrast": "plain",
+    "process": "start continue stop change plain",
+    "quantification": "all none many few some number plain",
+    "comparison": "positive negative equal superlative strong_positive plain",
+    "spatial": "up down near far front back left right inside outside through around between away plain",
+    "physical": "big small long short wide narrow heavy light high low fast slow hard soft round flat plain",
+    "mental": "think know unsure feel want remember plain",
+    "performance": "filler repeat repair hesitation search plain",
+    "deixis": "self addressee inclusive proximal distal place",
+    "modal": "likelihood ability permission obligation plain",
+    "emphasis": "plain",
+    "intensifier": "plain",
+    "valence": "positive negative plain",
+    "initial_noun_phrase": "plain",
+    "initial_verb_phrase": "plain",
+}
+EVERY_FUNCTION = [(name, subtype) for name, subtypes in SUBTYPES.items() for subtype in subtypes.split()]
+
+
+@pytest.fixture(scope="module")
+def rules() -> MappingRules:
+    return MappingRules.load(RULES, CHARACTERS.behavior_names)
+
+
+def chosen(
+    rules: MappingRules, functions: tuple[Function, ...], level: Level | None = Level.MEDIUM, *, seed: int = 0
+) -> tuple[Movement, ...]:
+    return choose_movements(rules, utterance(spoken(FIGURE_8), level), functions, seed=seed)
+
+
+def ever_chosen(rules: MappingRules, functions: tuple[Function, ...], level: Level) -> set[str]:
+    return {movement.name for seed in range(120) for movement in chosen(rules, functions, level, seed=seed)}
+
+
+def test_there_are_thirty_rules_with_alternatives_among_them(rules: MappingRules) -> None:
+    choosing = [rule for rule in rules.program.rules if rule.kind == "choose"]
+    assert len(choosing) >= 30
+    assert len([rule for rule in choosing if len(rule.calls) > 1]) >= 30
+
+
+@pytest.mark.parametrize("class_name", TABLE_2)
+def test_the_behaviours_of_table_2_are_offered_for_their_class(rules: MappingRules, class_name: str) -> None:
+    calls = {
+        call
+        for rule in rules.program.rules
+        if any(mention.predicate == "fcn" and mention.arguments[0] == class_name for mention in rule.joins)
+        for call in rule.calls
+    }
+    assert TABLE_2[class_name] <= calls
+
+
+@pytest.mark.parametrize("level", Level)
+@pytest.mark.parametrize(("class_name", "subtype"), EVERY_FUNCTION)
+def test_every_function_has_a_movement_on_its_words(
+    rules: MappingRules, class_name: str, subtype: str, level: Level
+) -> None:
+    movements = chosen(rules, (function(class_name, subtype, 2, 3, 4.5),), level)
+    assert movements
+    for movement in movements:
+        assert (movement.first, movement.last, movement.priority) == (2, 3, 4.5)
+        assert movement.function == f"{class_name}2"
+
+
+def test_every_subtype_that_function_rules_derive_is_mapped(rules: MappingRules) -> None:
+    program = load_program([RULES / "vocabulary.rules", *sorted((RULES / "functions").glob("*.rules"))])
+    derived = {
+        (mention.arguments[0], mention.arguments[1])
+        for rule in program.rules
+        for mention in rule.asserts
+        if mention.predicate == "fcn" and not any(argument.startswith("$") for argument in mention.arguments[:2])
+    }
+    assert [each for each in sorted(derived) if not chosen(rules, (function(*each, 2, 2),))] == []
+
+
+def test_figure_8(rules: MappingRules) -> None:
+    movements = chosen(rules, figure_8(), Level.HIGH)
+    shown = {(movement.function, movement.name) for movement in movements}
+    for word in (0, 3, 5):
+        assert shown & {(f"deixis{word}", "gesture_me"), (f"deixis{word}", "gesture_me_both")}
+    assert ("negation2", "shake") in shown
+    assert shown & {("negation2", "gesture_negation"), ("negation2", "gesture_negation_both")}
+    assert {movement.function for movement in movements} == {each.id for each in figure_8()}
+
+
+def test_what_is_chosen_together_shares_its_number(rules: MappingRules) -> None:
+    movements = chosen(rules, figure_8(), Level.HIGH)
+    by_function: dict[str | None, set[int]] = {}
+    for movement in movements:
+        by_function.setdefault(movement.function, set()).add(movement.alternative)
+    assert all(len(numbers) == 1 for numbers in by_function.values())
+    assert len(set.union(*by_function.values())) == len(by_function)
+
+
+def test_low_agitation_moves_the_head_from_side_to_side(rules: MappingRules) -> None:
+    emphasis = (function("emphasis", "plain", 1, 1), function("initial_verb_phrase", "plain", 5, 6))
+    low, high = ever_chosen(rules, emphasis, Level.LOW), ever_chosen(rules, emphasis, Level.HIGH)
+    assert "sway" in low - high
+    assert "small_nod" in high - low
+
+
+def test_high_agitation_beats_rather_than_raises_a_brow(rules: MappingRules) -> None:
+    emphasis = (function("emphasis", "plain", 1, 1),)
+    low, high = ever_chosen(rules, emphasis, Level.LOW), ever_chosen(rules, emphasis, Level.HIGH)
+    assert {"beat_gesture", "beat_both"} <= high - low
+    assert "small_brow_raise" in low - high
+
+
+def test_without_a_voice_the_agitation_counts_as_medium(rules: MappingRules) -> None:
+    for seed in range(10):
+        unheard = chosen(rules, figure_8(), None, seed=seed)
+        assert unheard == chosen(rules, figure_8(), Level.MEDIUM, seed=seed)
+
+
+def test_a_comparison_of_size_has_its_own_gesture(rules: MappingRules) -> None:
+    longer = (function("comparison", "positive", 3, 4), function("physical", "long", 4, 4))
+    names = [movement.name for seed in range(40) for movement in chosen(rules, longer, seed=seed)]
+    assert names.count("gesture_comparative_longer") > names.count("gesture_comparative")
+
+
+def test_seeds_draw_differently_and_the_same_seed_the_same(rules: MappingRules) -> None:
+    draws = [chosen(rules, figure_8(), seed=seed) for seed in range(5)]
+    assert len(set(draws)) > 1
+    assert draws == [chosen(rules, figure_8(), seed=seed) for seed in range(5)]
+
+
+def test_the_order_of_the_functions_does_not_matter(rules: MappingRules) -> None:
+    assert chosen(rules, tuple(reversed(figure_8()))) == chosen(rules, figure_8())
+
+
+def test_the_same_function_draws_the_same_in_another_line(rules: MappingRules) -> None:
+    no = function("negation", "plain", 2, 2)
+    alone = chosen(rules, (no,))
+    beside = chosen(rules, (no, function("valence", "positive", 11, 11)))
+    assert [each.name for each in alone] == [each.name for each in beside if each.function == no.id]
+
+
+def test_functions_that_lost_are_not_shown(rules: MappingRules) -> None:
+    lost = Function("f1", "negation", "plain", 2, 2, 5, "by_hand", kept=False, lost_to="f2")
+    assert chosen(rules, (lost,)) == ()
+
+
+def test_a_movement_is_not_repeated_soon_where_there_is_another(rules: MappingRules) -> None:
+    for seed in range(20):
+        movements = chosen(rules, tuple(function("valence", "negative", word, word) for word in (1, 4)), seed=seed)
+        first, second = ({each.name for each in movements if each.first == word} for word in (1, 4))
+        assert not first & second
+
+
+@pytest.mark.parametrize(
+    ("rule", "message"),
+    [
+        ("foreach\n  word(no, $s, $e)\nchoose\n  weight 1\n    shake($s, $e)\n", "maps no function"),
+        ("foreach\n  fcn(negation, _, $s, $e, _)\nchoose\n  weight 1\n    shaek($s, $e)\n", "shake"),
+    ],
+)
+def test_rules_that_cannot_map_do_not_load(tmp_path: Path, rule: str, message: str) -> None:
+    with pytest.raises(AuthoringError, match=message):
+        MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names)
+
+
+def test_a_behaviour_on_no_span_is_the_rules_mistake(tmp_path: Path) -> None:
+    rule = "foreach\n  fcn(negation, _, $s, $e, _)\nchoose\n  weight 1\n    shake($e, $s)\n"
+    rules = MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names)
+    with pytest.raises(AuthoringError, match=r"shake\(3, 2\) is no span"):
+        chosen(rules, (function("negation", "plain", 2, 2),))
+
+
+def _folder(folder: Path, rule: str) -> Path:
+    (folder / "behaviors").mkdir()
+    (folder / "vocabulary.rules").write_text((RULES / "vocabulary.rules").read_text(encoding="utf-8"), encoding="utf-8")
+    (folder / "behaviors" / "one.rules").write_text(f"rule one\n{rule}", encoding="utf-8")
+    return folder
