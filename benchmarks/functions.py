@@ -27,9 +27,22 @@ from app.syntax.parser import Parser
 
 SAMPLE = Path(__file__).resolve().parents[2] / "shared" / "data" / "functions" / "dev.jsonl"
 CLASSES = (
-    "affirmation negation interrogative contrast process quantification comparison spatial physical mental "
-    "performance deixis modal intensifier valence"
-).split()
+    "affirmation",
+    "negation",
+    "interrogative",
+    "contrast",
+    "process",
+    "quantification",
+    "comparison",
+    "spatial",
+    "physical",
+    "mental",
+    "performance",
+    "deixis",
+    "modal",
+    "intensifier",
+    "valence",
+)
 
 
 @dataclass(frozen=True, slots=True)

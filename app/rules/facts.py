@@ -18,7 +18,7 @@ SHORTEST_PAUSE_S = 0.2
 _WORD = re.compile(r"^[^\w'&$%]*(.*?)[^\w&$%]*$", re.DOTALL)
 _MARKS = re.compile(r"\.{2,}|…|[-–—]+|[^\w\s]")
 _SAME_MARK = {"…": "...", "’": "'", "“": '"', "”": '"'}
-_ABBREVIATIONS = frozenset("mr mrs ms dr st prof sr jr vs etc no u.s a.m p.m i.e e.g".split())
+_ABBREVIATIONS = frozenset(("mr", "mrs", "ms", "dr", "st", "prof", "sr", "jr", "vs", "u.s", "a.m", "p.m", "i.e", "e.g"))
 
 
 def bare(text: str) -> str:

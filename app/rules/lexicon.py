@@ -3,11 +3,12 @@
 A file holds one class in groups: words that share a subtype and conditions. A phrase's words match the transcript's
 words, or the parts the parser tells apart in them ("that" in "that's"); with `match: lemma` their lemmas do as well
 ("turn into" finds "turning into"). `...` in a phrase stands for up to three words, or none. A file's exceptions are
-phrases in which its words do not mean its class ("no wonder" is no negation). Among overlapping matches of one class
-the longest counts. Finding costs the same however many entries there are.
+phrases in which its words do not mean its class ("no wonder" is no negation). Neither a phrase nor a
+condition reaches over punctuation. Among overlapping matches of one class the longest counts. Finding costs the same
+however many entries there are.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
@@ -19,12 +20,15 @@ from app.errors import AuthoringError, Mistake
 from app.model import Token, Utterance
 from app.rules.facts import bare
 
+CLOSING_MARKS = tuple(",.?!;:")
 GAP = "..."
 LONGEST_GAP = 3
 SLOT = "{}"
 """Where an example takes each word of its group in turn."""
 
-PARTS_OF_SPEECH = frozenset("ADJ ADP ADV AUX CCONJ DET INTJ NOUN NUM PART PRON PROPN SCONJ VERB X SYM".split())
+PARTS_OF_SPEECH = frozenset(
+    ("ADJ", "ADP", "ADV", "AUX", "CCONJ", "DET", "INTJ", "NOUN", "NUM", "PART", "PRON", "PROPN", "SCONJ", "SYM", "VERB", "X")
+)
 
 
 class Conditions(Entry):
@@ -66,7 +70,7 @@ class LexiconFile(Entry):
     """A file of `lexicon/en/`."""
 
     class_name: str = Field(alias="class")
-    groups: tuple[Group, ...] = Field(min_length=1)
+    groups: tuple[Group, ...]
     exceptions: tuple[Conditions, ...] = ()
 
 
@@ -105,10 +109,13 @@ class _Node:
 
 @dataclass(frozen=True, slots=True)
 class _Spelling:
-    """How a word may be looked up: its text and its parts' texts, its parts' lemmas, with their parts of speech."""
+    """How a word may be looked up: its text and its parts' texts, its parts' lemmas, with their parts of speech.
+
+    `closes` tells that punctuation ends the phrase with it."""
 
     forms: dict[str, frozenset[str]]
     lemmas: dict[str, frozenset[str]]
+    closes: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,15 +207,16 @@ def _spellings(utterance: Utterance) -> tuple[_Spelling, ...]:
     parts: list[list[Token]] = [[] for _ in utterance.words]
     for token in utterance.parse.tokens:
         parts[token.word].append(token)
-    return tuple(_spelling(bare(word.text), parts[word.index]) for word in utterance.words)
+    return tuple(_spelling(word.text, parts[word.index]) for word in utterance.words)
 
 
-def _spelling(text: str, parts: list[Token]) -> _Spelling:
-    parts = [part for part in parts if part.part_of_speech != "PUNCT"]
+def _spelling(written: str, parts: list[Token]) -> _Spelling:
+    text = bare(written)
+    parts = [part for part in parts if part.part_of_speech != "PUNCT"] if "-" not in text else parts[-1:]
     forms = {bare(part.text): frozenset((part.part_of_speech,)) for part in parts}
     lemmas = {part.lemma.lower(): frozenset((part.part_of_speech,)) for part in parts}
     forms[text] = frozenset(part.part_of_speech for part in parts)
-    return _Spelling(forms, lemmas)
+    return _Spelling(forms, lemmas, closes=bool(text) and written.rstrip("\"')”’")[-1:] in CLOSING_MARKS)
 
 
 def _found_from(root: _Node, spellings: tuple[_Spelling, ...], start: int) -> Iterator[_Found]:
@@ -220,6 +228,8 @@ def _found_from(root: _Node, spellings: tuple[_Spelling, ...], start: int) -> It
         for entry in node.entries:
             if _holds(entry.conditions, spellings, words, parts_of_speech):
                 yield _Found(entry, words)
+        if words and spellings[words[-1]].closes:
+            continue
         for edges, position in _edges(node, here):
             if position < len(spellings):
                 for following, labels in _steps(edges, spellings[position]):
@@ -247,8 +257,7 @@ def _steps(node: _Node, spelling: _Spelling) -> Iterator[tuple[_Node, frozenset[
 def _holds(
     conditions: Conditions, spellings: tuple[_Spelling, ...], words: tuple[int, ...], parts_of_speech: frozenset[str]
 ) -> bool:
-    before = spellings[words[0] - 1].forms.keys() if words[0] else frozenset()
-    after = spellings[words[-1] + 1].forms.keys() if words[-1] + 1 < len(spellings) else frozenset()
+    before, after = _neighbours(spellings, words[0], words[-1])
     return (
         (not conditions.part_of_speech or bool(conditions.part_of_speech & parts_of_speech))
         and (not conditions.after or bool(conditions.after & before))
@@ -258,17 +267,27 @@ def _holds(
     )
 
 
-def _longest(found: list[_Found]) -> list[_Found]:
-    """Per class, no two that share a matched word: the longer counts, then exceptions, then the earlier.
+def _neighbours(spellings: tuple[_Spelling, ...], first: int, last: int) -> tuple[Set[str], Set[str]]:
+    """The forms of the words directly before and behind, as far as no punctuation stands between."""
+    beginning = first == 0 or spellings[first - 1].closes
+    end = last + 1 == len(spellings) or spellings[last].closes
+    before = frozenset[str]() if beginning else spellings[first - 1].forms.keys()
+    return before, frozenset[str]() if end else spellings[last + 1].forms.keys()
 
-    Subtypes of the same words stay beside each other: "left" may be a direction and an absence."""
-    taken: dict[tuple[str, int], tuple[int, ...]] = {}
+
+def _longest(found: list[_Found]) -> list[_Found]:
+    """Per class, no two that share a matched word."""
+    taken: set[tuple[str, int]] = set()
     kept: list[_Found] = []
-    for match in sorted(found, key=lambda match: (-match.length, match.entry.subtype is not None, match.words[0])):
+    for match in sorted(found, key=_rank):
         name = match.entry.class_name
         if any((name, word) in taken for word in match.words):
             continue
-        for word in match.words:
-            taken[name, word] = match.words
+        taken.update((name, word) for word in match.words)
         kept.append(match)
     return sorted(kept, key=lambda match: (match.words[0], match.words[-1], match.entry.class_name))
+
+
+def _rank(match: _Found) -> tuple[int, bool, int, int]:
+    """The longer match first, then exceptions, then what spells more of its words out ("could've" before "could")."""
+    return -match.length, match.entry.subtype is not None, -len(match.entry.phrase), match.words[0]
