@@ -1,11 +1,12 @@
 """How well words and phones are placed in time, against hand labels, and whether a wrong text is noticed.
 
-    python -m benchmarks.alignment [--sentences N] [--timit FOLDER]
+    python -m benchmarks.alignment [--sentences N] [--timit FOLDER] [--ravdess FOLDER]
 
 Data: TIMIT (`.wrd`, `.phn`: start and end in samples at 16 kHz). Errors are |ours − theirs| of every word's start and
 end, and of every phone's start where both have the same folded labels in a word. Texts that must be flagged: the next
 speaker's sentence, half of the words missing, and eight words of another sentence appended; false alarms are
-correct texts flagged. The speed is that of one core, everything warm.
+correct texts flagged, in TIMIT and in every sixth clip of RAVDESS (acted, from calm to shouting). The speed is that of
+one core, everything warm.
 
 Some files of ../shared have lost bytes, after which every sample is noise at full scale; TIMIT itself is never that
 loud. They are left out.
@@ -19,6 +20,7 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
+import soxr
 
 from app.acoustic.alignment import Aligner
 from app.errors import InputError
@@ -27,6 +29,9 @@ from app.transcript import read_transcript
 
 ROOT = Path(__file__).resolve().parents[1]
 TIMIT = ROOT.parent / "shared" / "data" / "speech" / "timit"
+RAVDESS = TIMIT.with_name("ravdess")
+RAVDESS_TEXTS = {"01": "Kids are talking by the door", "02": "Dogs are sitting by the door"}
+RAVDESS_STEP = 6
 TOLERANCES_S = (0.020, 0.050, 0.100)
 FULL_SCALE = 0.95
 FLAGS = {"transcript_suspect", "alignment_low_confidence"}
@@ -75,6 +80,8 @@ def main() -> None:
         print_errors("phones, start", [error for pair in pairs for error in phone_errors(*pair)])
         print(f"{'× real time':24}{seconds / total_s:.3f}")
         print_flags(aligner, sentences)
+        acted = [read_acted(path) for path in sorted(options.ravdess.glob("*.flac"))[::RAVDESS_STEP]]
+        print_outcomes("correct text, acted", [outcome(aligner, audio, text) for audio, text in acted])
 
 
 def read_sentence(path: Path) -> Sentence:
@@ -89,6 +96,12 @@ def read_sentence(path: Path) -> Sentence:
         tuple(_interval(start, end) for start, end, _ in rows),
         tuple((label, _interval(start, end)) for start, end, label in phones),
     )
+
+
+def read_acted(path: Path) -> tuple[Audio, str]:
+    """A clip of RAVDESS, whose name tells which of its two sentences is said."""
+    samples, rate_hz = soundfile.read(path, always_2d=True)
+    return Audio(soxr.resample(samples[:, 0], rate_hz, SAMPLE_RATE_HZ)), RAVDESS_TEXTS[path.stem.split("-")[4]]
 
 
 def aligned_words(aligner: Aligner, audio: Audio, text: str) -> tuple[Word, ...]:
@@ -139,11 +152,13 @@ def print_flags(aligner: Aligner, sentences: list[Sentence]) -> None:
         "eight words too many": [(one, " ".join([one.text, *other.text.split()[:8]])) for one, other in pairs],
     }
     for kind, cases in kinds.items():
-        outcomes = [outcome(aligner, sentence.audio, text) for sentence, text in cases]
-        print(
-            f"{kind:24}refused {outcomes.count('refused') / len(outcomes):.1%}, "
-            f"warned {outcomes.count('warned') / len(outcomes):.1%} ({len(outcomes)})"
-        )
+        print_outcomes(kind, [outcome(aligner, sentence.audio, text) for sentence, text in cases])
+
+
+def print_outcomes(kind: str, outcomes: list[str]) -> None:
+    """One row: shares refused and warned about, and how many texts."""
+    refused, warned = (outcomes.count(name) / max(len(outcomes), 1) for name in ("refused", "warned"))
+    print(f"{kind:24}refused {refused:.1%}, warned {warned:.1%} ({len(outcomes)})")
 
 
 def outcome(aligner: Aligner, audio: Audio, text: str) -> str:
@@ -181,6 +196,7 @@ def _words(text: str) -> tuple[Word, ...]:
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--timit", type=Path, default=TIMIT)
+    parser.add_argument("--ravdess", type=Path, default=RAVDESS)
     parser.add_argument("--sentences", type=int, default=None, help="only the first N")
     return parser.parse_args()
 
