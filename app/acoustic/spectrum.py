@@ -17,8 +17,11 @@ ENERGY_FLOOR_DB = -100.0
 """Energy of digital silence: some 20 dB under the rounding noise of 16-bit samples (about -78 dB in a frame)."""
 
 MEL_BANDS = 40
-MEL_RANGE_DB = 80.0
-"""A Mel band counts as no fainter than this under the loudest of the utterance."""
+MEL_MIN_HZ = 80.0
+"""Under the voice there is only rumble, which would tell the recording apart, not the voice."""
+
+MEL_RANGE_DB = 50.0
+"""A Mel band counts as no fainter than this under the loudest of the utterance, lest the cepstrum follow the noise."""
 
 COEFFICIENTS = 12
 
@@ -34,16 +37,16 @@ def energy_db(audio: Audio) -> FloatArray:
     return decibels
 
 
-def mfcc(audio: Audio) -> FloatArray:
+def mfcc(audio: Audio, *, min_hz: float = MEL_MIN_HZ, range_db: float = MEL_RANGE_DB) -> FloatArray:
     """Mel frequency cepstral coefficients 1 to 12 of Hann-windowed frames; shape (frames, 12) (paper §3.1.1).
 
     The paper does not say which 12. We leave out coefficient 0, the mean level in dB, since it tells how the recording
-    was set up rather than how the voice sounds. The coefficients do not change when the signal is scaled, since faint
-    bands are floored relative to the loudest.
+    was set up rather than how the voice sounds. Scaling the signal changes nothing: faint bands are floored relative to
+    the loudest (`python -m benchmarks.agitation --ablation` shows what floor and lower edge are worth).
     """
     spectrum = stft(_padded(audio), n_fft=FRAME_SAMPLES, hop_length=SHIFT_SAMPLES, window="hann", center=False)
-    bands = filters.mel(sr=SAMPLE_RATE_HZ, n_fft=FRAME_SAMPLES, n_mels=MEL_BANDS, dtype=np.float64)
-    mel_db = power_to_db(bands @ np.square(np.abs(spectrum)), ref=np.max, amin=1e-20, top_db=MEL_RANGE_DB)
+    bands = filters.mel(sr=SAMPLE_RATE_HZ, n_fft=FRAME_SAMPLES, n_mels=MEL_BANDS, fmin=min_hz, dtype=np.float64)
+    mel_db = power_to_db(bands @ np.square(np.abs(spectrum)), ref=np.max, amin=1e-20, top_db=range_db)
     coefficients: FloatArray = feature.mfcc(S=mel_db, n_mfcc=1 + COEFFICIENTS)[1:].T
     return coefficients
 

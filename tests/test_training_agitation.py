@@ -1,0 +1,92 @@
+"""The training half of the agitation model: fuzzy weights, balance, and agreement with the run-time half."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.model import Level
+from training.agitation.corpus import Samples, read_recordings
+from training.agitation.fuzzy_svm import balanced_weights, fit_fuzzy, speaker_folds, to_machine, train
+
+SHARED_SPEECH = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech"
+
+
+def clouds(count: int = 120, seed: int = 0) -> Samples:
+    """Three overlapping clouds along the diagonal, one a level, spoken by eight speakers."""
+    random = np.random.default_rng(seed)
+    levels = np.arange(count) % 3
+    return Samples(
+        features=random.normal(0, 1, (count, 12)) + (levels[:, np.newaxis] - 1) * 1.0,
+        memberships=np.eye(3)[levels],
+        levels=levels,
+        corpora=np.full(count, "clouds"),
+        speakers=np.array([f"clouds/{number % 8}" for number in range(count)]),
+    )
+
+
+def test_run_time_decision_values_equal_scikit_learns() -> None:
+    samples = clouds()
+    weights = balanced_weights(samples)
+    svm = fit_fuzzy(samples.features, weights[:, 0], weights[:, 1] + weights[:, 2])
+    machine = to_machine(svm, 1.0, 0.0)
+    unseen = np.random.default_rng(1).normal(0, 2, (50, 12))
+    ours = [machine.decision_value(point, svm.gamma) for point in unseen]
+    assert ours == pytest.approx(svm.decision_function(unseen), abs=1e-9)
+
+
+def test_the_trained_model_tells_unseen_clouds_apart() -> None:
+    model, unseen = train(clouds()), clouds(seed=1)
+    levels = [list(Level).index(model.judge(point).level) for point in unseen.features]
+    assert np.mean(np.array(levels) == unseen.levels) > 0.9
+
+
+def judged_medium(memberships: tuple[float, float, float]) -> float:
+    """How medium a place far from the clouds is judged, when trained with samples there of these memberships."""
+    samples, place = clouds(), np.array([-6.0, 6.0] * 6)
+    there = Samples(
+        np.random.default_rng(2).normal(0, 1, (40, 12)) + place,
+        np.tile(memberships, (40, 1)),
+        np.full(40, -1),
+        samples.corpora[:40],
+        samples.speakers[:40],
+    )
+    fields = ("features", "memberships", "levels", "corpora", "speakers")
+    both = Samples(*(np.concatenate([getattr(samples, name), getattr(there, name)]) for name in fields))
+    return train(both).judge(place).medium
+
+
+def test_samples_of_two_levels_are_judged_between_them() -> None:
+    low, between, medium = (judged_medium(given) for given in ((1, 0, 0), (0.5, 0.5, 0), (0, 1, 0)))
+    assert low + 0.2 < between < medium - 0.1
+
+
+def test_every_level_of_every_corpus_weighs_the_same() -> None:
+    samples = clouds(90)
+    lopsided = Samples(
+        samples.features,
+        np.eye(3)[[0] * 50 + [1] * 10 + [2] * 10 + [0] * 5 + [1] * 5 + [2] * 10],
+        samples.levels,
+        np.array(["one"] * 70 + ["two"] * 20),
+        samples.speakers,
+    )
+    weights = balanced_weights(lopsided)
+    assert weights[:70].sum(axis=0) == pytest.approx([15, 15, 15])
+    assert weights[70:].sum(axis=0) == pytest.approx([15, 15, 15])
+
+
+def test_no_speaker_is_in_two_folds() -> None:
+    speakers = clouds().speakers
+    folds = list(speaker_folds(speakers, 3))
+    assert np.sum(folds, axis=0).tolist() == [1] * len(speakers)
+    assert all(set(speakers[fold]).isdisjoint(speakers[~fold]) for fold in folds)
+
+
+@pytest.mark.skipif(not SHARED_SPEECH.is_dir(), reason="needs ../shared")
+def test_labels_are_read_as_memberships() -> None:
+    recordings = read_recordings(SHARED_SPEECH, ("ravdess",))
+    assert all(sum(recording.memberships) == 1 for recording in recordings)
+    assert {recording.level for recording in recordings} == {*Level, None}
+    for recording in recordings:
+        if recording.level is not None:
+            assert recording.memberships[list(Level).index(recording.level)] == 1
