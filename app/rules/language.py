@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -87,7 +88,7 @@ def _parse_block(cut: "_Cut") -> tuple[PredicateTree | RuleTree | None, list[_Lo
     except UnexpectedInput as error:
         line = min(max(error.line, 1), cut.source.count("\n") + 1)
         place = Place(cut.first_line + line - 1, max(error.column, 1))
-        return None, [(place, syntax_message(_grammar(), error, text))]
+        return None, [(place, syntax_message(error, text))]
     except _OverlongLineError as error:
         return None, [(builder.place(error.token), f"more than {_SIGNS_IN_A_LINE} signs in a line; compute in steps")]
     tree: PredicateTree | RuleTree = builder.transform(parsed)
@@ -105,7 +106,7 @@ class _Cut:
 
 def _cut(lines: tuple[str, ...]) -> Iterator[_Cut]:
     starts = [number for number, line in enumerate(lines) if _BLOCK_START.match(line)]
-    for start, end in zip(starts, [*starts[1:], len(lines)], strict=True):
+    for start, end in pairwise([*starts, len(lines)]):
         above = start
         while above > 0 and lines[above - 1].lstrip().startswith("#"):
             above -= 1
