@@ -1,0 +1,51 @@
+from itertools import pairwise
+
+import pytest
+
+from app.bml.unasked import BLINKS_PER_MINUTE, Unasked, unasked
+from app.model import Interval, Word
+from tests.by_hand import spoken, utterance
+
+LONG = " ".join(["word"] * 600)
+
+
+def blinks(words: tuple[Word, ...], phrase_ends: tuple[int, ...] = (), seed: int = 0) -> list[Unasked]:
+    behaviors = unasked(utterance(words, phrase_ends=phrase_ends), words, seed)
+    return [behavior for behavior in behaviors if behavior.name == "blink"]
+
+
+def test_a_line_begins_with_a_look_at_the_listener() -> None:
+    words = spoken("Hello there.")
+    first = next(iter(unasked(utterance(words), words, 0)))
+    assert (first.name, first.at_s, first.word) == ("gaze_opening", 0.0, 0)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_blinks_come_at_the_usual_rate(seed: int) -> None:
+    minutes = 600 * 0.4 / 60
+    assert len(blinks(spoken(LONG), seed=seed)) / minutes == pytest.approx(BLINKS_PER_MINUTE, rel=0.2)
+
+
+def test_blinks_do_not_crowd() -> None:
+    times = [blink.at_s for blink in blinks(spoken(LONG), tuple(range(0, 600, 4)))]
+    assert min(later - earlier for earlier, later in pairwise(times)) >= 0.8
+
+
+def test_blinks_prefer_phrase_ends() -> None:
+    words = spoken(LONG)
+    ends = tuple(range(3, 600, 4))
+    at_ends = [blink for blink in blinks(words, ends) if blink.reason == "blinks as a phrase ends"]
+    assert len(at_ends) > 0.8 * len(blinks(words, ends))
+    ends_s = {words[word].interval.end_s for word in ends} | {words[-1].interval.end_s}  # type: ignore[union-attr]
+    assert {blink.at_s for blink in at_ends} <= ends_s
+
+
+def test_blinks_prefer_pauses() -> None:
+    words = tuple(Word(index, "word", Interval(index * 1.2, index * 1.2 + 0.9)) for index in range(100))
+    in_pauses = [blink for blink in blinks(words) if blink.reason == "blinks in a pause"]
+    assert len(in_pauses) > 0.8 * len(blinks(words))
+
+
+def test_seeds_blink_differently_and_the_same_seed_the_same() -> None:
+    words = spoken(LONG)
+    assert blinks(words, seed=1) == blinks(words, seed=1) != blinks(words, seed=2)
