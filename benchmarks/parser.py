@@ -13,7 +13,8 @@ import argparse
 import statistics
 import time
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Hashable, Sequence
+from functools import partial
 from pathlib import Path
 
 import spacy
@@ -33,6 +34,7 @@ ROOT = Path(__file__).resolve().parents[1]
 SCORES = {"UPOS": "pos_acc", "XPOS": "tag_acc", "lemma": "lemma_acc", "UAS": "dep_uas", "LAS": "dep_las"}
 UTTERANCE_WORDS = 15
 UTTERANCES = 300
+Sets = dict[str, tuple[Sequence[Sentence], int]]
 Tallies = dict[str, Counter[str]]
 
 
@@ -46,7 +48,7 @@ def main() -> None:
     names = ("ewt", "gum", "spoken")
     treebanks = {name: read_treebank(options.treebanks / f"{name}-{options.split}.conllu") for name in names}
     plain = as_transcribed(treebanks["spoken"])
-    sets: dict[str, tuple[Sequence[Sentence], int]] = {name: (bank, 10) for name, bank in treebanks.items()}
+    sets: Sets = {name: (bank, 10) for name, bank in treebanks.items()}
     sets |= {"spoken plain, by one": (plain, 1), "spoken plain, by ten": (plain, 10)}
     nlp = spacy.load(options.parser)
     parser = Parser.load(options.parser)
@@ -55,7 +57,7 @@ def main() -> None:
     print_cost(options.parser, parser, treebanks["spoken"])
 
 
-def print_pipeline(nlp: spacy.language.Language, sets: dict[str, tuple[Sequence[Sentence], int]]) -> None:
+def print_pipeline(nlp: spacy.language.Language, sets: Sets) -> None:
     """spaCy's scores on each set."""
     print(f"{'pipeline':22}" + "".join(f"{name:>8}" for name in SCORES))
     for name, (sentences, size) in sets.items():
@@ -64,7 +66,7 @@ def print_pipeline(nlp: spacy.language.Language, sets: dict[str, tuple[Sequence[
         print(f"{name:22}" + "".join(f"{100 * scores[key]:8.1f}" for key in SCORES.values()))
 
 
-def print_program(parser: Parser, sets: dict[str, tuple[Sequence[Sentence], int]]) -> None:
+def print_program(parser: Parser, sets: Sets) -> None:
     """What the rules get, on each set."""
     print(f"\n{'program':22}" + "".join(f"{name:>8}" for name in ("LAS", "sent.", "noun", "verb", "clause")))
     for name, (sentences, size) in sets.items():
@@ -101,18 +103,16 @@ def word_numbers(document: Doc) -> list[int]:
     return numbers
 
 
-def items(parse: Parse) -> dict[str, Counter[object]]:
+def items(parse: Parse) -> dict[str, Counter[Hashable]]:
     """What is compared, each countable by equality."""
     places = token_places(parse.tokens)
     counted = [token for token in parse.tokens if token.part_of_speech != "PUNCT"]
-    phrases = {
-        kind: Counter((p.first, p.last) for p in parse.phrases if p.kind == kind) for kind in ("noun", "verb")
-    }
     return {
-        "LAS": Counter((places[t.index], t.dependency.lower(), places[t.head]) for t in counted),
-        "sentence": Counter(sentence_begins(parse.tokens)),
+        "LAS": Counter((places[t.index], t.dependency, places[t.head]) for t in counted),
+        "sentence": Counter(tree_begins(parse.tokens)[1:]),
+        "noun": Counter((phrase.first, phrase.last) for phrase in parse.phrases if phrase.kind == "noun"),
+        "verb": Counter((phrase.first, phrase.last) for phrase in parse.phrases if phrase.kind == "verb"),
         "clause": Counter(clause.head for clause in parse.clauses),
-        **phrases,
     }
 
 
@@ -127,10 +127,12 @@ def token_places(tokens: tuple[Token, ...]) -> list[tuple[int, int, str]]:
     return places
 
 
-def sentence_begins(tokens: tuple[Token, ...]) -> list[int]:
-    """The first words of the trees, but for the utterance's own."""
-    roots = [root_of(tokens, token) for token in tokens]
-    return [tokens[i].word for i in range(1, len(tokens)) if roots[i] not in roots[:i][-1:] and roots[i] not in roots[:i]]
+def tree_begins(tokens: tuple[Token, ...]) -> list[int]:
+    """The first word of each tree."""
+    begins: dict[int, int] = {}
+    for token in tokens:
+        begins.setdefault(root_of(tokens, token), token.word)
+    return list(begins.values())
 
 
 def root_of(tokens: tuple[Token, ...], token: Token) -> int:
@@ -140,6 +142,7 @@ def root_of(tokens: tuple[Token, ...], token: Token) -> int:
 
 
 def f1(tally: Counter[str]) -> float:
+    """The harmonic mean of precision and recall."""
     return 2 * tally["hits"] / max(1, tally["gold"] + tally["found"])
 
 
@@ -148,8 +151,8 @@ def print_cost(where: str, parser: Parser, sentences: Sequence[Sentence]) -> Non
     words = [text for reference in to_documents(sentences, 10) for text in reference.text.split()]
     chunks = [words[start : start + UTTERANCE_WORDS] for start in range(0, len(words), UTTERANCE_WORDS)][:UTTERANCES]
     lines = [tuple(Word(number, text) for number, text in enumerate(chunk)) for chunk in chunks]
-    durations_ms = [1000 * seconds(lambda line=line: parser.parse(line)) for line in lines]
-    load_s = statistics.median(seconds(lambda: Parser.load(where)) for _ in range(3))
+    durations_ms = [1000 * seconds(partial(parser.parse, line)) for line in lines]
+    load_s = statistics.median(seconds(partial(Parser.load, where)) for _ in range(3))
     print(f"\nload {load_s:.2f} s; 15 words: median {statistics.median(durations_ms):.1f} ms, ", end="")
     print(f"95 % under {statistics.quantiles(durations_ms, n=20)[-1]:.1f} ms")
     if Path(where).is_dir():
@@ -157,9 +160,10 @@ def print_cost(where: str, parser: Parser, sentences: Sequence[Sentence]) -> Non
         print(f"on disk {size / 1e6:.1f} MB")
 
 
-def seconds(task: object) -> float:
+def seconds(task: Callable[[], object]) -> float:
+    """Wall time of a call."""
     start = time.perf_counter()
-    task()  # type: ignore[operator]
+    task()
     return time.perf_counter() - start
 
 

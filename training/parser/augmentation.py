@@ -7,19 +7,13 @@ smaller shares only in lower case or only without punctuation. GUM, where the sp
 
 import random
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import accumulate
 from pathlib import Path
 
 from spacy.tokens import Doc, DocBin
-from spacy.training.converters import conllu_to_docs
+from spacy.vocab import Vocab
 
-from training.parser.treebank import (
-    Sentence,
-    in_groups,
-    lower_cased,
-    read_treebank,
-    to_conllu,
-    without_punctuation,
-)
+from training.parser.treebank import Sentence, lower_cased, read_treebank, without_punctuation
 
 SENTENCES_AS_WRITTEN = 10
 SENTENCES_IN_PART = 3
@@ -44,8 +38,31 @@ def as_transcribed(sentences: Iterable[Sentence]) -> list[Sentence]:
 
 def to_documents(sentences: Sequence[Sentence], size: int) -> Iterator[Doc]:
     """The sentences as spaCy documents of `size` sentences each."""
-    for group in in_groups(sentences, size):
-        yield from conllu_to_docs(to_conllu(group), n_sents=size, no_print=True)
+    vocabulary = Vocab()
+    for start in range(0, len(sentences), size):
+        yield _to_document(sentences[start : start + size], vocabulary)
+
+
+def _to_document(sentences: Sequence[Sentence], vocabulary: Vocab) -> Doc:
+    rows = [row for sentence in sentences for row in sentence]
+    begins = accumulate((len(sentence) for sentence in sentences[:-1]), initial=0)
+    heads = [
+        begin + (row.head - 1 if row.head else place)
+        for begin, sentence in zip(begins, sentences, strict=True)
+        for place, row in enumerate(sentence)
+    ]
+    return Doc(
+        vocabulary,
+        words=[row.form for row in rows],
+        spaces=[row.space_after or row is sentence[-1] for sentence in sentences for row in sentence],
+        pos=[row.universal_tag for row in rows],
+        tags=[row.penn_tag for row in rows],
+        morphs=[""] * len(rows),
+        lemmas=[row.lemma for row in rows],
+        heads=heads,
+        deps=["ROOT" if row.relation == "root" else row.relation for row in rows],
+        sent_starts=[place == 0 for sentence in sentences for place in range(len(sentence))],
+    )
 
 
 def _training_documents(written: list[Sentence], spoken: list[Sentence]) -> Iterator[Doc]:

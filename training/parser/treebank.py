@@ -4,7 +4,6 @@ A sentence is a tuple of rows numbered from 1; `head` is the number of the gover
 enhanced dependencies and comments are left out: nothing we train reads them.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -31,11 +30,6 @@ def read_treebank(path: Path) -> list[Sentence]:
     return [tuple(_read_row(line) for line in block.splitlines() if _is_word(line)) for block in blocks]
 
 
-def to_conllu(sentences: Iterable[Sentence]) -> str:
-    """The sentences as CoNLL-U text."""
-    return "".join(_write_sentence(sentence) + "\n\n" for sentence in sentences)
-
-
 def lower_cased(sentence: Sentence) -> Sentence:
     """The sentence in lower case, its lemmas too."""
     return tuple(replace(row, form=row.form.lower(), lemma=row.lemma.lower()) for row in sentence)
@@ -57,11 +51,6 @@ def without_punctuation(sentence: Sentence) -> Sentence:
     )
 
 
-def in_groups(sentences: Sequence[Sentence], size: int) -> Iterator[Sequence[Sentence]]:
-    """The sentences, `size` at a time."""
-    return (sentences[start : start + size] for start in range(0, len(sentences), size))
-
-
 def _is_word(line: str) -> bool:
     return line.partition("\t")[0].isdigit()
 
@@ -70,15 +59,6 @@ def _read_row(line: str) -> Row:
     _, form, lemma, universal_tag, penn_tag, _, head, relation, _, miscellaneous = line.split("\t")
     space_after = "SpaceAfter=No" not in miscellaneous.split("|")
     return Row(form, lemma, universal_tag, penn_tag, int(head), relation, space_after)
-
-
-def _write_sentence(sentence: Sentence) -> str:
-    lines = []
-    for number, row in enumerate(sentence, 1):
-        miscellaneous = "_" if row.space_after else "SpaceAfter=No"
-        fields = (number, row.form, row.lemma, row.universal_tag, row.penn_tag, "_", row.head, row.relation, "_")
-        lines.append("\t".join(map(str, (*fields, miscellaneous))))
-    return "\n".join(lines)
 
 
 def _kept_head(sentence: Sentence, number: int) -> int:
