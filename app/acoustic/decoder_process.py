@@ -5,6 +5,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -78,30 +79,30 @@ class DecoderProcess:
         assert process.stdout is not None
         timer = threading.Timer(self._time_limit_s, process.kill)
         timer.start()
+        answer = b""
         try:
-            process.stdin.write(request)
-            process.stdin.flush()
-            answer = process.stdout.readline()
-        except BrokenPipeError:
-            answer = b""
+            with suppress(BrokenPipeError):
+                process.stdin.write(request)
+                process.stdin.flush()
+                answer = process.stdout.readline()
         finally:
             timer.cancel()
-        if not answer.endswith(b"\n"):
-            process.kill()
+            if not answer.endswith(b"\n"):  # dead, or interrupted here: the next request must not read this answer
+                process.kill()
+                self._end(process)
+        if process.returncode is not None:
             raise ServiceError(
                 "aligner_crashed",
-                f"the aligner's process ended (status {self._end(process)}) while it aligned this line; "
+                f"the aligner's process ended (status {process.returncode}) while it aligned this line; "
                 "other lines are not affected",
             )
         return answer
 
-    def _end(self, process: subprocess.Popen[bytes]) -> int:
-        """Closes the pipes, waits, and forgets the process; its exit status, negative for a signal."""
+    def _end(self, process: subprocess.Popen[bytes]) -> None:
+        """Closes the pipes, waits, and forgets the process."""
         self._process = None
         for pipe in (process.stdin, process.stdout):
             if pipe is not None:
-                try:
+                with suppress(BrokenPipeError):
                     pipe.close()
-                except BrokenPipeError:
-                    continue
-        return process.wait()
+        process.wait()

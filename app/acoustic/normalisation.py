@@ -33,7 +33,7 @@ _YEAR = re.compile(r"1[1-9]\d\d|20\d\d")
 _TELEPHONE = re.compile(r"(?:\d{3}-)?\d{3}-\d{4}")
 _DOTTED = re.compile(r"(?:[a-z]\.)+[a-z]?\.?|(?:[a-z]\.){2,}'?s", re.IGNORECASE)
 _CAPITALS = re.compile(r"([A-Z]{2,})('?s)?")
-_PIECE = re.compile(r"[A-Za-z']+|\d{1,3}(?:,\d{3})+|\d+(?:\.\d+)?|[^\w\s]")
+_PIECE = re.compile(r"[A-Za-z']+|\d{1,3}(?:,\d{3})+|\d+(?:\.\d+)?|(?<=\d)-(?=\d)|[^\w\s-]")
 _VULGAR_AFTER_DIGIT = re.compile(r"(?<=\d)(?=[¼-¾⅐-⅞])")
 _VOWEL = re.compile(r"[AEIOUY]")
 
@@ -87,12 +87,8 @@ class Normaliser:
         """The tokens of each word."""
         folded = [fold(word.text).strip(_OUTSIDE) for word in words]
         shouted = not any(character.islower() for word in folded for character in word)
-        places = (
-            _Place(
-                folded[index - 1] if index else "", word, folded[index + 1] if index + 1 < len(folded) else "", shouted
-            )
-            for index, word in enumerate(folded)
-        )
+        neighbours = zip(["", *folded], folded, [*folded[1:], ""], strict=False)
+        places = (_Place(previous, word, following, shouted) for previous, word, following in neighbours)
         return tuple(tuple(self._said(place)) for place in places)
 
     def _said(self, place: _Place) -> Tokens:
@@ -169,18 +165,16 @@ class Normaliser:
 
     def _pieces(self, place: _Place) -> Iterator[str]:
         """The word cut where letters, digits and symbols meet, each part said by itself."""
-        previous = ""
         for piece in _PIECE.findall(place.word):
             if piece[0].isdigit():
                 whole, _, fraction = piece.replace(",", "").partition(".")
-                if previous == "-range-":
-                    yield "to"
-                yield from numbers.decimal(whole, fraction) if fraction.isdigit() else _plain(whole, year=True)
+                yield from numbers.decimal(whole, fraction) if fraction else _plain(whole, year=True)
             elif piece[0].isalpha() or piece[0] == "'":
                 yield from self._letters_or_word(piece, place)
+            elif piece == "-":
+                yield "to"
             elif piece in self.abbreviations.symbols:
                 yield self.abbreviations.symbols[piece]
-            previous = "-range-" if piece == "-" and previous[:1].isdigit() else piece
 
     def _letters_or_word(self, piece: str, place: _Place) -> Tokens:
         """An acronym letter by letter, anything else as a word."""
