@@ -69,11 +69,15 @@ class Catalogue:
         lexicon = resource_folder("lexicon")
         functions = FunctionRules.load(RULES, lexicon / "en")
         characters = Characters.load(lexicon)
-        mappings = MappingRules.load(RULES, characters.behavior_names)
+        return cls.of(functions, characters, MappingRules.load(RULES, characters.behavior_names))
+
+    @classmethod
+    def of(cls, functions: FunctionRules, characters: Characters, mappings: MappingRules) -> "Catalogue":
+        """The catalogue of what is loaded already."""
         items = (
             *(_rule_item(Kind.FUNCTION, rule, rule.asserts) for rule in functions.program.rules),
             *(_rule_item(Kind.BEHAVIOR, rule, rule.joins) for rule in mappings.program.rules),
-            *_table_items(lexicon / "behaviors.yaml", characters.behavior_names),
+            *_table_items(resource_folder("lexicon") / "behaviors.yaml", characters.behavior_names),
             *(_word_item(entry, entry.subtype) for entry in functions.lexicon.entries if entry.subtype is not None),
         )
         return cls(items, characters)

@@ -1,9 +1,10 @@
 """What comes in through either door besides audio and plain text, checked and turned into the performance's values."""
 
+import json
 from pathlib import PurePath
 from typing import Annotated, Any, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from app.errors import InputError, UndecodableError
 from app.model import Level
@@ -48,18 +49,19 @@ def read_options(content: bytes) -> Options:
 def read_object(content: bytes, field: str) -> dict[str, Any]:
     """The JSON object `content`, named `field` in errors.
 
-    Raises UndecodableError `…_not_json`, InputError `text_surrogate` and `…_wrong`.
+    Raises UndecodableError `…_not_json`, InputError `text_surrogate` (anywhere in it) and `…_wrong` (no object).
     """
     try:
-        return TypeAdapter(dict[str, Any]).validate_json(content)
-    except ValidationError as error:
-        found = error.errors()[0]
-    if found["type"] != "json_invalid":
+        value = json.loads(content)
+        json.dumps(value, ensure_ascii=False).encode()
+    except UnicodeEncodeError as error:
+        message = f"{field} holds the lone surrogate {error.object[error.start]!a}; send well-formed Unicode"
+        raise InputError("text_surrogate", message, field=field) from None
+    except (ValueError, RecursionError) as error:
+        raise UndecodableError(f"{field}_not_json", f"{field} is not JSON: {error}", field=field) from None
+    if not isinstance(value, dict):
         raise InputError(f"{field}_wrong", f"{field} must be a JSON object in braces", field=field)
-    why = found["ctx"]["error"]
-    if "surrogate" in why:
-        raise InputError("text_surrogate", f"{field} holds a lone surrogate ({why}); send well-formed Unicode")
-    raise UndecodableError(f"{field}_not_json", f"{field} is not JSON: {why}", field=field)
+    return value
 
 
 def read_question(fields: dict[str, Any]) -> TextQuestion:

@@ -28,7 +28,8 @@ def create_app(settings: Settings, understudy: Understudy | None = None) -> Fast
             loaded = understudy or stack.enter_context(Understudy.load(settings))
             capacity = Capacity(settings.max_concurrent)
             stack.callback(capacity.close)
-            app.state.service = Service(settings, loaded, Catalogue.load(), capacity)
+            catalogue = Catalogue.of(loaded.mind.rules, loaded.body.characters, loaded.body.rules)
+            app.state.service = Service(settings, loaded, catalogue, capacity)
             yield
 
     app = FastAPI(
