@@ -61,20 +61,20 @@ class Declared:
 
 
 def rule_mistakes(rule: RuleTree, declared: Declared) -> Iterator[Located]:
-    """Every mistake in `rule`; those of its variables only where its facts are sound, for they decide what is bound."""
+    """Every mistake in `rule`; those of its annotations only where its facts are sound, for they tell what is one."""
     yield from _parts(rule)
     yield from _behaviors(rule, declared)
     for expression in _expressions(rule):
         yield from _values(expression)
     for guard in _guards(rule):
         yield from _comparable(guard)
+    yield from _unbound(rule)
     unsound = [mistake for atom in declared.facts_of(rule) for mistake in _fact(atom, declared)]
     yield from unsound
     if unsound or any(atom.name in declared.unread for atom in declared.facts_of(rule)):
         return
     for pattern in _patterns(rule):
         yield from _pattern(pattern, declared)
-    yield from _unbound(rule)
     yield from _annotations(rule, declared)
 
 
