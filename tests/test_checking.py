@@ -149,8 +149,9 @@ def test_the_message_shows_the_line_and_a_caret(tmp_path: Path) -> None:
 def test_what_a_rule_says_of_itself(tmp_path: Path) -> None:
     path = tmp_path / "fine.rules"
     rules = (
-        "\n# Words that touch.\n# (Ours.)\nrule touching\nforeach\n word(a|b, _, $m)\n unless given($m)\n word(c, $m, $e)"
-        "\nassert\n near($m, $e + 1)\n\n# Shown.\nrule shown\nforeach\n fcn(x, $s, $e, $p)\nchoose\n weight 1\n"
+        "\n# Words that touch.\n# (Ours.)\nrule touching\nforeach\n word(a|b, _, $m)\n unless given(x)\n"
+        " word(c, $m, $e)\nassert\n near($m, $e + 1)\n\n# Shown.\n"
+        "rule shown\nforeach\n fcn(x, $s, $e, $p)\nchoose\n weight 1\n"
         "  beat($s)\n  beat($e)\n weight 2\n  small_nod($s)\n"
     )
     path.write_text(DECLARATIONS + rules, encoding="utf-8")
