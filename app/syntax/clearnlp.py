@@ -37,7 +37,7 @@ _LABELS = {
 }
 _PREPOSITION_LABELS = frozenset({"prep", "agent", "dative"})
 _PREDICATE_LABELS = ("attr", "acomp")
-_NOMINAL_PARTS = frozenset({"NOUN", "PROPN", "PRON", "NUM"})
+_NOMINAL_PARTS = frozenset({"NOUN", "PROPN", "PRON", "NUM", "DET"})
 
 
 def to_universal(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
