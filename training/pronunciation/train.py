@@ -1,6 +1,6 @@
 """Trains the graphone model on pocketsphinx's dictionary and measures it on words it has not seen.
 
-    python -m training.pronunciation.train            (about 5 minutes, one core; ends with the figures)
+    python -m training.pronunciation.train            (about two minutes, one core; ends with the figures)
 
 A word belongs to the test set when the CRC-32 of its letters is divisible by 20, to the development set when the
 remainder is 1; all its pronunciations go with it, and neither set is trained on. Words of letters a to z only.
@@ -24,6 +24,7 @@ SPLITS = 20
 ENTRIES_FOR_GRAPHONES = 20_000
 MIN_GRAPHONE_COUNT = 3.0
 MIN_COUNTS = (1, 1, 1, 1, 2, 2)
+"""Keeping every n-gram makes the model 2.8 MB instead of 1.5 for 0.7 % fewer wrong words (development set)."""
 SEED = 0
 
 
