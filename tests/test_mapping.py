@@ -161,7 +161,15 @@ def test_the_order_of_the_functions_does_not_matter(rules: MappingRules) -> None
     assert chosen(rules, tuple(reversed(figure_8()))) == chosen(rules, figure_8())
 
 
-def test_the_same_function_draws_the_same_in_another_line(rules: MappingRules) -> None:
+def test_the_same_function_draws_differently_in_other_lines(rules: MappingRules) -> None:
+    emphasis = (function("emphasis", "plain", 1, 1),)
+    lines = [utterance(spoken(f"Say {number} again.")) for number in range(20)]
+    draws = [choose_movements(rules, line, emphasis, seed=0) for line in lines]
+    assert len({tuple(each.name for each in draw) for draw in draws}) > 1
+    assert draws == [choose_movements(rules, line, emphasis, seed=0) for line in lines]
+
+
+def test_another_function_does_not_change_the_draw(rules: MappingRules) -> None:
     no = function("negation", "plain", 2, 2)
     alone = chosen(rules, (no,))
     beside = chosen(rules, (no, function("valence", "positive", 11, 11)))

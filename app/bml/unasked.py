@@ -34,9 +34,14 @@ def unasked(utterance: Utterance, timed: tuple[Word, ...], seed: int) -> Iterato
     chances = dict(_chances(utterance, timed))
     intervals = [(word.index, word.interval) for word in timed if word.interval is not None]
     end_s = utterance.duration_s or intervals[-1][1].end_s
-    for at_s in _blinks(sorted(chances), end_s, random.Random(f"{seed} blinks")):
+    for at_s in _blinks(sorted(chances), end_s, _generator(utterance, seed)):
         word = max((index for index, interval in intervals if interval.start_s <= at_s), default=intervals[0][0])
         yield Unasked("blink", at_s, word, chances.get(at_s, "blinks now and then"))
+
+
+def _generator(utterance: Utterance, seed: int) -> random.Random:
+    """Lines of other words blink at other times, the same line always at the same."""
+    return random.Random(f"{seed} blinks {' '.join(word.text for word in utterance.words)}")
 
 
 def _chances(utterance: Utterance, timed: tuple[Word, ...]) -> Iterator[tuple[float, str]]:

@@ -1,10 +1,11 @@
 """From communicative functions to the movements that show them (paper §3.4, Table 2).
 
 The rules in `app/rules/behaviors/` each offer alternatives for a function. Those of all rules that hold for a function
-are one pool, from which one alternative is drawn by weight. The draw depends on the seed and on what the function is
-(class, subtype, words) alone, so a change in one part of a line leaves the movements of the others as they were, but
-for the one heuristic: no movement twice within `REPEAT_WINDOW_WORDS` where the pool has something else (§3.4; that
-hands do not switch needlessly is seen to where hands are known, in the schedule).
+are one pool, from which one alternative is drawn by weight. The draw depends on the seed, on the line's text and on
+what the function is (class, subtype, words) alone: lines vary among each other, and a function that comes or goes
+leaves the movements of the others as they were, but for the one heuristic: no movement twice within
+`REPEAT_WINDOW_WORDS` where the pool has something else (§3.4; that hands do not switch needlessly is seen to where
+hands are known, in the schedule).
 """
 
 import random
@@ -70,10 +71,11 @@ def choose_movements(
     """
     kept = {_fact(function): function for function in functions if function.kept}
     pools = _pools(rules, utterance, kept)
+    text = " ".join(word.text for word in utterance.words)
     last_use: dict[str, int] = {}
     movements: list[Movement] = []
     for number, (function, pool) in enumerate(sorted(pools.items(), key=lambda item: _place(kept[item[0]]))):
-        drawn = _drawn(kept[function], _without_repeats(pool, kept[function].first, last_use), seed)
+        drawn = _drawn(kept[function], _without_repeats(pool, kept[function].first, last_use), f"{seed} {text}")
         movements += _movements(drawn, kept[function], number)
         last_use |= dict.fromkeys(drawn.names, kept[function].first)
     return tuple(movements)
@@ -106,8 +108,9 @@ def _without_repeats(pool: list[_Option], word: int, last_use: Mapping[str, int]
     return [option for option in pool if not option.names & recent] or pool
 
 
-def _drawn(function: Function, pool: list[_Option], seed: int) -> _Option:
-    generator = random.Random(f"{seed} {function.class_name} {function.subtype} {function.first} {function.last}")
+def _drawn(function: Function, pool: list[_Option], seed: str) -> _Option:
+    identity = f"{function.class_name} {function.subtype} {function.first} {function.last}"
+    generator = random.Random(f"{identity} {seed}")
     return generator.choices(pool, [option.alternative.weight for option in pool])[0]
 
 

@@ -1,0 +1,147 @@
+"""What becomes of functions on whole texts: how many show, how often hands move, whether every schedule is sound.
+
+    python -m benchmarks.schedule [--texts FILE.jsonl] [--character NAME] [--seed N]
+
+FILE has an object with "text" on each line (default: ../shared/data/functions/dev.jsonl). The words get made-up times
+(13 letters a second, pauses at punctuation, one word in eight stressed); the stages from the parser on are real.
+"""
+
+import argparse
+import json
+import random
+import statistics
+import time
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+
+from app.bml.characters import Character, Characters
+from app.bml.scheduling import schedule
+from app.bml.writer import write_bml
+from app.model import Agitation, Behavior, Channel, Function, Hand, Interval, Performance, Phone, Utterance, Word
+from app.resources import resource_folder
+from app.rules.derivation import FunctionRules, derive_functions
+from app.rules.mapping import MappingRules, choose_movements
+from app.syntax.parser import Parser
+from app.transcript import read_transcript
+from tests.bml_checker import check
+
+RULES = Path(__file__).resolve().parents[1] / "app" / "rules"
+TEXTS = Path(__file__).resolve().parents[2] / "shared" / "data" / "functions" / "dev.jsonl"
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """A line's functions and behaviours, and what it took."""
+
+    functions: tuple[Function, ...]
+    behaviors: tuple[Behavior, ...]
+    duration_s: float
+    mistakes: tuple[str, ...]
+    mapping_ms: float
+    schedule_ms: float
+    write_ms: float
+
+
+def timed(words: tuple[Word, ...], generator: random.Random) -> Iterator[Word]:
+    """The words with made-up times; the stressed vowel begins after a third of the word."""
+    now_s = 0.2
+    for word in words:
+        end_s = now_s + 0.1 + len(word.text) / 13
+        vowel = Phone("AH", Interval(now_s + (end_s - now_s) / 3, end_s), stress=1)
+        ratio = 0.3 if generator.random() < 1 / 8 else 0.0
+        yield replace(word, interval=Interval(now_s, end_s), phones=(vowel,), stressed_ratio=ratio)
+        now_s = end_s + (0.35 if word.text[-1] in ",.;:?!" else 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Stages:
+    """The loaded stages from the parser on."""
+
+    parser: Parser
+    functions: FunctionRules
+    mapping: MappingRules
+    character: Character
+
+    @classmethod
+    def load(cls, character: str) -> "Stages":
+        lexicon = resource_folder("lexicon")
+        characters = Characters.load(lexicon)
+        return cls(
+            Parser.load(resource_folder("models") / "parser"),
+            FunctionRules.load(RULES, lexicon / "en"),
+            MappingRules.load(RULES, characters.behavior_names),
+            characters.named(character),
+        )
+
+
+def outcome(stages: Stages, text: str, seed: int) -> Outcome:
+    """The text, as if read at medium agitation."""
+    words = tuple(timed(read_transcript(text, max_characters=20_000), random.Random(text)))
+    duration_s = max(word.interval.end_s for word in words if word.interval) + 0.2
+    agitation = Agitation(low=0.0, medium=1.0, high=0.0)
+    utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)
+    functions = derive_functions(stages.functions, utterance)
+    clock = [time.perf_counter()]
+    movements = choose_movements(stages.mapping, utterance, functions, seed=seed)
+    clock.append(time.perf_counter())
+    behaviors = schedule(movements, utterance, stages.character, seed=seed)
+    clock.append(time.perf_counter())
+    bml = write_bml(Performance(utterance, functions, behaviors, stages.character.name, seed))
+    clock.append(time.perf_counter())
+    times_ms = [1000 * (after - before) for before, after in pairwise(clock)]
+    return Outcome(functions, behaviors, duration_s, tuple(check(bml)), *times_ms)
+
+
+def strokes(outcomes: list[Outcome]) -> Iterator[Behavior]:
+    for each in outcomes:
+        yield from (behavior for behavior in each.behaviors if behavior.kept and behavior.kind is Channel.GESTURE)
+
+
+def repeated_and_switched(outcomes: list[Outcome]) -> tuple[int, int]:
+    """Gestures with the lexeme of one within the 5 s before, and one-handed ones that change hands within 2 s."""
+    repeated = switched = 0
+    for each in outcomes:
+        for earlier, later in pairwise(strokes([each])):
+            gap_s = (later.sync.stroke or 0) - (earlier.sync.stroke or 0)
+            repeated += later.lexeme == earlier.lexeme and gap_s < 5
+            switched += later.hand is not earlier.hand and Hand.BOTH not in (later.hand, earlier.hand) and gap_s < 2
+    return repeated, switched
+
+
+def main() -> None:
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("--texts", type=Path, default=TEXTS)
+    arguments.add_argument("--character", default="default")
+    arguments.add_argument("--seed", type=int, default=0)
+    options = arguments.parse_args()
+    stages = Stages.load(options.character)
+    texts = [json.loads(line)["text"] for line in options.texts.read_text(encoding="utf-8").splitlines()]
+    report([outcome(stages, text, options.seed) for text in texts])
+
+
+def report(outcomes: list[Outcome]) -> None:
+    minutes = sum(each.duration_s for each in outcomes) / 60
+    kept = [(each, function) for each in outcomes for function in each.functions if function.kept]
+    shown = [
+        function
+        for each, function in kept
+        if any(behavior.kept and behavior.function == function.id for behavior in each.behaviors)
+    ]
+    channels = Counter(behavior.kind for each in outcomes for behavior in each.behaviors if behavior.kept)
+    gestures = list(strokes(outcomes))
+    repeated, switched = repeated_and_switched(outcomes)
+    print(f"{len(outcomes)} texts, {minutes:.1f} minutes")
+    print(f"kept functions that show: {len(shown)} of {len(kept)} ({100 * len(shown) / len(kept):.0f} %)")
+    print(f"gesture strokes a minute: {len(gestures) / minutes:.1f}")
+    print(f"same gesture within 5 s: {repeated}, hands switched within 2 s: {switched}, of {len(gestures)}")
+    print("a minute: " + ", ".join(f"{kind} {count / minutes:.1f}" for kind, count in sorted(channels.items())))
+    print(f"mistakes the checker finds: {sum(len(each.mistakes) for each in outcomes)}")
+    for name in ("mapping", "schedule", "write"):
+        print(f"{name} {statistics.median(getattr(each, f'{name}_ms') for each in outcomes):.2f} ms a line (median)")
+
+
+if __name__ == "__main__":
+    main()
