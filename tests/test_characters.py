@@ -68,3 +68,9 @@ def test_the_mistakes_of_all_files_are_told_at_once(tmp_path: Path) -> None:
         Characters.load(folder)
     files = [mistake.path.name for mistake in caught.value.mistakes]
     assert files == ["behaviors.yaml", "no-name.yaml", "one.yaml", "two.yaml"]
+
+
+def test_the_documented_example_loads(tmp_path: Path) -> None:
+    page = (LEXICON.parent / "docs" / "characters.md").read_text(encoding="utf-8")
+    example = page.split("```yaml\n")[1].split("```")[0]
+    assert Characters.load(lexicon(tmp_path, example=example)).named("example").handedness is Hand.LEFT

@@ -1,3 +1,4 @@
+import re
 from pathlib import Path
 
 import pytest
@@ -88,3 +89,10 @@ def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
 def test_the_body_needs_its_own_entries(tmp_path: Path) -> None:
     with pytest.raises(AuthoringError, match="'blink' is missing"):
         load_table(written(tmp_path, "\n".join(UNASKED.splitlines()[:4] + UNASKED.splitlines()[5:])))
+
+
+def test_every_behaviour_is_documented() -> None:
+    page = (TABLE.parents[1] / "docs" / "behaviors.md").read_text(encoding="utf-8")
+    table = load_table(TABLE)
+    missing = [name for name, line in table.lines.items() if not re.search(rf"`{name}` .*\b{line.lexeme}\b", page)]
+    assert missing == []
