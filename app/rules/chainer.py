@@ -7,13 +7,12 @@ the reason kept is of the earliest round and, within it, of the first rule in th
 are computed when all facts are known (`annotations.py`), and choose-rules run last.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
 from app.rules.annotations import annotate
-from app.rules.conclusions import Alternative, Call, Choice
-from app.rules.knowledge import Fact, Knowledge, Limits, Reason
+from app.rules.knowledge import Alternative, Call, Choice, Fact, Knowledge, Limits, Reason
 from app.rules.program import Program, Stratum
 from app.rules.tree import Argument
 
@@ -39,20 +38,18 @@ class Derivation:
 
     def grounds(self, fact: Fact) -> tuple[Fact, ...]:
         """The given facts at the bottom of the first derivation of `fact`, each once, in the order they are met."""
-        return tuple(dict.fromkeys(self._grounds(fact, set())))
-
-    def _grounds(self, fact: Fact, visited: set[Fact]) -> Iterator[Fact]:
+        found: dict[Fact, None] = {}
+        visited: set[Fact] = set()
         waiting = [fact]
         while waiting:
             current = waiting.pop()
-            if current in visited:
-                continue
-            visited.add(current)
             reason = self.reasons.get(current)
             if reason is None:
-                yield current
-            else:
+                found[current] = None
+            elif current not in visited:
+                visited.add(current)
                 waiting.extend(reversed(reason.supports))
+        return tuple(found)
 
 
 def derive(

@@ -5,38 +5,9 @@ from dataclasses import dataclass
 from functools import partial
 
 from app.rules.arithmetic import ComputationError
-from app.rules.knowledge import Claim, Environment, Fact, Knowledge, Origin, Reason
+from app.rules.knowledge import Alternative, Call, Choice, Claim, Environment, Fact, Knowledge, Origin, Reason
 from app.rules.steps import Evaluate
 from app.rules.tree import Argument
-
-
-@dataclass(frozen=True, slots=True)
-class Call:
-    """A behaviour, and what it is asked to span or show."""
-
-    name: str
-    arguments: tuple[Argument, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Alternative:
-    """Behaviours to be shown together; how often, is `weight` over the sum of the alternatives' weights."""
-
-    weight: float
-    calls: tuple[Call, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Choice:
-    """What a choose-rule offers where it holds: the alternatives whose guard holds, and the facts it joined."""
-
-    origin: Origin
-    supports: tuple[Fact, ...]
-    alternatives: tuple[Alternative, ...]
-
-    @property
-    def rule(self) -> str:
-        return self.origin.rule
 
 
 @dataclass(frozen=True, slots=True)

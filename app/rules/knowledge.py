@@ -87,6 +87,35 @@ class Reason:
 
 
 @dataclass(frozen=True, slots=True)
+class Call:
+    """A behaviour, and what it is asked to span or show."""
+
+    name: str
+    arguments: tuple[Argument, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Alternative:
+    """Behaviours to be shown together; how often, is `weight` over the sum of the alternatives' weights."""
+
+    weight: float
+    calls: tuple[Call, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """What a choose-rule offers where it holds: the alternatives whose guard holds, and the facts it joined."""
+
+    origin: Origin
+    supports: tuple[Fact, ...]
+    alternatives: tuple[Alternative, ...]
+
+    @property
+    def rule(self) -> str:
+        return self.origin.rule
+
+
+@dataclass(frozen=True, slots=True)
 class Index:
     """The facts of `predicate` by the arguments at `positions` (in order)."""
 
@@ -117,10 +146,10 @@ class Knowledge:
     reasons: dict[Fact, Reason] = field(default_factory=dict)
     claims: list[Claim] = field(default_factory=list)
     annotations: dict[Fact, float] = field(default_factory=dict)
-    choices: list[Any] = field(default_factory=list)
+    choices: list[Choice] = field(default_factory=list)
     recent: defaultdict[tuple[str, Argument | None], list[Fact]] = field(default_factory=lambda: defaultdict(list))
     _pending: list[Fact] = field(default_factory=list)
-    _filing: Mapping[str, list[tuple[Index, defaultdict[object, list[Fact]]]]] = field(default_factory=dict)
+    _filing: Mapping[str, list[tuple[Pick, Filed]]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.filed = [defaultdict(list) for _ in self.indexes]
@@ -164,14 +193,14 @@ class Knowledge:
         if annotation > self.annotations.get(fact, -inf):
             self.annotations[fact] = annotation
 
+    def blamed(self) -> Origin:
+        """The rule that derived the latest fact."""
+        return self.reasons[self.facts[-1]].origin
+
     def _file(self, facts: Iterable[Fact]) -> None:
         for fact in facts:
             for key, filed in self._filing.get(fact.predicate, ()):
                 filed[key(fact.arguments)].append(fact)
-
-    def blamed(self) -> Origin:
-        """The rule that derived the latest fact."""
-        return self.reasons[self.facts[-1]].origin
 
 
 def in_canonical_order(facts: Iterable[Fact]) -> list[Fact]:

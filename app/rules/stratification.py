@@ -88,7 +88,7 @@ def asserted(rule: RuleTree) -> tuple[Atom, ...]:
 
 def _way(fed: Feeding, start: int, end: int) -> tuple[int, ...] | None:
     """The shortest way on which `start` feeds `end`, both included."""
-    reached = {end: (end,)}
+    reached: dict[int, tuple[int, ...]] = {end: (end,)}
     border = [end]
     while border and start not in reached:
         border_next = []
