@@ -103,6 +103,14 @@ def test_silence_noise_and_a_click_have_no_voice(samples: FloatArray) -> None:
     assert (track_f0(Audio(samples)) > 0).mean() < 0.05
 
 
+def test_voicing_lasts_30_ms_at_least() -> None:
+    samples = np.concatenate([noise(0.5, 0.01), voice(150.0, 0.2), noise(0.5, 0.01)])
+    voiced = track_f0(Audio(samples)) > 0
+    runs = np.diff(np.flatnonzero(np.diff(voiced, prepend=False, append=False)))[::2]
+    assert runs.max() >= 15
+    assert runs.min() >= TUNED.shortest_voicing
+
+
 def test_a_recording_of_8_khz_keeps_its_voicing() -> None:
     narrow = soxr.resample(soxr.resample(voice(120.0), 16_000, 8_000), 8_000, 16_000)
     np.testing.assert_allclose(inner(track_f0(Audio(narrow))), 120, rtol=0.02)

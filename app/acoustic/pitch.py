@@ -6,7 +6,7 @@ first harmonics and subtracts those half way between, so that neither the octave
 Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing detection and pitch estimation based on residual
 harmonics" (Interspeech 2011).
 
-Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. `TUNED` departs from `PUBLISHED` in four things, measured
+Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. `TUNED` departs from `PUBLISHED` in five things, measured
 together by `benchmarks.pitch`:
 - A path of least cost through each frame's five best candidates takes the place of the best candidate of each frame
   alone: most octave errors vanish.
@@ -15,6 +15,7 @@ together by `benchmarks.pitch`:
   the search: f0 itself has little there.
 - Not the energy of the whole spectrum is brought to one, but that below 3.5 kHz, counted as if the rest were as
   strong. Wide bands give the same; speech that was recorded at 8 kHz keeps its voicing.
+- Voicing that lasts less than 30 ms, within windows of 100 ms, is taken for chance.
 - The second pass looks further down than an octave below the speaker's median, where sentences end in creaky voice.
 SRH is evaluated every 2 Hz on amplitudes of that spacing, linear in between; a parabola then finds the peak.
 """
@@ -59,18 +60,30 @@ class Tuning:
     unit_energy_band_hz: the energy from 0 Hz to here is brought to one.
     octave_cost: SRH that a step of one octave between neighbouring frames costs the path; larger steps cost no more.
     submultiple_share: the share of the SRH at f / 3, f / 5 or f / 7 that is taken off that at f.
+    shortest_voicing: how many frames in a row are voiced at least.
     """
 
     speaker_range: tuple[float, float]
     unit_energy_band_hz: int
     octave_cost: float
     submultiple_share: float
+    shortest_voicing: int
 
 
 PUBLISHED = Tuning(
-    speaker_range=(0.5, 2.0), unit_energy_band_hz=SAMPLE_RATE_HZ // 2, octave_cost=0.0, submultiple_share=0.0
+    speaker_range=(0.5, 2.0),
+    unit_energy_band_hz=SAMPLE_RATE_HZ // 2,
+    octave_cost=0.0,
+    submultiple_share=0.0,
+    shortest_voicing=1,
 )
-TUNED = Tuning(speaker_range=(0.4, 2.0), unit_energy_band_hz=3500, octave_cost=0.3, submultiple_share=0.35)
+TUNED = Tuning(
+    speaker_range=(0.4, 2.0),
+    unit_energy_band_hz=3500,
+    octave_cost=0.3,
+    submultiple_share=0.35,
+    shortest_voicing=3,
+)
 
 
 def track_f0(audio: Audio, tuning: Tuning = TUNED) -> FloatArray:
@@ -82,7 +95,7 @@ def track_f0(audio: Audio, tuning: Tuning = TUNED) -> FloatArray:
     path = first + _smooth_path(searched, searched_hz, tuning.octave_cost)[:, None]
     f0_hz = _CANDIDATES_HZ[path] + _BIN_HZ * _peak_offsets(merits, path)
     voiced = np.take_along_axis(strengths, path, axis=1) > VOICING_THRESHOLD
-    return np.where(voiced, f0_hz, 0.0)[:, 0]
+    return np.where(_lasting(voiced[:, 0], tuning.shortest_voicing), f0_hz[:, 0], 0.0)
 
 
 def _residual(samples: FloatArray) -> FloatArray:
@@ -222,3 +235,10 @@ def _best_path(gains: FloatArray, step_costs: FloatArray) -> NDArray[np.intp]:
     for frame in range(len(gains) - 1, 0, -1):
         path[frame - 1] = origins[frame, path[frame]]
     return path
+
+
+def _lasting(voiced: NDArray[np.bool_], shortest: int) -> NDArray[np.bool_]:
+    """Voicing without the runs of fewer than `shortest` frames."""
+    begins = np.logical_and.reduce(sliding_window_view(np.pad(voiced, shortest - 1), shortest), axis=1)
+    lasting: NDArray[np.bool_] = np.logical_or.reduce(sliding_window_view(begins, shortest), axis=1)
+    return lasting
