@@ -26,7 +26,7 @@ VOCABULARY = RULES / "vocabulary.rules"
 NAMED_FILES = frozenset({"conflicts.yaml", "abbreviations.yaml", "behaviors.yaml"})
 """YAML files that are told by their names; the others hold words, or a character in a folder `characters`."""
 
-__all__ = ["Catalogue", "Character", "Item", "Kind", "check_files", "check_files_in_use"]
+__all__ = ["Catalogue", "Character", "Item", "Kind", "check_files", "check_files_in_use", "load_characters"]
 
 Check = Callable[[], object]
 """Loads something; raises AuthoringError when it cannot be loaded."""
@@ -68,7 +68,7 @@ class Catalogue:
         """Raises AuthoringError for the first kind of file that has mistakes, with all of that kind."""
         lexicon = resource_folder("lexicon")
         functions = FunctionRules.load(RULES, lexicon / "en")
-        characters = Characters.load(lexicon)
+        characters = load_characters()
         return cls.of(functions, characters, MappingRules.load(RULES, characters.behavior_names))
 
     @classmethod
@@ -92,6 +92,11 @@ class Catalogue:
         return found
 
 
+def load_characters() -> Characters:
+    """Raises AuthoringError with every mistake in the behaviour table and the characters."""
+    return Characters.load(resource_folder("lexicon"))
+
+
 def check_files_in_use() -> None:
     """Checks all that the program uses; raises AuthoringError with every mistake.
 
@@ -101,7 +106,7 @@ def check_files_in_use() -> None:
     mistakes = _mistakes_of(
         partial(FunctionRules.load, RULES, lexicon / "en"),
         partial(Normaliser.load, lexicon / "en" / "abbreviations.yaml", ()),
-        lambda: MappingRules.load(RULES, Characters.load(lexicon).behavior_names),
+        lambda: MappingRules.load(RULES, load_characters().behavior_names),
     )
     if mistakes:
         raise AuthoringError(tuple(mistakes))
@@ -144,7 +149,7 @@ def _require_text(file: Path) -> None:
 
 def _load_rules(files: Sequence[Path]) -> None:
     vocabulary = [] if any(file.name == VOCABULARY.name for file in files) else [VOCABULARY]
-    load_program([*vocabulary, *files], behaviors=Characters.load(resource_folder("lexicon")).behavior_names)
+    load_program([*vocabulary, *files], behaviors=load_characters().behavior_names)
 
 
 def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:

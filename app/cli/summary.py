@@ -28,7 +28,7 @@ def _lines(performance: Performance) -> Iterator[str]:
         yield "by itself: " + ", ".join(f"{count} × {lexeme}" for lexeme, count in own.items())
     dropped = len(performance.behaviors) - len(kept)
     if dropped:
-        yield f"not shown: {dropped} movements that gave way to others (see --trace)"
+        yield f"not shown, for they gave way to others: {dropped} (--trace tells why)"
 
 
 def _movement(performance: Performance, behavior: Behavior, function: Function) -> str:
@@ -37,6 +37,9 @@ def _movement(performance: Performance, behavior: Behavior, function: Function) 
     movement = behavior.lexeme.lower() + (f" ({behavior.hand})" if behavior.hand else "")
     return (
         f"{behavior.sync.start:6.2f}–{behavior.sync.end:5.2f} s  {behavior.kind:7s} {movement:24s} "
-        f"{shown:{WORDS_WIDTH}s}  {function.class_name} ({function.subtype}), "
-        f"by {function.rule} → {behavior.rule}"
+        f"{shown:{WORDS_WIDTH}s}  {_name(function)} by {function.rule} → {behavior.rule}"
     )
+
+
+def _name(function: Function) -> str:
+    return function.class_name if function.subtype == "plain" else f"{function.class_name} ({function.subtype})"

@@ -3,13 +3,13 @@
 import argparse
 
 from app.answers import CharacterAnswer
-from app.catalogue import Catalogue
+from app.catalogue import load_characters
 from app.cli.files import write_standard
 from app.cli.log import Log
 
 
 def run(arguments: argparse.Namespace, _log: Log) -> int:
-    characters = Catalogue.load().characters
+    characters = load_characters()
     if arguments.action == "show":
         character = characters.named(arguments.name)
         write_standard(CharacterAnswer.of(character).to_json(indent=2) + b"\n")
