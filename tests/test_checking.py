@@ -1,5 +1,7 @@
 """Every mistake a rule file can make beyond its syntax, each at its place (marked `@`) and with what would be right."""
 
+import random
+import re
 from pathlib import Path
 
 import pytest
@@ -163,3 +165,27 @@ def test_what_a_rule_says_of_itself(tmp_path: Path) -> None:
     assert (shown.kind, shown.calls, shown.asserts) == ("choose", ("beat", "small_nod"), ())
     assert shown.source.startswith("rule shown\nforeach\n")
     assert shown.source.endswith("small_nod($s)")
+
+
+WHOLE = DECLARATIONS + (
+    'rule one\nforeach\n word("a"|b, $s, $e)\n fcn(x, $s, $e, $p)\n $n = $p + 1\n unless near($s, $e)\n $s < $e\n'
+    "assert\n fcn(y, $s, $e, max($n, 2))\n"
+    "rule two\nforeach\n fcn(y, $s, _, $p)\nchoose\n weight 1.5 when $s != 2\n  beat($s)\n"
+)
+
+
+def test_no_text_brings_anything_but_mistakes(tmp_path: Path) -> None:
+    """Tokens of a good file deleted, doubled and swapped at random: it loads, or tells mistakes that have a place."""
+    tokens = re.findall(r"\$?\w+|\n|[^\w\s]|[ \t]+", WHOLE)
+    draw = random.Random(3)
+    path = tmp_path / "mutant.rules"
+    for _ in range(100):
+        mutant = list(tokens)
+        for place in draw.choices(range(len(tokens)), k=draw.randint(1, 4)):
+            mutant[place] = draw.choice(["", mutant[place] * 2, draw.choice(tokens), '"', "$", "\\", "é"])
+        path.write_text("".join(mutant), encoding="utf-8")
+        try:
+            load_program([path], behaviors=["beat"])
+        except AuthoringError as error:
+            lines = ["", *path.read_text(encoding="utf-8").split("\n")]
+            assert all(one.column <= len(lines[one.line]) + 1 for one in error.mistakes)  # noqa: PT017
