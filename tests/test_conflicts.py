@@ -99,7 +99,7 @@ def test_the_budget_of_gestures_goes_to_the_highest_priorities() -> None:
     gestures = [candidate(f"g{number}", 2.0 + 3 * number, priority=number) for number in range(4)]
     outcome = resolved(*gestures, candidate("head", 2.0, 0, kind=Channel.HEAD), most_gestures=2)
     assert {name for name, behavior in outcome.items() if behavior.kept} == {"g2", "g3", "head"}
-    assert "2 gestures" in (outcome["g0"].reason or "")
+    assert "gives this line 2" in (outcome["g0"].reason or "")
 
 
 def test_a_both_handed_gesture_waits_for_both_hands() -> None:

@@ -3,13 +3,13 @@ from pathlib import Path
 
 import pytest
 
-from app.bml.table import Anchor, load_table
+from app.bml.table import UNASKED, Anchor, load_table
 from app.errors import AuthoringError
 from app.model import Channel, Hand
 
 TABLE = Path(__file__).resolve().parents[1] / "lexicon" / "behaviors.yaml"
 
-UNASKED = """\
+SMALLEST = """\
 timings:
   nod: {preparation: [0.1, 0.2], stroke: [0.1, 0.2], hold: [0, 0], retraction: [0.1, 0.2], alignment: 0.5}
   look: {preparation: [0.1, 0.2], hold: [0, 0], retraction: [0.1, 0.2]}
@@ -65,13 +65,13 @@ def test_an_entry_has_what_its_line_says_and_nothing_else() -> None:
 )
 def test_a_wrong_line_is_told_with_its_place(tmp_path: Path, line: str, message: str) -> None:
     with pytest.raises(AuthoringError, match=message) as caught:
-        load_table(written(tmp_path, f"{UNASKED}  wrong: {line}\n"))
+        load_table(written(tmp_path, f"{SMALLEST}  wrong: {line}\n"))
     assert {mistake.line for mistake in caught.value.mistakes} == {7}
 
 
 @pytest.mark.parametrize("timing", ["[0.3, 0.2]", "[-1, 0.2]", "[0.2]", "[nan, 1]", "soon"])
 def test_a_wrong_duration_is_told_with_its_place(tmp_path: Path, timing: str) -> None:
-    text = UNASKED.replace("stroke: [0.1, 0.2]", f"stroke: {timing}")
+    text = SMALLEST.replace("stroke: [0.1, 0.2]", f"stroke: {timing}")
     with pytest.raises(AuthoringError) as caught:
         load_table(written(tmp_path, text))
     assert {mistake.line for mistake in caught.value.mistakes} == {2}
@@ -82,13 +82,13 @@ def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
         "  a: {channel: head, lexeme: NOD, timing: no}\n  b: {channel: head, lexeme: NOD, timing: nod, hand: left}\n"
     )
     with pytest.raises(AuthoringError) as caught:
-        load_table(written(tmp_path, UNASKED + wrong))
+        load_table(written(tmp_path, SMALLEST + wrong))
     assert [mistake.line for mistake in caught.value.mistakes] == [7, 8]
 
 
 def test_the_body_needs_its_own_entries(tmp_path: Path) -> None:
     with pytest.raises(AuthoringError, match="'blink' is missing"):
-        load_table(written(tmp_path, "\n".join(UNASKED.splitlines()[:4] + UNASKED.splitlines()[5:])))
+        load_table(written(tmp_path, "\n".join(SMALLEST.splitlines()[:4] + SMALLEST.splitlines()[5:])))
 
 
 def test_every_behaviour_is_documented() -> None:
@@ -96,3 +96,11 @@ def test_every_behaviour_is_documented() -> None:
     table = load_table(TABLE)
     missing = [name for name, line in table.lines.items() if not re.search(rf"`{name}` .*\b{line.lexeme}\b", page)]
     assert missing == []
+
+
+def test_every_behaviour_is_chosen_by_a_rule_or_done_unasked() -> None:
+    rules = (TABLE.parents[1] / "app" / "rules" / "behaviors").glob("*.rules")
+    called = {
+        name for path in rules for name in re.findall(r"(\w+)\(\$start, \$end\)", path.read_text(encoding="utf-8"))
+    }
+    assert load_table(TABLE).lines.keys() - called - set(UNASKED) == set()

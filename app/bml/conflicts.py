@@ -42,7 +42,7 @@ def resolve(candidates: Iterable[Candidate], *, most_gestures: int) -> tuple[Beh
     lost: list[Behavior] = []
     for candidate in sorted(candidates, key=_rank):
         if _spent(candidate, kept, most_gestures):
-            reason = f"the character makes {most_gestures} gestures in this time, spent on higher priorities"
+            reason = f"beyond the character's gesture rate, which gives this line {most_gestures}"
             lost.append(replace(candidate.behavior, kept=False, reason=reason))
             continue
         outcome = _taken(candidate, kept)

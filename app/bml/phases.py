@@ -55,15 +55,15 @@ def placed(placing: Placing, window: Window) -> SyncPoints | None:
         return None
     retraction_s, hold_s = after
     start_s, relax_s = stroke_start_s - preparation_s, stroke_end_s + hold_s
-    ends = {"start": round(start_s, 3), "relax": round(relax_s, 3), "end": round(relax_s + retraction_s, 3)}
-    ready_s = round(stroke_start_s, 3)
+    ends = {"start": _rounded(start_s), "relax": _rounded(relax_s), "end": _rounded(relax_s + retraction_s)}
+    ready_s = _rounded(stroke_start_s)
     if not placing.stroked:
         return SyncPoints(ready=ready_s, **ends)
     return SyncPoints(
         ready=ready_s,
         stroke_start=ready_s,
-        stroke=round(stroke_start_s + EMPHASIS_OF_STROKE * stroke_s, 3),
-        stroke_end=round(stroke_end_s, 3),
+        stroke=_rounded(stroke_start_s + EMPHASIS_OF_STROKE * stroke_s),
+        stroke_end=_rounded(stroke_end_s),
         **ends,
     )
 
@@ -77,3 +77,8 @@ def _taken(room_s: float, outer: Phase, inner: Phase, part: float = 1.0) -> tupl
     if inner_s < inner.shortest_s - _SLACK_S:
         return None
     return outer.shortest_s, inner_s
+
+
+def _rounded(time_s: float) -> float:
+    """Whole milliseconds, and no negative zero."""
+    return round(time_s, 3) + 0.0

@@ -21,9 +21,6 @@ from app.model import Behavior, Channel, Hand, Interval, Movement, SyncPoints, U
 HAND_SWITCH_S = 2.0
 """A gesture that may take either hand stays on the one in use for this long (paper §3.4)."""
 
-_LATER_S = 60.0
-"""Late enough for the longest preparation."""
-
 
 def schedule(
     movements: Iterable[Movement], utterance: Utterance, character: Character, *, seed: int
@@ -95,9 +92,11 @@ def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> Placing:
 
 def _late(placing: Placing) -> SyncPoints:
     """How the behaviour would go if it began at 0."""
-    delayed = placed(replace(placing, at_s=_LATER_S, until_s=_LATER_S), Window())
-    assert delayed is not None, "there is room for every preparation"
-    return delayed.shifted(-delayed.start)
+    timing = placing.timing
+    at_s = timing.preparation.usual_s + timing.alignment * timing.stroke.usual_s
+    sync = placed(replace(placing, at_s=at_s, until_s=at_s), Window())
+    assert sync is not None, "its usual preparation has room"
+    return sync
 
 
 def _behavior(entry: BehaviorEntry, sync: SyncPoints, first: int, last: int) -> Behavior:
