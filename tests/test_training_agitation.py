@@ -11,6 +11,8 @@ from training.agitation.fuzzy_svm import balanced_weights, fit_fuzzy, speaker_fo
 
 SHARED_SPEECH = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech"
 
+CLOUDS = {"clouds": 1.0}
+
 
 def clouds(count: int = 120, seed: int = 0) -> Samples:
     """Three overlapping clouds along the diagonal, one a level, spoken by eight speakers."""
@@ -27,7 +29,7 @@ def clouds(count: int = 120, seed: int = 0) -> Samples:
 
 def test_run_time_decision_values_equal_scikit_learns() -> None:
     samples = clouds()
-    weights = balanced_weights(samples)
+    weights = balanced_weights(samples, CLOUDS)
     svm = fit_fuzzy(samples.features, weights[:, 0], weights[:, 1] + weights[:, 2])
     machine = to_machine(svm, 1.0, 0.0)
     unseen = np.random.default_rng(1).normal(0, 2, (50, 12))
@@ -36,7 +38,7 @@ def test_run_time_decision_values_equal_scikit_learns() -> None:
 
 
 def test_the_trained_model_tells_unseen_clouds_apart() -> None:
-    model, unseen = train(clouds()), clouds(seed=1)
+    model, unseen = train(clouds(), CLOUDS), clouds(seed=1)
     levels = [list(Level).index(model.judge(point).level) for point in unseen.features]
     assert np.mean(np.array(levels) == unseen.levels) > 0.9
 
@@ -53,7 +55,7 @@ def judged_medium(memberships: tuple[float, float, float]) -> float:
     )
     fields = ("features", "memberships", "levels", "corpora", "speakers")
     both = Samples(*(np.concatenate([getattr(samples, name), getattr(there, name)]) for name in fields))
-    return train(both).judge(place).medium
+    return train(both, CLOUDS).judge(place).medium
 
 
 def test_samples_of_two_levels_are_judged_between_them() -> None:
@@ -61,18 +63,18 @@ def test_samples_of_two_levels_are_judged_between_them() -> None:
     assert low + 0.2 < between < medium - 0.1
 
 
-def test_every_level_of_every_corpus_weighs_the_same() -> None:
+def test_levels_weigh_the_same_and_corpora_as_told() -> None:
     samples = clouds(90)
     lopsided = Samples(
         samples.features,
-        np.eye(3)[[0] * 50 + [1] * 10 + [2] * 10 + [0] * 5 + [1] * 5 + [2] * 10],
+        np.eye(3)[[0] * 50 + [1] * 5 + [2] * 5 + [0] * 5 + [1] * 10 + [2] * 15],
         samples.levels,
-        np.array(["one"] * 70 + ["two"] * 20),
+        np.array(["one"] * 60 + ["two"] * 30),
         samples.speakers,
     )
-    weights = balanced_weights(lopsided)
-    assert weights[:70].sum(axis=0) == pytest.approx([15, 15, 15])
-    assert weights[70:].sum(axis=0) == pytest.approx([15, 15, 15])
+    weights = balanced_weights(lopsided, {"one": 1.0, "two": 4.0})
+    assert weights[:60].sum(axis=0) == pytest.approx([10, 10, 10])
+    assert weights[60:].sum(axis=0) == pytest.approx([20, 20, 20])
 
 
 def test_no_speaker_is_in_two_folds() -> None:

@@ -2,7 +2,7 @@
 
     python -m training.agitation --speech ../shared/data/speech --output models/agitation
 
-Half a minute on one core. `python -m benchmarks.agitation` tells how well models so trained do on unknown speakers.
+About a minute on one core. `python -m benchmarks.agitation` tells how well models so trained do on unknown speakers.
 """
 
 import argparse
@@ -10,10 +10,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app.acoustic.agitation import MODEL_FILE, save
-from training.agitation.corpus import describe, measure, read_recordings
+from training.agitation.corpus import CORPUS_WEIGHTS, describe, measure, read_recordings
 from training.agitation.fuzzy_svm import train
-
-CORPORA = ("ravdess",)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -22,9 +20,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--speech", type=Path, required=True, help="folder of labels.csv and the corpora it names")
     parser.add_argument("--output", type=Path, required=True, help="folder that takes the model")
     options = parser.parse_args(arguments)
-    recordings = read_recordings(options.speech, CORPORA)
-    save(train(describe(recordings, measure(recordings))), options.output)
-    print(f"{options.output / MODEL_FILE}: trained on {len(recordings)} recordings of {', '.join(CORPORA)}")
+    recordings = read_recordings(options.speech, CORPUS_WEIGHTS)
+    save(train(describe(recordings, measure(recordings)), CORPUS_WEIGHTS), options.output)
+    print(f"{options.output / MODEL_FILE}: trained on {len(recordings)} recordings of {', '.join(CORPUS_WEIGHTS)}")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ to both (`SHARED_MEMBERSHIPS`), which is what fuzzy training is for.
 """
 
 import csv
-from collections.abc import Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,6 +19,10 @@ from app.acoustic.spectrum import energy_db, mfcc
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 
 LEVELS = {"low": Level.LOW, "mid": Level.MEDIUM, "high": Level.HIGH}
+
+CORPUS_WEIGHTS = {"ravdess": 1.0, "emodb": 0.5, "nemo": 0.2}
+"""What a recording of each corpus counts in training. English leads, since English is what we hear; with no others the
+model knows one microphone only, and with all alike it does worse on English (`benchmarks/agitation.py --ablation`)."""
 
 SHARED_MEMBERSHIPS = {("ravdess", "fear", "normal"): (0.0, 0.5, 0.5)}
 """By corpus, emotion and intensity; low, medium, high. Strong fear is high; plain fear is taken half way to it."""
@@ -60,7 +64,7 @@ class Samples:
         )
 
 
-def read_recordings(speech: Path, corpora: Sequence[str]) -> list[Recording]:
+def read_recordings(speech: Path, corpora: Collection[str]) -> list[Recording]:
     """The recordings of `corpora` in `speech`/labels.csv that belong to some level."""
     with (speech / "labels.csv").open(encoding="utf-8", newline="") as table:
         rows = [row for row in csv.DictReader(table) if row["corpus"] in corpora]
@@ -80,10 +84,14 @@ def describe(recordings: Sequence[Recording], features: FloatArray) -> Samples:
     )
 
 
-def measure(recordings: Sequence[Recording]) -> FloatArray:
-    """The features of each recording as the program computes them; shape (recordings, 12)."""
-    signals = (read_audio(recording.path) for recording in recordings)
-    return np.array([voice_features(mfcc(audio), energy_db(audio)) for audio in signals])
+def measure(recordings: Sequence[Recording], listen: Callable[[Audio], FloatArray] | None = None) -> FloatArray:
+    """What `listen` makes of each recording, or the features as the program computes them; shape (recordings, 12)."""
+    return np.array([(listen or hear)(read_audio(recording.path)) for recording in recordings])
+
+
+def hear(audio: Audio) -> FloatArray:
+    """The features of one recording, shape (12,)."""
+    return voice_features(mfcc(audio), energy_db(audio))
 
 
 def read_audio(path: Path) -> Audio:

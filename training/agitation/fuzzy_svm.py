@@ -4,10 +4,10 @@ Thiel, Scherer & Schwenker (2007), "Fuzzy-input fuzzy-output one-against-all sup
 stands on both sides of each machine, and its slack there costs as much as it belongs to that side. The decision values
 become memberships through logistic functions, fitted on speakers the machine has not heard.
 
-Where levels or corpora are of unequal size, samples are weighted so that each level of each corpus counts the same.
+Samples are weighted so that the levels of a corpus count the same, however many recordings each has.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,11 +26,11 @@ CALIBRATION_FOLDS = 4
 LOGISTIC_COST = 1e3
 
 
-def train(samples: Samples) -> AgitationModel:
-    """The model that `samples` teach."""
+def train(samples: Samples, corpus_weights: Mapping[str, float]) -> AgitationModel:
+    """The model that `samples` teach; `corpus_weights` tells what a recording of each corpus counts."""
     mean, scale = samples.features.mean(axis=0), samples.features.std(axis=0)
     points = (samples.features - mean) / scale
-    weights = balanced_weights(samples)
+    weights = balanced_weights(samples, corpus_weights)
     folds = list(speaker_folds(samples.speakers, CALIBRATION_FOLDS))
     machines = []
     for index in range(len(Level)):
@@ -39,12 +39,13 @@ def train(samples: Samples) -> AgitationModel:
     return AgitationModel(mean, scale, GAMMA, tuple(machines))
 
 
-def balanced_weights(samples: Samples) -> FloatArray:
-    """Memberships scaled so that each level of each corpus has the same sum; 1 on average over rows; (rows, 3)."""
+def balanced_weights(samples: Samples, corpus_weights: Mapping[str, float]) -> FloatArray:
+    """Memberships scaled so that the levels of a corpus have the same sum; 1 on average over rows; shape (rows, 3)."""
     weights: FloatArray = np.zeros_like(samples.memberships)
     for corpus in np.unique(samples.corpora):
         rows = samples.corpora == corpus
-        weights[rows] = samples.memberships[rows] / samples.memberships[rows].sum(axis=0)
+        share = corpus_weights[str(corpus)] * rows.sum()
+        weights[rows] = share * samples.memberships[rows] / samples.memberships[rows].sum(axis=0)
     weights *= len(weights) / weights.sum()
     return weights
 
