@@ -119,6 +119,8 @@ def main() -> None:
     options = arguments.parse_args()
     stages = Stages.load(options.character)
     texts = [json.loads(line)["text"] for line in options.texts.read_text(encoding="utf-8").splitlines()]
+    if not texts:
+        arguments.error(f"{options.texts} has no texts")
     report([outcome(stages, text, options.seed) for text in texts])
 
 

@@ -10,7 +10,7 @@ from app.bml.table import Phase, Timing
 from app.model import Behavior, Channel, Hand
 
 GESTURE = Timing(Phase(0.2, 0.4), Phase(0.2, 0.4), Phase(0.0, 1.0), Phase(0.0, 0.5))
-NOD = Timing(Phase(0.1, 0.2), Phase(0.2, 0.4), Phase(0, 0), Phase(0.1, 0.2), alignment=0.5)
+NOD = Timing(Phase(0.0604, 0.15), Phase(0.1404, 0.3333), Phase(0, 0), Phase(0.0, 0.2), alignment=0.6)
 
 
 def candidate(

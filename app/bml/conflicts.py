@@ -32,7 +32,7 @@ class Candidate:
         sync = placed(self.placing, window)
         if sync is None:
             return None
-        reason = self.behavior.reason or f"shortened beside {neighbour.id} ({neighbour.lexeme})"
+        reason = self.behavior.reason or _shortened_beside(neighbour)
         return replace(self, behavior=replace(self.behavior, sync=sync, reason=reason))
 
 
@@ -90,9 +90,13 @@ def _making_way(earlier: Candidate, later: Candidate) -> Candidate:
     start_s = later.behavior.sync.start
     if earlier.behavior.sync.end <= start_s:
         return earlier
-    shortened = earlier.within(Window(earlier.behavior.sync.start, start_s), later.behavior)
-    assert shortened is not None, "a firm end leaves room for stroke and hold"
-    return shortened
+    reason = earlier.behavior.reason or _shortened_beside(later.behavior)
+    sync = replace(earlier.behavior.sync, end=start_s)
+    return replace(earlier, behavior=replace(earlier.behavior, sync=sync, reason=reason))
+
+
+def _shortened_beside(neighbour: Behavior) -> str:
+    return f"shortened beside {neighbour.id} ({neighbour.lexeme})"
 
 
 def _neighbour(candidate: Candidate, earlier: Sequence[Candidate], later: Sequence[Candidate]) -> Behavior:
