@@ -1,4 +1,4 @@
-"""The stage: rules and words loaded with every mistake, functions named, explained, and conflicts between them settled."""
+"""The stage: everything loads or every mistake is told; functions are named, explained, and their conflicts settled."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -34,7 +34,8 @@ def test_words_are_spelt_without_the_punctuation_around_them(written: str, spelt
 def test_a_contraction_has_the_facts_of_its_parts_on_its_own_span() -> None:
     spoken = utterance(
         "I don't know.",
-        "0:I/I/PRON/PRP/nsubj/3 1:do/do/AUX/VBP/aux/3 1:n't/not/PART/RB/advmod/3 2:know/know/VERB/VB/root/3 2:././PUNCT",
+        "0:I/I/PRON/PRP/nsubj/3 1:do/do/AUX/VBP/aux/3 1:n't/not/PART/RB/advmod/3 "
+        "2:know/know/VERB/VB/root/3 2:././PUNCT",
     )
     assert arguments(spoken, "word") == {("i", 0, 1), ("don't", 1, 2), ("know", 2, 3)}
     assert {("do", 1, 2), ("not", 1, 2)} <= arguments(spoken, "lemma")

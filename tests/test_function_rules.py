@@ -78,7 +78,7 @@ PROCESS = [
     ("She is still here.", [("continue", "still")]),
     ("We are done.", [("stop", "done.")]),
     ("The show is over.", [("stop", "over.")]),
-    ("He got fat.", [("change", "got fat.")]),
+    ("She got angry.", [("change", "got angry.")]),
     ("It turned into ice.", [("change", "turned into")]),
     ("He is over there.", []),
     ("Keep the money.", []),

@@ -71,9 +71,7 @@ def test_a_part_of_a_word_is_found_by_its_lemma(folder: Path) -> None:
 
 def test_a_gap_takes_up_to_three_words_and_leaves_them_to_others(folder: Path) -> None:
     near = utterance("gave no up", "0:gave/give/VERB 1:no/no/DET 2:up/up/ADP")
-    far = utterance(
-        "gave it a b c up", "0:gave/give/VERB 1:it/it/PRON 2:a/a/DET 3:b/b/NOUN 4:c/c/NOUN 5:up/up/ADP"
-    )
+    far = utterance("gave it a b c up", "0:gave/give/VERB 1:it/it/PRON 2:a/a/DET 3:b/b/NOUN 4:c/c/NOUN 5:up/up/ADP")
     assert found(folder, near) == [("negation", "plain", 1, 1)]
     assert found(folder, far) == [("spatial", "up", 5, 5)]
 
@@ -135,8 +133,7 @@ def test_every_word_of_the_lexicon_is_found_in_its_example() -> None:
         words = words_of(text)
         matches = lexicon.matches(Utterance(words, parser.parse(words)))
         if not any(
-            (match.class_name, match.subtype, match.first, match.last)
-            == (entry.class_name, entry.subtype, first, last)
+            (match.class_name, match.subtype, match.first, match.last) == (entry.class_name, entry.subtype, first, last)
             for match in matches
         ):
             missed.append(f"{entry.path.name}:{entry.line}: {text}")

@@ -4,6 +4,7 @@ The rules lie in `functions/*.rules` over the predicates of `vocabulary.rules`, 
 functions compete in `functions/conflicts.yaml`. Priorities are numbers, the higher matters more.
 """
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -140,14 +141,17 @@ def _because_given(fact: Fact) -> Iterator[Because]:
 def _resolved(functions: list[Function], conflicts: Conflicts) -> tuple[Function, ...]:
     """The same functions, those marked that lose a conflict to one that is kept."""
     strongest_first = sorted(functions, key=lambda found: (-found.priority, found.first - found.last, found.first))
-    kept: list[Function] = []
+    kept_on: dict[int, list[Function]] = defaultdict(list)
     lost_to: dict[str, str] = {}
     for function in strongest_first:
-        winner = next((other for other in kept if conflicts.compete(function, other)), None)
-        if winner is None:
-            kept.append(function)
-        else:
+        words = range(function.first, function.last + 1)
+        rivals = (other for word in words for other in kept_on[word])
+        winner = next((other for other in rivals if conflicts.compete(function, other)), None)
+        if winner is not None:
             lost_to[function.id] = winner.id
+            continue
+        for word in words:
+            kept_on[word].append(function)
     return tuple(
         replace(function, kept=False, lost_to=lost_to[function.id]) if function.id in lost_to else function
         for function in functions

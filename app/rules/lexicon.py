@@ -8,6 +8,7 @@ condition reaches over punctuation. Among overlapping matches of one class the l
 however many entries there are.
 """
 
+import re
 from collections.abc import Iterable, Iterator, Set
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -20,6 +21,9 @@ from app.errors import AuthoringError, Mistake
 from app.model import Token, Utterance
 from app.rules.facts import bare
 
+_HYPHENATED = re.compile(r"\w+(-\w+)+$")
+"""One word in parts, which mean nothing by themselves: "uh-huh" is no "uh"."""
+
 CLOSING_MARKS = tuple(",.?!;:")
 GAP = "..."
 LONGEST_GAP = 3
@@ -27,7 +31,24 @@ SLOT = "{}"
 """Where an example takes each word of its group in turn."""
 
 PARTS_OF_SPEECH = frozenset(
-    ("ADJ", "ADP", "ADV", "AUX", "CCONJ", "DET", "INTJ", "NOUN", "NUM", "PART", "PRON", "PROPN", "SCONJ", "SYM", "VERB", "X")
+    (
+        "ADJ",
+        "ADP",
+        "ADV",
+        "AUX",
+        "CCONJ",
+        "DET",
+        "INTJ",
+        "NOUN",
+        "NUM",
+        "PART",
+        "PRON",
+        "PROPN",
+        "SCONJ",
+        "SYM",
+        "VERB",
+        "X",
+    )
 )
 
 
@@ -212,7 +233,7 @@ def _spellings(utterance: Utterance) -> tuple[_Spelling, ...]:
 
 def _spelling(written: str, parts: list[Token]) -> _Spelling:
     text = bare(written)
-    parts = [part for part in parts if part.part_of_speech != "PUNCT"] if "-" not in text else parts[-1:]
+    parts = parts[-1:] if _HYPHENATED.match(text) else [part for part in parts if part.part_of_speech != "PUNCT"]
     forms = {bare(part.text): frozenset((part.part_of_speech,)) for part in parts}
     lemmas = {part.lemma.lower(): frozenset((part.part_of_speech,)) for part in parts}
     forms[text] = frozenset(part.part_of_speech for part in parts)
