@@ -6,7 +6,7 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from app.errors import InputError, UndecodableError
+from app.errors import InputError, UndecodableError, UnsupportedFormatError
 from app.model import Level
 from app.performance import Options, Timings
 
@@ -39,17 +39,20 @@ class TextQuestion(BaseModel):
 
 
 def read_options(content: bytes) -> Options:
-    """Raises UndecodableError `options_not_json`, InputError `options_wrong` with the option's name in `field`."""
+    """The options of a request.
+
+    Raises UndecodableError `not_json`, InputError `not_an_object`, `value_wrong` with the option's name in `field`.
+    """
     fields = read_object(content, "options")
     if isinstance(fields.get("agitation"), str):
         fields["agitation"] = _level(fields["agitation"])
-    return _checked(OptionsQuestion, fields, "options").to_options()
+    return _checked(OptionsQuestion, fields).to_options()
 
 
 def read_object(content: bytes, field: str) -> dict[str, Any]:
     """The JSON object `content`, named `field` in errors.
 
-    Raises UndecodableError `…_not_json`, InputError `text_surrogate` (anywhere in it) and `…_wrong` (no object).
+    Raises UndecodableError `not_json`, InputError `text_surrogate` (anywhere in it) and `not_an_object`.
     """
     try:
         value = json.loads(content)
@@ -58,15 +61,15 @@ def read_object(content: bytes, field: str) -> dict[str, Any]:
         message = f"{field} holds the lone surrogate {error.object[error.start]!a}; send well-formed Unicode"
         raise InputError("text_surrogate", message, field=field) from None
     except (ValueError, RecursionError) as error:
-        raise UndecodableError(f"{field}_not_json", f"{field} is not JSON: {error}", field=field) from None
+        raise UndecodableError("not_json", f"{field} is not JSON: {error}", field=field) from None
     if not isinstance(value, dict):
-        raise InputError(f"{field}_wrong", f"{field} must be a JSON object in braces", field=field)
+        raise InputError("not_an_object", f"{field} must be a JSON object in braces", field=field)
     return value
 
 
 def read_question(fields: dict[str, Any]) -> TextQuestion:
-    """Raises InputError `body_wrong` with the key's name in `field`."""
-    return _checked(TextQuestion, fields, "body")
+    """Raises InputError `value_wrong` with the key's name in `field`."""
+    return _checked(TextQuestion, fields)
 
 
 def line_id(fields: dict[str, Any]) -> str | int | None:
@@ -78,12 +81,14 @@ def line_id(fields: dict[str, Any]) -> str | int | None:
 def read_timings(file_name: str, content: bytes) -> Timings:
     """Words timed elsewhere; the ending of the file's name tells their format.
 
-    Raises InputError `words_format`.
+    Raises UnsupportedFormatError `timings_format`.
     """
     ending = PurePath(file_name).suffix.lower().removeprefix(".")
     if ending not in {"json", "textgrid", "ctm"}:
-        raise InputError(
-            "words_format", f"words are read from .json, .TextGrid or .ctm, not from {file_name!r}", field="words"
+        raise UnsupportedFormatError(
+            "timings_format",
+            f"words in time are read from .json, .TextGrid or .ctm, not from {file_name!r}",
+            field="words",
         )
     return Timings(content=content, format=ending)
 
@@ -92,10 +97,10 @@ def _level(name: str) -> Level | str:
     return Level(name) if name in set(Level) else name
 
 
-def _checked(model: type[Checked], fields: dict[str, Any], of: str) -> Checked:
+def _checked(model: type[Checked], fields: dict[str, Any]) -> Checked:
     try:
         return model.model_validate(fields)
     except ValidationError as error:
         found = error.errors()[0]
     name = str(found["loc"][0])
-    raise InputError(f"{of}_wrong", f"{name}: {found['msg'][0].lower()}{found['msg'][1:]}", field=name)
+    raise InputError("value_wrong", f"{name}: {found['msg'][0].lower()}{found['msg'][1:]}", field=name)

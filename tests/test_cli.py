@@ -180,7 +180,7 @@ MISTAKES: list[tuple[list[str], str]] = [
     (["perform", "/", "--text", "No."], "file_unreadable"),
     (["perform", "nul\0.wav", "--text", "No."], "file_unreadable"),
     (["perform", AUDIO, "--text-file", AUDIO], "text_not_utf8"),
-    (["perform", *LINE, "--words", TEXT_FILE], "words_format"),
+    (["perform", *LINE, "--words", TEXT_FILE], "timings_format"),
     (["align", AUDIO, "--text", " "], "text_empty"),
     (["align", AUDIO, "--text", "caf\udce9"], "text_surrogate"),
     (["align", TEXT_FILE, "--text", "No."], "audio_format_unsupported"),

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.errors import InputError, UndecodableError
+from app.errors import InputError, UndecodableError, UnsupportedFormatError
 from app.model import Level
 from app.performance import Options, Timings
 from app.questions import LARGEST_SEED, line_id, read_object, read_options, read_question, read_timings
@@ -34,7 +34,7 @@ def test_a_wrong_option_is_named(content: bytes, field: str) -> None:
     with pytest.raises(InputError) as caught:
         read_options(content)
     assert caught.value.field == field
-    assert caught.value.code == "options_wrong"
+    assert caught.value.code == ("value_wrong" if field != "options" else "not_an_object")
     assert "\n" not in caught.value.message
 
 
@@ -42,7 +42,7 @@ def test_a_wrong_option_is_named(content: bytes, field: str) -> None:
 def test_what_is_no_json_is_undecodable(content: bytes) -> None:
     with pytest.raises(UndecodableError) as caught:
         read_object(content, "body")
-    assert caught.value.code == "body_not_json"
+    assert caught.value.code == "not_json"
 
 
 def test_a_lone_surrogate_is_told_as_such() -> None:
@@ -73,6 +73,6 @@ def test_the_ending_tells_the_format_of_words() -> None:
 
 @pytest.mark.parametrize("name", ["", "-", "words", "words.txt", ".json"])
 def test_other_endings_are_refused(name: str) -> None:
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(UnsupportedFormatError) as caught:
         read_timings(name, b"")
     assert caught.value.field == "words"

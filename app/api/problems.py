@@ -1,5 +1,6 @@
 """Every error leaves as `application/problem+json` (RFC 9457) with a stable type and code."""
 
+import logging
 from http import HTTPStatus
 
 from fastapi import FastAPI
@@ -18,6 +19,9 @@ from app.errors import (
 
 MEDIA_TYPE = "application/problem+json"
 RETRY_AFTER_S = 1
+OUR_MISTAKE = "the service failed at this request; what happened has been logged"
+
+_LOGGER = logging.getLogger(__name__)
 
 _STATUS_OF_CLASS: tuple[tuple[type[UnderstudyError], int], ...] = (
     (UndecodableError, 400),
@@ -63,6 +67,9 @@ def status_of(error: UnderstudyError) -> int:
 async def _known(_request: Request, error: Exception) -> Response:
     assert isinstance(error, UnderstudyError)
     status = status_of(error)
+    if status == HTTPStatus.INTERNAL_SERVER_ERROR:
+        _LOGGER.error("%s: %s", error.code, error.message)
+        return problem(status, error.code, OUR_MISTAKE)
     field = error.field if isinstance(error, InputError) else None
     headers = {"Retry-After": str(RETRY_AFTER_S)} if status == HTTPStatus.SERVICE_UNAVAILABLE else None
     return problem(status, error.code, error.message, field=field, headers=headers)
@@ -82,4 +89,4 @@ async def _gone(_request: Request, _error: Exception) -> Response:
 
 async def _unexpected(_request: Request, _error: Exception) -> Response:
     """A mistake of ours; the server logs its traceback, the answer tells nothing of the inside."""
-    return problem(500, "internal_error", "an unexpected error; it has been logged")
+    return problem(500, "internal_error", OUR_MISTAKE)

@@ -1,0 +1,68 @@
+"""docs/errors.md lists every code that the program can give, with the HTTP status that tells it, and no other."""
+
+import ast
+import re
+from collections import defaultdict
+from pathlib import Path
+
+import pytest
+
+from app import errors
+from app.api.problems import status_of
+from app.errors import AuthoringError, Mistake, UnderstudyError
+
+ROOT = Path(__file__).resolve().parents[1]
+DOCUMENTED = dict(re.findall(r"^\| `(\w+)` \| (\w+) \|", (ROOT / "docs/errors.md").read_text(), re.MULTILINE))
+OF_THE_FRAMEWORK = {
+    "not_found",
+    "method_not_allowed",
+    "not_acceptable",
+    "http_error",
+    "client_disconnected",
+    "internal_error",
+}
+
+
+def _codes() -> dict[str, set[str]]:
+    """Every code that stands in the source, with the statuses (or "warning") of the calls that it stands in."""
+    found: dict[str, set[str]] = defaultdict(set)
+    for path in (ROOT / "app").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                literals = [a.value for a in node.args[:2] if isinstance(a, ast.Constant) and isinstance(a.value, str)]
+                if literals and (told := _told_by(node.func.id)):
+                    found[literals[0]].add(told)
+    return found
+
+
+def _told_by(name: str) -> str | None:
+    """How the code that is given to a call of `name` is told; None when it takes no code."""
+    if name == "Notice":
+        return "warning"
+    if name == "_wrong":
+        return "422"
+    kind = getattr(errors, name, None)
+    if isinstance(kind, type) and issubclass(kind, UnderstudyError) and kind is not AuthoringError:
+        return "service" if kind is errors.ServiceError else str(status_of(kind("", "")))
+    return None
+
+
+CODES = _codes()
+
+
+def test_the_page_lists_every_code_and_no_other() -> None:
+    assert set(DOCUMENTED) == CODES.keys() | OF_THE_FRAMEWORK | {"authoring"}
+
+
+@pytest.mark.parametrize("code", sorted(CODES.keys() & DOCUMENTED.keys()))
+def test_the_page_tells_each_code_as_the_service_does(code: str) -> None:
+    if CODES[code] == {"service"}:
+        assert DOCUMENTED[code] == str(status_of(errors.ServiceError(code, "")))
+    else:
+        assert DOCUMENTED[code] in CODES[code]
+
+
+def test_a_mistake_shows_its_place_under_its_line() -> None:
+    mistake = Mistake(Path("a.rules"), 3, 5, "unknown predicate", "    fcnn(a)")
+    assert str(mistake).splitlines() == ["a.rules:3:5: unknown predicate", "        fcnn(a)", "        ^"]
+    assert str(AuthoringError((mistake, Mistake(Path("b"), 1, 1, "empty")))).endswith("^\nb:1:1: empty")
