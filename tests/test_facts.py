@@ -62,6 +62,7 @@ def test_sentences_end_at_their_marks_but_not_at_abbreviations() -> None:
     spoken = Utterance(words_of("Ask Dr. Green. No. Why? Well... I mean so... what now"), utterance("", "").parse)
     assert sorted(arguments(spoken, "sentence")) == [(0, 3), (3, 4), (4, 5), (5, 6), (6, 11)]
     assert arguments(spoken, "utterance") == {(0, 11)}
+    assert {(position, 6, 11) for position in range(6, 11)} <= arguments(spoken, "in_sentence")
 
 
 def test_phrases_and_clauses_run_between_boundaries_and_the_first_of_each_kind_is_told() -> None:

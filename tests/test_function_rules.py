@@ -236,3 +236,9 @@ def test_the_same_line_gives_the_same_functions_with_words_alone(rules: Function
     spoken = utterance("no no no", "0:no/no/INTJ 1:no/no/INTJ 2:no/no/INTJ")
     assert derive_functions(rules, spoken) == derive_functions(rules, spoken)
     assert len(derive_functions(rules, spoken)) == 3
+
+
+def test_a_line_of_nothing_but_numbers_stays_within_the_limits_of_the_chainer(rules: FunctionRules) -> None:
+    spoken = utterance("two " * 600, " ".join(f"{index}:two/two/NUM" for index in range(600)))
+    kept = [found for found in derive_functions(rules, spoken) if found.kept and found.class_name == "quantification"]
+    assert {word for found in kept for word in range(found.first, found.last + 1)} == set(range(600))

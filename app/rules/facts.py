@@ -97,6 +97,7 @@ def _sentence_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
         end = word.index + 1
         if end == len(words) or _ends_sentence(word.text, words[end].text):
             yield Fact("sentence", (start, end))
+            yield from (Fact("in_sentence", (position, start, end)) for position in range(start, end))
             start = end
     if words:
         yield Fact("utterance", (0, len(words)))
