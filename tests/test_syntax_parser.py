@@ -1,5 +1,6 @@
 """The shipped parser on lines, and what is said when a pipeline cannot be used."""
 
+import shutil
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -114,12 +115,14 @@ def test_a_missing_pipeline_is_named(tmp_path: Path) -> None:
         assert "\n" not in caught.value.message
 
 
-def test_a_broken_pipeline_is_named(tmp_path: Path) -> None:
-    spacy.blank("en").to_disk(tmp_path)
-    (tmp_path / "config.cfg").write_text("[nlp\nlang =", encoding="utf-8")
+@pytest.mark.parametrize("damaged", ["config.cfg", "parser/model", "tagger/cfg", "trainable_lemmatizer/trees"])
+def test_a_damaged_pipeline_is_named(tmp_path: Path, damaged: str) -> None:
+    shutil.copytree(MODEL, tmp_path / "parser")
+    (tmp_path / "parser" / damaged).unlink()
     with pytest.raises(ServiceError) as caught:
-        Parser.load(tmp_path)
+        Parser.load(tmp_path / "parser")
     assert caught.value.code == "parser_missing"
+    assert "\n" not in caught.value.message
 
 
 def test_a_pipeline_without_known_labels_is_refused(tmp_path: Path) -> None:

@@ -39,10 +39,10 @@ class Parser:
     def load(cls, where: Path | str) -> "Parser":
         """The pipeline in a folder, or installed under a name, with Universal Dependencies or ClearNLP labels.
 
-        Raises ServiceError: `parser_missing` where spaCy loads nothing, `parser_labels` for dependency labels of
+        Raises ServiceError: `parser_missing` where spaCy loads nothing usable, `parser_labels` for dependency labels of
         another kind, `parser_incomplete` for a pipeline that leaves out parts of speech, tags, lemmas or heads.
         """
-        pipeline = _load_pipeline(where)
+        pipeline, probe = _load_pipeline(where)
         scheme = scheme_of(pipeline.pipe_labels.get("parser", ()))
         if scheme is None:
             raise ServiceError(
@@ -50,7 +50,7 @@ class Parser:
                 f"the pipeline {str(where)!r} has no parser with Universal Dependencies labels (obj, obl) or ClearNLP "
                 "labels (dobj, pobj); name one that has",
             )
-        missing = _missing_annotations(pipeline(_PROBE))
+        missing = _missing_annotations(probe)
         if missing:
             raise ServiceError(
                 "parser_incomplete", f"the pipeline {str(where)!r} gives no {', no '.join(missing)}; name one that does"
@@ -75,10 +75,12 @@ class Parser:
         return Parse(tokens, find_phrases(tree), find_clauses(tree))
 
 
-def _load_pipeline(where: Path | str) -> Language:
+def _load_pipeline(where: Path | str) -> tuple[Language, Doc]:
+    """The pipeline and what it makes of a first sentence, for some damage only shows there."""
     try:
-        return spacy.load(where, exclude=_UNUSED_PIPES)
-    except (OSError, ValueError, ImportError) as error:
+        pipeline = spacy.load(where, exclude=_UNUSED_PIPES)
+        return pipeline, pipeline(_PROBE)
+    except (OSError, ValueError, ImportError, LookupError) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         raise ServiceError(
             "parser_missing", f"no spaCy pipeline can be loaded from {str(where)!r} ({reason}); give its folder or name"
