@@ -4,9 +4,10 @@ import argparse
 from pathlib import Path
 
 from app.answers import RulesAnswer
-from app.catalogue import Catalogue, Item, check_files, check_files_in_use
+from app.catalogue import Catalogue, Item
 from app.cli.files import write_standard
 from app.cli.log import Log
+from app.proofreading import check_files, check_files_in_use
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
