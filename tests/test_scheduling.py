@@ -60,6 +60,18 @@ def test_the_stressed_vowel_is_the_primary_one_else_the_word_begins_it() -> None
     assert stressed_vowel_s(Word(0, "allowed", Interval(1.0, 1.4))) == 1.0
 
 
+def test_without_stress_digits_the_longest_full_vowel_is_the_stressed_one() -> None:
+    phones = (
+        Phone("P", Interval(1.0, 1.1)),
+        Phone("AH", Interval(1.1, 1.3)),
+        Phone("T", Interval(1.3, 1.4)),
+        Phone("EY", Interval(1.4, 1.55)),
+        Phone("T", Interval(1.55, 1.6)),
+        Phone("OW", Interval(1.6, 1.7)),
+    )
+    assert stressed_vowel_s(Word(0, "potato", Interval(1.0, 1.7), phones)) == 1.4
+
+
 @pytest.mark.parametrize(("start_s", "kept"), [(0.0, False), (0.2, False), (0.35, True), (0.6, True)])
 def test_a_gesture_needs_time_before_its_word(start_s: float, *, kept: bool) -> None:
     (gesture,) = scheduled(movement("gesture_me", 0), words=spoken("I see.", start_s=start_s))

@@ -16,7 +16,7 @@ from app.bml.conflicts import Candidate, resolve
 from app.bml.phases import Placing, Window, placed
 from app.bml.table import STROKED, Anchor, BehaviorEntry
 from app.bml.unasked import Unasked, unasked
-from app.model import Behavior, Channel, Hand, Interval, Movement, SyncPoints, Utterance, Word
+from app.model import Behavior, Channel, Hand, Interval, Movement, Phone, SyncPoints, Utterance, Word
 
 HAND_SWITCH_S = 2.0
 """A gesture that may take either hand stays on the one in use for this long (paper §3.4)."""
@@ -42,15 +42,25 @@ def schedule(
 
 
 def stressed_vowel_s(word: Word) -> float:
-    """Where the vowel of a timed word's stressed syllable begins; the word's start where its vowels are not known."""
-    vowels = [phone for phone in word.phones if phone.stress is not None]
+    """Where the vowel of a timed word's stressed syllable begins; the word's start where its vowels are not known.
+
+    The vowel with the primary stress; where phones come without stress digits, the longest that is no AH, for length
+    is the strongest cue of stress and AH is what English weakens to (`../shared/alignment.md`, "Stress").
+    """
+    vowels = [phone for phone in word.phones if phone.label in _VOWELS]
     if not vowels:
         return _interval(word).start_s
-    return max(vowels, key=lambda phone: _STRENGTH[phone.stress or 0]).interval.start_s
+    return max(vowels, key=_strength).interval.start_s
 
 
-_STRENGTH = {0: 0, 1: 2, 2: 1}
+_VOWELS = frozenset(["AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"])
+
+_DIGIT_RANKS = {None: 0, 0: 0, 2: 1, 1: 2}
 """How strong ARPABET's stress digits are: 1 is the primary stress, 2 the secondary."""
+
+
+def _strength(vowel: Phone) -> tuple[int, bool, float]:
+    return _DIGIT_RANKS[vowel.stress], vowel.label != "AH", round(vowel.interval.duration_s, 3)
 
 
 def _candidate(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...]) -> Candidate:
