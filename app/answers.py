@@ -12,7 +12,7 @@ from pydantic import AfterValidator, AliasPath, BaseModel, BeforeValidator, Conf
 
 from app.catalogue import Character, Item, Kind
 from app.errors import UnderstudyError
-from app.model import Agitation, Function, Level, Notice, Performance, SyncPoints, Utterance, Word
+from app.model import PLAIN, Agitation, Function, Level, Notice, Performance, SyncPoints, Utterance, Word
 from app.performance import Aligned, Analysis
 
 DECIMALS = 6
@@ -160,7 +160,7 @@ class FunctionAnswer(Answer):
         return cls(
             id=function.id,
             class_name=function.class_name,
-            subtype=function.subtype,
+            subtype="" if function.subtype == PLAIN else function.subtype,
             first=function.first,
             last=function.last,
             text=" ".join(word.text for word in spanned),

@@ -21,6 +21,10 @@ FRAME_SHIFT_S = 0.010
 """One analysis frame every 10 ms: frame k is centred on k × 10 ms (paper §3.1.1, §3.1.2)."""
 
 
+PLAIN = "plain"
+"""The subtype of a function whose class has none; it leaves as the empty string."""
+
+
 class Level(StrEnum):
     """The speaker's agitation (paper §3.1): lax, modal or tense voice."""
 
@@ -200,7 +204,8 @@ class Because:
 class Function:
     """A communicative function (paper §3.3): what words `first` to `last` do, how much it matters, and why we think so.
 
-    A function that lost a conflict stays, with `kept` false and the winner's id in `lost_to`.
+    A function that lost a conflict stays, with `kept` false and the winner's id in `lost_to`. `given` tells that it was
+    not derived but came with the line.
     """
 
     id: str
@@ -213,6 +218,18 @@ class Function:
     because: tuple[Because, ...] = ()
     kept: bool = True
     lost_to: str | None = None
+    given: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class GivenFunction:
+    """A function that the caller already knows; `priority` None is above all that rules derive."""
+
+    class_name: str
+    subtype: str
+    first: int
+    last: int
+    priority: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator
 
-from app.model import Behavior, Function, Performance
+from app.model import PLAIN, Behavior, Function, Performance
 
 WORDS_WIDTH = 28
 
@@ -42,4 +42,4 @@ def _movement(performance: Performance, behavior: Behavior, function: Function) 
 
 
 def _name(function: Function) -> str:
-    return function.class_name if function.subtype == "plain" else f"{function.class_name} ({function.subtype})"
+    return function.class_name if function.subtype == PLAIN else f"{function.class_name} ({function.subtype})"
