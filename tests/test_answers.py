@@ -84,6 +84,10 @@ def test_a_function_has_the_text_and_times_of_its_words() -> None:
     }
 
 
+def test_a_class_without_subtypes_has_an_empty_one() -> None:
+    assert (FunctionAnswer.of(KEPT, WORDS).subtype, FunctionAnswer.of(LOST, WORDS).subtype) == ("", "distal")
+
+
 def test_without_audio_a_function_has_no_times_and_a_winner_names_no_loser() -> None:
     told = _told(FunctionAnswer.of(KEPT, (Word(0, "Not"),)))
     assert not {"start_s", "end_s", "lost_to"} & told.keys()
