@@ -4,9 +4,9 @@ Scalars stay the strings the author typed ("no" and "yes" are words, not boolean
 turns them into numbers where it wants numbers. No tags, no anchors, no aliases: a file says what it shows.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TypeAlias, TypeVar
+from typing import Protocol, TypeAlias, TypeVar
 
 import yaml
 from pydantic import BaseModel, ConfigDict, ValidationError
@@ -16,6 +16,13 @@ from app.errors import AuthoringError, Mistake
 Plain: TypeAlias = "str | list[Plain] | dict[str, Plain]"
 Schema = TypeVar("Schema", bound=BaseModel)
 Value = TypeVar("Value")
+
+
+class _Place(Protocol):
+    """Where YAML found something; counts from 0."""
+
+    line: int
+    column: int
 
 
 class Entry(BaseModel):
@@ -32,10 +39,10 @@ class Source:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self._text = path.read_text(encoding="utf-8")
+        self._text = _read(path)
         self.lines = self._text.splitlines()
         self._root = self._compose()
-        self._refuse_aliases()
+        self._refuse_what_is_not_shown()
         self.value = _plain(self._root)
 
     def validated(self, schema: type[Schema]) -> Schema:
@@ -56,22 +63,33 @@ class Source:
 
     def _compose(self) -> yaml.Node:
         try:
-            node = yaml.compose(self._text, Loader=yaml.SafeLoader)
+            node = yaml.compose(self._text, Loader=yaml.CSafeLoader)
         except yaml.MarkedYAMLError as error:
-            mark = error.problem_mark or yaml.Mark(str(self.path), 0, 0, 0, None, 0)
-            raise AuthoringError((self._at(mark, f"not YAML: {error.problem}"),)) from None
+            raise AuthoringError((self._at(error.problem_mark, f"not YAML: {error.problem}"),)) from None
+        except yaml.YAMLError as error:
+            raise AuthoringError((Mistake(self.path, 1, 1, f"not YAML: {error}".splitlines()[0]),)) from None
         if node is None:
             raise AuthoringError((Mistake(self.path, 1, 1, "the file is empty"),))
         return node
 
-    def _refuse_aliases(self) -> None:
-        for token in yaml.scan(self._text, Loader=yaml.SafeLoader):
-            if isinstance(token, (yaml.AnchorToken, yaml.AliasToken, yaml.TagToken)):
-                raise AuthoringError((self._at(token.start_mark, "anchors, aliases and tags are not allowed"),))
+    def _refuse_what_is_not_shown(self) -> None:
+        """Anchors, aliases and tags, and keys that a later one of the same name would hide."""
+        mistakes = [
+            self._at(event.start_mark, "anchors, aliases and tags are not allowed")
+            for event in yaml.parse(self._text, Loader=yaml.CSafeLoader)
+            if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None) or getattr(event, "tag", None)
+        ]
+        if not mistakes:
+            mistakes = [
+                self._at(key.start_mark, f"the key {key.value!r} stands here a second time")
+                for key in _repeated_keys(self._root)
+            ]
+        if mistakes:
+            raise AuthoringError(tuple(mistakes))
 
-    def _at(self, mark: yaml.Mark, message: str) -> Mistake:
-        line = self.lines[mark.line] if mark.line < len(self.lines) else ""
-        return Mistake(self.path, mark.line + 1, mark.column + 1, message, line)
+    def _at(self, place: _Place | None, message: str) -> Mistake:
+        line, column = (place.line, place.column) if place else (0, 0)
+        return Mistake(self.path, line + 1, column + 1, message, self.lines[line] if line < len(self.lines) else "")
 
 
 def all_or_every_mistake(results: Iterable[Value | AuthoringError]) -> tuple[Value, ...]:
@@ -86,6 +104,26 @@ def all_or_every_mistake(results: Iterable[Value | AuthoringError]) -> tuple[Val
     if mistakes:
         raise AuthoringError(tuple(mistakes))
     return tuple(values)
+
+
+def _read(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise AuthoringError((Mistake(path, 1, 1, f"cannot be read as UTF-8 text: {error}"),)) from None
+
+
+def _repeated_keys(node: yaml.Node) -> Iterator[yaml.Node]:
+    if isinstance(node, yaml.SequenceNode):
+        for item in node.value:
+            yield from _repeated_keys(item)
+    elif isinstance(node, yaml.MappingNode):
+        seen: set[str] = set()
+        for key, value in node.value:
+            if key.value in seen:
+                yield key
+            seen.add(str(key.value))
+            yield from _repeated_keys(value)
 
 
 def _plain(node: yaml.Node) -> Plain:
