@@ -11,13 +11,15 @@ from app.bml.table import load_table
 from app.catalogue import RULES, load_characters
 from app.errors import AuthoringError, InputError, Mistake
 from app.resources import resource_folder
-from app.rules.derivation import Conflicts, FunctionRules
+from app.rules.conflicts import Conflicts
+from app.rules.derivation import FunctionRules
 from app.rules.lexicon import Lexicon
 from app.rules.mapping import MappingRules
+from app.rules.priorities import Priorities
 from app.rules.program import load_program
 
 VOCABULARY = RULES / "vocabulary.rules"
-NAMED_FILES = frozenset({"conflicts.yaml", "abbreviations.yaml", "behaviors.yaml"})
+NAMED_FILES = frozenset({"conflicts.yaml", "priorities.yaml", "abbreviations.yaml", "behaviors.yaml"})
 """YAML files that are told by their names; the others hold words, or a character in a folder `characters`."""
 
 Check = Callable[[], object]
@@ -83,6 +85,8 @@ def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:
     folder = file.parent
     if file.name == "conflicts.yaml":
         return ("conflicts", file), lambda: Source(file).validated(Conflicts)
+    if file.name == "priorities.yaml":
+        return ("priorities", file), partial(Priorities.load, file)
     if file.name == "abbreviations.yaml":
         return ("abbreviations", file), partial(Normaliser.load, file, ())
     if file.name == "behaviors.yaml":

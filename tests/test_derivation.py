@@ -7,7 +7,8 @@ import pytest
 
 from app.errors import AuthoringError
 from app.model import Because, Function, Utterance
-from app.rules.derivation import Conflicts, FunctionRules, derive_functions
+from app.rules.conflicts import Conflicts
+from app.rules.derivation import FunctionRules, derive_functions
 from tests.utterances import utterance
 
 VOCABULARY = (Path(__file__).resolve().parents[1] / "app" / "rules" / "vocabulary.rules").read_text()
@@ -43,6 +44,14 @@ between:
   - [emphasis, comparison]
 """
 
+PRIORITIES = """
+negation: {plain: 3, strong: 3}
+comparison: {plain: 3}
+deixis: {plain: 3}
+valence: {plain: 3}
+emphasis: {plain: 2}
+"""
+
 WORDS = """
 class: {}
 groups:
@@ -59,6 +68,7 @@ def load(folder: Path, rules: str = RULES, conflicts: str = CONFLICTS, **classes
     (folder / "rules" / "vocabulary.rules").write_text(VOCABULARY)
     (functions / "all.rules").write_text(rules)
     (functions / "conflicts.yaml").write_text(conflicts)
+    (functions / "priorities.yaml").write_text(PRIORITIES)
     for name, word in classes.items():
         (lexicon / f"{name}.yaml").write_text(WORDS.format(name, word))
     return FunctionRules.load(folder / "rules", lexicon)
@@ -154,6 +164,26 @@ def test_mistakes_in_rules_words_and_conflicts_come_together(tmp_path: Path) -> 
     with pytest.raises(AuthoringError) as error:
         load(tmp_path, "rule r\nforeach\n  wrod($w, $s, $e)\nassert\n  fcn(a, b, $s, $e, 1)\n", "within: []\n", a="[")
     assert {mistake.path.name for mistake in error.value.mistakes} == {"all.rules", "conflicts.yaml", "a.yaml"}
+
+
+def test_a_rule_and_a_word_of_a_function_that_is_none_are_told_where_they_stand(tmp_path: Path) -> None:
+    rule = "rule r\nforeach\n  word(so, $s, $e)\nassert\n  fcn(negation, string, $s, $e)\n"
+    with pytest.raises(AuthoringError) as error:
+        load(tmp_path, rule + rule.replace("rule r", "rule q").replace("negation, string", "compare, plain"))
+    assert [(mistake.path.name, mistake.line) for mistake in error.value.mistakes] == [
+        ("all.rules", 1),
+        ("all.rules", 6),
+    ]
+    for part in ("no subtype string; its subtypes are plain, strong", "class compare; did you mean comparison?"):
+        assert part in str(error.value)
+
+
+def test_a_word_of_an_unknown_subtype_is_told(tmp_path: Path) -> None:
+    load(tmp_path, negation="no")
+    words = tmp_path / "lexicon" / "negation.yaml"
+    words.write_text(words.read_text().replace("- example", "- subtype: string\n    example"))
+    with pytest.raises(AuthoringError, match="negation has no subtype string"):
+        FunctionRules.load(tmp_path / "rules", tmp_path / "lexicon")
 
 
 def test_a_line_without_words_does_nothing(tmp_path: Path) -> None:

@@ -30,6 +30,7 @@ WRONG = {
     "unread.yaml": ("words: [no]\n", 1),
     "abbreviations.yaml": ("anywhere: {dr: doctor}\n", 1),
     "conflicts.yaml": ("within_class: []\nbetween: none\n", 2),
+    "priorities.yaml": ("negation: {plain: 5}\naffirmation: {plain: much}\n", 2),
     "behaviors.yaml": ("behaviors: {}\ntimings: {}\nmore: 1\n", 3),
 }
 

@@ -10,6 +10,7 @@ from app.rules.checking import check
 from app.rules.compiling import compiled
 from app.rules.knowledge import Index
 from app.rules.language import read_rules
+from app.rules.omissions import with_annotations
 from app.rules.planning import Plan
 from app.rules.stratification import asserted, feeding, strata
 from app.rules.tree import Atom, Block, Choice, Pattern, PredicateTree, RuleFile, RuleTree
@@ -76,7 +77,7 @@ def load_program(paths: Iterable[Path], *, behaviors: Collection[str] | None = N
     Raises AuthoringError with every mistake of every file, in the order of the files and their lines.
     """
     readings = [read_rules(path) for path in paths]
-    files = tuple(file for file, _ in readings)
+    files = with_annotations([file for file, _ in readings])
     found = [mistake for _, mistakes in readings for mistake in mistakes]
     found += check(files, behaviors)
     if found:

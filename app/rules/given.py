@@ -1,0 +1,46 @@
+"""Functions that the author or an agent gives with a line, beside those the rules derive (paper §3.3).
+
+They take part in the derivation as facts, keep the priority they come with, and win every conflict with derived ones.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from app.errors import InputError
+from app.model import Because, GivenFunction
+from app.rules.chainer import Fact
+from app.rules.priorities import Priorities
+
+GIVEN_PRIORITY = 10.0
+"""Above all that rules derive, so that the movements for it win as well, unless the caller says otherwise."""
+
+GIVEN_RULE = "given"
+GIVEN = Because(fact="given with the line")
+"""What stands where a derived function names its rule, and what it rests on."""
+
+FIELD = "functions"
+
+
+def given_facts(given: Sequence[GivenFunction], priorities: Priorities, *, words: int) -> Mapping[Fact, float]:
+    """The functions as facts with their priorities; of the same function given twice the higher priority counts.
+
+    Raises InputError `functions_class` for a class or subtype that is none, `functions_span` for words that are not
+    among the line's `words`.
+    """
+    facts: dict[Fact, float] = {}
+    for number, function in enumerate(given):
+        _check(number, function, priorities, words)
+        fact = Fact("fcn", (function.class_name, function.subtype, function.first, function.last + 1))
+        priority = GIVEN_PRIORITY if function.priority is None else function.priority
+        facts[fact] = max(priority, facts.get(fact, priority))
+    return facts
+
+
+def _check(number: int, function: GivenFunction, priorities: Priorities, words: int) -> None:
+    where = f"functions[{number}]"
+    reason = priorities.unknown(function.class_name, function.subtype)
+    if reason:
+        raise InputError("functions_class", f"{where}: {reason}", field=FIELD)
+    if not 0 <= function.first <= function.last < words:
+        span = f"first {function.first}, last {function.last}"
+        limits = f"the line's words are 0 to {words - 1}, and first comes before last"
+        raise InputError("functions_span", f"{where}: {span}: {limits}", field=FIELD)

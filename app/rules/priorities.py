@@ -1,0 +1,65 @@
+"""Which functions there are, by class and subtype, and how much each matters before rules raise it (paper §3.3).
+
+`functions/priorities.yaml` is the one table of both: what is not in it is no function, wherever it is named.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import ConfigDict, Field, RootModel
+
+from app.authored import Source
+from app.errors import Mistake
+from app.rules.chainer import Fact
+from app.rules.lexicon import LexicalEntry
+from app.rules.program import Rule
+
+Priority = Annotated[float, Field(gt=0, le=100)]
+
+
+class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
+    """The table: class to subtype to priority; the higher matters more."""
+
+    model_config = ConfigDict(frozen=True)
+
+    @classmethod
+    def load(cls, path: Path) -> "Priorities":
+        """Raises AuthoringError with every mistake in the table."""
+        return Source(path).validated(cls)
+
+    def facts(self) -> Iterator[Fact]:
+        """The table as facts, for the rules that raise."""
+        for class_name, subtypes in self.root.items():
+            for subtype, priority in subtypes.items():
+                yield Fact("base_priority", (class_name, subtype, priority))
+
+    def unknown(self, class_name: str, subtype: str) -> str | None:
+        """Why there is no function of this class and subtype, with what there is; None when there is one."""
+        if class_name not in self.root:
+            return f"no function has the class {class_name}{_meant(class_name, self.root)}"
+        known = self.root[class_name]
+        if subtype not in known:
+            return f"{class_name} has no subtype {subtype}; its subtypes are {', '.join(known)}"
+        return None
+
+    def mistakes_in_rules(self, rules: Iterable[Rule]) -> Iterator[Mistake]:
+        """Rules that assert functions which the table does not know, as far as they name them."""
+        for rule in rules:
+            for mention in rule.asserts:
+                class_name, subtype = mention.arguments[:2] if mention.predicate == "fcn" else ("$", "$")
+                reason = None if "$" in class_name + subtype else self.unknown(class_name, subtype)
+                if reason:
+                    yield Mistake(rule.path, rule.line, 1, f"rule {rule.name}: {reason}; priorities.yaml lists them")
+
+    def mistakes_in_words(self, entries: Iterable[LexicalEntry]) -> Iterator[Mistake]:
+        """Words of a class of functions whose subtype is none of the class's."""
+        for entry in entries:
+            if entry.subtype is not None and entry.subtype not in self.root.get(entry.class_name, {entry.subtype: 0}):
+                yield Mistake(entry.path, entry.line, 1, f"{self.unknown(entry.class_name, entry.subtype)}")
+
+
+def _meant(name: str, known: Iterable[str]) -> str:
+    close = get_close_matches(name, known, n=1)
+    return f"; did you mean {close[0]}?" if close else f"; the classes are {', '.join(known)}"
