@@ -61,8 +61,9 @@ def test_a_root_of_punctuation_hands_over_to_the_first_orphan() -> None:
     assert [(row.head, row.relation) for row in without_punctuation(sentence)] == [(0, "root"), (1, "parataxis")]
 
 
-def test_lower_case_takes_the_lemmas_along(sentences: list[Sentence]) -> None:
-    assert [(row.form, row.lemma) for row in lower_cased(sentences[0])][2] == ("i", "i")
+def test_lower_case_takes_the_lemmas_along_but_for_i(sentences: list[Sentence]) -> None:
+    assert [(row.form, row.lemma) for row in lower_cased(sentences[0])][2:4] == [("i", "I"), ("do", "do")]
+    assert lower_cased((_row("Boston", 0, "root"),))[0].lemma == "boston"
 
 
 def test_documents_hold_the_trees(sentences: list[Sentence]) -> None:

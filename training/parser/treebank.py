@@ -31,8 +31,10 @@ def read_treebank(path: Path) -> list[Sentence]:
 
 
 def lower_cased(sentence: Sentence) -> Sentence:
-    """The sentence in lower case, its lemmas too."""
-    return tuple(replace(row, form=row.form.lower(), lemma=row.lemma.lower()) for row in sentence)
+    """The sentence in lower case, its lemmas too, but for "I", which is the lemma however the pronoun is written."""
+    return tuple(
+        replace(row, form=row.form.lower(), lemma="I" if row.lemma == "I" else row.lemma.lower()) for row in sentence
+    )
 
 
 def without_punctuation(sentence: Sentence) -> Sentence:
