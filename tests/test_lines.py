@@ -10,6 +10,7 @@ import pytest
 from fastapi.testclient import TestClient
 
 from app.api.application import create_app
+from app.cli.main import main
 from app.performance import Line, Options, Understudy, perform, write_bml
 from app.settings import Settings
 from tests.bml_checker import check
@@ -42,6 +43,14 @@ def test_every_line_performs_and_its_bml_passes_the_checker(understudy: Understu
     performance = perform(understudy, _line(path), Options())
     assert check(write_bml(performance)) == []
     assert [behavior for behavior in performance.behaviors if behavior.kept and behavior.function]
+
+
+@pytest.mark.parametrize("path", LINES, ids=lambda path: path.stem)
+def test_every_line_performs_from_the_command_line(understudy: Understudy, path: Path, tmp_path: Path) -> None:
+    target = tmp_path / "out.bml"
+    words = ["--text-file", str(path.with_suffix(".txt"))]
+    assert main(["--quiet", "perform", str(path), *words, "-o", str(target)]) == 0
+    assert target.read_bytes() == write_bml(perform(understudy, _line(path), Options()))
 
 
 @needs_shared
