@@ -6,16 +6,16 @@ first harmonics and subtracts those half way between, so that neither the octave
 Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing detection and pitch estimation based on residual
 harmonics" (Interspeech 2011).
 
-Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. `TUNED` departs from `PUBLISHED` in five things, measured
+Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. `TUNED` departs from `PUBLISHED` in six things, measured
 together by `benchmarks.pitch`:
-- A path of least cost through each frame's five best candidates takes the place of the best candidate of each frame
-  alone: most octave errors vanish.
+- A path of least cost through each frame's ten best candidates takes the place of the best candidate of each frame
+  alone: most octave errors vanish. Faint frames have less of a say in it: other voices are heard in them, or none.
 - By eq. 3 the triple of f0 is as strong as f0 when the harmonics are even, since the valleys of its comb meet none; so
   are the odd multiples beyond. Part of the SRH at f / 3, f / 5 or f / 7, whichever is most, is taken off that at f in
   the search: f0 itself has little there.
 - Not the energy of the whole spectrum is brought to one, but that below 3.5 kHz, counted as if the rest were as
   strong. Wide bands give the same; speech that was recorded at 8 kHz keeps its voicing.
-- Voicing that lasts less than 30 ms, within windows of 100 ms, is taken for chance.
+- Voicing is decided by more than the SRH (`app.acoustic.voicing`).
 - The second pass looks further down than an octave below the speaker's median, where sentences end in creaky voice.
 SRH is evaluated every 2 Hz on amplitudes of that spacing, linear in between; a parabola then finds the peak.
 """
@@ -26,19 +26,28 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
+from app.acoustic.best_path import best_path
+from app.acoustic.voicing import (
+    SRH_ALONE,
+    WEIGHED,
+    WIDEST_BELOW_LOUD_DB,
+    Levels,
+    Voicing,
+    band_levels,
+    measures,
+    periodicity,
+    voiced_frames,
+)
 from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray
 
 LOWEST_F0_HZ = 20
 HIGHEST_F0_HZ = 500
 HARMONICS = 5
 ODD_DIVISORS = (3, 5, 7)
-VOICING_THRESHOLD = 0.07
-"""SRH above which a frame is voiced, as Drugman & Alwan recommend."""
-
 RANGE_THRESHOLD = 0.1
 """SRH above which a frame is trusted when the speaker's range is estimated from the first pass."""
 
-_CANDIDATES_PER_FRAME = 5
+_CANDIDATES_PER_FRAME = 10
 _HOP = round(FRAME_SHIFT_S * SAMPLE_RATE_HZ)
 _WINDOW = round(0.100 * SAMPLE_RATE_HZ)
 _PREDICTION_WINDOW = round(0.025 * SAMPLE_RATE_HZ)
@@ -59,43 +68,54 @@ class Tuning:
     speaker_range: the multiples of the first pass's median between which the second pass searches.
     unit_energy_band_hz: the energy from 0 Hz to here is brought to one.
     octave_cost: SRH that a step of one octave between neighbouring frames costs the path; larger steps cost no more.
+    faintest_weight: how much the path heeds frames 25 dB under the loud, which count 1.
     submultiple_share: the share of the SRH at f / 3, f / 5 or f / 7 that is taken off that at f.
-    shortest_voicing: how many frames in a row are voiced at least.
+    voicing: how it is decided which frames are voiced.
     """
 
     speaker_range: tuple[float, float]
     unit_energy_band_hz: int
     octave_cost: float
+    faintest_weight: float
     submultiple_share: float
-    shortest_voicing: int
+    voicing: Voicing
 
 
 PUBLISHED = Tuning(
     speaker_range=(0.5, 2.0),
     unit_energy_band_hz=SAMPLE_RATE_HZ // 2,
     octave_cost=0.0,
+    faintest_weight=1.0,
     submultiple_share=0.0,
-    shortest_voicing=1,
+    voicing=SRH_ALONE,
 )
 TUNED = Tuning(
     speaker_range=(0.4, 2.0),
     unit_energy_band_hz=3500,
-    octave_cost=0.3,
+    octave_cost=0.15,
+    faintest_weight=0.05,
     submultiple_share=0.35,
-    shortest_voicing=3,
+    voicing=WEIGHED,
 )
 
 
 def track_f0(audio: Audio, tuning: Tuning = TUNED) -> FloatArray:
     """f0 in Hz of each frame, 0 where unvoiced; `1 + len(samples) // 160` frames (paper §3.1.3, eq. 3)."""
+    f0_hz, evidence = pitch_if_voiced(audio, tuning)
+    return np.where(voiced_frames(evidence, tuning.voicing), f0_hz, 0.0)
+
+
+def pitch_if_voiced(audio: Audio, tuning: Tuning = TUNED) -> tuple[FloatArray, FloatArray]:
+    """The best f0 in Hz of every frame, voiced or not, and what speaks for its being voiced (`voicing.measures`)."""
     strengths = _summed_harmonics(_residual(audio.samples), tuning.unit_energy_band_hz)
     merits = strengths - tuning.submultiple_share * _at_submultiples(strengths)
     first, last = _speaker_range(merits, tuning.speaker_range)
-    searched, searched_hz = merits[:, first : last + 1], _CANDIDATES_HZ[first : last + 1]
-    path = first + _smooth_path(searched, searched_hz, tuning.octave_cost)[:, None]
-    f0_hz = _CANDIDATES_HZ[path] + _BIN_HZ * _peak_offsets(merits, path)
-    voiced = np.take_along_axis(strengths, path, axis=1) > VOICING_THRESHOLD
-    return np.where(_lasting(voiced[:, 0], tuning.shortest_voicing), f0_hz[:, 0], 0.0)
+    levels = band_levels(audio.samples)
+    heeded = merits[:, first : last + 1] * _frame_weights(levels, tuning.faintest_weight)[:, None]
+    path = first + _smooth_path(heeded, _CANDIDATES_HZ[first : last + 1], tuning.octave_cost)[:, None]
+    f0_hz = (_CANDIDATES_HZ[path] + _BIN_HZ * _peak_offsets(merits, path))[:, 0]
+    srh = np.take_along_axis(strengths, path, axis=1)[:, 0]
+    return f0_hz, measures(srh, periodicity(audio.samples, f0_hz), levels)
 
 
 def _residual(samples: FloatArray) -> FloatArray:
@@ -193,6 +213,11 @@ def _speaker_range(merits: FloatArray, multiples: tuple[float, float]) -> tuple[
     return int(bounds[0]), min(int(bounds[1]), last)
 
 
+def _frame_weights(levels: Levels, faintest: float) -> FloatArray:
+    """1 where the voice is loud, falling with its level in dB to `faintest`."""
+    return faintest + (1 - faintest) * (1 + levels.below_loud_db / WIDEST_BELOW_LOUD_DB)
+
+
 def _smooth_path(merits: FloatArray, candidates_hz: FloatArray, octave_cost: float) -> NDArray[np.intp]:
     """The candidate (column) of every frame along the path of greatest merit less the cost of its steps (Viterbi)."""
     before, after = _neighbours(merits)
@@ -200,7 +225,7 @@ def _smooth_path(merits: FloatArray, candidates_hz: FloatArray, octave_cost: flo
     columns = np.argpartition(-peaks, _CANDIDATES_PER_FRAME, axis=1)[:, :_CANDIDATES_PER_FRAME]
     octaves = np.log2(candidates_hz[columns])
     steps = octave_cost * np.minimum(np.abs(octaves[1:, :, None] - octaves[:-1, None, :]), 1.0)
-    path = _best_path(np.take_along_axis(peaks, columns, axis=1), steps)
+    path = best_path(np.take_along_axis(peaks, columns, axis=1), steps)
     return np.take_along_axis(columns, path[:, None], axis=1)[:, 0]
 
 
@@ -220,25 +245,3 @@ def _peak_offsets(strengths: FloatArray, columns: NDArray[np.intp]) -> FloatArra
     bent = curvature < 0
     offsets = np.where(bent, (before - after) / np.where(bent, 2 * curvature, 1.0), 0.0)
     return np.clip(offsets, -0.5, 0.5)
-
-
-def _best_path(gains: FloatArray, step_costs: FloatArray) -> NDArray[np.intp]:
-    """Which candidate to take in each frame; `step_costs[t, j, i]` is the cost from i in frame t to j in t + 1."""
-    total = gains[0]
-    origins = np.zeros(gains.shape, dtype=np.intp)
-    for frame in range(1, len(gains)):
-        arrivals = total - step_costs[frame - 1]
-        origins[frame] = arrivals.argmax(axis=1)
-        total = arrivals.max(axis=1) + gains[frame]
-    path = np.empty(len(gains), dtype=np.intp)
-    path[-1] = total.argmax()
-    for frame in range(len(gains) - 1, 0, -1):
-        path[frame - 1] = origins[frame, path[frame]]
-    return path
-
-
-def _lasting(voiced: NDArray[np.bool_], shortest: int) -> NDArray[np.bool_]:
-    """Voicing without the runs of fewer than `shortest` frames."""
-    begins = np.logical_and.reduce(sliding_window_view(np.pad(voiced, shortest - 1), shortest), axis=1)
-    lasting: NDArray[np.bool_] = np.logical_or.reduce(sliding_window_view(begins, shortest), axis=1)
-    return lasting
