@@ -23,7 +23,7 @@ from app.bml.writer import write_bml
 from app.model import Agitation, Audio, Contours, Function, Level, Notice, Performance, Utterance, Word
 from app.resources import resource_folder
 from app.rules.derivation import FunctionRules, derive_functions
-from app.rules.mapping import MappingRules, choose_movements
+from app.rules.mapping import MappingRules, offer_movements
 from app.settings import Settings
 from app.syntax.parser import Parser
 from app.transcript import read_transcript
@@ -128,7 +128,7 @@ class Ears:
         models, lexicon = resource_folder("models"), resource_folder("lexicon")
         return cls(
             settings=settings,
-            aligner=Aligner(models / "pronunciation", lexicon / "en"),
+            aligner=Aligner(models, lexicon / "en"),
             agitation=AgitationModel.load(models / "agitation"),
         )
 
@@ -195,9 +195,9 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
     character = understudy.body.characters.named(options.character)
     analysis = analyze(understudy, line, agitation=options.agitation, progress=progress)
     progress("mapping")
-    movements = choose_movements(understudy.body.rules, analysis.utterance, analysis.functions, seed=options.seed)
+    wishes = offer_movements(understudy.body.rules, analysis.utterance, analysis.functions, seed=options.seed)
     progress("schedule")
-    behaviors = schedule(movements, analysis.utterance, character, seed=options.seed)
+    behaviors = schedule(wishes, analysis.utterance, character, seed=options.seed)
     return Performance(
         utterance=analysis.utterance,
         functions=analysis.functions,

@@ -36,7 +36,7 @@ print(json.dumps({"words": None}), flush=True)
 
 @pytest.fixture(scope="module")
 def aligner() -> Iterator[Aligner]:
-    with Aligner(ROOT / "models" / "pronunciation", ROOT / "lexicon" / "en") as whole:
+    with Aligner(ROOT / "models", ROOT / "lexicon" / "en") as whole:
         whole.warm_up()
         yield whole
 

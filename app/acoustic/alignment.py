@@ -1,8 +1,9 @@
 """Words and phones in time: where in the recording each word of the transcript is spoken.
 
-Forced alignment with pocketsphinx in two passes, words and then their phones, at 125 frames a second, as measured in
-`benchmarks/alignment.py`. Phones are ARPABET without stress digits; their `stress` is None, for the dictionary has
-none. A word for which nothing is spoken ("—") keeps its number and has no interval and no phones.
+Forced alignment with pocketsphinx in two passes, words and then their phones, at 125 frames a second, after which
+`boundaries` moves what is not quite in place; `benchmarks/alignment.py` measures both. Phones are ARPABET without
+stress digits; their `stress` is None, for the dictionary has none. A word for which nothing is spoken ("—") keeps its
+number and has no interval and no phones.
 """
 
 from dataclasses import dataclass, replace
@@ -12,6 +13,7 @@ from typing import Self
 import numpy as np
 from pocketsphinx import get_model_path
 
+from app.acoustic.boundaries import BoundaryModel
 from app.acoustic.decoder_process import DecodedPhone, DecoderProcess
 from app.acoustic.fit import check_fit
 from app.acoustic.normalisation import Normaliser
@@ -42,14 +44,16 @@ class _Spoken:
 class Aligner:
     """Loaded once, shared by threads; the decoder works in a process of its own that the first line starts."""
 
-    def __init__(self, models: Path, lexicon: Path) -> None:
-        """`models` holds `graphones.npz`, `lexicon` holds `abbreviations.yaml`.
+    def __init__(self, models: Path, lexicon: Path, *, refined: bool = True) -> None:
+        """`models` holds `pronunciation/` and `alignment/`, `lexicon` holds `abbreviations.yaml`.
 
-        Raises ServiceError when a model is missing or broken, AuthoringError for the abbreviations.
+        Without `refined` the times are the decoder's own, as the training of what refines them needs. Raises
+        ServiceError when a model is missing or broken, AuthoringError for the abbreviations.
         """
         dictionary = Path(get_model_path()) / "en-us" / "cmudict-en-us.dict"
-        self._pronouncer = Pronouncer.load(dictionary, models / "graphones.npz")
+        self._pronouncer = Pronouncer.load(dictionary, models / "pronunciation" / "graphones.npz")
         self._normaliser = Normaliser.load(lexicon / "abbreviations.yaml", self._pronouncer.dictionary.keys())
+        self._boundaries = BoundaryModel.load(models / "alignment" / "boundaries.npz") if refined else None
         self._process = DecoderProcess()
 
     def __enter__(self) -> Self:
@@ -82,6 +86,7 @@ class Aligner:
             timed, fit_notices = spread(audio, _expected(spoken))
         else:
             timed = _timed(spoken, decoded, audio.duration_s)
+            timed = self._boundaries.refine(audio, timed) if self._boundaries else timed
             fit_notices = check_fit(audio, timed, decoded)
         in_time = {word.index: word for word in timed}
         return tuple(in_time.get(word.index, word) for word in words), notices + fit_notices
