@@ -34,7 +34,7 @@ ONE_MISTAKE = [
     (JOIN + "assert\n @unheard($s)", "unknown predicate unheard"),
     (JOIN + " @max($s, $e)" + END, "unknown predicate max; a function stands in a computation: $x = ..."),
     (JOIN + " @near($s)" + END, "near takes 2 arguments (one, other), not 1"),
-    (JOIN + "assert\n @fcn(x, $s, $e)", "fcn takes 4 arguments (class, start, end, priority), not 3"),
+    (JOIN + "assert\n @fcn(x, $s)", "fcn takes 4 arguments (class, start, end, priority), not 2"),
     (JOIN + " near($s, @$e + 1)" + END, "a pattern computes nothing"),
     (JOIN + " unless near($s, @max($s, $e))" + END, "a pattern computes nothing"),
     (JOIN + " $s < @$end" + END, "$end has no value"),

@@ -1,37 +1,10 @@
 """The function rules we ship, over real parses: each sense found, each of its look-alikes left alone."""
 
-from pathlib import Path
-
 import pytest
 
-from app.model import Utterance
-from app.rules.derivation import FunctionRules, derive_functions
-from app.syntax.parser import Parser
-from tests.utterances import PARSER, needs_parser, utterance, words_of
-
-ROOT = Path(__file__).resolve().parents[1]
-
-
-@pytest.fixture(scope="module")
-def parser() -> Parser:
-    return Parser.load(PARSER)
-
-
-@pytest.fixture(scope="module")
-def rules() -> FunctionRules:
-    return FunctionRules.load(ROOT / "app" / "rules", ROOT / "lexicon" / "en")
-
-
-def found(parser: Parser, rules: FunctionRules, text: str, class_name: str) -> list[tuple[str, str]]:
-    """The subtypes and words of the kept functions of a class."""
-    words = words_of(text)
-    spoken = text.split()
-    return [
-        (function.subtype, " ".join(spoken[function.first : function.last + 1]))
-        for function in derive_functions(rules, Utterance(words, parser.parse(words)))
-        if function.class_name == class_name and function.kept
-    ]
-
+from app.rules.derivation import derive_functions
+from tests.shipped_rules import found, shipped_rules
+from tests.utterances import needs_parser, utterance
 
 AFFIRMATION = [
     ("Okay, that works.", [("plain", "Okay,")]),
@@ -212,33 +185,34 @@ TABLE = {
     [(class_name, text, expected) for class_name, rows in TABLE.items() for text, expected in rows],
 )
 def test_functions_are_found_where_they_are_and_not_where_they_are_not(
-    parser: Parser, rules: FunctionRules, class_name: str, text: str, expected: list[tuple[str, str]]
+    class_name: str, text: str, expected: list[tuple[str, str]]
 ) -> None:
-    assert found(parser, rules, text, class_name) == expected
+    assert found(text, class_name) == expected
 
 
-def test_every_rule_says_its_sense(rules: FunctionRules) -> None:
-    assert [rule.name for rule in rules.program.rules if not rule.comment] == []
+def test_every_rule_says_its_sense() -> None:
+    assert [rule.name for rule in shipped_rules().program.rules if not rule.comment] == []
 
 
-def test_the_rules_speak_of_all_sixteen_classes(rules: FunctionRules) -> None:
+def test_the_rules_speak_of_all_sixteen_classes() -> None:
     asserted = {
         mention.arguments[0]
-        for rule in rules.program.rules
+        for rule in shipped_rules().program.rules
         for mention in rule.asserts
         if mention.predicate == "fcn" and not mention.arguments[0].startswith("$")
     }
     assert {*TABLE, "emphasis"} <= asserted
-    assert len(rules.program.rules) >= 150
+    assert len(shipped_rules().program.rules) >= 150
 
 
-def test_the_same_line_gives_the_same_functions_with_words_alone(rules: FunctionRules) -> None:
+def test_the_same_line_gives_the_same_functions_with_words_alone() -> None:
     spoken = utterance("no no no", "0:no/no/INTJ 1:no/no/INTJ 2:no/no/INTJ")
-    assert derive_functions(rules, spoken) == derive_functions(rules, spoken)
-    assert len(derive_functions(rules, spoken)) == 3
+    assert derive_functions(shipped_rules(), spoken) == derive_functions(shipped_rules(), spoken)
+    assert len(derive_functions(shipped_rules(), spoken)) == 3
 
 
-def test_a_line_of_nothing_but_numbers_stays_within_the_limits_of_the_chainer(rules: FunctionRules) -> None:
+def test_a_line_of_nothing_but_numbers_stays_within_the_limits_of_the_chainer() -> None:
     spoken = utterance("two " * 600, " ".join(f"{index}:two/two/NUM" for index in range(600)))
-    kept = [found for found in derive_functions(rules, spoken) if found.kept and found.class_name == "quantification"]
+    functions = derive_functions(shipped_rules(), spoken)
+    kept = [found for found in functions if found.kept and found.class_name == "quantification"]
     assert {word for found in kept for word in range(found.first, found.last + 1)} == set(range(600))
