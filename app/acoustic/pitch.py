@@ -6,8 +6,8 @@ first harmonics and subtracts those half way between, so that neither the octave
 Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing detection and pitch estimation based on residual
 harmonics" (Interspeech 2011).
 
-Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. `TUNED` departs from `PUBLISHED` in six things, measured
-together by `benchmarks.pitch`:
+Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. `TUNED` departs from `PUBLISHED` in seven things,
+measured together by `benchmarks.pitch`:
 - A path of least cost through each frame's ten best candidates takes the place of the best candidate of each frame
   alone: most octave errors vanish. Faint frames have less of a say in it: other voices are heard in them, or none.
 - By eq. 3 the triple of f0 is as strong as f0 when the harmonics are even, since the valleys of its comb meet none; so
@@ -15,6 +15,7 @@ together by `benchmarks.pitch`:
   the search: f0 itself has little there.
 - Not the energy of the whole spectrum is brought to one, but that below 3.5 kHz, counted as if the rest were as
   strong. Wide bands give the same; speech that was recorded at 8 kHz keeps its voicing.
+- Where the voice moves fast, the window of 100 ms blurs; the period is sought again nearby in one of 40 ms.
 - Voicing is decided by more than the SRH (`app.acoustic.voicing`).
 - The second pass looks further down than an octave below the speaker's median, where sentences end in creaky voice.
 SRH is evaluated every 2 Hz on amplitudes of that spacing, linear in between; a parabola then finds the peak.
@@ -27,17 +28,9 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from app.acoustic.best_path import best_path
-from app.acoustic.voicing import (
-    SRH_ALONE,
-    WEIGHED,
-    WIDEST_BELOW_LOUD_DB,
-    Levels,
-    Voicing,
-    band_levels,
-    measures,
-    periodicity,
-    voiced_frames,
-)
+from app.acoustic.peaks import neighbours, peak_offsets
+from app.acoustic.periodicity import WIDEST_BELOW_LOUD_DB, Levels, band_levels, periods_nearby
+from app.acoustic.voicing import SRH_ALONE, WEIGHED, Voicing, measures, voiced_frames
 from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray
 
 LOWEST_F0_HZ = 20
@@ -70,6 +63,7 @@ class Tuning:
     octave_cost: SRH that a step of one octave between neighbouring frames costs the path; larger steps cost no more.
     faintest_weight: how much the path heeds frames 25 dB under the loud, which count 1.
     submultiple_share: the share of the SRH at f / 3, f / 5 or f / 7 that is taken off that at f.
+    mends: whether the f0 so found is moved to the best period nearby (`app.acoustic.periodicity`).
     voicing: how it is decided which frames are voiced.
     """
 
@@ -78,6 +72,7 @@ class Tuning:
     octave_cost: float
     faintest_weight: float
     submultiple_share: float
+    mends: bool
     voicing: Voicing
 
 
@@ -87,6 +82,7 @@ PUBLISHED = Tuning(
     octave_cost=0.0,
     faintest_weight=1.0,
     submultiple_share=0.0,
+    mends=False,
     voicing=SRH_ALONE,
 )
 TUNED = Tuning(
@@ -95,6 +91,7 @@ TUNED = Tuning(
     octave_cost=0.15,
     faintest_weight=0.05,
     submultiple_share=0.35,
+    mends=True,
     voicing=WEIGHED,
 )
 
@@ -113,9 +110,10 @@ def pitch_if_voiced(audio: Audio, tuning: Tuning = TUNED) -> tuple[FloatArray, F
     levels = band_levels(audio.samples)
     heeded = merits[:, first : last + 1] * _frame_weights(levels, tuning.faintest_weight)[:, None]
     path = first + _smooth_path(heeded, _CANDIDATES_HZ[first : last + 1], tuning.octave_cost)[:, None]
-    f0_hz = (_CANDIDATES_HZ[path] + _BIN_HZ * _peak_offsets(merits, path))[:, 0]
+    f0_hz = (_CANDIDATES_HZ[path] + _BIN_HZ * peak_offsets(merits, path))[:, 0]
     srh = np.take_along_axis(strengths, path, axis=1)[:, 0]
-    return f0_hz, measures(srh, periodicity(audio.samples, f0_hz), levels)
+    mended_hz, correlation = periods_nearby(audio.samples, f0_hz)
+    return mended_hz if tuning.mends else f0_hz, measures(srh, correlation, levels)
 
 
 def _residual(samples: FloatArray) -> FloatArray:
@@ -220,28 +218,10 @@ def _frame_weights(levels: Levels, faintest: float) -> FloatArray:
 
 def _smooth_path(merits: FloatArray, candidates_hz: FloatArray, octave_cost: float) -> NDArray[np.intp]:
     """The candidate (column) of every frame along the path of greatest merit less the cost of its steps (Viterbi)."""
-    before, after = _neighbours(merits)
+    before, after = neighbours(merits)
     peaks = np.where((merits >= before) & (merits >= after), merits, -1.0)
     columns = np.argpartition(-peaks, _CANDIDATES_PER_FRAME, axis=1)[:, :_CANDIDATES_PER_FRAME]
     octaves = np.log2(candidates_hz[columns])
     steps = octave_cost * np.minimum(np.abs(octaves[1:, :, None] - octaves[:-1, None, :]), 1.0)
     path = best_path(np.take_along_axis(peaks, columns, axis=1), steps)
     return np.take_along_axis(columns, path[:, None], axis=1)[:, 0]
-
-
-def _neighbours(strengths: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The values one column before and one after, an edge being its own neighbour."""
-    padded = np.pad(strengths, ((0, 0), (1, 1)), mode="edge")
-    return padded[:, :-2], padded[:, 2:]
-
-
-def _peak_offsets(strengths: FloatArray, columns: NDArray[np.intp]) -> FloatArray:
-    """How far beside its column, in columns (−½ to ½), the parabola through a peak and its neighbours is highest."""
-    before, at, after = (
-        np.take_along_axis(values, columns, axis=1)
-        for values in (_neighbours(strengths)[0], strengths, _neighbours(strengths)[1])
-    )
-    curvature = before - 2 * at + after
-    bent = curvature < 0
-    offsets = np.where(bent, (before - after) / np.where(bent, 2 * curvature, 1.0), 0.0)
-    return np.clip(offsets, -0.5, 0.5)
