@@ -16,7 +16,7 @@ def tone(frequency_hz: float, duration_s: float = 0.5, amplitude: float = 0.5) -
 @pytest.mark.parametrize("off", [0.85, 0.95, 1.0, 1.1, 1.2])
 @pytest.mark.parametrize("f0_hz", [90.0, 131.3, 240.0, 395.0])
 def test_a_pitch_that_is_nearly_right_is_mended(f0_hz: float, off: float) -> None:
-    samples = tone(f0_hz) + tone(2 * f0_hz)
+    samples = sum((tone(k * f0_hz) for k in range(1, 6)), start=np.zeros(8_000))
     frames = 1 + len(samples) // 160
     nearby_hz, correlation = periods_nearby(samples, np.full(frames, off * f0_hz))
     np.testing.assert_allclose(nearby_hz[4:-4], f0_hz, rtol=0.015)
@@ -26,7 +26,7 @@ def test_a_pitch_that_is_nearly_right_is_mended(f0_hz: float, off: float) -> Non
 def test_a_pitch_too_deep_for_the_window_is_left_alone() -> None:
     samples = tone(70.0)
     given_hz = np.full(1 + len(samples) // 160, 64.0)
-    np.testing.assert_array_equal(periods_nearby(samples, given_hz)[0], given_hz)
+    np.testing.assert_allclose(periods_nearby(samples, given_hz)[0], given_hz, rtol=1e-9)
 
 
 def test_noise_does_not_repeat_itself() -> None:

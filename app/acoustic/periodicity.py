@@ -45,7 +45,6 @@ _BLOCK = 256
 _HANN = np.hanning(_WINDOW + 1)[:-1]
 _WINDOW_CORRELATION = np.fft.irfft(np.abs(np.fft.rfft(_HANN, _FFT)) ** 2, _FFT)[: _LONGEST_LAG + 2]
 _LEAST_ENERGY = 1e-10
-_FORBIDDING = 1e3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,8 +93,8 @@ def _band_power(windows: FloatArray) -> FloatArray:
 def _mended(windows: FloatArray, f0_hz: FloatArray) -> FloatArray:
     """The f0 near that of each window and the correlation there (2 × windows)."""
     correlations = _correlations(windows, SAMPLE_RATE_HZ / f0_hz[:, None] * np.exp2(-_STEPS))
-    penalties = np.where(f0_hz < PERIODS_IN_WINDOW / WINDOW_S, _FORBIDDING, OCTAVE_PENALTY)[:, None]
-    merits = correlations - penalties * np.abs(_STEPS)
+    mendable = f0_hz >= PERIODS_IN_WINDOW / WINDOW_S
+    merits = np.where(mendable[:, None], correlations, 0.0) - OCTAVE_PENALTY * np.abs(_STEPS)
     best = np.argmax(merits, axis=1)[:, None]
     steps = _STEPS[best] + _STEP_OCTAVES * peak_offsets(merits, best)
     return np.stack([f0_hz * np.exp2(steps[:, 0]), np.take_along_axis(correlations, best, axis=1)[:, 0]])
