@@ -8,6 +8,7 @@ functions there are, and with what priority each begins, is in `functions/priori
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import TypeVar
 
 from app.authored import Source
@@ -75,6 +76,24 @@ def derive_functions(
     `given` are functions that the caller knows already. Raises InputError for one that is none, or of no words.
     """
     from_outside = given_facts(given, rules.priorities, words=len(utterance.words))
+    derivation = derive_facts(rules, utterance, emphasis_ratio=emphasis_ratio, from_outside=from_outside)
+    found = sorted(
+        (_function(derivation, fact, from_outside) for fact in derivation.facts if fact.predicate == "fcn"),
+        key=lambda function: (function.first, function.last, function.class_name, function.subtype),
+    )
+    named = [replace(function, id=f"f{number}") for number, function in enumerate(found, start=1)]
+    return resolved(named, rules.conflicts)
+
+
+def derive_facts(
+    rules: FunctionRules,
+    utterance: Utterance,
+    *,
+    emphasis_ratio: float = EMPHASIS_RATIO,
+    from_outside: Mapping[Fact, float] = MappingProxyType({}),
+) -> Derivation:
+    """All that the rules derive from an utterance, functions being the facts `fcn`; `from_outside` are functions known
+    already, with their priorities."""
     facts = (
         *utterance_facts(utterance),
         *_lexical_facts(rules.lexicon, utterance),
@@ -83,13 +102,7 @@ def derive_functions(
         Fact("emphasis_threshold", (emphasis_ratio,)),
         *from_outside,
     )
-    derivation = derive(rules.program, facts, annotations=from_outside)
-    found = sorted(
-        (_function(derivation, fact, from_outside) for fact in derivation.facts if fact.predicate == "fcn"),
-        key=lambda function: (function.first, function.last, function.class_name, function.subtype),
-    )
-    named = [replace(function, id=f"f{number}") for number, function in enumerate(found, start=1)]
-    return resolved(named, rules.conflicts)
+    return derive(rules.program, facts, annotations=from_outside)
 
 
 def _lexical_facts(lexicon: Lexicon, utterance: Utterance) -> Iterator[Fact]:

@@ -110,12 +110,13 @@ class LexicalEntry:
 
 @dataclass(frozen=True, slots=True)
 class LexicalMatch:
-    """Words `first` to `last`, both included, are an entry of the lexicon."""
+    """Words `first` to `last`, both included, are `entry` of the lexicon."""
 
     class_name: str
     subtype: str
     first: int
     last: int
+    entry: LexicalEntry
 
 
 @dataclass(slots=True)
@@ -168,7 +169,7 @@ class Lexicon:
         spellings = _spellings(utterance)
         found = [match for start in range(len(spellings)) for match in _found_from(self.root, spellings, start)]
         return tuple(
-            LexicalMatch(match.entry.class_name, match.entry.subtype, match.words[0], match.words[-1])
+            LexicalMatch(match.entry.class_name, match.entry.subtype, match.words[0], match.words[-1], match.entry)
             for match in _longest(found)
             if match.entry.subtype is not None
         )

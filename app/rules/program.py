@@ -27,7 +27,7 @@ class Mention:
 @dataclass(frozen=True, slots=True)
 class Rule:
     """A rule as its author sees it. `kind` is "assert" or "choose", `comment` the comment lines directly above it,
-    `line` that of the rule's name, `calls` the behaviours a choose-rule names, each once."""
+    `line` that of the rule's name, `calls` the behaviours a choose-rule names, each once, `tree` all that it says."""
 
     name: str
     kind: str
@@ -38,6 +38,7 @@ class Rule:
     joins: tuple[Mention, ...]
     asserts: tuple[Mention, ...]
     calls: tuple[str, ...]
+    tree: RuleTree
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,6 +148,7 @@ def _rule(file: RuleFile, block: Block, tree: RuleTree) -> Rule:
         joins=tuple(map(_mention, joins)),
         asserts=tuple(map(_mention, asserted(tree))),
         calls=tuple(dict.fromkeys(calls)),
+        tree=tree,
     )
 
 
