@@ -234,9 +234,9 @@ class GivenFunction:
 
 @dataclass(frozen=True, slots=True)
 class Movement:
-    """A behaviour class chosen to show a function (paper §3.4), before clock and neighbours are asked.
+    """A behaviour class that could show a function (paper §3.4), before clock and neighbours are asked.
 
-    `name` is an entry of the behaviour table; `alternative` tells which movements were chosen together.
+    `name` is an entry of the behaviour table.
     """
 
     name: str
@@ -245,7 +245,27 @@ class Movement:
     priority: float
     rule: str
     function: str | None
-    alternative: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Alternative:
+    """Movements that show a function together, or any part of them (paper §3.4).
+
+    `weight` is how often a rule wants them, `lot` the luck they drew (exponential, mean 1). Where nothing else speaks
+    for one of several alternatives the smallest `lot / weight` wins, which takes each in proportion to its weight.
+    """
+
+    movements: tuple[Movement, ...]
+    weight: float
+    lot: float
+
+
+@dataclass(frozen=True, slots=True)
+class Wish:
+    """A function that wants to be shown, and all that could show it; at least one alternative."""
+
+    function: Function
+    alternatives: tuple[Alternative, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -300,6 +320,17 @@ class Behavior:
 
 
 @dataclass(frozen=True, slots=True)
+class Viseme:
+    """A shape of the mouth, one of fifteen (shared/motion.md). `articulation` says how much of the shape is reached,
+    `opening` how wide the jaw is open, both in [0, 1]."""
+
+    label: str
+    interval: Interval
+    articulation: float
+    opening: float
+
+
+@dataclass(frozen=True, slots=True)
 class Performance:
     """The whole performance of a line: what was heard and understood, what the body does with it, and every reason."""
 
@@ -309,3 +340,4 @@ class Performance:
     character: str
     seed: int
     notices: tuple[Notice, ...] = ()
+    visemes: tuple[Viseme, ...] = ()

@@ -23,7 +23,7 @@ from app.bml.writer import write_bml
 from app.model import Agitation, Behavior, Channel, Function, Hand, Interval, Performance, Phone, Utterance, Word
 from app.resources import resource_folder
 from app.rules.derivation import FunctionRules, derive_functions
-from app.rules.mapping import MappingRules, choose_movements
+from app.rules.mapping import MappingRules, offer_movements
 from app.syntax.parser import Parser
 from app.transcript import read_transcript
 from tests.bml_checker import check
@@ -85,9 +85,9 @@ def outcome(stages: Stages, text: str, seed: int) -> Outcome:
     utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)
     functions = derive_functions(stages.functions, utterance)
     clock = [time.perf_counter()]
-    movements = choose_movements(stages.mapping, utterance, functions, seed=seed)
+    wishes = offer_movements(stages.mapping, utterance, functions, seed=seed)
     clock.append(time.perf_counter())
-    behaviors = schedule(movements, utterance, stages.character, seed=seed)
+    behaviors = schedule(wishes, utterance, stages.character, seed=seed)
     clock.append(time.perf_counter())
     bml = write_bml(Performance(utterance, functions, behaviors, stages.character.name, seed))
     clock.append(time.perf_counter())

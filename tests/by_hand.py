@@ -1,9 +1,11 @@
 """Words, utterances, functions and movements made by hand, for tests that need no audio, parser or models."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from app.model import (
     Agitation,
+    Alternative,
     Function,
     Interval,
     Level,
@@ -12,6 +14,7 @@ from app.model import (
     Phone,
     Phrase,
     Utterance,
+    Wish,
     Word,
 )
 
@@ -45,6 +48,13 @@ def function(class_name: str, subtype: str, first: int, last: int, priority: flo
 
 def movement(name: str, first: int, last: int | None = None, priority: float = 3.0) -> Movement:
     return Movement(name, first, first if last is None else last, priority, "by_hand", f"function{first}")
+
+
+def wish(*movements: Movement, weight: float = 1.0, lot: float = 1.0) -> Wish:
+    """A wish with one alternative, the movements together, as a function of the first movement's words has it."""
+    first = movements[0]
+    named = function("by_hand", "plain", first.first, first.last, first.priority)
+    return Wish(replace(named, id=first.function or ""), (Alternative(movements, weight, lot),))
 
 
 def figure_8() -> tuple[Function, ...]:

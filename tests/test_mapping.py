@@ -4,8 +4,8 @@ import pytest
 
 from app.bml.characters import Characters
 from app.errors import AuthoringError
-from app.model import Function, Level, Movement
-from app.rules.mapping import MappingRules, choose_movements
+from app.model import Function, Level, Movement, Wish
+from app.rules.mapping import MappingRules, offer_movements
 from app.rules.program import load_program
 from tests.by_hand import FIGURE_8, figure_8, function, spoken, utterance
 
@@ -27,7 +27,7 @@ TABLE_2 = {
     "intensifier": {"brow_frown", "half_nod"},
 }
 
-# Every class of shared/functions.md with its subtypes; `plain` where a subtype may be unknown.
+# Every class of shared/functions.md and docs/functions.md with its subtypes; `plain` where a subtype may be unknown.
 SUBTYPES = {
     "affirmation": "plain",
     "negation": "plain",
@@ -47,6 +47,24 @@ SUBTYPES = {
     "valence": "positive negative plain",
     "initial_noun_phrase": "plain",
     "initial_verb_phrase": "plain",
+    "greeting": "plain",
+    "parting": "plain",
+    "thanks": "plain",
+    "apology": "plain",
+    "politeness": "plain",
+    "quoting": "introduction words",
+    "enumeration": "first next last",
+    "topic_shift": "new return",
+    "parenthesis": "plain",
+    "hedging": "plain",
+    "inclusion": "everyone together joining",
+    "obligation": "self addressee inclusive other",
+    "locus": "left right",
+    "time": "past present future approaching passing",
+    "idea": "size weight distance hold give aside weigh apart",
+    "height": "more less",
+    "container": "in into out full empty",
+    "path": "forward back aside obstacle along arrival",
 }
 EVERY_FUNCTION = [(name, subtype) for name, subtypes in SUBTYPES.items() for subtype in subtypes.split()]
 
@@ -56,20 +74,43 @@ def rules() -> MappingRules:
     return MappingRules.load(RULES, CHARACTERS.behavior_names)
 
 
+def offered(
+    rules: MappingRules, functions: tuple[Function, ...], level: Level | None = Level.MEDIUM, *, seed: int = 0
+) -> tuple[Wish, ...]:
+    return offer_movements(rules, utterance(spoken(FIGURE_8), level), functions, seed=seed)
+
+
+def luckiest(wishes: tuple[Wish, ...]) -> tuple[Movement, ...]:
+    """What is drawn where nothing but luck decides."""
+    lucky = (min(wish.alternatives, key=lambda each: each.lot / each.weight) for wish in wishes)
+    return tuple(movement for alternative in lucky for movement in alternative.movements)
+
+
 def chosen(
     rules: MappingRules, functions: tuple[Function, ...], level: Level | None = Level.MEDIUM, *, seed: int = 0
 ) -> tuple[Movement, ...]:
-    return choose_movements(rules, utterance(spoken(FIGURE_8), level), functions, seed=seed)
+    return luckiest(offered(rules, functions, level, seed=seed))
 
 
 def ever_chosen(rules: MappingRules, functions: tuple[Function, ...], level: Level) -> set[str]:
     return {movement.name for seed in range(120) for movement in chosen(rules, functions, level, seed=seed)}
 
 
-def test_there_are_thirty_rules_with_alternatives_among_them(rules: MappingRules) -> None:
+def test_there_are_130_rules_most_with_alternatives(rules: MappingRules) -> None:
     choosing = [rule for rule in rules.program.rules if rule.kind == "choose"]
-    assert len(choosing) >= 30
-    assert len([rule for rule in choosing if len(rule.calls) > 1]) >= 30
+    assert len(choosing) >= 130
+    assert len([rule for rule in choosing if len(rule.calls) > 1]) >= 120
+
+
+@pytest.mark.parametrize("level", Level)
+@pytest.mark.parametrize(("class_name", "subtype"), EVERY_FUNCTION)
+def test_every_function_has_alternatives_on_two_channels(
+    rules: MappingRules, class_name: str, subtype: str, level: Level
+) -> None:
+    (wish,) = offered(rules, (function(class_name, subtype, 2, 3),), level)
+    entries = CHARACTERS.named("default").entries
+    channels = {entries[each.name].channel for alternative in wish.alternatives for each in alternative.movements}
+    assert len(channels) >= 2
 
 
 @pytest.mark.parametrize("class_name", TABLE_2)
@@ -107,22 +148,23 @@ def test_every_subtype_that_function_rules_derive_is_mapped(rules: MappingRules)
 
 
 def test_figure_8(rules: MappingRules) -> None:
-    movements = chosen(rules, figure_8(), Level.HIGH)
-    shown = {(movement.function, movement.name) for movement in movements}
+    wishes = offered(rules, figure_8(), Level.HIGH)
+    ideal = {
+        wish.function.id: {frozenset(each.name for each in alternative.movements) for alternative in wish.alternatives}
+        for wish in wishes
+    }
     for word in (0, 3, 5):
-        assert shown & {(f"deixis{word}", "gesture_me"), (f"deixis{word}", "gesture_me_both")}
-    assert ("negation2", "shake") in shown
-    assert shown & {("negation2", "gesture_negation"), ("negation2", "gesture_negation_both")}
-    assert {movement.function for movement in movements} == {each.id for each in figure_8()}
+        assert frozenset({"gesture_me"}) in ideal[f"deixis{word}"]
+    assert frozenset({"shake", "gesture_negation"}) in ideal["negation2"]
+    assert ideal.keys() == {each.id for each in figure_8()}
 
 
-def test_what_is_chosen_together_shares_its_number(rules: MappingRules) -> None:
-    movements = chosen(rules, figure_8(), Level.HIGH)
-    by_function: dict[str | None, set[int]] = {}
-    for movement in movements:
-        by_function.setdefault(movement.function, set()).add(movement.alternative)
-    assert all(len(numbers) == 1 for numbers in by_function.values())
-    assert len(set.union(*by_function.values())) == len(by_function)
+def test_luck_follows_the_weights(rules: MappingRules) -> None:
+    start = (function("process", "start", 4, 4),)
+    (wish,) = offered(rules, start)
+    share = 3 / sum(alternative.weight for alternative in wish.alternatives)
+    names = [chosen(rules, start, seed=seed)[0].name for seed in range(600)]
+    assert names.count("gesture_start") / 600 == pytest.approx(share, abs=0.06)
 
 
 def test_low_agitation_moves_the_head_from_side_to_side(rules: MappingRules) -> None:
@@ -136,7 +178,7 @@ def test_high_agitation_beats_rather_than_raises_a_brow(rules: MappingRules) -> 
     emphasis = (function("emphasis", "plain", 1, 1),)
     low, high = ever_chosen(rules, emphasis, Level.LOW), ever_chosen(rules, emphasis, Level.HIGH)
     assert {"beat_gesture", "beat_both"} <= high - low
-    assert "small_brow_raise" in low - high
+    assert "small_brow_raise" in low
 
 
 def test_without_a_voice_the_agitation_counts_as_medium(rules: MappingRules) -> None:
@@ -164,9 +206,9 @@ def test_the_order_of_the_functions_does_not_matter(rules: MappingRules) -> None
 def test_the_same_function_draws_differently_in_other_lines(rules: MappingRules) -> None:
     emphasis = (function("emphasis", "plain", 1, 1),)
     lines = [utterance(spoken(f"Say {number} again.")) for number in range(20)]
-    draws = [choose_movements(rules, line, emphasis, seed=0) for line in lines]
+    draws = [luckiest(offer_movements(rules, line, emphasis, seed=0)) for line in lines]
     assert len({tuple(each.name for each in draw) for draw in draws}) > 1
-    assert draws == [choose_movements(rules, line, emphasis, seed=0) for line in lines]
+    assert draws == [luckiest(offer_movements(rules, line, emphasis, seed=0)) for line in lines]
 
 
 def test_another_function_does_not_change_the_draw(rules: MappingRules) -> None:
@@ -179,13 +221,6 @@ def test_another_function_does_not_change_the_draw(rules: MappingRules) -> None:
 def test_functions_that_lost_are_not_shown(rules: MappingRules) -> None:
     lost = Function("f1", "negation", "plain", 2, 2, 5, "by_hand", kept=False, lost_to="f2")
     assert chosen(rules, (lost,)) == ()
-
-
-def test_a_movement_is_not_repeated_soon_where_there_is_another(rules: MappingRules) -> None:
-    for seed in range(20):
-        movements = chosen(rules, tuple(function("valence", "negative", word, word) for word in (1, 4)), seed=seed)
-        first, second = ({each.name for each in movements if each.first == word} for word in (1, 4))
-        assert not first & second
 
 
 @pytest.mark.parametrize(

@@ -39,6 +39,7 @@ class Character:
     description: str
     handedness: Hand
     gestures_per_minute: float
+    strokes_per_unit: int
     entries: Mapping[str, BehaviorEntry]
 
 
@@ -79,6 +80,7 @@ class _CharacterFile(Entry):
     description: str = Field(min_length=1)
     handedness: Literal["left", "right"]
     gestures_per_minute: float = Field(ge=0, le=60)
+    strokes_per_unit: int = Field(default=3, ge=1, le=20)
     behaviors: dict[str, BehaviorChange] = Field(default_factory=dict)
 
 
@@ -109,6 +111,7 @@ class _Sheet:
             description=self.file.description,
             handedness=Hand(self.file.handedness),
             gestures_per_minute=self.file.gestures_per_minute,
+            strokes_per_unit=self.file.strokes_per_unit,
             entries=MappingProxyType(entries),
         )
 
