@@ -63,3 +63,11 @@ class AuthoringError(UnderstudyError):
     def __init__(self, mistakes: tuple[Mistake, ...]) -> None:
         super().__init__("authoring", "\n".join(str(mistake) for mistake in mistakes))
         self.mistakes = mistakes
+
+
+class WrongBmlError(InputError):
+    """A BML file that realizers would refuse: `mistakes` has every one, the message the first few."""
+
+    def __init__(self, code: str, message: str, *, mistakes: tuple[Mistake, ...] = ()) -> None:
+        super().__init__(code, message, field="bml")
+        self.mistakes = mistakes
