@@ -64,6 +64,7 @@ class WordAnswer(Answer):
     start_s: Number | None = Field(default=None, validation_alias=AliasPath("interval", "start_s"))
     end_s: Number | None = Field(default=None, validation_alias=AliasPath("interval", "end_s"))
     stressed_ratio: Number | None = None
+    prominence: Number | None = None
     phones: list[PhoneAnswer]
 
 

@@ -94,13 +94,17 @@ class Phone:
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A word of the transcript; without audio it has no interval, no phones and no stressed ratio."""
+    """A word of the transcript; without audio it has no interval, no phones, no stressed ratio and no prominence.
+
+    Both tell how it stands out, in [0, 1]: the ratio is the paper's (§3.1.5), prominence is ours; it needs phones.
+    """
 
     index: int
     text: str
     interval: Interval | None = None
     phones: tuple[Phone, ...] = ()
     stressed_ratio: float | None = None
+    prominence: float | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -14,6 +14,7 @@ from app.acoustic.agitation import AgitationModel
 from app.acoustic.alignment import Aligner
 from app.acoustic.decoding import AudioLimits, decode
 from app.acoustic.pitch import track_f0
+from app.acoustic.prominence import prominence
 from app.acoustic.spectrum import energy_db, mfcc
 from app.acoustic.stress import stress
 from app.acoustic.timings import read_timings, to_ctm, to_textgrid
@@ -218,7 +219,7 @@ def analyze(
     progress("align")
     words, notices = _timed(ears, heard.audio, transcript, line.timings)
     progress("stress")
-    words, thresholds = stress(words, heard.contours)
+    words, thresholds = stress(prominence(words, heard.contours.f0_hz), heard.contours)
     progress("parse")
     utterance = Utterance(
         words=words,

@@ -118,6 +118,8 @@ def _heard_facts(utterance: Utterance) -> Iterator[Fact]:
     for word in utterance.words:
         if word.stressed_ratio is not None:
             yield Fact("stressed_ratio", (word.stressed_ratio, word.index, word.index + 1))
+        if word.prominence is not None:
+            yield Fact("prominence", (round(word.prominence, 3), word.index, word.index + 1))
         if word.interval is None:
             continue
         if before_s is not None and word.interval.start_s - before_s >= SHORTEST_PAUSE_S:
