@@ -88,6 +88,12 @@ def load_characters() -> Characters:
     return Characters.load(resource_folder("lexicon"))
 
 
+def shown_path(path: Path) -> str:
+    """The path as it is told to authors."""
+    root = RULES.parents[1]
+    return str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
+
+
 def _rule_item(kind: Kind, rule: Rule, mentions: Sequence[Mention]) -> Item:
     """A rule, by the first function it asserts or maps."""
     function = next((mention for mention in mentions if mention.predicate == "fcn"), None)
@@ -96,7 +102,7 @@ def _rule_item(kind: Kind, rule: Rule, mentions: Sequence[Mention]) -> Item:
         name=rule.name,
         class_name=function.arguments[0] if function else None,
         subtype=function.arguments[1] if function else None,
-        file=_shown(rule.path),
+        file=shown_path(rule.path),
         line=rule.line,
         comment=rule.comment,
         source=rule.source,
@@ -108,7 +114,7 @@ def _table_items(path: Path, names: Collection[str]) -> Iterator[Item]:
     for name in sorted(names):
         line = source.mistake(("behaviors", name), "").line
         text = source.lines[line - 1].strip()
-        yield Item(Kind.BML, name, None, None, _shown(path), line, "", text)
+        yield Item(Kind.BML, name, None, None, shown_path(path), line, "", text)
 
 
 def _word_item(entry: LexicalEntry, subtype: str) -> Item:
@@ -122,13 +128,8 @@ def _word_item(entry: LexicalEntry, subtype: str) -> Item:
         name=entry.phrase,
         class_name=entry.class_name,
         subtype=subtype,
-        file=_shown(entry.path),
+        file=shown_path(entry.path),
         line=entry.line,
         comment="",
         source="\n".join([*said, *example]),
     )
-
-
-def _shown(path: Path) -> str:
-    root = RULES.parents[1]
-    return str(path.relative_to(root)) if path.is_relative_to(root) else str(path)

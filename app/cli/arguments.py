@@ -106,6 +106,11 @@ def _add_rules(add: Adding) -> None:
     listing.add_argument("--json", action="store_true", help="as JSON")
     explain = _add(actions.add_parser, "explain", "what one of them does")
     explain.add_argument("name", metavar="NAME", help="a rule, a behaviour, a word or a phrase")
+    trace = _add(actions.add_parser, "trace", "which rules a text makes fire, and which nearly, for want of what")
+    trace.add_argument("--text", required=True, help="the words")
+    trace.add_argument("--rule", metavar="NAME", help="only this rule: where it fires, or comes nearest")
+    unused = _add(actions.add_parser, "unused", "rules and words that no line of a corpus uses")
+    unused.add_argument("corpus", metavar="CORPUS", help='a file with an utterance a line, or {"id", "text"} a line')
 
 
 def _add_characters(add: Adding) -> None:

@@ -1,17 +1,24 @@
-"""`understudy rules`: check, list and explain what authors edit."""
+"""`understudy rules`: check, list, explain and trace what authors edit."""
 
 import argparse
+from collections.abc import Iterable
 from pathlib import Path
 
 from app.answers import RulesAnswer
+from app.authoring import find_unused, trace, trace_one
 from app.catalogue import Catalogue, Item
+from app.cli.corpus import read_corpus
 from app.cli.files import write_standard
 from app.cli.log import Log
+from app.cli.traces import trace_lines, unused_lines
+from app.performance import Body, Mind
 from app.proofreading import check_files, check_files_in_use
+from app.settings import read_settings
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
-    {"check": _check, "list": _list, "explain": _explain}[arguments.action](arguments, log)
+    actions = {"check": _check, "list": _list, "explain": _explain, "trace": _trace, "unused": _unused}
+    actions[arguments.action](arguments, log)
     return 0
 
 
@@ -36,6 +43,25 @@ def _list(arguments: argparse.Namespace, _log: Log) -> None:
 def _explain(arguments: argparse.Namespace, _log: Log) -> None:
     items = Catalogue.load().named(arguments.name)
     write_standard("\n".join(_explanation(item) for item in items).encode())
+
+
+def _trace(arguments: argparse.Namespace, _log: Log) -> None:
+    mind, body = Mind.load(read_settings()), Body.load()
+    if arguments.rule is None:
+        found = trace(mind, body, arguments.text)
+    else:
+        found = trace_one(mind, body, arguments.text, rule=arguments.rule)
+    _print(trace_lines(found))
+
+
+def _unused(arguments: argparse.Namespace, _log: Log) -> None:
+    settings = read_settings()
+    texts = read_corpus(arguments.corpus, max_characters=settings.max_text_characters)
+    _print(unused_lines(find_unused(Mind.load(settings), Body.load(), texts)))
+
+
+def _print(lines: Iterable[str]) -> None:
+    write_standard("".join(f"{line}\n" for line in lines).encode())
 
 
 def _headline(item: Item) -> str:

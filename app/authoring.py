@@ -1,0 +1,102 @@
+"""What an author asks of rules and words at work: why a line came out so, and what no line of a corpus ever uses.
+
+Nothing is heard here, so what asks for stress, pauses or agitation finds nothing (agitation counts as medium).
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from app.errors import InputError
+from app.model import Function, Level, Utterance
+from app.performance import Body, Mind
+from app.rules.chainer import Derivation, Fact, derive
+from app.rules.derivation import FunctionRules, derive_facts, derive_functions
+from app.rules.facts import utterance_facts
+from app.rules.lexicon import LexicalEntry
+from app.rules.mapping import MappingRules
+from app.rules.matching import FactBase
+from app.rules.program import Program, Rule
+from app.rules.tracing import RuleTrace, fires, trace_rule, trace_rules
+from app.transcript import read_transcript
+
+
+@dataclass(frozen=True, slots=True)
+class Trace:
+    """A text, and what the rules that find functions and those that map them made of it."""
+
+    utterance: Utterance
+    functions: RuleTrace
+    mappings: RuleTrace
+
+
+@dataclass(frozen=True, slots=True)
+class Unused:
+    """Rules that never fired and entries of the lexicon that were never found, in the order of their files."""
+
+    rules: tuple[Rule, ...]
+    words: tuple[LexicalEntry, ...]
+
+
+def trace(mind: Mind, body: Body, text: str) -> Trace:
+    """Which rules fired and which nearly did. Raises InputError for a text that cannot be used."""
+    utterance, found, mapped = _derived(mind, body, text)
+    return Trace(utterance, trace_rules(mind.rules.program, found.facts), trace_rules(body.rules.program, mapped.facts))
+
+
+def trace_one(mind: Mind, body: Body, text: str, *, rule: str) -> Trace:
+    """Where one rule fired, or came nearest. Raises InputError `unknown_name` where there is no such rule."""
+    of_functions, of_mappings = mind.rules.program, body.rules.program
+    program, chosen = _named(rule, (of_functions, of_mappings))
+    utterance, found, mapped = _derived(mind, body, text)
+    nothing = RuleTrace((), ())
+    if program is of_functions:
+        return Trace(utterance, trace_rule(program, chosen, found.facts), nothing)
+    return Trace(utterance, nothing, trace_rule(program, chosen, mapped.facts))
+
+
+def find_unused(mind: Mind, body: Body, texts: Iterable[str]) -> Unused:
+    """What none of the texts uses. An entry that always lies within a longer one of its class counts as unused."""
+    waiting = (list(mind.rules.program.rules), list(body.rules.program.rules))
+    words = {id(entry): entry for entry in mind.rules.lexicon.entries if entry.subtype is not None}
+    for text in texts:
+        utterance, *derived = _derived(mind, body, text)
+        for match in mind.rules.lexicon.matches(utterance):
+            words.pop(id(match.entry), None)
+        for rules, derivation in zip(waiting, derived, strict=True):
+            rules[:] = _still_unused(rules, derivation)
+    return Unused(tuple(rule for rules in waiting for rule in rules), tuple(words.values()))
+
+
+def _still_unused(rules: Sequence[Rule], derivation: Derivation) -> list[Rule]:
+    """The rules that did not fire; those that are no fact's first reason are looked for one by one."""
+    fired = {reason.rule for reason in derivation.reasons.values()} | {choice.rule for choice in derivation.choices}
+    base = FactBase.of(derivation.facts)
+    silent = (rule for rule in rules if rule.name not in fired)
+    return [rule for rule in silent if rule.kind == "choose" or not fires(rule, base)]
+
+
+def _derived(mind: Mind, body: Body, text: str) -> tuple[Utterance, Derivation, Derivation]:
+    words = read_transcript(text, max_characters=mind.settings.max_text_characters)
+    utterance = Utterance(words=words, parse=mind.parser.parse(words))
+    return utterance, derive_facts(mind.rules, utterance), _mapped(body.rules, utterance, mind.rules)
+
+
+def _mapped(mappings: MappingRules, utterance: Utterance, rules: FunctionRules) -> Derivation:
+    """What the mapping rules derive from the functions that are kept."""
+    kept = {_fact(function): function.priority for function in derive_functions(rules, utterance) if function.kept}
+    given = (*utterance_facts(utterance), Fact("agitation", (Level.MEDIUM.value,)), *kept)
+    return derive(mappings.program, given, annotations=kept)
+
+
+def _fact(function: Function) -> Fact:
+    return Fact("fcn", (function.class_name, function.subtype, function.first, function.last + 1))
+
+
+def _named(name: str, programs: Iterable[Program]) -> tuple[Program, Rule]:
+    rules = {rule.name: (program, rule) for program in programs for rule in program.rules}
+    if name not in rules:
+        close = get_close_matches(name, rules, n=3)
+        hint = f"; did you mean {' or '.join(close)}?" if close else "; see rules list"
+        raise InputError("unknown_name", f"no rule is called {name!r}{hint}", field="rule")
+    return rules[name]

@@ -1,0 +1,64 @@
+"""What rules made of a text and what a corpus never uses, in lines for people."""
+
+from collections.abc import Iterator, Sequence
+
+from app.authoring import Trace, Unused
+from app.catalogue import shown_path
+from app.model import Word
+from app.rules.program import Rule
+from app.rules.tracing import Firing, NearMiss, Said
+
+MOST_NEAR_MISSES = 12
+WORDS_COLUMN = 64
+
+
+def trace_lines(trace: Trace) -> Iterator[str]:
+    """What fired, with the facts and words joined, then what nearly did, as much of it as anybody reads."""
+    words = trace.utterance.words
+    for title, part in (("function rules", trace.functions), ("mapping rules", trace.mappings)):
+        if part.firings:
+            yield f"{title} that fired"
+        for firing in part.firings:
+            yield from _firing(firing, words)
+        if part.near_misses:
+            yield f"{title} that nearly fired"
+        for miss in part.near_misses[:MOST_NEAR_MISSES]:
+            yield from _near_miss(miss, words)
+        if len(part.near_misses) > MOST_NEAR_MISSES:
+            yield f"  and {len(part.near_misses) - MOST_NEAR_MISSES} that found less (--rule NAME tells of one rule)"
+
+
+def unused_lines(unused: Unused) -> Iterator[str]:
+    """The rules, then the words that nothing used, with their places."""
+    yield f"{len(unused.rules)} rules never fire"
+    yield from (f"  {_place(rule)}" for rule in unused.rules)
+    yield f"{len(unused.words)} words and phrases are never found"
+    for entry in unused.words:
+        yield f"  {shown_path(entry.path)}:{entry.line}  {entry.class_name} {entry.subtype}  {entry.phrase}"
+
+
+def _firing(firing: Firing, words: Sequence[Word]) -> Iterator[str]:
+    yield f"  {_place(firing.rule)}"
+    for said in firing.joined:
+        yield _said("", said, words)
+    for said in firing.concluded:
+        yield _said("→ ", said, words)
+
+
+def _near_miss(miss: NearMiss, words: Sequence[Word]) -> Iterator[str]:
+    yield f"  {_place(miss.rule)}"
+    for said in miss.joined:
+        yield _said("", said, words)
+    for obstacle in miss.obstacles:
+        yield _said(f"{obstacle.lack}: ", obstacle.said, words)
+
+
+def _place(rule: Rule) -> str:
+    return f"{rule.name}  {shown_path(rule.path)}:{rule.line}"
+
+
+def _said(mark: str, said: Said, words: Sequence[Word]) -> str:
+    """A fact, and the words it speaks of."""
+    line = f"    {mark}{said.text}"
+    spoken = "" if said.span is None else " ".join(word.text for word in words[slice(*said.span)])
+    return f"{line:{WORDS_COLUMN}s} {spoken}".rstrip()
