@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 import soundfile
 
-from app.acoustic.alignment import Aligner, pcm
+from app.acoustic.alignment import Aligner
 from app.acoustic.decoder_process import DecoderProcess
+from app.acoustic.pieces import pcm
 from app.errors import InputError, ServiceError
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word
 from app.transcript import read_transcript

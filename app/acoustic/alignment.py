@@ -10,26 +10,20 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Self
 
-import numpy as np
 from pocketsphinx import get_model_path
 
 from app.acoustic.boundaries import BoundaryModel
 from app.acoustic.decoder_process import DecodedPhone, DecoderProcess
 from app.acoustic.fit import check_fit
 from app.acoustic.normalisation import Normaliser
+from app.acoustic.pieces import FRAMES_PER_S, decode_in_pieces
 from app.acoustic.pronunciation import Pronouncer, Pronunciation
 from app.acoustic.spreading import spread
 from app.errors import InputError
-from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Interval, Notice, Phone, Word
+from app.model import Audio, Interval, Notice, Phone, Word
 
-FRAMES_PER_S = 125
-PADDING_S = 0.2
 WINDOW_DELAY_S = 0.0085
 """A phone begins this much after the start of its first frame: the analysis window is that much longer than a step."""
-
-PEAK = 0.9
-NOISE_AMPLITUDE = 3e-4
-NOISE_SEED = 20_200
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,16 +72,17 @@ class Aligner:
         audio's), ServiceError `aligner_crashed`.
         """
         spoken, notices = self._pronounced(words)
-        decoded = self._process.align(
-            pcm(audio.samples),
+        decoded = decode_in_pieces(
+            self._process,
+            audio.samples,
             [[" ".join(phones) for phones in each.variants] for word in spoken for each in word.pronunciations],
         )
         if decoded is None:
             timed, fit_notices = spread(audio, _expected(spoken))
         else:
-            timed = _timed(spoken, decoded, audio.duration_s)
+            timed = _timed(spoken, decoded.words, audio.duration_s)
             timed = self._boundaries.refine(audio, timed) if self._boundaries else timed
-            fit_notices = check_fit(audio, timed, decoded)
+            fit_notices = check_fit(audio, timed, decoded.words)
         in_time = {word.index: word for word in timed}
         return tuple(in_time.get(word.index, word) for word in words), notices + fit_notices
 
@@ -109,15 +104,6 @@ class Aligner:
         return spoken, (*_guessed(guessed), *_unreadable(unreadable))
 
 
-def pcm(samples: FloatArray) -> bytes:
-    """The signal as the decoder wants it: loud, 16-bit, between two stretches of faint noise, always the same."""
-    noise = np.random.default_rng(NOISE_SEED).standard_normal(2 * round(PADDING_S * SAMPLE_RATE_HZ)) * NOISE_AMPLITUDE
-    before, after = np.split(noise, 2)
-    peak = float(np.abs(samples).max(initial=0.0)) or 1.0
-    padded = np.concatenate([before, samples * (PEAK / peak), after])
-    return (padded * 32767).round().astype("<i2").tobytes()
-
-
 def _timed(spoken: list[_Spoken], decoded: list[list[DecodedPhone]], duration_s: float) -> tuple[Word, ...]:
     remaining = iter(decoded)
     words = []
@@ -136,8 +122,8 @@ def _phone(phone: DecodedPhone, duration_s: float) -> Phone:
 
 
 def _seconds(frame: int, duration_s: float) -> float:
-    """When a frame begins, in the unpadded signal; to the millisecond."""
-    time_s = round(frame / FRAMES_PER_S + WINDOW_DELAY_S - PADDING_S, 3)
+    """When a frame begins, to the millisecond."""
+    time_s = round(frame / FRAMES_PER_S + WINDOW_DELAY_S, 3)
     return min(max(time_s, 0.0), duration_s)
 
 

@@ -27,6 +27,7 @@ from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Interval, Phone, Word
 STEP_S = 0.005
 WINDOW_SAMPLES = 256
 TRANSFORM_SAMPLES = 512
+FRAMES_AT_ONCE = 2000
 BANDS = 10
 LOWEST_HZ, HIGHEST_HZ = 60.0, 7600.0
 CONTEXT_STEPS = 10
@@ -143,10 +144,15 @@ def _mel_levels(samples: FloatArray) -> FloatArray:
     """Log Mel energies every `STEP_S`, relative to each band's loud frames (95th percentile); shape (steps, bands)."""
     padded = np.pad(samples / (np.abs(samples).max(initial=0.0) or 1.0), WINDOW_SAMPLES // 2)
     frames = sliding_window_view(padded, WINDOW_SAMPLES)[:: round(STEP_S * SAMPLE_RATE_HZ)]
-    power = np.abs(np.fft.rfft(frames * _WINDOW, TRANSFORM_SAMPLES)) ** 2
-    floor = NOISE_AMPLITUDE**2 * np.sum(_WINDOW**2)
-    levels: FloatArray = np.log((power + floor) @ _MEL_FILTERS.T)
+    blocks = [frames[first : first + FRAMES_AT_ONCE] for first in range(0, len(frames), FRAMES_AT_ONCE)]
+    levels = np.vstack([_log_mel(block) for block in blocks])
     return levels - np.percentile(levels, 95, axis=0)
+
+
+def _log_mel(frames: FloatArray) -> FloatArray:
+    power = np.abs(np.fft.rfft(frames * _WINDOW, TRANSFORM_SAMPLES)) ** 2
+    levels: FloatArray = np.log((power + NOISE_AMPLITUDE**2 * np.sum(_WINDOW**2)) @ _MEL_FILTERS.T)
+    return levels
 
 
 def _in_order(times_s: FloatArray, duration_s: float) -> FloatArray:

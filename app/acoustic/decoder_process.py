@@ -25,6 +25,15 @@ class DecodedPhone:
     score: int
 
 
+@dataclass(frozen=True, slots=True)
+class Decoded:
+    """The phones of each word, fillers ("um") that no word stands for, and the frame at which the rest begins."""
+
+    words: list[list[DecodedPhone]]
+    fillers: list[DecodedPhone]
+    end_frame: int
+
+
 class DecoderProcess:
     """One worker, started when first needed and again after a crash; threads take turns.
 
@@ -43,17 +52,21 @@ class DecoderProcess:
         with self._turn:
             self._running()
 
-    def align(self, audio: bytes, words: Sequence[Sequence[str]]) -> list[list[DecodedPhone]] | None:
+    def align(self, audio: bytes, words: Sequence[Sequence[str]], *, more: bool = False) -> Decoded | None:
         """The phones of each word; None when the decoder finds no path.
 
-        `audio` is 16-bit mono at 16 kHz; a word is its pronunciations, each phones between spaces. Raises ServiceError
-        `aligner_crashed` when the worker dies over it or takes longer than the time limit; the next call has a new one.
+        `audio` is 16-bit mono at 16 kHz; a word is its pronunciations, each phones between spaces. With `more` the
+        audio is the first piece of a longer one: the answer has the words up to a pause, possibly none. Raises
+        ServiceError `aligner_crashed` when the worker dies over it or takes longer than the time limit; the next call
+        has a new one.
         """
-        request = json.dumps({"words": words, "bytes": len(audio)}).encode() + b"\n" + audio
+        request = json.dumps({"words": words, "bytes": len(audio), "more": more}).encode() + b"\n" + audio
         with self._turn:
-            answer = self._asked(self._running(), request)
-        decoded = json.loads(answer)["words"]
-        return decoded and [[DecodedPhone(*phone) for phone in word] for word in decoded]
+            answer = json.loads(self._asked(self._running(), request))
+        if answer["words"] is None:
+            return None
+        decoded = [[DecodedPhone(*phone) for phone in word] for word in answer["words"]]
+        return Decoded(decoded, [DecodedPhone(*filler) for filler in answer["fillers"]], answer["end"])
 
     def close(self) -> None:
         """Ends the worker. A later `align` starts another."""

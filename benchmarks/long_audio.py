@@ -1,0 +1,97 @@
+"""What it costs to align long audio, and whether its words lie where they lie in the short lines it is made of.
+
+    python -m benchmarks.long_audio [--minutes 30] [--lines FOLDER]
+
+Joins the lines of FOLDER (pairs NAME.flac and NAME.txt) over and over, a third of a second of silence between them, to
+the length asked, and aligns that. Prints wall time, the most memory resident at once (ours and the decoder process's),
+and how far each word's start and end lie from where they lie when its line is aligned alone.
+"""
+
+import argparse
+import resource
+import time
+from itertools import cycle, takewhile
+from pathlib import Path
+
+import numpy as np
+import soundfile
+import soxr
+
+from app.acoustic.alignment import Aligner
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word
+from app.transcript import read_transcript
+
+ROOT = Path(__file__).resolve().parents[1]
+LINES = ROOT.parent / "shared" / "data" / "speech" / "lines"
+PAUSE_S = 1 / 3
+
+
+def main() -> None:
+    """Prints the figures."""
+    options = _options()
+    lines = [_read(path) for path in sorted(options.lines.glob("*.flac"))]
+    with Aligner(ROOT / "models", ROOT / "lexicon" / "en") as aligner:
+        alone = [aligner.align(Audio(samples), _words(text))[0] for samples, text in lines]
+        order = _order([len(samples) / SAMPLE_RATE_HZ for samples, _ in lines], options.minutes * 60)
+        pause = np.zeros(round(PAUSE_S * SAMPLE_RATE_HZ))
+        joined = Audio(np.concatenate([part for number in order for part in (lines[number][0], pause)]))
+        began = time.perf_counter()
+        words, notices = aligner.align(joined, _words(" ".join(lines[number][1] for number in order)))
+        seconds = time.perf_counter() - began
+    print(f"{joined.duration_s / 60:.1f} minutes, {len(words)} words: {seconds:.0f} s, {_resident_mb()}")
+    print("notices:", ", ".join(f"{each.code} ({each.message[:80]})" for each in notices) or "none")
+    print_differences(words, _expected_s([alone[number] for number in order], [len(lines[n][0]) for n in order]))
+
+
+def print_differences(words: tuple[Word, ...], expected_s: list[float]) -> None:
+    """How far the words lie from where they should."""
+    found_s = [time_s for word in words if word.interval for time_s in (word.interval.start_s, word.interval.end_s)]
+    differences_ms = np.abs(np.array(found_s) - expected_s) * 1000
+    shares = ", ".join(f"within {limit} ms {np.mean(differences_ms <= limit):.2%}" for limit in (5, 20, 100))
+    print(f"against the lines alone: {shares}, mean {differences_ms.mean():.1f} ms, most {differences_ms.max():.0f} ms")
+
+
+def _order(durations_s: list[float], total_s: float) -> list[int]:
+    """The numbers of the lines in their order, as many as fit in the time."""
+    ends_s = np.cumsum([durations_s[number % len(durations_s)] + PAUSE_S for number in range(int(total_s))])
+    count = sum(1 for _ in takewhile(lambda end_s: end_s <= total_s, ends_s))
+    return [number for number, _ in zip(cycle(range(len(durations_s))), range(max(count, 1)), strict=False)]
+
+
+def _expected_s(alone: list[tuple[Word, ...]], lengths: list[int]) -> list[float]:
+    """Start and end of every word in the joined audio, as the lines alone have them."""
+    expected_s = []
+    offset_s = 0.0
+    for words, length in zip(alone, lengths, strict=True):
+        intervals = [word.interval for word in words if word.interval]
+        expected_s += [offset_s + time_s for each in intervals for time_s in (each.start_s, each.end_s)]
+        offset_s += length / SAMPLE_RATE_HZ + PAUSE_S
+    return expected_s
+
+
+def _read(path: Path) -> tuple[FloatArray, str]:
+    samples, rate_hz = soundfile.read(path, always_2d=True)
+    mono: FloatArray = soxr.resample(samples[:, 0], rate_hz, SAMPLE_RATE_HZ)
+    return mono, path.with_suffix(".txt").read_text(encoding="utf-8")
+
+
+def _words(text: str) -> tuple[Word, ...]:
+    return read_transcript(text, max_characters=1_000_000)
+
+
+def _resident_mb() -> str:
+    ours, theirs = (
+        resource.getrusage(who).ru_maxrss // 1024 for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    )
+    return f"at most {ours} MB resident here and {theirs} MB in the decoder's process"
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--minutes", type=float, default=30.0)
+    parser.add_argument("--lines", type=Path, default=LINES)
+    return parser.parse_args()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,75 @@
+"""Long audio is cut in pauses, words lie where they lie in short lines, and fillers are found between them."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import soundfile
+
+from app.acoustic.decoder_process import Decoded, DecoderProcess
+from app.acoustic.pieces import FRAMES_PER_S, decode_in_pieces
+from app.model import SAMPLE_RATE_HZ, FloatArray
+
+AUDIO = Path(__file__).resolve().parent / "audio"
+PAUSE = np.zeros(SAMPLE_RATE_HZ // 2)
+
+
+def _figure8() -> tuple[FloatArray, list[list[str]], list[float]]:
+    """A line of flite's, the phones of its words, and where they begin."""
+    samples, _ = soundfile.read(AUDIO / "figure8.flac")
+    words = json.loads((AUDIO / "figure8.json").read_text(encoding="utf-8"))["words"]
+    return (
+        samples,
+        [[" ".join(phone["label"] for phone in word["phones"])] for word in words],
+        [word["phones"][0]["start_s"] for word in words],
+    )
+
+
+def _decoded(samples: FloatArray, words: list[list[str]]) -> Decoded | None:
+    process = DecoderProcess()
+    try:
+        return decode_in_pieces(process, samples, words)
+    finally:
+        process.close()
+
+
+def _starts_s(decoded: Decoded) -> FloatArray:
+    return np.array([word[0].first_frame for word in decoded.words]) / FRAMES_PER_S
+
+
+def test_audio_of_several_pieces_has_every_word_where_it_was_spoken() -> None:
+    samples, words, starts_s = _figure8()
+    length_s = (len(samples) + len(PAUSE)) / SAMPLE_RATE_HZ
+    times = int(60 / length_s)
+    decoded = _decoded(np.tile(np.concatenate([samples, PAUSE]), times), words * times)
+    assert decoded is not None
+    expected_s = np.concatenate([np.array(starts_s) + length_s * number for number in range(times)])
+    assert np.abs(_starts_s(decoded) - expected_s).max() < 0.080
+    assert decoded.fillers == []
+
+
+def test_a_minute_of_silence_before_the_line_has_no_word() -> None:
+    samples, words, starts_s = _figure8()
+    decoded = _decoded(np.concatenate([np.zeros(60 * SAMPLE_RATE_HZ), samples]), words)
+    assert decoded is not None
+    assert np.abs(_starts_s(decoded) - 60 - starts_s).max() < 0.080
+
+
+def test_a_filler_is_found_where_it_was_said_and_words_keep_their_places() -> None:
+    samples, words, starts_s = _figure8()
+    filler, _ = soundfile.read(AUDIO / "um.flac")
+    cut = round(starts_s[4] * SAMPLE_RATE_HZ)
+    inserted = np.concatenate([PAUSE[:2000], filler, PAUSE[:2000]])
+    decoded = _decoded(np.concatenate([samples[:cut], inserted, samples[cut:]]), words)
+    assert decoded is not None
+    (found,) = decoded.fillers
+    assert found.label == "um"
+    middle_s = (found.first_frame + found.frames / 2) / FRAMES_PER_S
+    assert abs(middle_s - (cut + len(inserted) / 2) / SAMPLE_RATE_HZ) < 0.1
+    expected_s = np.array(starts_s) + np.where(np.arange(len(words)) < 4, 0, len(inserted) / SAMPLE_RATE_HZ)
+    assert np.abs(_starts_s(decoded) - expected_s).max() < 0.080
+
+
+def test_more_words_than_can_be_said_have_no_path() -> None:
+    samples, words, _ = _figure8()
+    assert _decoded(samples, words * 9) is None
