@@ -43,6 +43,30 @@ def test_an_unknown_character_is_the_callers_mistake() -> None:
     assert (caught.value.code, caught.value.field) == ("unknown_character", "character")
 
 
+def test_four_characters_ship_and_none_moves_like_another() -> None:
+    characters = list(Characters.load(LEXICON).by_name.values())
+    assert {"default", "reserved", "expansive", "formal_elder"} == {each.name for each in characters}
+    for setting in ("gestures_per_minute", "amplitude", "eye_contact", "rest_poses", "entries"):
+        assert len({repr(getattr(each, setting)) for each in characters}) == 4, setting
+
+
+def test_amplitude_sizes_what_has_a_size(tmp_path: Path) -> None:
+    sheets = {name: f"{SHEET}amplitude: {value}\n" for name, value in (("usual", 1), ("small", 0.5), ("large", 2))}
+    characters = Characters.load(lexicon(tmp_path, **sheets))
+    usual, small, large = (characters.named(name).entries for name in sheets)
+    assert (usual["shake"].amount, small["shake"].amount, large["shake"].amount) == (0.7, 0.35, 1.0)
+    assert (small["gesture_me"].amount, usual["gesture_me"].amount) == (0.25, 0.5)
+    for name in ("gaze_left", "blink", "lean_back"):
+        assert small[name] == usual[name]
+
+
+@pytest.mark.parametrize("pose", ["rest_hands_foldet", "big_nod"])
+def test_a_rest_pose_is_a_posture_of_the_table(tmp_path: Path, pose: str) -> None:
+    with pytest.raises(AuthoringError, match="is no posture") as caught:
+        Characters.load(lexicon(tmp_path, wrong=f"{SHEET}rest_poses: [{pose}]\n"))
+    assert [mistake.line for mistake in caught.value.mistakes] == [4]
+
+
 @pytest.mark.parametrize(
     ("behaviors", "message"),
     [

@@ -49,3 +49,37 @@ def test_blinks_prefer_pauses() -> None:
 def test_seeds_blink_differently_and_the_same_seed_the_same() -> None:
     words = spoken(LONG)
     assert blinks(words, seed=1) == blinks(words, seed=1) != blinks(words, seed=2)
+
+
+def test_the_turn_ends_with_a_look_at_the_listener() -> None:
+    words = spoken("Hello there.")
+    (returned,) = (each for each in unasked(utterance(words), words, 0) if each.name == "gaze_return")
+    assert (returned.at_s, returned.word) == (1.4, 1)
+
+
+def test_breath_is_taken_in_long_pauses() -> None:
+    times = ((0.0, 0.5), (0.6, 1.0), (1.5, 2.0))
+    words = tuple(Word(index, "word", Interval(*each)) for index, each in enumerate(times))
+    (breath,) = (each for each in unasked(utterance(words), words, 0) if each.name == "breath")
+    assert (breath.at_s, breath.word) == (1.25, 1)
+
+
+def test_posture_shifts_where_a_sentence_begins_after_a_pause() -> None:
+    texts = ("Yes.", "Well,", "I", "think.", "You", "know.", "Then.")
+    starts_s = (0.0, 1.0, 9.0, 9.4, 10.0, 18.0, 19.0)
+    words = tuple(
+        Word(index, text, Interval(starts_s[index], starts_s[index] + 0.3)) for index, text in enumerate(texts)
+    )
+    behaviors = unasked(utterance(words), words, 0, rest_poses=("left", "right"))
+    shifts = [(each.name, each.word) for each in behaviors if each.name in ("left", "right")]
+    assert shifts == [("right", 1), ("left", 4), ("right", 6)]
+
+
+def test_without_rest_poses_the_posture_stays() -> None:
+    words = tuple(Word(index, "Yes.", Interval(index * 9.0, index * 9.0 + 1)) for index in range(4))
+    assert {each.name for each in unasked(utterance(words), words, 0)} == {
+        "gaze_opening",
+        "gaze_return",
+        "breath",
+        "blink",
+    }

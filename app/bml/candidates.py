@@ -69,6 +69,18 @@ def unasked_for(wish: Unasked, entry: BehaviorEntry, name: str) -> Candidate:
     return Candidate(replace(behavior, reason=wish.reason), placing)
 
 
+def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> Candidate:
+    """What the body does by itself for the whole of a free interval, which must have room for its shortest phases."""
+    timing = entry.timing
+    retraction_s = min(timing.retraction.usual_s, interval.duration_s / 4)
+    at_s = interval.start_s + min(timing.preparation.usual_s + timing.stroke.usual_s, interval.duration_s / 2)
+    placing = Placing(timing, at_s, interval.end_s - retraction_s, entry.channel in STROKED)
+    sync = placed(placing, Window(interval.start_s, interval.end_s))
+    assert sync is not None, "the interval has room for it"
+    name = f"own.{entry.name}.{interval.start_s:.3f}"
+    return Candidate(replace(_behavior(entry, name, sync, word, word), reason=reason), placing)
+
+
 def stressed_vowel_s(word: Word) -> float:
     """Where the vowel of a timed word's stressed syllable begins; the word's start where its vowels are not known.
 

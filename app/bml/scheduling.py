@@ -11,10 +11,12 @@ from app.bml.candidates import interval_of, unasked_for
 from app.bml.characters import Character
 from app.bml.choosing import Line, choose
 from app.bml.conflicts import resolve
+from app.bml.filling import Rest, fillers
+from app.bml.saccades import TALKING
 from app.bml.unasked import unasked
 from app.model import Behavior, Channel, Utterance, Wish
 
-PAUSE_S = 0.7
+PAUSE_S = 0.5
 """A line has its share of the pause between lines. It makes up for the gestures that find no place in their line, so
 that the rates of `benchmarks/schedule.py` come out as set."""
 
@@ -31,9 +33,11 @@ def schedule(wishes: Iterable[Wish], utterance: Utterance, character: Character,
     kept, lost = choose(wishes, Line(timed, character, most_gestures(character, duration_s)))
     own = [
         unasked_for(wish, character.entries[wish.name], f"own.{number:04d}")
-        for number, wish in enumerate(unasked(utterance, timed, seed))
+        for number, wish in enumerate(unasked(utterance, timed, seed, rest_poses=character.rest_poses))
     ]
     kept, own_lost = resolve(own, kept)
+    rest = Rest.of(utterance, timed, character, f"{seed} rest")
+    kept += fillers(kept, rest, replace(TALKING, eye_contact=character.eye_contact))
     return numbered([*(candidate.behavior for candidate in kept), *lost, *own_lost])
 
 

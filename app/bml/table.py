@@ -22,7 +22,10 @@ from app.model import Channel, Hand
 STROKED = frozenset({Channel.GESTURE, Channel.HEAD})
 """The channels whose behaviours have a stroke; the others reach a state, keep it and leave it."""
 
-UNASKED = ("blink", "gaze_opening")
+DRIFTS = ("drift_left", "drift_right", "drift_turn_left", "drift_turn_right", "drift_up", "drift_down")
+"""The entries for the head's constant small movement."""
+
+UNASKED = ("blink", "breath", "gaze_opening", "gaze_return", "saccade", *DRIFTS)
 """The entries for what the body does by itself."""
 
 GAZE_LEXEMES = frozenset({"LOOK", "GLANCE", "SHIFT"})
@@ -218,7 +221,7 @@ _KEYS_OF_CHANNELS: Mapping[str, frozenset[Channel]] = MappingProxyType(
     {
         "hand": frozenset({Channel.GESTURE}),
         "repetitions": frozenset({Channel.HEAD}),
-        "amount": frozenset({Channel.HEAD, Channel.GAZE, Channel.FACE, Channel.EYES}),
+        "amount": frozenset({Channel.GESTURE, Channel.HEAD, Channel.GAZE, Channel.FACE, Channel.EYES}),
         "target": frozenset({Channel.GAZE}),
         "direction": frozenset({Channel.GAZE}),
     }
