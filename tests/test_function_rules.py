@@ -34,6 +34,14 @@ INTERROGATIVE = [
     ("You like it, right?", [("tag", "right?")]),
     ("I wonder if he knows.", [("indirect", "if")]),
     ("Tell me where he is.", [("indirect", "where")]),
+    ("no why", [("wh", "why")]),
+    ("oh who cut the grass", [("wh", "who")]),
+    ("it was raining what is that noise", [("wh", "what")]),
+    ("they left early are you coming", [("polar", "are you coming")]),
+    ("that was me right", [("tag", "right")]),
+    ("the problem is it costs too much", []),
+    ("turn right", []),
+    ("I know what is right", [("indirect", "what")]),
     ("What a day!", []),
     ("So do I.", []),
     ("The man who came left again.", []),
@@ -93,6 +101,8 @@ PHYSICAL = [
     ("It is a huge problem.", [("big", "huge")]),
     ("That took longer.", [("long", "longer.")]),
     ("A little boy came.", [("small", "little")]),
+    ("It is a compact car.", [("small", "compact")]),
+    ("The firm pays well.", []),
     ("As long as he stays, go.", []),
     ("He is a little late.", []),
 ]
@@ -103,6 +113,8 @@ MENTAL = [
     ("She likes him.", [("feel", "likes")]),
     ("I find it strange.", [("think", "find")]),
     ("I'd like to go.", [("want", "like")]),
+    ("I don't get it.", [("know", "don't get it.")]),
+    ("I'm sick of this.", [("feel", "sick of")]),
     ("Make sure it works.", []),
     ("He was, you know, tall.", []),
 ]
@@ -156,6 +168,9 @@ INTENSIFIER = [
 VALENCE = [
     ("What a beautiful day.", [("positive", "beautiful")]),
     ("That was a stupid mistake.", [("negative", "stupid"), ("negative", "mistake.")]),
+    ("He is a hypocrite.", [("negative", "hypocrite.")]),
+    ("They messed it up.", [("negative", "messed")]),
+    ("He drives a white car.", []),
     ("Good morning.", []),
     ("I mean it.", []),
 ]
