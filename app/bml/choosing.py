@@ -109,7 +109,7 @@ def _attempted(alternative: Alternative, number: int, kept: Kept, line: Line) ->
     for place, movement in enumerate(alternative.movements):
         name = f"{movement.function}.{number}.{place}"
         candidate = asked(movement, line.character.entries[movement.name], line.timed, name)
-        outcome = _taken(_with_hand(candidate, kept, line.character.handedness), kept, line)
+        outcome = _taken(with_hand(candidate, kept, line.character.handedness), kept, line)
         if isinstance(outcome, Fitted):
             own.append(outcome)
             kept = outcome.kept
@@ -152,7 +152,7 @@ def _switches(one: Behavior, other: Behavior) -> bool:
     return one.hand is not other.hand and Hand.BOTH not in (one.hand, other.hand)
 
 
-def _with_hand(candidate: Candidate, kept: Kept, own_hand: Hand) -> Candidate:
+def with_hand(candidate: Candidate, kept: Kept, own_hand: Hand) -> Candidate:
     """A gesture that may take either hand takes the one in use about then, else the character's own."""
     behavior = candidate.behavior
     if behavior.kind is not Channel.GESTURE or behavior.hand is not None:

@@ -12,25 +12,31 @@ from app.bml.characters import Character
 from app.bml.choosing import Line, choose
 from app.bml.conflicts import resolve
 from app.bml.filling import Rest, fillers
+from app.bml.modes import in_mode
 from app.bml.saccades import TALKING
 from app.bml.unasked import unasked
-from app.model import Behavior, Channel, Utterance, Wish
+from app.model import Behavior, Channel, Mode, Utterance, Wish
 
 PAUSE_S = 0.5
 """A line has its share of the pause between lines. It makes up for the gestures that find no place in their line, so
 that the rates of `benchmarks/schedule.py` come out as set."""
 
 
-def schedule(wishes: Iterable[Wish], utterance: Utterance, character: Character, *, seed: int) -> tuple[Behavior, ...]:
+def schedule(
+    wishes: Iterable[Wish], utterance: Utterance, character: Character, *, seed: int, mode: Mode = Mode.SEMANTIC
+) -> tuple[Behavior, ...]:
     """The behaviours in order of time, those that were dropped among them; none at all when no word has a time.
 
-    The kept ones do not overlap on a channel (or hand), and their sync points are in order and not before 0.
+    Head, eyes and face are the same in every mode. The kept ones do not overlap on a channel (or hand), and their sync
+    points are in order and not before 0.
     """
     timed = tuple(word for word in utterance.words if word.interval is not None)
     if not timed:
         return ()
     duration_s = utterance.duration_s or interval_of(timed[-1]).end_s
-    kept, lost = choose(wishes, Line(timed, character, most_gestures(character, duration_s)))
+    wishes, line = tuple(wishes), Line(timed, character, most_gestures(character, duration_s))
+    kept, lost = choose(wishes, line)
+    kept, lost = in_mode(mode, (kept, lost), wishes, line, seed)
     own = [
         unasked_for(wish, character.entries[wish.name], f"own.{number:04d}")
         for number, wish in enumerate(unasked(utterance, timed, seed, rest_poses=character.rest_poses))

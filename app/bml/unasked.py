@@ -44,7 +44,18 @@ def unasked(
     yield Unasked("gaze_return", interval.start_s, last, "looks at the listener as the turn ends")
     yield from _breaths(intervals)
     yield from _shifts(timed, rest_poses)
-    yield from _blinks_in(utterance, timed, intervals, _generator(utterance, seed))
+    yield from blinks(utterance, timed, f"{seed}")
+
+
+def blinks(utterance: Utterance, timed: tuple[Word, ...], seed: str) -> Iterator[Unasked]:
+    """The blinks of a line. Lines of other words blink at other times, the same line always at the same."""
+    intervals = [(word.index, word.interval) for word in timed if word.interval is not None]
+    generator = random.Random(f"{seed} blinks {' '.join(word.text for word in utterance.words)}")
+    chances = dict(_chances(utterance, timed))
+    end_s = utterance.duration_s or intervals[-1][1].end_s
+    for at_s in _blinks(sorted(chances), end_s, generator):
+        word = max((index for index, interval in intervals if interval.start_s <= at_s), default=intervals[0][0])
+        yield Unasked("blink", at_s, word, chances.get(at_s, "blinks now and then"))
 
 
 def _breaths(intervals: list[tuple[int, Interval]]) -> Iterator[Unasked]:
@@ -71,24 +82,6 @@ def _shifts(timed: tuple[Word, ...], rest_poses: Sequence[str]) -> Iterator[Unas
 
 def _ends_sentence(text: str) -> bool:
     return text.rstrip("\"'”’)").endswith(_SENTENCE_ENDS)
-
-
-def _generator(utterance: Utterance, seed: int) -> random.Random:
-    """Lines of other words blink at other times, the same line always at the same."""
-    return random.Random(f"{seed} blinks {' '.join(word.text for word in utterance.words)}")
-
-
-def _blinks_in(
-    utterance: Utterance,
-    timed: tuple[Word, ...],
-    intervals: list[tuple[int, Interval]],
-    generator: random.Random,
-) -> Iterator[Unasked]:
-    chances = dict(_chances(utterance, timed))
-    end_s = utterance.duration_s or intervals[-1][1].end_s
-    for at_s in _blinks(sorted(chances), end_s, generator):
-        word = max((index for index, interval in intervals if interval.start_s <= at_s), default=intervals[0][0])
-        yield Unasked("blink", at_s, word, chances.get(at_s, "blinks now and then"))
 
 
 def _chances(utterance: Utterance, timed: tuple[Word, ...]) -> Iterator[tuple[float, str]]:
