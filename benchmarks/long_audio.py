@@ -36,11 +36,12 @@ def main() -> None:
         pause = np.zeros(round(PAUSE_S * SAMPLE_RATE_HZ))
         joined = Audio(np.concatenate([part for number in order for part in (lines[number][0], pause)]))
         began = time.perf_counter()
-        words, notices = aligner.align(joined, _words(" ".join(lines[number][1] for number in order)))
+        found = aligner.listen(joined, _words(" ".join(lines[number][1] for number in order)))
         seconds = time.perf_counter() - began
-    print(f"{joined.duration_s / 60:.1f} minutes, {len(words)} words: {seconds:.0f} s, {_resident_mb()}")
-    print("notices:", ", ".join(f"{each.code} ({each.message[:80]})" for each in notices) or "none")
-    print_differences(words, _expected_s([alone[number] for number in order], [len(lines[n][0]) for n in order]))
+    print(f"{joined.duration_s / 60:.1f} minutes, {len(found.words)} words: {seconds:.0f} s, {_resident_mb()}")
+    print("notices:", ", ".join(f"{each.code} ({each.message[:80]})" for each in found.notices) or "none")
+    print(f"fillers heard: {len(found.fillers)}")
+    print_differences(found.words, _expected_s([alone[number] for number in order], [len(lines[n][0]) for n in order]))
 
 
 def print_differences(words: tuple[Word, ...], expected_s: list[float]) -> None:

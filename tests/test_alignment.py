@@ -120,6 +120,19 @@ def test_a_guessed_pronunciation_and_an_unreadable_word_are_noticed(aligner: Ali
     assert words[12].interval is None
 
 
+def test_a_filler_that_the_text_lacks_is_heard_between_the_words(aligner: Aligner) -> None:
+    audio, transcript = _line("figure8")
+    filler, _ = soundfile.read(TRUTH / "um.flac")
+    begin = aligner.align(audio, transcript)[0][3].interval
+    assert begin is not None
+    cut = round(begin.start_s * SAMPLE_RATE_HZ)
+    hesitant = Audio(np.concatenate([audio.samples[:cut], filler, audio.samples[cut:]]))
+    (heard,) = aligner.listen(hesitant, transcript).fillers
+    assert heard.text == "um"
+    assert heard.interval.start_s == pytest.approx(begin.start_s, abs=0.1)
+    assert heard.interval.duration_s == pytest.approx(len(filler) / SAMPLE_RATE_HZ, abs=0.1)
+
+
 def test_another_text_is_refused(aligner: Aligner) -> None:
     audio, _ = _line("figure8")
     with pytest.raises(InputError) as caught:

@@ -20,10 +20,19 @@ from app.acoustic.pieces import FRAMES_PER_S, decode_in_pieces
 from app.acoustic.pronunciation import Pronouncer, Pronunciation
 from app.acoustic.spreading import spread
 from app.errors import InputError
-from app.model import Audio, Interval, Notice, Phone, Word
+from app.model import Audio, Filler, Interval, Notice, Phone, Word
 
 WINDOW_DELAY_S = 0.0085
 """A phone begins this much after the start of its first frame: the analysis window is that much longer than a step."""
+
+
+@dataclass(frozen=True, slots=True)
+class Alignment:
+    """The words in time, what is to be said about them, and the fillers that were heard between them."""
+
+    words: tuple[Word, ...]
+    notices: tuple[Notice, ...]
+    fillers: tuple[Filler, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +74,12 @@ class Aligner:
         self._process.close()
 
     def align(self, audio: Audio, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
-        """`words` with the intervals and phones that `audio` gives them.
+        """`words` with the intervals and phones that `audio` gives them, and notices; see `listen`."""
+        alignment = self.listen(audio, words)
+        return alignment.words, alignment.notices
+
+    def listen(self, audio: Audio, words: tuple[Word, ...]) -> Alignment:
+        """`words` with the intervals and phones that `audio` gives them, and the fillers between them.
 
         Notices: `pronunciation_guessed`, `word_unreadable`, `transcript_suspect`, `alignment_low_confidence`. Raises
         InputError `transcript_unspoken` (nothing to say in it) and `transcript_mismatch` (another text than the
@@ -79,12 +93,14 @@ class Aligner:
         )
         if decoded is None:
             timed, fit_notices = spread(audio, _expected(spoken))
+            fillers: tuple[Filler, ...] = ()
         else:
             timed = _timed(spoken, decoded.words, audio.duration_s)
             timed = self._boundaries.refine(audio, timed) if self._boundaries else timed
             fit_notices = check_fit(audio, timed, decoded.words)
+            fillers = tuple(Filler(each.label, _interval(each, audio.duration_s)) for each in decoded.fillers)
         in_time = {word.index: word for word in timed}
-        return tuple(in_time.get(word.index, word) for word in words), notices + fit_notices
+        return Alignment(tuple(in_time.get(word.index, word) for word in words), notices + fit_notices, fillers)
 
     def _pronounced(self, words: tuple[Word, ...]) -> tuple[list[_Spoken], tuple[Notice, ...]]:
         spoken, unreadable, guessed = [], [], []
@@ -115,10 +131,12 @@ def _timed(spoken: list[_Spoken], decoded: list[list[DecodedPhone]], duration_s:
 
 
 def _phone(phone: DecodedPhone, duration_s: float) -> Phone:
-    return Phone(
-        phone.label,
-        Interval(_seconds(phone.first_frame, duration_s), _seconds(phone.first_frame + phone.frames, duration_s)),
-    )
+    return Phone(phone.label, _interval(phone, duration_s))
+
+
+def _interval(phone: DecodedPhone, duration_s: float) -> Interval:
+    first = phone.first_frame
+    return Interval(_seconds(first, duration_s), _seconds(first + phone.frames, duration_s))
 
 
 def _seconds(frame: int, duration_s: float) -> float:
