@@ -44,6 +44,14 @@ class Channel(StrEnum):
     POSTURE = "posture"
 
 
+class Mode(StrEnum):
+    """Where the gestures come from, as in the paper's study (§5): the meaning, the stress, or chance."""
+
+    SEMANTIC = "semantic"
+    PROSODY = "prosody"
+    RANDOM = "random"
+
+
 class Hand(StrEnum):
     """Which hand a gesture takes."""
 
@@ -301,8 +309,8 @@ class SyncPoints:
                 yield name, time_s
 
     def shifted(self, delay_s: float) -> "SyncPoints":
-        """The same phases, `delay_s` later."""
-        return replace(self, **{name: time_s + delay_s for name, time_s in self.in_order()})
+        """The same phases, `delay_s` later, in whole milliseconds."""
+        return replace(self, **{name: round(time_s + delay_s, 3) for name, time_s in self.in_order()})
 
 
 @dataclass(frozen=True, slots=True)
