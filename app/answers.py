@@ -197,6 +197,16 @@ class BehaviorAnswer(Answer):
     reason: str | None = None
 
 
+class VisemeAnswer(Answer):
+    """A shape of the mouth: how much of it is reached, and how wide the jaw is open in it."""
+
+    label: str
+    start_s: Number = Field(validation_alias=AliasPath("interval", "start_s"))
+    end_s: Number = Field(validation_alias=AliasPath("interval", "end_s"))
+    articulation: Number
+    opening: Number
+
+
 class AlignAnswer(Answer):
     """Words and phones in time."""
 
@@ -273,11 +283,12 @@ class PerformanceAnswer(AnalysisAnswer):
     character: str
     seed: int
     behaviors: list[BehaviorAnswer]
+    visemes: list[VisemeAnswer]
 
     @classmethod
     def of_performance(cls, performance: Performance) -> Self:
         understood = _understood(performance.utterance, performance.functions, performance.notices)
-        chosen = {name: getattr(performance, name) for name in ("character", "seed", "behaviors")}
+        chosen = {name: getattr(performance, name) for name in ("character", "seed", "behaviors", "visemes")}
         return cls.model_validate(understood | chosen)
 
 

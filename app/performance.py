@@ -19,8 +19,10 @@ from app.acoustic.spectrum import energy_db, mfcc
 from app.acoustic.stress import stress
 from app.acoustic.timings import read_timings, to_ctm, to_textgrid
 from app.bml.characters import Characters
+from app.bml.documents import DialectName, TimeForm
 from app.bml.scheduling import schedule
-from app.bml.writer import write_bml
+from app.bml.visemes import visemes
+from app.bml.writer import CORE_FORM, BmlForm, write_bml, write_bml_json
 from app.model import Agitation, Audio, Contours, Function, Level, Notice, Performance, Utterance, Word
 from app.resources import resource_folder
 from app.rules.derivation import FunctionRules, derive_functions
@@ -32,13 +34,16 @@ from app.transcript import read_transcript
 __all__ = [
     "Aligned",
     "Analysis",
+    "BmlForm",
     "Body",
+    "DialectName",
     "Ears",
     "Heard",
     "Line",
     "Mind",
     "Options",
     "Progress",
+    "TimeForm",
     "Timings",
     "Understudy",
     "align",
@@ -49,6 +54,7 @@ __all__ = [
     "to_textgrid",
     "understand",
     "write_bml",
+    "write_bml_json",
 ]
 
 Progress = Callable[[str], None]
@@ -85,6 +91,7 @@ class Options:
     character: str = "default"
     agitation: Level | None = None
     seed: int = 0
+    form: BmlForm = CORE_FORM
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -199,13 +206,15 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
     wishes = offer_movements(understudy.body.rules, analysis.utterance, analysis.functions, seed=options.seed)
     progress("schedule")
     behaviors = schedule(wishes, analysis.utterance, character, seed=options.seed)
+    lips, lip_notices = visemes(analysis.utterance.words, analysis.utterance.duration_s or 0.0)
     return Performance(
         utterance=analysis.utterance,
         functions=analysis.functions,
         behaviors=behaviors,
         character=character.name,
         seed=options.seed,
-        notices=analysis.notices,
+        notices=analysis.notices + lip_notices,
+        visemes=lips,
     )
 
 

@@ -8,7 +8,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from app.errors import InputError, UndecodableError, UnsupportedFormatError
 from app.model import Level
-from app.performance import Options, Timings
+from app.performance import BmlForm, DialectName, Options, TimeForm, Timings
 
 LARGEST_SEED = 2**63 - 1
 
@@ -24,9 +24,13 @@ class OptionsQuestion(BaseModel):
     character: str = "default"
     agitation: Level | None = None
     seed: Seed = 0
+    dialect: Annotated[DialectName, Field(strict=False)] = DialectName.BML
+    timing: Annotated[TimeForm, Field(strict=False)] = TimeForm.ABSOLUTE
 
     def to_options(self) -> Options:
-        return Options(character=self.character, agitation=self.agitation, seed=self.seed)
+        return Options(
+            character=self.character, agitation=self.agitation, seed=self.seed, form=BmlForm(self.dialect, self.timing)
+        )
 
 
 class TextQuestion(BaseModel):

@@ -1,6 +1,8 @@
 """The paths of the service."""
 
+from dataclasses import replace
 from functools import partial
+from pathlib import PurePath
 from typing import Any
 
 from fastapi import APIRouter, Request, Response
@@ -52,7 +54,9 @@ router = APIRouter()
 
 @router.post("/perform", responses=_PERFORMED | _ERRORS, openapi_extra=_PERFORM_BODY)
 async def post_perform(request: Request, shared: Shared) -> Response:
-    """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation, seed."""
+    """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation,
+    seed, dialect, timing.
+    """
     media_type = preferred(request.headers.get("accept"), (XML, JSON))
     if media_type is None:
         raise HTTPException(406, f"a performance comes as {XML} or {JSON}; accept one of them")
@@ -60,7 +64,7 @@ async def post_perform(request: Request, shared: Shared) -> Response:
     deadline = Deadline.starting_now(shared.settings.deadline_s)
     form = await deadline.within(read_form(request, PERFORM_FIELDS))
     line = _line(form)
-    options = read_options(form["options"].content) if "options" in form else Options()
+    options = _options(form)
     work = partial(_performed, shared.understudy, line, options, media_type)
     return await shared.capacity.run(work, deadline)
 
@@ -116,11 +120,18 @@ def _line(form: dict[str, Part]) -> Line:
     return Line(audio=form["audio"].content, text=form["text"].text, timings=timings)
 
 
+def _options(form: dict[str, Part]) -> Options:
+    """What `options` says; the recording goes by the name of its file."""
+    options = read_options(form["options"].content) if "options" in form else Options()
+    audio_name = PurePath(form["audio"].file_name or "").stem or None
+    return replace(options, form=replace(options.form, audio_name=audio_name))
+
+
 def _performed(understudy: Understudy, line: Line, options: Options, media_type: str, progress: Progress) -> Response:
     """The answer, also written out in the thread that made it."""
     performance = perform(understudy, line, options, progress)
     progress("write")
-    bml = write_bml(performance)
+    bml = write_bml(performance, options.form)
     content = bml if media_type == XML else PerformAnswer.of(performance, bml).to_json()
     headers = {"Vary": "Accept"}
     if performance.notices:

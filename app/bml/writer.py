@@ -1,12 +1,14 @@
 """The kept behaviours of a performance as BML, in the dialect and with the times that were asked for (shared/bml.md).
 
-`app.bml.blocks` and `app.bml.smartbody` say what goes into a document, `app.bml.markup` how it looks as XML.
+`app.bml.blocks` and `app.bml.smartbody` say what goes into a document, `app.bml.markup` how it looks as XML and
+`app.bml.json_form` as JSON.
 """
 
 from dataclasses import dataclass
 
 from app.bml.blocks import to_core
 from app.bml.documents import DialectName, Document, TimeForm
+from app.bml.json_form import to_json
 from app.bml.markup import to_xml
 from app.bml.smartbody import to_smartbody
 from app.model import Performance
@@ -29,6 +31,11 @@ CORE_FORM = BmlForm()
 def write_bml(performance: Performance, form: BmlForm = CORE_FORM) -> bytes:
     """The BML document as XML, UTF-8."""
     return to_xml(to_document(performance, form))
+
+
+def write_bml_json(performance: Performance, form: BmlForm = CORE_FORM) -> bytes:
+    """The same document as JSON, UTF-8 (docs/bml-json.md)."""
+    return to_json(to_document(performance, form))
 
 
 def to_document(performance: Performance, form: BmlForm = CORE_FORM) -> Document:

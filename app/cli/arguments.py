@@ -8,6 +8,7 @@ from typing import NoReturn
 from app import __version__
 from app.errors import InputError
 from app.model import Level
+from app.performance import DialectName, TimeForm
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
 """Adds a command, given its name and what it does."""
@@ -56,11 +57,25 @@ def _voices() -> argparse.ArgumentParser:
 def _add_perform(add: Adding) -> None:
     parser = add("perform", "perform one line: audio and words in, BML out")
     _add_line(parser)
-    parser.add_argument("-o", "--output", metavar="OUT.bml", help="where the BML goes (default: standard output)")
+    parser.add_argument(
+        "-o", "--output", metavar="OUT.bml", help="where the BML goes, OUT.json: as JSON (default: standard output)"
+    )
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     _add_agitation(parser)
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
+    _add_form(parser)
     parser.add_argument("--trace", metavar="FILE", help="write the whole performance as JSON: every reason")
+
+
+def _add_form(parser: argparse.ArgumentParser) -> None:
+    timings = [timing.value for timing in TimeForm]
+    parser.add_argument(
+        "--timing", choices=timings, default="absolute", help="times in seconds, or from the marks of the speech (sync)"
+    )
+    dialects = [dialect.value for dialect in DialectName]
+    parser.add_argument(
+        "--dialect", choices=dialects, default="bml", help="BML 1.0 core, or SmartBody's with lip sync (default bml)"
+    )
 
 
 def _add_analyses(add: Adding) -> None:

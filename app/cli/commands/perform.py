@@ -1,6 +1,7 @@
 """`understudy perform`: one line in, BML out, and what the character does and why."""
 
 import argparse
+from pathlib import PurePath
 
 from app.answers import PerformanceAnswer
 from app.cli.files import STANDARD, require_writable, write
@@ -9,7 +10,7 @@ from app.cli.log import Log
 from app.cli.summary import summary
 from app.errors import InputError
 from app.model import Level
-from app.performance import Options, Understudy, perform, write_bml
+from app.performance import BmlForm, DialectName, Options, TimeForm, Understudy, perform, write_bml, write_bml_json
 from app.settings import read_settings
 
 
@@ -21,16 +22,23 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         character=arguments.character,
         agitation=arguments.agitation and Level(arguments.agitation),
         seed=arguments.seed,
+        form=_form(arguments),
     )
     with Understudy.load(settings) as understudy:
         performance = perform(understudy, line, options, log.stage)
     if arguments.trace:
         write(arguments.trace, PerformanceAnswer.of_performance(performance).to_json(indent=2) + b"\n")
-    write(arguments.output or STANDARD, write_bml(performance))
+    written = write_bml_json if (arguments.output or "").lower().endswith(".json") else write_bml
+    write(arguments.output or STANDARD, written(performance, options.form))
     log.warnings(performance.notices)
     if arguments.output:
         log.note(summary(performance))
     return 0
+
+
+def _form(arguments: argparse.Namespace) -> BmlForm:
+    audio_name = None if arguments.audio == STANDARD else PurePath(arguments.audio).stem
+    return BmlForm(DialectName(arguments.dialect), TimeForm(arguments.timing), audio_name)
 
 
 def _check_targets(arguments: argparse.Namespace) -> None:
