@@ -1,15 +1,19 @@
-"""What an author asks of rules and words at work: why a line came out so, and what no line of a corpus ever uses.
+"""What an author asks of rules and words at work: why a line came out so, what no line of a corpus ever uses, and to
+have them read again.
 
-Nothing is heard here, so what asks for stress, pauses or agitation finds nothing (agitation counts as medium).
+Nothing is heard in a trace, so what asks for stress, pauses or agitation finds nothing (agitation counts as medium).
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from pathlib import Path
 
+from app.catalogue import RULES
 from app.errors import InputError
 from app.model import Function, Level, Utterance
-from app.performance import Body, Mind
+from app.performance import Body, Mind, Understudy
+from app.resources import resource_folder
 from app.rules.chainer import Derivation, Fact, derive
 from app.rules.derivation import FunctionRules, derive_facts, derive_functions
 from app.rules.facts import utterance_facts
@@ -66,6 +70,21 @@ def find_unused(mind: Mind, body: Body, texts: Iterable[str]) -> Unused:
         for rules, derivation in zip(waiting, derived, strict=True):
             rules[:] = _still_unused(rules, derivation)
     return Unused(tuple(rule for rules in waiting for rule in rules), tuple(words.values()))
+
+
+def files_in_use() -> tuple[Path, ...]:
+    """The folders of what authors edit."""
+    return RULES, resource_folder("lexicon")
+
+
+def read_again(understudy: Understudy) -> Understudy:
+    """The same ears and parser with rules, words, tables and characters as their files say now.
+
+    The aligner keeps the abbreviations that it began with. Raises AuthoringError when something does not load.
+    """
+    rules, lexicon = files_in_use()
+    mind = replace(understudy.mind, rules=FunctionRules.load(rules, lexicon / "en"))
+    return replace(understudy, mind=mind, body=Body.load())
 
 
 def _still_unused(rules: Sequence[Rule], derivation: Derivation) -> list[Rule]:

@@ -109,3 +109,26 @@ def test_the_commands(tmp_path: Path, capfdbinary: pytest.CaptureFixture[bytes])
     ):
         assert main(["--json-log", "rules", *argv]) == 2
         assert json.loads(capfdbinary.readouterr().err)["code"] == code
+
+
+def test_watching_checks_at_each_save(
+    tmp_path: Path, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "some.rules"
+    right = "rule some\nforeach\n  word(spoon, $s, $e)\nassert\n  fcn(negation, plain, $s, $e)\n"
+    file.write_text(right)
+    written = iter([right.replace("fcn", "fnc"), None, right + "\n", None])
+
+    def write_instead(_duration_s: float) -> None:
+        try:
+            content = next(written)
+        except StopIteration:
+            raise KeyboardInterrupt from None
+        if content:
+            file.write_text(content)
+
+    monkeypatch.setattr("app.cli.commands.rules.time.sleep", write_instead)
+    assert main(["rules", "check", "--watch", str(file)]) == 130
+    first, mistake, *_, last = capfdbinary.readouterr().err.decode().splitlines()
+    assert first == last == "no mistake in 1 files"
+    assert mistake.startswith(f"{file}:5:3: ")

@@ -9,6 +9,7 @@ from app import __version__
 from app.api.body_limit import BodyLimit
 from app.api.capacity import Capacity
 from app.api.problems import answer_errors_as_problems
+from app.api.reloading import reloading
 from app.api.routes import router
 from app.api.service import Service
 from app.catalogue import Catalogue
@@ -18,9 +19,9 @@ from app.settings import Settings
 DESCRIPTION = "Performs a spoken line in an actor's stead: audio and words in, a BML schedule of movements out."
 
 
-def create_app(settings: Settings, understudy: Understudy | None = None) -> FastAPI:
+def create_app(settings: Settings, understudy: Understudy | None = None, *, reload: bool = False) -> FastAPI:
     """The application. An `understudy` that is given stays its giver's to close; otherwise one is loaded when the
-    application starts and closed when it stops."""
+    application starts and closed when it stops. With `reload` what authors save is read again."""
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
@@ -30,6 +31,8 @@ def create_app(settings: Settings, understudy: Understudy | None = None) -> Fast
             stack.callback(capacity.close)
             catalogue = Catalogue.of(loaded.mind.rules, loaded.body.characters, loaded.body.rules)
             app.state.service = Service(settings, loaded, catalogue, capacity)
+            if reload:
+                stack.enter_context(reloading(app.state))
             yield
 
     app = FastAPI(

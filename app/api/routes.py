@@ -105,9 +105,9 @@ async def get_healthz() -> dict[str, str]:
 
 
 @router.get("/readyz")
-async def get_readyz(_shared: Shared) -> dict[str, str]:
-    """Everything is loaded."""
-    return {"status": "ready"}
+async def get_readyz(shared: Shared) -> dict[str, str]:
+    """Everything is loaded; `not_reloaded` says why files that were saved since are not (`serve --reload`)."""
+    return {"status": "ready"} | ({"not_reloaded": shared.not_reloaded} if shared.not_reloaded else {})
 
 
 def _line(form: dict[str, Part]) -> Line:

@@ -13,12 +13,16 @@ from app.settings import Settings
 
 @dataclass(frozen=True, slots=True)
 class Service:
-    """Loaded once, when the application starts."""
+    """Loaded once, when the application starts; with `--reload` another takes its place when files are saved.
+
+    `not_reloaded` says why the files as they are now are not in use.
+    """
 
     settings: Settings
     understudy: Understudy
     catalogue: Catalogue
     capacity: Capacity
+    not_reloaded: str | None = None
 
 
 def service_of(request: Request) -> Service:

@@ -117,6 +117,7 @@ def _add_rules(add: Adding) -> None:
     )
     check = _add(actions.add_parser, "check", "tell every mistake in rules, words, characters and tables")
     check.add_argument("paths", metavar="PATH", nargs="*", help="files or folders (default: those that are in use)")
+    check.add_argument("--watch", action="store_true", help="check again whenever they are saved, until interrupted")
     listing = _add(actions.add_parser, "list", "list them")
     listing.add_argument("--json", action="store_true", help="as JSON")
     explain = _add(actions.add_parser, "explain", "what one of them does")
@@ -139,3 +140,4 @@ def _add_serve(add: Adding) -> None:
     parser = add("serve", "answer over HTTP")
     parser.add_argument("--host", help="address to listen on (default: UNDERSTUDY_HOST, else 127.0.0.1)")
     parser.add_argument("--port", type=int, help="port to listen on (default: UNDERSTUDY_PORT, else 8000)")
+    parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")

@@ -1,19 +1,23 @@
 """`understudy rules`: check, list, explain and trace what authors edit."""
 
 import argparse
-from collections.abc import Iterable
+import time
+from collections.abc import Iterable, Sequence
+from itertools import chain
 from pathlib import Path
 
 from app.answers import RulesAnswer
-from app.authoring import find_unused, trace, trace_one
+from app.authoring import files_in_use, find_unused, trace, trace_one
 from app.catalogue import Catalogue, Item
 from app.cli.corpus import read_corpus
 from app.cli.files import write_standard
 from app.cli.log import Log
 from app.cli.traces import trace_lines, unused_lines
+from app.errors import AuthoringError
 from app.performance import Body, Mind
 from app.proofreading import check_files, check_files_in_use
 from app.settings import read_settings
+from app.watching import LOOK_EVERY_S, saves
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -24,12 +28,33 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 def _check(arguments: argparse.Namespace, log: Log) -> None:
     """Every mistake is raised; without one, one line on standard error says what was checked."""
-    if arguments.paths:
-        count = check_files([Path(path) for path in arguments.paths])
-        log.note(f"no mistake in {count} files")
+    paths = [Path(path) for path in arguments.paths]
+    if arguments.watch:
+        _watch(paths, log)
+    else:
+        _check_once(paths, log)
+
+
+def _check_once(paths: Sequence[Path], log: Log) -> None:
+    if paths:
+        log.note(f"no mistake in {check_files(paths)} files")
     else:
         check_files_in_use()
         log.note("no mistake in rules, words, characters and tables")
+
+
+def _watch(paths: Sequence[Path], log: Log) -> None:
+    """Checks now and at each save, until interrupted: mistakes are told, not raised."""
+    for _ in chain([None], saves(paths or files_in_use(), wait=_until_the_next_look)):
+        try:
+            _check_once(paths, log)
+        except AuthoringError as error:
+            log.error(error)
+
+
+def _until_the_next_look() -> bool:
+    time.sleep(LOOK_EVERY_S)
+    return True
 
 
 def _list(arguments: argparse.Namespace, _log: Log) -> None:

@@ -25,7 +25,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     with Understudy.load(settings) as understudy:
         perform(understudy, _example(), Options(), log.stage)
         server = uvicorn.Config(
-            create_app(settings, understudy),
+            create_app(settings, understudy, reload=arguments.reload),
             host=settings.host,
             port=settings.port,
             log_config=log.service_logging(),
