@@ -23,7 +23,7 @@ from app.bml.documents import DialectName, TimeForm
 from app.bml.scheduling import schedule
 from app.bml.visemes import visemes
 from app.bml.writer import CORE_FORM, BmlForm, write_bml, write_bml_json
-from app.model import Agitation, Audio, Contours, Function, Level, Notice, Performance, Utterance, Word
+from app.model import Agitation, Audio, Contours, Function, GivenFunction, Level, Notice, Performance, Utterance, Word
 from app.resources import resource_folder
 from app.rules.derivation import FunctionRules, derive_functions
 from app.rules.mapping import MappingRules, offer_movements
@@ -77,11 +77,13 @@ class Timings:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """What is sent in: the audio file's bytes, the transcript, and the words' timings when they are known already."""
+    """What is sent in: the audio file's bytes, the transcript, the words' timings when they are known already, and the
+    functions that the caller knows."""
 
     audio: bytes
     text: str
     timings: Timings | None = None
+    functions: tuple[GivenFunction, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,7 +200,7 @@ class Understudy:
 def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = unheard) -> Performance:
     """The performance of a recorded line (paper §3, Figure 2).
 
-    Raises InputError for audio, text, timings or options that cannot be used.
+    Raises InputError for audio, text, timings, functions or options that cannot be used.
     """
     character = understudy.body.characters.named(options.character)
     analysis = analyze(understudy, line, agitation=options.agitation, progress=progress)
@@ -238,7 +240,9 @@ def analyze(
         duration_s=heard.audio.duration_s,
     )
     progress("functions")
-    functions = derive_functions(mind.rules, utterance, emphasis_ratio=mind.settings.emphasis_ratio)
+    functions = derive_functions(
+        mind.rules, utterance, emphasis_ratio=mind.settings.emphasis_ratio, given=line.functions
+    )
     return Analysis(utterance, functions, heard.notices + notices)
 
 

@@ -56,7 +56,18 @@ def read_options(content: bytes) -> Options:
 def read_object(content: bytes, field: str) -> dict[str, Any]:
     """The JSON object `content`, named `field` in errors.
 
-    Raises UndecodableError `not_json`, InputError `text_surrogate` (anywhere in it) and `not_an_object`.
+    Raises what `read_json` raises, and InputError `not_an_object`.
+    """
+    value = read_json(content, field)
+    if not isinstance(value, dict):
+        raise InputError("not_an_object", f"{field} must be a JSON object in braces", field=field)
+    return value
+
+
+def read_json(content: bytes, field: str) -> object:
+    """What the JSON `content` says, named `field` in errors.
+
+    Raises UndecodableError `not_json`, InputError `text_surrogate` (anywhere in it).
     """
     try:
         value = json.loads(content)
@@ -66,8 +77,6 @@ def read_object(content: bytes, field: str) -> dict[str, Any]:
         raise InputError("text_surrogate", message, field=field) from None
     except (ValueError, RecursionError) as error:
         raise UndecodableError("not_json", f"{field} is not JSON: {error}", field=field) from None
-    if not isinstance(value, dict):
-        raise InputError("not_an_object", f"{field} must be a JSON object in braces", field=field)
     return value
 
 

@@ -16,12 +16,13 @@ from app.api.problems import MEDIA_TYPE as PROBLEM
 from app.api.service import Shared
 from app.catalogue import Kind
 from app.errors import InputError, UnsupportedFormatError
+from app.given_functions import read_functions
 from app.performance import Line, Options, Progress, Understudy, perform, understand, write_bml
 from app.questions import read_object, read_options, read_question, read_timings
 
 XML = "application/xml"
 JSON = "application/json"
-PERFORM_FIELDS = ("audio", "text", "options", "words")
+PERFORM_FIELDS = ("audio", "text", "options", "words", "functions")
 WARNINGS_HEADER = "Understudy-Warnings"
 
 _TEXT = {"type": "string"}
@@ -34,7 +35,13 @@ _PERFORM_BODY = {
                 "schema": {
                     "type": "object",
                     "required": ["audio", "text"],
-                    "properties": {"audio": _FILE, "text": _TEXT, "options": _TEXT, "words": _FILE},
+                    "properties": {
+                        "audio": _FILE,
+                        "text": _TEXT,
+                        "options": _TEXT,
+                        "words": _FILE,
+                        "functions": _FILE,
+                    },
                 }
             }
         },
@@ -117,7 +124,8 @@ def _line(form: dict[str, Part]) -> Line:
             raise InputError("field_missing", f"the field {name} is missing; send audio and text", field=name)
     words = form.get("words")
     timings = None if words is None else read_timings(words.file_name or "", words.content)
-    return Line(audio=form["audio"].content, text=form["text"].text, timings=timings)
+    functions = read_functions(form["functions"].content) if "functions" in form else ()
+    return Line(audio=form["audio"].content, text=form["text"].text, timings=timings, functions=functions)
 
 
 def _options(form: dict[str, Part]) -> Options:

@@ -57,6 +57,7 @@ def _voices() -> argparse.ArgumentParser:
 def _add_perform(add: Adding) -> None:
     parser = add("perform", "perform one line: audio and words in, BML out")
     _add_line(parser)
+    _add_functions(parser)
     parser.add_argument(
         "-o", "--output", metavar="OUT.bml", help="where the BML goes, OUT.json: as JSON (default: standard output)"
     )
@@ -81,6 +82,7 @@ def _add_form(parser: argparse.ArgumentParser) -> None:
 def _add_analyses(add: Adding) -> None:
     analyze = add("analyze", "what a line says and does, as JSON, before any movement is chosen")
     _add_line(analyze)
+    _add_functions(analyze)
     _add_agitation(analyze)
     align = add("align", "words and phones in time")
     _add_line(align)
@@ -102,6 +104,11 @@ def _add_line(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--words", metavar="FILE", help="the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned"
     )
+    parser.set_defaults(functions=None)
+
+
+def _add_functions(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--functions", metavar="FILE", help="what words do that you know already: a JSON list")
 
 
 def _add_agitation(parser: argparse.ArgumentParser) -> None:

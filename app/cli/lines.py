@@ -4,19 +4,26 @@ import argparse
 
 from app.cli.files import STANDARD, read_bytes, read_text
 from app.errors import InputError
+from app.given_functions import read_functions
+from app.model import GivenFunction
 from app.performance import Line, Timings
 from app.questions import read_timings
 from app.settings import Settings
 
 
 def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:
-    """The line of AUDIO, `--text` or `--text-file`, and `--words`. Raises InputError for what cannot be read."""
-    if [arguments.audio, arguments.text_file, arguments.words].count(STANDARD) > 1:
-        raise InputError("usage", "only one of audio, text and words can come from standard input (-)")
+    """The line of AUDIO, `--text` or `--text-file`, `--words` and `--functions`.
+
+    Raises InputError for what cannot be read.
+    """
+    files = [arguments.audio, arguments.text_file, arguments.words, arguments.functions]
+    if files.count(STANDARD) > 1:
+        raise InputError("usage", "only one of audio, text, words and functions can come from standard input (-)")
     return Line(
         audio=read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio"),
         text=_text(arguments, settings),
         timings=None if arguments.words is None else _timings(arguments.words, settings),
+        functions=() if arguments.functions is None else _functions(arguments.functions, settings),
     )
 
 
@@ -28,3 +35,7 @@ def _text(arguments: argparse.Namespace, settings: Settings) -> str:
 
 def _timings(name: str, settings: Settings) -> Timings:
     return read_timings(name, read_bytes(name, limit=settings.max_body_bytes, field="words"))
+
+
+def _functions(name: str, settings: Settings) -> tuple[GivenFunction, ...]:
+    return read_functions(read_bytes(name, limit=settings.max_body_bytes, field="functions"))
