@@ -22,7 +22,7 @@ from pathlib import Path
 from app.bml.characters import Character, Characters
 from app.bml.scheduling import schedule
 from app.bml.writer import write_bml
-from app.model import Agitation, Behavior, Channel, Function, Hand, Interval, Performance, Phone, Utterance, Word
+from app.model import Agitation, Behavior, Channel, Function, Hand, Interval, Mode, Performance, Phone, Utterance, Word
 from app.resources import resource_folder
 from app.rules.derivation import FunctionRules, derive_functions
 from app.rules.mapping import MappingRules, offer_movements
@@ -81,7 +81,7 @@ class Stages:
         )
 
 
-def outcome(stages: Stages, text: str, seed: int) -> Outcome:
+def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) -> Outcome:
     """The text, as if read at medium agitation."""
     words = tuple(timed(read_transcript(text, max_characters=20_000), random.Random(text)))
     duration_s = max(word.interval.end_s for word in words if word.interval) + 0.2
@@ -91,7 +91,7 @@ def outcome(stages: Stages, text: str, seed: int) -> Outcome:
     clock = [time.perf_counter()]
     wishes = offer_movements(stages.mapping, utterance, functions, seed=seed)
     clock.append(time.perf_counter())
-    behaviors = schedule(wishes, utterance, stages.character, seed=seed)
+    behaviors = schedule(wishes, utterance, stages.character, seed=seed, mode=mode)
     clock.append(time.perf_counter())
     bml = write_bml(Performance(utterance, functions, behaviors, stages.character.name, seed))
     clock.append(time.perf_counter())
