@@ -84,6 +84,7 @@ def _add_analyses(add: Adding) -> None:
     _add_line(analyze)
     _add_functions(analyze)
     _add_agitation(analyze)
+    analyze.add_argument("--plot", metavar="FILE", help="draw it too, as PNG (needs the extra `plot`)")
     align = add("align", "words and phones in time")
     _add_line(align)
     align.add_argument("--format", choices=("json", "textgrid", "ctm"), default="json")
