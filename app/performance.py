@@ -5,7 +5,7 @@ once into an `Understudy` and never changes. The doors (`app.cli`, `app.api`) ca
 stages; the forms in which results leave (BML, TextGrid, CTM) are passed on from here.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
@@ -15,6 +15,7 @@ from app.acoustic.alignment import Aligner
 from app.acoustic.decoding import AudioLimits, decode
 from app.acoustic.pitch import track_f0
 from app.acoustic.prominence import prominence
+from app.acoustic.speaker import SpeakerReference
 from app.acoustic.spectrum import energy_db, mfcc
 from app.acoustic.stress import stress
 from app.acoustic.timings import read_timings, to_ctm, to_textgrid
@@ -43,6 +44,7 @@ __all__ = [
     "Mind",
     "Options",
     "Progress",
+    "SpeakerReference",
     "TimeForm",
     "Timings",
     "Understudy",
@@ -50,6 +52,7 @@ __all__ = [
     "analyze",
     "hear",
     "perform",
+    "refer",
     "to_ctm",
     "to_textgrid",
     "understand",
@@ -88,11 +91,12 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """How the line is to be performed; `agitation` overrides what the voice says."""
+    """How the line is to be performed; `agitation` overrides what the voice says, `reference` is how it usually sounds."""
 
     character: str = "default"
     agitation: Level | None = None
     seed: int = 0
+    reference: SpeakerReference | None = None
     form: BmlForm = CORE_FORM
 
 
@@ -139,7 +143,7 @@ class Ears:
         return cls(
             settings=settings,
             aligner=Aligner(models, lexicon / "en"),
-            agitation=AgitationModel.load(models / "agitation"),
+            agitation=AgitationModel.load(models / "agitation", settings.agitation_features),
         )
 
 
@@ -203,7 +207,7 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
     Raises InputError for audio, text, timings, functions or options that cannot be used.
     """
     character = understudy.body.characters.named(options.character)
-    analysis = analyze(understudy, line, agitation=options.agitation, progress=progress)
+    analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
     progress("mapping")
     wishes = offer_movements(understudy.body.rules, analysis.utterance, analysis.functions, seed=options.seed)
     progress("schedule")
@@ -221,12 +225,17 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
 
 
 def analyze(
-    understudy: Understudy, line: Line, *, agitation: Level | None = None, progress: Progress = unheard
+    understudy: Understudy,
+    line: Line,
+    *,
+    agitation: Level | None = None,
+    reference: SpeakerReference | None = None,
+    progress: Progress = unheard,
 ) -> Analysis:
     """What is heard, said and meant (paper §3.1 to §3.3)."""
     ears, mind = understudy.ears, understudy.mind
     transcript = read_transcript(line.text, max_characters=mind.settings.max_text_characters)
-    heard = hear(ears, line.audio, progress)
+    heard = hear(ears, line.audio, progress, reference=reference)
     progress("align")
     words, notices = _timed(ears, heard.audio, transcript, line.timings)
     progress("stress")
@@ -253,14 +262,20 @@ def understand(mind: Mind, text: str) -> Analysis:
     return Analysis(utterance, derive_functions(mind.rules, utterance))
 
 
-def hear(ears: Ears, audio: bytes, progress: Progress = unheard) -> Heard:
+def hear(ears: Ears, audio: bytes, progress: Progress = unheard, *, reference: SpeakerReference | None = None) -> Heard:
     """What the signal alone says: its contours and the speaker's agitation (paper §3.1.1 to §3.1.4)."""
     progress("decode")
     signal, notices = decode(audio, _limits(ears.settings))
     progress("contours")
     contours = Contours(energy_db=energy_db(signal), f0_hz=track_f0(signal), mfcc=mfcc(signal))
     progress("agitation")
-    return Heard(signal, contours, ears.agitation.memberships(contours.mfcc, contours.energy_db), notices)
+    return Heard(signal, contours, ears.agitation.agitation(signal, contours, reference), notices)
+
+
+def refer(ears: Ears, recordings: Sequence[Heard]) -> SpeakerReference:
+    """How the speaker of these recordings, one or more, usually sounds."""
+    features = [ears.agitation.describe(heard.audio, heard.contours) for heard in recordings]
+    return SpeakerReference.of(ears.agitation.feature_set, features)
 
 
 def align(ears: Ears, line: Line) -> Aligned:

@@ -1,6 +1,7 @@
 """What an operator may set, from the environment (`UNDERSTUDY_…`); every setting is listed in docs/settings.md."""
 
 from pathlib import Path
+from typing import Literal
 
 from pydantic import Field, ValidationError
 from pydantic_settings import BaseSettings, SettingsConfigDict
@@ -29,6 +30,9 @@ class Settings(BaseSettings):
     )
     emphasis_ratio: float = Field(
         default=0.1, ge=0, le=1, description="stressed ratio above which a word is emphasised"
+    )
+    agitation_features: Literal["paper", "full"] = Field(
+        default="full", description="what agitation is judged by: the paper's 12 MFCC, or all that helps"
     )
     host: str = Field(default="127.0.0.1", description="address the service listens on")
     port: int = Field(default=8000, ge=0, le=65535, description="port the service listens on; 0 picks a free one")

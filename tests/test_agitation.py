@@ -9,42 +9,76 @@ import numpy as np
 import pytest
 import soundfile
 
-from app.acoustic.agitation import CHECKSUM_FILE, MODEL_FILE, AgitationModel, Machine, save, voice_features
-from app.acoustic.spectrum import energy_db, mfcc
-from app.errors import ServiceError
+from app.acoustic.agitation import AgitationModel, FuzzySvm, Machine, save
+from app.acoustic.speaker import SpeakerReference, TypicalSpeaker
+from app.acoustic.utterance_features import FEATURE_SETS
+from app.errors import InputError, ServiceError
 from app.model import SAMPLE_RATE_HZ, Audio, Level
 from app.resources import resource_folder
+from training.agitation.corpus import listen
 
 MODEL_FOLDER = resource_folder("models") / "agitation"
+MODEL_FILE, CHECKSUM_FILE = "paper.npz", "paper.npz.sha256"
+
+
+def toy_svm() -> FuzzySvm:
+    """Three machines with one support vector each, at -1, 0 and 1 on the first axis, alike otherwise."""
+    machines = tuple(Machine(np.eye(1, 12)[:1] * place, np.array([2.0]), -1.0, 3.0, 0.0) for place in (-1.0, 0.0, 1.0))
+    return FuzzySvm(np.zeros(12), np.ones(12), 1.0, machines)
 
 
 def toy_model() -> AgitationModel:
-    """Three machines with one support vector each, at -1, 0 and 1 on the first axis, alike otherwise."""
-    machines = tuple(Machine(np.eye(1, 12) * place, np.array([2.0]), -1.0, 3.0, 0.0) for place in (-1.0, 0.0, 1.0))
-    return AgitationModel(np.zeros(12), np.ones(12), 1.0, machines)
+    return AgitationModel("paper", TypicalSpeaker(np.zeros(12), np.ones(12)), toy_svm(), toy_svm())
+
+
+def at(place: float) -> np.ndarray:
+    return np.eye(1, 12)[0] * place
 
 
 @pytest.mark.parametrize(("place", "level"), [(-1.2, Level.LOW), (0.1, Level.MEDIUM), (1.4, Level.HIGH)])
 def test_the_nearest_machine_wins(place: float, level: Level) -> None:
-    agitation = toy_model().judge(np.eye(1, 12)[0] * place)
+    agitation = toy_model().judge(at(place))
     assert agitation.level is level
     assert agitation.low + agitation.medium + agitation.high == pytest.approx(1)
 
 
 def test_decision_value_at_the_support_vector_is_coefficient_plus_intercept() -> None:
-    assert toy_model().decision_values(np.zeros(12))[1] == pytest.approx(2.0 - 1.0)
+    assert toy_svm().decision_values(np.zeros(12))[1] == pytest.approx(2.0 - 1.0)
 
 
-def test_only_frames_near_the_loudest_speak_for_the_voice() -> None:
-    coefficients = np.repeat([[1.0] * 12, [5.0] * 12], [3, 10], axis=0)
-    energy = np.repeat([0.0, -20.1], [3, 10])
-    assert voice_features(coefficients, energy) == pytest.approx(np.ones(12))
+def test_memberships_are_softmax_of_the_scaled_decision_values() -> None:
+    values = 3.0 * toy_svm().decision_values(at(0.3))
+    assert toy_svm().memberships(at(0.3)) == pytest.approx(np.exp(values) / np.exp(values).sum())
+
+
+def speaker(mean: float, recordings: int) -> SpeakerReference:
+    return SpeakerReference("paper", recordings, at(mean), np.ones(12))
+
+
+def test_what_is_high_for_most_is_low_for_one_who_is_louder_still() -> None:
+    assert toy_model().judge(at(1.0)).level is Level.HIGH
+    assert toy_model().judge(at(1.0), speaker(2.5, 1000)).level is Level.LOW
+
+
+def test_the_more_recordings_of_the_speaker_the_more_they_count() -> None:
+    highs = [toy_model().judge(at(1.0), speaker(2.5, count)).high for count in (1, 5, 20, 100)]
+    assert highs == sorted(highs, reverse=True)
+    assert toy_model().judge(at(1.0)).high > highs[0] > highs[-1] + 0.2
+
+
+def test_a_reference_of_another_feature_set_is_refused() -> None:
+    other = SpeakerReference("full", 5, np.zeros(49), np.ones(49))
+    with pytest.raises(InputError, match="understudy reference") as raised:
+        toy_model().judge(np.zeros(12), other)
+    assert raised.value.code == "reference_other_features"
 
 
 def test_a_saved_model_loads_unchanged(tmp_path: Path) -> None:
     save(toy_model(), tmp_path)
     features = np.linspace(-1, 1, 12)
-    assert AgitationModel.load(tmp_path).judge(features) == toy_model().judge(features)
+    loaded = AgitationModel.load(tmp_path, "paper")
+    for reference in (None, speaker(1.0, 4)):
+        assert loaded.judge(features, reference) == toy_model().judge(features, reference)
 
 
 def test_saving_twice_gives_the_same_bytes(tmp_path: Path) -> None:
@@ -59,7 +93,7 @@ def test_a_changed_byte_is_noticed(tmp_path: Path) -> None:
     content[len(content) // 2] ^= 1
     (tmp_path / MODEL_FILE).write_bytes(content)
     with pytest.raises(ServiceError, match="differs from its checksum") as raised:
-        AgitationModel.load(tmp_path)
+        AgitationModel.load(tmp_path, "paper")
     assert raised.value.code == "model_damaged"
 
 
@@ -68,7 +102,7 @@ def test_a_missing_file_is_named(tmp_path: Path, missing: str) -> None:
     save(toy_model(), tmp_path)
     (tmp_path / missing).unlink()
     with pytest.raises(ServiceError, match=missing) as raised:
-        AgitationModel.load(tmp_path)
+        AgitationModel.load(tmp_path, "paper")
     assert raised.value.code == "model_unreadable"
 
 
@@ -77,29 +111,32 @@ def test_another_file_under_a_right_checksum_is_refused(tmp_path: Path, content:
     (tmp_path / MODEL_FILE).write_bytes(content)
     (tmp_path / CHECKSUM_FILE).write_text(f"{hashlib.sha256(content).hexdigest()}  {MODEL_FILE}\n")
     with pytest.raises(ServiceError) as raised:
-        AgitationModel.load(tmp_path)
+        AgitationModel.load(tmp_path, "paper")
     assert raised.value.code == "model_unreadable"
 
 
-def test_the_shipped_model_loads_without_scikit_learn() -> None:
+def test_the_shipped_models_load_without_scikit_learn() -> None:
     program = (
         "import sys; from pathlib import Path; from app.acoustic.agitation import AgitationModel; "
-        f"AgitationModel.load(Path({str(MODEL_FOLDER)!r})); sys.exit('sklearn' in sys.modules)"
+        f"[AgitationModel.load(Path({str(MODEL_FOLDER)!r}), name) for name in ('paper', 'full')]; "
+        "sys.exit('sklearn' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", program], check=False).returncode == 0
 
 
+@pytest.mark.parametrize("feature_set", FEATURE_SETS)
 @pytest.mark.parametrize("samples", [np.zeros(1), np.zeros(SAMPLE_RATE_HZ), np.eye(1, 400)[0]])
-def test_the_shipped_model_judges_whatever_it_hears(samples: np.ndarray) -> None:
+def test_the_shipped_models_judge_whatever_they_hear(samples: np.ndarray, feature_set: str) -> None:
     audio = Audio(samples)
-    agitation = AgitationModel.load(MODEL_FOLDER).memberships(mfcc(audio), energy_db(audio))
+    agitation = AgitationModel.load(MODEL_FOLDER, feature_set).agitation(audio, listen(audio))
     assert agitation.low + agitation.medium + agitation.high == pytest.approx(1)
     assert min(agitation.low, agitation.medium, agitation.high) >= 0
 
 
-def test_recording_level_changes_nothing() -> None:
-    model = AgitationModel.load(MODEL_FOLDER)
+@pytest.mark.parametrize("feature_set", FEATURE_SETS)
+def test_recording_level_changes_nothing(feature_set: str) -> None:
+    model = AgitationModel.load(MODEL_FOLDER, feature_set)
     samples, _ = soundfile.read(Path(__file__).parent / "audio" / "figure8.flac")
     loud, quiet = Audio(samples), Audio(samples * 0.01)
-    heard, whispered = (model.memberships(mfcc(audio), energy_db(audio)) for audio in (loud, quiet))
-    assert (heard.low, heard.high) == pytest.approx((whispered.low, whispered.high), abs=1e-6)
+    heard, whispered = (model.agitation(audio, listen(audio)) for audio in (loud, quiet))
+    assert (heard.low, heard.high) == pytest.approx((whispered.low, whispered.high), abs=1e-4)

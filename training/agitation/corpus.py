@@ -14,9 +14,10 @@ import numpy as np
 import soundfile
 from numpy.typing import NDArray
 
-from app.acoustic.agitation import voice_features
+from app.acoustic.pitch import track_f0
 from app.acoustic.spectrum import energy_db, mfcc
-from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
+from app.acoustic.utterance_features import FEATURE_SETS
+from app.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray, Level
 
 LEVELS = {"low": Level.LOW, "mid": Level.MEDIUM, "high": Level.HIGH}
 
@@ -43,8 +44,8 @@ class Recording:
 class Samples:
     """Recordings as the classifier sees them, one row each.
 
-    `features` (rows, 12), `memberships` (rows, 3), `corpora` and `speakers` (rows,); speakers of different corpora
-    have different names. `levels` (rows,) is the index in `Level`, -1 where open.
+    `features` (rows, features), NaN where unknown, `memberships` (rows, 3), `corpora` and `speakers` (rows,); speakers
+    of different corpora have different names. `levels` (rows,) is the index in `Level`, -1 where open.
     """
 
     features: FloatArray
@@ -84,14 +85,25 @@ def describe(recordings: Sequence[Recording], features: FloatArray) -> Samples:
     )
 
 
-def measure(recordings: Sequence[Recording], listen: Callable[[Audio], FloatArray] | None = None) -> FloatArray:
-    """What `listen` makes of each recording, or the features as the program computes them; shape (recordings, 12)."""
-    return np.array([(listen or hear)(read_audio(recording.path)) for recording in recordings])
+def measure(
+    recordings: Sequence[Recording], feature_sets: Sequence[str], change: Callable[[Audio], Audio] = lambda audio: audio
+) -> dict[str, FloatArray]:
+    """The features of each recording as the program computes them, by feature set; shape (recordings, features).
+
+    `change` is what happens to the recordings first.
+    """
+    rows: dict[str, list[FloatArray]] = {name: [] for name in feature_sets}
+    for recording in recordings:
+        audio = change(read_audio(recording.path))
+        contours = listen(audio)
+        for name in feature_sets:
+            rows[name].append(FEATURE_SETS[name](audio, contours))
+    return {name: np.array(features) for name, features in rows.items()}
 
 
-def hear(audio: Audio) -> FloatArray:
-    """The features of one recording, shape (12,)."""
-    return voice_features(mfcc(audio), energy_db(audio))
+def listen(audio: Audio) -> Contours:
+    """The contours as `app.performance` makes them."""
+    return Contours(energy_db=energy_db(audio), f0_hz=track_f0(audio), mfcc=mfcc(audio))
 
 
 def read_audio(path: Path) -> Audio:
