@@ -11,6 +11,7 @@ ENUMERATION = [
     ("First, we pack. Then we leave. Finally, we rest.", [("first", "First,"), ("next", "Then"), ("last", "Finally,")]),
     ("First of all, he lied.", [("first", "First of all,")]),
     ("Then we left.", []),
+    ("He finally left.", []),
     ("The first man left.", []),
 ]
 TOPIC_SHIFT = [
@@ -18,6 +19,7 @@ TOPIC_SHIFT = [
     ("Anyway, I left.", [("return", "Anyway,")]),
     ("As I was saying, he left.", [("return", "As I was saying,")]),
     ("I'll do it anyway.", []),
+    ("We were talking about him.", []),
 ]
 PARENTHESIS = [
     ("My brother (he is older) came.", [("plain", "(he is older)")]),
@@ -69,6 +71,7 @@ INCLUSION = [
     ("All of us came together.", [("everyone", "All of us"), ("together", "together.")]),
     ("Let's go.", [("joining", "Let's")]),
     ("He put it together.", []),
+    ("The United Nations met.", []),
 ]
 TABLE = {
     "enumeration": ENUMERATION,

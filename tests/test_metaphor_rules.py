@@ -18,6 +18,7 @@ TIME = [
     ("The years went by.", [("passing", "years went by.")]),
     ("We run out of time.", [("passing", "run out of time.")]),
     ("The last man left.", []),
+    ("Every once in a while he left.", []),
     ("My brother is coming.", []),
     ("He sleeps in a house.", []),
 ]

@@ -33,12 +33,13 @@ _ON_WORDS = frozenset(("lexical", "lemma", "part_of_speech", "tag", "stressed_ra
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FunctionRules:
-    """All that deriving functions needs, loaded once and never changed."""
+    """All that deriving functions needs, loaded once and never changed; `tables`: priorities and conflicts as facts."""
 
     program: Program
     lexicon: Lexicon
     conflicts: Conflicts
     priorities: Priorities
+    tables: tuple[Fact, ...]
 
     @classmethod
     def load(cls, rules: Path, lexicon: Path) -> "FunctionRules":
@@ -61,7 +62,7 @@ class FunctionRules:
         )
         if unknown:
             raise AuthoringError(unknown)
-        return cls(program, words, conflicts, priorities)
+        return cls(program, words, conflicts, priorities, (*priorities.facts(), *conflicts.facts()))
 
 
 def derive_functions(
@@ -97,8 +98,7 @@ def derive_facts(
     facts = (
         *utterance_facts(utterance),
         *_lexical_facts(rules.lexicon, utterance),
-        *rules.priorities.facts(),
-        *rules.conflicts.facts(),
+        *rules.tables,
         Fact("emphasis_threshold", (emphasis_ratio,)),
         *from_outside,
     )
