@@ -147,6 +147,13 @@ def test_a_posture_has_a_stance_and_a_pose() -> None:
     ]
 
 
+def test_where_nothing_is_said_there_is_no_speech() -> None:
+    line = performance(behavior(Channel.HEAD, "NOD", STROKE))
+    document = write_bml(replace(line, utterance=replace(line.utterance, words=())))
+    assert check(document) == []
+    assert [child.get("id") for child in etree.fromstring(document)] == ["head1"]
+
+
 def test_small_times_are_fixed_decimals() -> None:
     face = written(behavior(Channel.FACE, "RAISE_BROWS", SyncPoints(start=0.0, ready=1e-5, relax=0.1, end=1e4)))
     assert (face.get("attackPeak"), face.get("end")) == ("0.000", "10000.000")

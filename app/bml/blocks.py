@@ -28,12 +28,16 @@ Times = Mapping[str, Time]
 
 
 def to_core(performance: Performance, timing: TimeForm) -> Document:
-    """The document of one block; its times are seconds to the millisecond, or from the marks of the speech."""
+    """The document of one block; its times are seconds to the millisecond, or from the marks of the speech.
+
+    Where nothing is said, as by a listener, there is no speech.
+    """
     words = performance.utterance.words
     timed = clock(words, timing, mark="w{}".format)
     behaviors = (_element(each, timed(each.sync)) for each in performance.behaviors if each.kept)
+    speech = (_speech(words),) if words else ()
     attributes: dict[str, Value] = {"id": "bml1", "characterId": performance.character}
-    return Document(DialectName.BML, Element("bml", attributes, (_speech(words), *behaviors)))
+    return Document(DialectName.BML, Element("bml", attributes, (*speech, *behaviors)))
 
 
 def _speech(words: tuple[Word, ...]) -> Element:

@@ -16,7 +16,7 @@ _SEPARATOR = "}"
 class ReadingLimits:
     """The largest BML file that is read, and how many elements may stand inside one another."""
 
-    max_bytes: int = 4 * 1024 * 1024
+    max_bytes: int = 1024 * 1024
     max_depth: int = 32
 
 
