@@ -5,7 +5,7 @@ once into an `Understudy` and never changes. The doors (`app.cli`, `app.api`) ca
 stages; the forms in which results leave (BML, TextGrid, CTM) are passed on from here.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
@@ -56,6 +56,7 @@ __all__ = [
     "to_ctm",
     "to_textgrid",
     "understand",
+    "understand_all",
     "write_bml",
     "write_bml_json",
 ]
@@ -257,9 +258,15 @@ def analyze(
 
 def understand(mind: Mind, text: str) -> Analysis:
     """What the words alone say and mean: nothing is heard, so nothing has a time (paper §3.2, §3.3)."""
-    words = read_transcript(text, max_characters=mind.settings.max_text_characters)
-    utterance = Utterance(words=words, parse=mind.parser.parse(words))
-    return Analysis(utterance, derive_functions(mind.rules, utterance))
+    [analysis] = understand_all(mind, [read_transcript(text, max_characters=mind.settings.max_text_characters)])
+    return analysis
+
+
+def understand_all(mind: Mind, lines: Sequence[tuple[Word, ...]]) -> Iterator[Analysis]:
+    """The same for the words of several lines, which are parsed together: that takes half the time."""
+    for words, parse in zip(lines, mind.parser.parse_all(lines), strict=True):
+        utterance = Utterance(words=words, parse=parse)
+        yield Analysis(utterance, derive_functions(mind.rules, utterance))
 
 
 def hear(ears: Ears, audio: bytes, progress: Progress = unheard, *, reference: SpeakerReference | None = None) -> Heard:

@@ -94,6 +94,12 @@ def test_a_parse_does_not_depend_on_what_was_parsed_before_or_beside_it(parser: 
     assert all(parse == expected[text] for text, parse in parses)
 
 
+def test_lines_read_together_are_read_as_one_by_one(parser: Parser) -> None:
+    lines = [_words(text) for text in (*LINES, "", "uh I I don't")]
+    assert parser.parse_all(lines) == tuple(map(parser.parse, lines))
+    assert parser.parse_all([]) == ()
+
+
 def test_the_vocabulary_does_not_grow_with_what_is_read(parser: Parser) -> None:
     vocabulary = parser._pipeline.vocab  # memory held is not visible from outside
     _parse(parser, "warm up")

@@ -6,6 +6,7 @@ trained on speech (training/parser), and derive noun phrases, verb groups and cl
 
 import threading
 from bisect import bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 from pathlib import Path
@@ -15,7 +16,7 @@ from spacy.language import Language
 from spacy.tokens import Doc
 
 from app.errors import ServiceError
-from app.model import Parse, Word
+from app.model import Parse, Token, Word
 from app.syntax.clauses import find_clauses
 from app.syntax.phrases import find_phrases
 from app.syntax.sentences import sentence_starts
@@ -63,16 +64,32 @@ class Parser:
         Runs of punctuation are shortened for the tokenizer (`app.transcript.with_short_runs`). The same words and
         pauses always give the same parse.
         """
-        if not words:
-            return Parse((), (), ())
-        texts = [with_short_runs(word.text) for word in words]
+        [parse] = self.parse_all([words])
+        return parse
+
+    def parse_all(self, lines: Sequence[tuple[Word, ...]]) -> tuple[Parse, ...]:
+        """The same parses as line by line, faster: the network reads them together (benchmarks/corpus_rate.py)."""
         with self._turn, self._pipeline.memory_zone():
-            document = self._pipeline.make_doc(" ".join(texts))
-            numbers = _word_numbers(document, texts, words)
-            _begin_sentences(document, numbers, sentence_starts(words))
-            tokens = read_tokens(self._pipeline(document), numbers, self._scheme)
-        tree = Tree.of(tokens)
-        return Parse(tokens, find_phrases(tree), find_clauses(tree))
+            made = [self._document(words) for words in lines]
+            documents = self._pipeline.pipe((document for document, _ in made), batch_size=max(1, len(lines)))
+            read = [
+                read_tokens(document, numbers, self._scheme)
+                for document, (_, numbers) in zip(documents, made, strict=True)
+            ]
+        return tuple(map(_with_structure, read))
+
+    def _document(self, words: tuple[Word, ...]) -> tuple[Doc, list[int]]:
+        """The words as spaCy takes them, cut into tokens and sentences, and the transcript word of each token."""
+        texts = [with_short_runs(word.text) for word in words]
+        document = self._pipeline.make_doc(" ".join(texts))
+        numbers = _word_numbers(document, texts, words)
+        _begin_sentences(document, numbers, sentence_starts(words))
+        return document, numbers
+
+
+def _with_structure(tokens: tuple[Token, ...]) -> Parse:
+    tree = Tree.of(tokens)
+    return Parse(tokens, find_phrases(tree), find_clauses(tree))
 
 
 def _load_pipeline(where: Path | str) -> tuple[Language, Doc]:
