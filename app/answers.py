@@ -5,7 +5,8 @@ conflict was lost). Numbers are rounded to `DECIMALS`, so that the same values g
 shapes read the equally named attributes of their value: `PhraseAnswer.model_validate(phrase)`.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 from typing import Annotated, Self
 
 from pydantic import AfterValidator, AliasPath, BaseModel, BeforeValidator, ConfigDict, Field
@@ -277,6 +278,13 @@ class AnalysisAnswer(Answer):
         return cls.model_validate(_understood(analysis.utterance, analysis.functions, analysis.notices))
 
 
+class ListeningAnswer(Answer):
+    """What a listener does while the line is spoken."""
+
+    name: str
+    behaviors: list[BehaviorAnswer]
+
+
 class PerformanceAnswer(AnalysisAnswer):
     """The whole performance: what was heard and understood, what the body does with it, and every reason."""
 
@@ -284,25 +292,28 @@ class PerformanceAnswer(AnalysisAnswer):
     seed: int
     behaviors: list[BehaviorAnswer]
     visemes: list[VisemeAnswer]
+    listeners: list[ListeningAnswer] | None = None
 
     @classmethod
     def of_performance(cls, performance: Performance) -> Self:
         understood = _understood(performance.utterance, performance.functions, performance.notices)
         chosen = {name: getattr(performance, name) for name in ("character", "seed", "behaviors", "visemes")}
-        return cls.model_validate(understood | chosen)
+        return cls.model_validate(understood | chosen | {"listeners": performance.listeners or None})
 
 
 class PerformAnswer(Answer):
-    """What `POST /perform` answers when asked for JSON."""
+    """What `POST /perform` answers when asked for JSON; `listeners` has each listener's BML by name."""
 
     bml: str
+    listeners: dict[str, str] | None = None
     performance: PerformanceAnswer
     warnings: list[WarningAnswer]
 
     @classmethod
-    def of(cls, performance: Performance, bml: bytes) -> Self:
+    def of(cls, performance: Performance, bml: bytes, listeners: Mapping[str, bytes] = MappingProxyType({})) -> Self:
         told = PerformanceAnswer.of_performance(performance)
-        return cls(bml=bml.decode(), performance=told, warnings=told.warnings)
+        heard = {name: block.decode() for name, block in listeners.items()}
+        return cls(bml=bml.decode(), listeners=heard or None, performance=told, warnings=told.warnings)
 
 
 class RuleAnswer(Answer):

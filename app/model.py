@@ -351,6 +351,14 @@ class Viseme:
 
 
 @dataclass(frozen=True, slots=True)
+class Listening:
+    """What a listener of that name does while the line is spoken (paper §3.6)."""
+
+    name: str
+    behaviors: tuple[Behavior, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Performance:
     """The whole performance of a line: what was heard and understood, what the body does with it, and every reason."""
 
@@ -361,3 +369,4 @@ class Performance:
     seed: int
     notices: tuple[Notice, ...] = ()
     visemes: tuple[Viseme, ...] = ()
+    listeners: tuple[Listening, ...] = ()

@@ -6,7 +6,8 @@ stages; the forms in which results leave (BML, TextGrid, CTM) are passed on from
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial, reduce
 from pathlib import Path
 from typing import Self
 
@@ -21,10 +22,25 @@ from app.acoustic.stress import stress
 from app.acoustic.timings import read_timings, to_ctm, to_textgrid
 from app.bml.characters import Characters
 from app.bml.documents import DialectName, TimeForm
+from app.bml.listening import listen
 from app.bml.scheduling import schedule
 from app.bml.visemes import visemes
 from app.bml.writer import CORE_FORM, BmlForm, write_bml, write_bml_json
-from app.model import Agitation, Audio, Contours, Function, GivenFunction, Level, Notice, Performance, Utterance, Word
+from app.model import (
+    Agitation,
+    Audio,
+    Contours,
+    Function,
+    GivenFunction,
+    Level,
+    Listening,
+    Mode,
+    Notice,
+    Parse,
+    Performance,
+    Utterance,
+    Word,
+)
 from app.resources import resource_folder
 from app.rules.derivation import FunctionRules, derive_functions
 from app.rules.mapping import MappingRules, offer_movements
@@ -59,10 +75,13 @@ __all__ = [
     "understand_all",
     "write_bml",
     "write_bml_json",
+    "write_listener",
 ]
 
 Progress = Callable[[str], None]
 """Told the name of each stage as it begins."""
+
+DEFAULT_CHARACTER = "default"
 
 RULES = Path(__file__).resolve().parent / "rules"
 
@@ -92,13 +111,16 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """How the line is to be performed; `agitation` overrides what the voice says, `reference` is how it usually sounds."""
+    """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
+    it usually sounds."""
 
-    character: str = "default"
+    character: str = DEFAULT_CHARACTER
     agitation: Level | None = None
     seed: int = 0
-    reference: SpeakerReference | None = None
+    mode: Mode = Mode.SEMANTIC
+    listeners: tuple[str, ...] = ()
     form: BmlForm = CORE_FORM
+    reference: SpeakerReference | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -212,9 +234,9 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
     progress("mapping")
     wishes = offer_movements(understudy.body.rules, analysis.utterance, analysis.functions, seed=options.seed)
     progress("schedule")
-    behaviors = schedule(wishes, analysis.utterance, character, seed=options.seed)
+    behaviors = schedule(wishes, analysis.utterance, character, seed=options.seed, mode=options.mode)
     lips, lip_notices = visemes(analysis.utterance.words, analysis.utterance.duration_s or 0.0)
-    return Performance(
+    performance = Performance(
         utterance=analysis.utterance,
         functions=analysis.functions,
         behaviors=behaviors,
@@ -223,6 +245,35 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
         notices=analysis.notices + lip_notices,
         visemes=lips,
     )
+    return reduce(partial(_heard_by, understudy.body.characters), options.listeners, performance)
+
+
+def listener_part(performance: Performance, listening: Listening) -> Performance:
+    """What a listener does as a performance of his own, in which nothing is said."""
+    silent = replace(performance.utterance, words=(), parse=Parse((), (), ()))
+    return Performance(silent, (), listening.behaviors, listening.name, performance.seed)
+
+
+def write_listener(performance: Performance, listening: Listening, form: BmlForm) -> bytes:
+    """A listener's BML. Its times are absolute in either form: he has no speech with marks to tell them by."""
+    return write_bml(listener_part(performance, listening), replace(form, timing=TimeForm.ABSOLUTE, audio_name=None))
+
+
+def _heard_by(characters: Characters, performance: Performance, name: str) -> Performance:
+    """The performance with one more listener: the character of that name, or one who moves as the default does."""
+    notices = performance.notices
+    if name not in characters.by_name:
+        message = f"no character is called {name!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
+        notices = (*notices, Notice("listener_unknown", message))
+    character = characters.by_name.get(name) or characters.named(DEFAULT_CHARACTER)
+    behaviors = listen(
+        performance.behaviors,
+        performance.utterance,
+        replace(character, name=name),
+        speaker=performance.character,
+        seed=performance.seed,
+    )
+    return replace(performance, listeners=(*performance.listeners, Listening(name, behaviors)), notices=notices)
 
 
 def analyze(

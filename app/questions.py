@@ -1,14 +1,19 @@
 """What comes in through either door besides audio and plain text, checked and turned into the performance's values."""
 
 import json
+import re
+from collections.abc import Sequence
 from pathlib import PurePath
 from typing import Annotated, Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from app.errors import InputError, UndecodableError, UnsupportedFormatError
-from app.model import Level
+from app.model import Level, Mode
 from app.performance import BmlForm, DialectName, Options, TimeForm, Timings
+
+MOST_LISTENERS = 16
+_LISTENER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}", re.ASCII)
 
 LARGEST_SEED = 2**63 - 1
 
@@ -24,12 +29,19 @@ class OptionsQuestion(BaseModel):
     character: str = "default"
     agitation: Level | None = None
     seed: Seed = 0
+    mode: Annotated[Mode, Field(strict=False)] = Mode.SEMANTIC
+    listener: Annotated[tuple[str, ...], Field(strict=False)] = ()
     dialect: Annotated[DialectName, Field(strict=False)] = DialectName.BML
     timing: Annotated[TimeForm, Field(strict=False)] = TimeForm.ABSOLUTE
 
     def to_options(self) -> Options:
         return Options(
-            character=self.character, agitation=self.agitation, seed=self.seed, form=BmlForm(self.dialect, self.timing)
+            character=self.character,
+            agitation=self.agitation,
+            seed=self.seed,
+            mode=self.mode,
+            listeners=listener_names(self.listener),
+            form=BmlForm(self.dialect, self.timing),
         )
 
 
@@ -51,6 +63,22 @@ def read_options(content: bytes) -> Options:
     if isinstance(fields.get("agitation"), str):
         fields["agitation"] = _level(fields["agitation"])
     return _checked(OptionsQuestion, fields).to_options()
+
+
+def listener_names(names: Sequence[str]) -> tuple[str, ...]:
+    """The listeners' names, which become names of files and of characters in BML.
+
+    Raises InputError `value_wrong` for one that cannot, that comes twice, or for more than `MOST_LISTENERS`.
+    """
+    for number, name in enumerate(names):
+        if not _LISTENER.fullmatch(name):
+            message = f"listener {name!r}: a name has letters, digits and _, a letter first, 64 at most"
+            raise InputError("value_wrong", message, field="listener")
+        if name in names[:number]:
+            raise InputError("value_wrong", f"listener {name!r} comes twice; name each once", field="listener")
+    if len(names) > MOST_LISTENERS:
+        raise InputError("value_wrong", f"{len(names)} listeners; {MOST_LISTENERS} at most", field="listener")
+    return tuple(names)
 
 
 def read_object(content: bytes, field: str) -> dict[str, Any]:

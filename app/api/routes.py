@@ -1,5 +1,6 @@
 """The paths of the service."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import PurePath
@@ -17,7 +18,7 @@ from app.api.service import Shared
 from app.catalogue import Kind
 from app.errors import InputError, UnsupportedFormatError
 from app.given_functions import read_functions
-from app.performance import Line, Options, Progress, Understudy, perform, understand, write_bml
+from app.performance import Line, Options, Progress, Understudy, perform, understand, write_bml, write_listener
 from app.questions import read_object, read_options, read_question, read_timings
 
 XML = "application/xml"
@@ -62,16 +63,16 @@ router = APIRouter()
 @router.post("/perform", responses=_PERFORMED | _ERRORS, openapi_extra=_PERFORM_BODY)
 async def post_perform(request: Request, shared: Shared) -> Response:
     """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation,
-    seed, dialect, timing.
+    seed, mode, listener (a list of names; then only JSON is answered), dialect, timing.
     """
-    media_type = preferred(request.headers.get("accept"), (XML, JSON))
-    if media_type is None:
-        raise HTTPException(406, f"a performance comes as {XML} or {JSON}; accept one of them")
+    media_type = _media_type(request, (XML, JSON), "a performance comes")
     shared.capacity.require_place()
     deadline = Deadline.starting_now(shared.settings.deadline_s)
     form = await deadline.within(read_form(request, PERFORM_FIELDS))
     line = _line(form)
     options = _options(form)
+    if options.listeners:
+        media_type = _media_type(request, (JSON,), "a performance with listeners comes")
     work = partial(_performed, shared.understudy, line, options, media_type)
     return await shared.capacity.run(work, deadline)
 
@@ -117,6 +118,14 @@ async def get_readyz(shared: Shared) -> dict[str, str]:
     return {"status": "ready"} | ({"not_reloaded": shared.not_reloaded} if shared.not_reloaded else {})
 
 
+def _media_type(request: Request, offered: Sequence[str], what: str) -> str:
+    """Raises HTTPException 406 where the request accepts none of what is offered."""
+    media_type = preferred(request.headers.get("accept"), offered)
+    if media_type is None:
+        raise HTTPException(406, f"{what} as {' or '.join(offered)}; accept {'it' if len(offered) == 1 else 'one'}")
+    return media_type
+
+
 def _line(form: dict[str, Part]) -> Line:
     """Raises InputError `field_missing`, and what the parts' own checks raise."""
     for name in ("audio", "text"):
@@ -140,7 +149,8 @@ def _performed(understudy: Understudy, line: Line, options: Options, media_type:
     performance = perform(understudy, line, options, progress)
     progress("write")
     bml = write_bml(performance, options.form)
-    content = bml if media_type == XML else PerformAnswer.of(performance, bml).to_json()
+    listeners = {each.name: write_listener(performance, each, options.form) for each in performance.listeners}
+    content = bml if media_type == XML else PerformAnswer.of(performance, bml, listeners).to_json()
     headers = {"Vary": "Accept"}
     if performance.notices:
         headers[WARNINGS_HEADER] = ", ".join(dict.fromkeys(notice.code for notice in performance.notices))

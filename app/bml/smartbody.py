@@ -85,9 +85,9 @@ def to_smartbody(performance: Performance, timing: TimeForm, *, audio_name: str 
     agitation = performance.utterance.agitation
     style = _STYLES[agitation.level] if agitation else None
     block = (
-        _speech(words, audio_name),
+        *((_speech(words, audio_name),) if words else ()),
         *(_lips(shape) for shape in performance.visemes if shape.label != SILENCE),
-        Element("saccade", {"mode": "talk", "start": 0.0}),
+        Element("saccade", {"mode": "talk" if words else "listen", "start": 0.0}),
         *(
             element
             for behavior in performance.behaviors

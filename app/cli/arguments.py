@@ -7,7 +7,7 @@ from typing import NoReturn
 
 from app import __version__
 from app.errors import InputError
-from app.model import Level
+from app.model import Level, Mode
 from app.performance import DialectName, TimeForm
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
@@ -64,6 +64,13 @@ def _add_perform(add: Adding) -> None:
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     _add_agitation(parser)
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
+    modes = [mode.value for mode in Mode]
+    parser.add_argument(
+        "--mode", choices=modes, default="semantic", help="gestures from the meaning, the stress, or chance"
+    )
+    parser.add_argument(
+        "--listener", metavar="NAME", action="append", default=[], help="who listens; his BML goes to OUT.NAME.bml"
+    )
     _add_form(parser)
     parser.add_argument("--trace", metavar="FILE", help="write the whole performance as JSON: every reason")
 

@@ -37,7 +37,7 @@ def _movement(performance: Performance, behavior: Behavior, function: Function) 
     movement = behavior.lexeme.lower() + (f" ({behavior.hand})" if behavior.hand else "")
     return (
         f"{behavior.sync.start:6.2f}–{behavior.sync.end:5.2f} s  {behavior.kind:7s} {movement:24s} "
-        f"{shown:{WORDS_WIDTH}s}  {_name(function)} by {function.rule} → {behavior.rule}"
+        f"{shown:{WORDS_WIDTH}s}  {_name(function)} by {function.rule} → {behavior.rule or behavior.reason}"
     )
 
 

@@ -9,8 +9,19 @@ from app.cli.lines import read_line
 from app.cli.log import Log
 from app.cli.summary import summary
 from app.errors import InputError
-from app.model import Level
-from app.performance import BmlForm, DialectName, Options, TimeForm, Understudy, perform, write_bml, write_bml_json
+from app.model import Level, Mode
+from app.performance import (
+    BmlForm,
+    DialectName,
+    Options,
+    TimeForm,
+    Understudy,
+    perform,
+    write_bml,
+    write_bml_json,
+    write_listener,
+)
+from app.questions import listener_names
 from app.settings import read_settings
 
 
@@ -22,6 +33,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         character=arguments.character,
         agitation=arguments.agitation and Level(arguments.agitation),
         seed=arguments.seed,
+        mode=Mode(arguments.mode),
+        listeners=listener_names(arguments.listener),
         form=_form(arguments),
     )
     with Understudy.load(settings) as understudy:
@@ -30,6 +43,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         write(arguments.trace, PerformanceAnswer.of_performance(performance).to_json(indent=2) + b"\n")
     written = write_bml_json if (arguments.output or "").lower().endswith(".json") else write_bml
     write(arguments.output or STANDARD, written(performance, options.form))
+    for listening in performance.listeners:
+        write(_beside(arguments.output, listening.name), write_listener(performance, listening, options.form))
     log.warnings(performance.notices)
     if arguments.output:
         log.note(summary(performance))
@@ -41,11 +56,18 @@ def _form(arguments: argparse.Namespace) -> BmlForm:
     return BmlForm(DialectName(arguments.dialect), TimeForm(arguments.timing), audio_name)
 
 
+def _beside(output: str, name: str) -> str:
+    """OUT.NAME.bml for OUT.bml."""
+    return str(PurePath(output).with_suffix(f".{name}.bml"))
+
+
 def _check_targets(arguments: argparse.Namespace) -> None:
     """Raises InputError before the work when its result could not be written."""
     output = arguments.output or STANDARD
     if arguments.trace == output:
         raise InputError("usage", f"the BML and the trace cannot both go to {output}; give --trace another file")
+    if arguments.listener and output == STANDARD:
+        raise InputError("usage", "a listener's BML goes beside the speaker's; say where with -o OUT.bml")
     require_writable(output, field="output")
     if arguments.trace:
         require_writable(arguments.trace, field="trace")
