@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from app.errors import InputError, UndecodableError, UnsupportedFormatError
 from app.model import Level, Mode
 from app.performance import BmlForm, DialectName, Options, TimeForm, Timings
+from app.references import ReferenceForm
 
 MOST_LISTENERS = 16
 _LISTENER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}", re.ASCII)
@@ -29,6 +30,7 @@ class OptionsQuestion(BaseModel):
     character: str = "default"
     agitation: Level | None = None
     seed: Seed = 0
+    reference: ReferenceForm | None = None
     mode: Annotated[Mode, Field(strict=False)] = Mode.SEMANTIC
     listener: Annotated[tuple[str, ...], Field(strict=False)] = ()
     dialect: Annotated[DialectName, Field(strict=False)] = DialectName.BML
@@ -39,6 +41,7 @@ class OptionsQuestion(BaseModel):
             character=self.character,
             agitation=self.agitation,
             seed=self.seed,
+            reference=self.reference.to_reference() if self.reference else None,
             mode=self.mode,
             listeners=listener_names(self.listener),
             form=BmlForm(self.dialect, self.timing),

@@ -13,7 +13,7 @@ from app.acoustic.agitation import AgitationModel, FuzzySvm, Machine, save
 from app.acoustic.speaker import SpeakerReference, TypicalSpeaker
 from app.acoustic.utterance_features import FEATURE_SETS
 from app.errors import InputError, ServiceError
-from app.model import SAMPLE_RATE_HZ, Audio, Level
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 from app.resources import resource_folder
 from training.agitation.corpus import listen
 
@@ -23,7 +23,7 @@ MODEL_FILE, CHECKSUM_FILE = "paper.npz", "paper.npz.sha256"
 
 def toy_svm() -> FuzzySvm:
     """Three machines with one support vector each, at -1, 0 and 1 on the first axis, alike otherwise."""
-    machines = tuple(Machine(np.eye(1, 12)[:1] * place, np.array([2.0]), -1.0, 3.0, 0.0) for place in (-1.0, 0.0, 1.0))
+    machines = tuple(Machine(at(place)[np.newaxis], np.array([2.0]), -1.0, 3.0, 0.0) for place in (-1.0, 0.0, 1.0))
     return FuzzySvm(np.zeros(12), np.ones(12), 1.0, machines)
 
 
@@ -31,8 +31,8 @@ def toy_model() -> AgitationModel:
     return AgitationModel("paper", TypicalSpeaker(np.zeros(12), np.ones(12)), toy_svm(), toy_svm())
 
 
-def at(place: float) -> np.ndarray:
-    return np.eye(1, 12)[0] * place
+def at(place: float) -> FloatArray:
+    return np.append(place, np.zeros(11))
 
 
 @pytest.mark.parametrize(("place", "level"), [(-1.2, Level.LOW), (0.1, Level.MEDIUM), (1.4, Level.HIGH)])
@@ -126,7 +126,7 @@ def test_the_shipped_models_load_without_scikit_learn() -> None:
 
 @pytest.mark.parametrize("feature_set", FEATURE_SETS)
 @pytest.mark.parametrize("samples", [np.zeros(1), np.zeros(SAMPLE_RATE_HZ), np.eye(1, 400)[0]])
-def test_the_shipped_models_judge_whatever_they_hear(samples: np.ndarray, feature_set: str) -> None:
+def test_the_shipped_models_judge_whatever_they_hear(samples: FloatArray, feature_set: str) -> None:
     audio = Audio(samples)
     agitation = AgitationModel.load(MODEL_FOLDER, feature_set).agitation(audio, listen(audio))
     assert agitation.low + agitation.medium + agitation.high == pytest.approx(1)

@@ -4,23 +4,24 @@ import numpy as np
 import pytest
 
 from app.acoustic.voice_quality import VoiceQuality, voice_quality
-from app.model import SAMPLE_RATE_HZ, Audio
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
 F0_HZ = 125.0
 TIME_S = np.arange(SAMPLE_RATE_HZ) / SAMPLE_RATE_HZ
 
 
-def harmonics(slope: float) -> np.ndarray:
+def harmonics(slope: float) -> FloatArray:
     """A second of harmonics of `F0_HZ` up to 6 kHz, amplitudes falling as number ** -slope."""
     numbers = np.arange(1, 49)
-    return np.sin(2 * np.pi * F0_HZ * numbers * TIME_S[:, None]) @ numbers**-slope
+    voice: FloatArray = np.sin(2 * np.pi * F0_HZ * numbers * TIME_S[:, None]) @ numbers**-slope
+    return voice
 
 
-def measured(samples: np.ndarray, f0_hz: float = F0_HZ) -> VoiceQuality:
+def measured(samples: FloatArray, f0_hz: float = F0_HZ) -> VoiceQuality:
     return voice_quality(Audio(samples), np.full(1 + len(samples) // 160, f0_hz))
 
 
-def inner(values: np.ndarray) -> float:
+def inner(values: FloatArray) -> float:
     """The median away from the edges, where frames reach into silence."""
     return float(np.median(values[10:-10]))
 

@@ -63,6 +63,7 @@ def _add_perform(add: Adding) -> None:
     )
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     _add_agitation(parser)
+    _add_reference(parser)
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
     modes = [mode.value for mode in Mode]
     parser.add_argument(
@@ -91,6 +92,7 @@ def _add_analyses(add: Adding) -> None:
     _add_line(analyze)
     _add_functions(analyze)
     _add_agitation(analyze)
+    _add_reference(analyze)
     analyze.add_argument("--plot", metavar="FILE", help="draw it too, as PNG (needs the extra `plot`)")
     align = add("align", "words and phones in time")
     _add_line(align)
@@ -100,6 +102,10 @@ def _add_analyses(add: Adding) -> None:
     pitch.add_argument("--format", choices=("csv",), default="csv")
     agitation = add("agitation", "the speaker's agitation, one JSON line a file")
     agitation.add_argument("audio", metavar="AUDIO", nargs="+", help=AUDIO_HELP)
+    _add_reference(agitation)
+    reference = add("reference", "how a speaker usually sounds, for --reference")
+    reference.add_argument("audio", metavar="AUDIO", nargs="+", help="recordings of one speaker in his various moods")
+    reference.add_argument("-o", "--output", metavar="REF.json", help="where it goes (default: standard output)")
     functions = add("functions", "what the words alone do; without --text, JSON lines in and out")
     functions.add_argument("--text", help='the words; without it, lines of {"id", "text"} from standard input')
 
@@ -124,6 +130,11 @@ def _add_agitation(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--agitation", choices=levels, help="how agitated the speaker is (default: as the voice sounds)"
     )
+
+
+def _add_reference(parser: argparse.ArgumentParser) -> None:
+    told = "other recordings of the speaker in various moods, or the REF.json that understudy reference made of them"
+    parser.add_argument("--reference", metavar="FILE", nargs="+", action="extend", help=told)
 
 
 def _add_rules(add: Adding) -> None:

@@ -4,6 +4,7 @@ import argparse
 
 from app.answers import AnalysisAnswer
 from app.cli.files import require_writable, write, write_standard
+from app.cli.hearing import speaker_reference
 from app.cli.lines import read_line
 from app.cli.log import Log
 from app.cli.plot import plot, require_plot
@@ -20,7 +21,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         require_writable(arguments.plot, field="plot")
     level = arguments.agitation and Level(arguments.agitation)
     with Understudy.load(settings) as understudy:
-        analysis = analyze(understudy, line, agitation=level, progress=log.stage)
+        reference = speaker_reference(understudy.ears, arguments.reference, log)
+        analysis = analyze(understudy, line, agitation=level, reference=reference, progress=log.stage)
         if arguments.plot:
             write(arguments.plot, plot(analysis, hear(understudy.ears, line.audio)))
     write_standard(AnalysisAnswer.of(analysis).to_json(indent=2) + b"\n")

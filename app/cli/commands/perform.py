@@ -1,10 +1,12 @@
 """`understudy perform`: one line in, BML out, and what the character does and why."""
 
 import argparse
+from dataclasses import replace
 from pathlib import PurePath
 
 from app.answers import PerformanceAnswer
 from app.cli.files import STANDARD, require_writable, write
+from app.cli.hearing import speaker_reference
 from app.cli.lines import read_line
 from app.cli.log import Log
 from app.cli.summary import summary
@@ -38,6 +40,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         form=_form(arguments),
     )
     with Understudy.load(settings) as understudy:
+        options = replace(options, reference=speaker_reference(understudy.ears, arguments.reference, log))
         performance = perform(understudy, line, options, log.stage)
     if arguments.trace:
         write(arguments.trace, PerformanceAnswer.of_performance(performance).to_json(indent=2) + b"\n")
