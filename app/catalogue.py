@@ -35,7 +35,8 @@ class Kind(StrEnum):
 @dataclass(frozen=True, slots=True)
 class Item:
     """One thing that an author can change. `class_name` and `subtype` are those of the function it speaks of, if any;
-    `comment` is what its author says of it, `source` what it is."""
+    `comment` is what its author says of it, `source` what it is. `needs` and `gives` are facts as rules write them, a
+    movement being one of its name."""
 
     kind: Kind
     name: str
@@ -45,6 +46,8 @@ class Item:
     line: int
     comment: str
     source: str
+    needs: tuple[Mention, ...]
+    gives: tuple[Mention, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +85,14 @@ class Catalogue:
             raise InputError("unknown_name", f"no rule, behaviour or word is called {name!r}{hint}", field="name")
         return found
 
+    def that_lead_to(self, item: Item) -> tuple[Item, ...]:
+        """The items that can bring about what `item` needs; not those that raise functions of any class."""
+        return tuple(other for other in self.items if _feeds(other, item))
+
+    def that_follow(self, item: Item) -> tuple[Item, ...]:
+        """The items that make something of what `item` brings about; not those that take functions of any class."""
+        return tuple(other for other in self.items if _feeds(item, other))
+
 
 def load_characters() -> Characters:
     """Raises AuthoringError with every mistake in the behaviour table and the characters."""
@@ -106,6 +117,23 @@ def _rule_item(kind: Kind, rule: Rule, mentions: Sequence[Mention]) -> Item:
         line=rule.line,
         comment=rule.comment,
         source=rule.source,
+        needs=rule.joins,
+        gives=(*rule.asserts, *(Mention(call, ()) for call in rule.calls)),
+    )
+
+
+def _feeds(giver: Item, taker: Item) -> bool:
+    """Whether one can bring about what the other needs, as far as their constants tell."""
+    return any(_is_one(given, needed) for given in giver.gives for needed in taker.needs)
+
+
+def _is_one(given: Mention, needed: Mention) -> bool:
+    """Whether a fact can be both; a function of any class counts as none."""
+    pairs = list(zip(given.arguments, needed.arguments, strict=False))
+    if given.predicate != needed.predicate or (given.predicate == "fcn" and "$" in (pairs[0][0][0], pairs[0][1][0])):
+        return False
+    return all(
+        one[0] in "$_" or other[0] in "$_" or set(one.split("|")) & set(other.split("|")) for one, other in pairs
     )
 
 
@@ -114,7 +142,7 @@ def _table_items(path: Path, names: Collection[str]) -> Iterator[Item]:
     for name in sorted(names):
         line = source.mistake(("behaviors", name), "").line
         text = source.lines[line - 1].strip()
-        yield Item(Kind.BML, name, None, None, shown_path(path), line, "", text)
+        yield Item(Kind.BML, name, None, None, shown_path(path), line, "", text, needs=(Mention(name, ()),), gives=())
 
 
 def _word_item(entry: LexicalEntry, subtype: str) -> Item:
@@ -132,4 +160,6 @@ def _word_item(entry: LexicalEntry, subtype: str) -> Item:
         line=entry.line,
         comment="",
         source="\n".join([*said, *example]),
+        needs=(),
+        gives=(Mention("lexical", (entry.class_name, subtype)),),
     )

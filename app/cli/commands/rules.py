@@ -8,9 +8,10 @@ from pathlib import Path
 
 from app.answers import RulesAnswer
 from app.authoring import files_in_use, find_unused, trace, trace_one
-from app.catalogue import Catalogue, Item
+from app.catalogue import Catalogue
 from app.cli.corpus import read_corpus
 from app.cli.files import write_standard
+from app.cli.listings import counts, explanation, headline
 from app.cli.log import Log
 from app.cli.traces import trace_lines, unused_lines
 from app.errors import AuthoringError
@@ -62,12 +63,12 @@ def _list(arguments: argparse.Namespace, _log: Log) -> None:
     if arguments.json:
         write_standard(RulesAnswer.of(items).to_json(indent=2) + b"\n")
     else:
-        write_standard("".join(f"{_headline(item)}\n" for item in items).encode())
+        _print([*map(headline, items), "", *counts(items)])
 
 
 def _explain(arguments: argparse.Namespace, _log: Log) -> None:
-    items = Catalogue.load().named(arguments.name)
-    write_standard("\n".join(_explanation(item) for item in items).encode())
+    catalogue = Catalogue.load()
+    _print(line for item in catalogue.named(arguments.name) for line in explanation(catalogue, item))
 
 
 def _trace(arguments: argparse.Namespace, _log: Log) -> None:
@@ -87,23 +88,3 @@ def _unused(arguments: argparse.Namespace, _log: Log) -> None:
 
 def _print(lines: Iterable[str]) -> None:
     write_standard("".join(f"{line}\n" for line in lines).encode())
-
-
-def _headline(item: Item) -> str:
-    function = " ".join(part for part in (item.class_name, item.subtype) if part)
-    return f"{item.kind:8s} {item.name:36s} {function:32s} {item.file}:{item.line}"
-
-
-def _explanation(item: Item) -> str:
-    function = f", {item.class_name} ({item.subtype})" if item.class_name else ""
-    text = "\n".join(part for part in (item.comment, item.source) if part)
-    indented = "".join(f"    {line}\n" for line in text.splitlines())
-    return f"{item.name}: {_MEANING[item.kind]}{function}\n  {item.file}:{item.line}\n{indented}"
-
-
-_MEANING = {
-    "function": "a rule that finds a function",
-    "behavior": "a rule that chooses movements for a function",
-    "bml": "a movement of the behaviour table",
-    "word": "a word or phrase of the lexicon",
-}

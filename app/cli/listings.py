@@ -1,0 +1,59 @@
+"""What authors edit, in lines for people: one a piece, counted by class and file, or explained."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+
+from app.catalogue import Catalogue, Item, Kind
+
+_MEANING = {
+    Kind.FUNCTION: "a rule that finds a function",
+    Kind.BEHAVIOR: "a rule that chooses movements for a function",
+    Kind.BML: "a movement of the behaviour table",
+    Kind.WORD: "a word or phrase of the lexicon",
+}
+_PLURAL = {Kind.FUNCTION: "function rules", Kind.BEHAVIOR: "mapping rules", Kind.BML: "movements", Kind.WORD: "words"}
+_WITHOUT_CLASS = "(no one class)"
+MOST_NAMED = 12
+
+
+def headline(item: Item) -> str:
+    function = " ".join(part for part in (item.class_name, item.subtype) if part)
+    return f"{item.kind:8s} {item.name:36s} {function:32s} {item.file}:{item.line}"
+
+
+def counts(items: Sequence[Item]) -> Iterator[str]:
+    """How many of each kind there are in each class, and how many items in each file."""
+    tally = Counter((name, item.kind) for item in items for name in _classes(item))
+    yield f"{'class':24s}" + "".join(f"{title:>16s}" for title in _PLURAL.values())
+    for name in sorted({name for name, _ in tally}):
+        yield f"{name:24s}" + "".join(f"{tally[name, kind] or '':>16}" for kind in Kind)
+    total = Counter(item.kind for item in items)
+    yield f"{'all':24s}" + "".join(f"{total[kind]:16d}" for kind in Kind)
+    yield ""
+    for file, count in Counter(item.file for item in items).items():
+        yield f"{count:6d}  {file}"
+
+
+def explanation(catalogue: Catalogue, item: Item) -> Iterator[str]:
+    """What an item is, says and takes part in."""
+    function = f", {item.class_name} ({item.subtype})" if item.class_name else ""
+    yield f"{item.name}: {_MEANING[item.kind]}{function}"
+    yield f"  {item.file}:{item.line}"
+    for part in (item.comment, item.source):
+        yield from (f"    {line}" for line in part.splitlines())
+    yield from _related("comes from", catalogue.that_lead_to(item))
+    yield from _related("leads to", catalogue.that_follow(item))
+
+
+def _classes(item: Item) -> Sequence[str]:
+    named = item.class_name is not None and not item.class_name.startswith(("$", "_"))
+    return item.class_name.split("|") if named and item.class_name else (_WITHOUT_CLASS,)
+
+
+def _related(relation: str, items: Iterable[Item]) -> Iterator[str]:
+    """The names by kind; of many, those that come first."""
+    for kind in Kind:
+        names = list(dict.fromkeys(item.name for item in items if item.kind is kind))
+        more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+        if names:
+            yield f"  {relation} {_PLURAL[kind]}: {', '.join(names[:MOST_NAMED])}{more}"
