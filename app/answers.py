@@ -357,6 +357,11 @@ class CharacterAnswer(Answer):
     description: str
     handedness: str
     gestures_per_minute: Number
+    strokes_per_unit: int
+    amplitude: Number
+    stillness: Number
+    eye_contact: Number
+    rest_poses: list[str]
     behaviors: list[TableEntryAnswer]
 
     @classmethod
