@@ -31,7 +31,7 @@ SHORTENED = 0.7
 REPEATED = 0.5
 MISSING_THE_UNIT = 0.5
 UNIT_TOO_LONG = 0.3
-HANDS_IDLE = 0.15
+HANDS_IDLE = 0.05
 """What an alternative is worth of a perfect one: see `_suitability`."""
 
 NEAR_UNIT_S = 1.0
