@@ -36,7 +36,11 @@ def paper_features(_audio: Audio, contours: Contours) -> FloatArray:
 
 
 def full_features(audio: Audio, contours: Contours) -> FloatArray:
-    """All that measurably helps; shape (49,)."""
+    """The paper's set, and how the voice moves, how it is pitched and how it sounds; shape (49,).
+
+    Together these gain .05 on RAVDESS and .18 on EmoDB; they overlap, so that hardly one is missed alone
+    (`python -m benchmarks.agitation --ablation`).
+    """
     quality = voice_quality(audio, contours.f0_hz)
     groups = (
         paper_features(audio, contours),
