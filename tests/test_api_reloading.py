@@ -13,9 +13,6 @@ from app.api.application import create_app
 from app.api.reloading import reloaded
 from app.performance import Understudy
 from app.settings import Settings
-from tests.utterances import needs_parser
-
-pytestmark = needs_parser
 
 RULES = Path(__file__).resolve().parents[1] / "app" / "rules"
 RULE = "\nrule spoon\nforeach\n  word(spoon, $s, $e)\nassert\n  fcn(negation, plain, $s, $e)\n"

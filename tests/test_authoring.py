@@ -12,9 +12,6 @@ from app.cli.traces import MOST_NEAR_MISSES, trace_lines
 from app.errors import InputError
 from app.performance import Understudy, understand
 from app.rules.mapping import offer_movements
-from tests.utterances import needs_parser
-
-pytestmark = needs_parser
 
 TEXT = "No, that is a lot more important."
 

@@ -10,10 +10,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.utterances import needs_parser
-
-pytestmark = needs_parser
-
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = (ROOT / "docs" / "authoring.md").read_text(encoding="utf-8")
 EXAMPLES = re.findall(r"```(\S+)(?: (\S+))?\n(.*?)```", PAGE, flags=re.DOTALL)

@@ -3,9 +3,6 @@
 import pytest
 
 from tests.shipped_rules import found
-from tests.utterances import needs_parser
-
-pytestmark = needs_parser
 
 ENUMERATION = [
     ("First, we pack. Then we leave. Finally, we rest.", [("first", "First,"), ("next", "Then"), ("last", "Finally,")]),

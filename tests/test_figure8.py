@@ -8,14 +8,12 @@ import pytest
 from app.model import Function, Utterance
 from app.rules.derivation import FunctionRules, derive_functions
 from app.syntax.parser import Parser
-from tests.utterances import PARSER, needs_parser, words_of
+from tests.utterances import PARSER, words_of
 
 ROOT = Path(__file__).resolve().parents[1]
 LINE = "I guess not, I think I must've misread all of those signals."
 STRESSED = {1: 0.23, 10: 0.42}
 """The two words that pass the threshold in the figure (its W2 and W11), with ratios of ours; the rest stay under .1."""
-
-pytestmark = needs_parser
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,7 @@ import pytest
 
 from app.rules.derivation import derive_functions
 from tests.shipped_rules import found, shipped_rules
-from tests.utterances import needs_parser, utterance
+from tests.utterances import utterance
 
 AFFIRMATION = [
     ("Okay, that works.", [("plain", "Okay,")]),
@@ -194,7 +194,6 @@ TABLE = {
 }
 
 
-@needs_parser
 @pytest.mark.parametrize(
     ("class_name", "text", "expected"),
     [(class_name, text, expected) for class_name, rows in TABLE.items() for text, expected in rows],

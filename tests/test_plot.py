@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from matplotlib import image
 from numpy.typing import NDArray
 
 from app.cli.plot import EMPHASIS, NARROWEST_INCHES, plot, require_plot
@@ -13,8 +14,6 @@ from app.errors import InputError, ServiceError
 from app.model import Agitation, Audio, Contours, FloatArray, Level, StressThresholds
 from app.performance import Analysis, Heard
 from tests.by_hand import function, spoken, utterance
-
-image = pytest.importorskip("matplotlib.image", reason="needs the extra `plot`")
 
 DURATION_S = 3.0
 WORDS = spoken("I never said that", start_s=0.5, stressed=[1])

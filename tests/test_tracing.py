@@ -11,7 +11,7 @@ from app.rules.matching import FactBase
 from app.rules.program import Program, load_program
 from app.rules.tracing import Lack, RuleTrace, Said, fires, trace_rule, trace_rules
 from tests.shipped_rules import shipped_parser, shipped_rules
-from tests.utterances import needs_parser, words_of
+from tests.utterances import words_of
 
 RULES = """
 predicate word(text, start, end)
@@ -129,7 +129,6 @@ def test_a_choice_is_told_with_its_alternatives(tmp_path: Path) -> None:
     assert firing.concluded == (Said("weight 2: nod(0, 1) frown(0, 1)"),)
 
 
-@needs_parser
 @pytest.mark.parametrize(
     "text",
     [

@@ -2,12 +2,9 @@
 
 from pathlib import Path
 
-import pytest
-
 from app.model import Clause, Parse, Phrase, Token, Utterance, Word
 
 PARSER = Path(__file__).resolve().parents[1] / "models" / "parser"
-needs_parser = pytest.mark.skipif(not PARSER.is_dir(), reason="needs models/parser")
 
 
 def words_of(text: str) -> tuple[Word, ...]:
