@@ -370,3 +370,22 @@ class Performance:
     notices: tuple[Notice, ...] = ()
     visemes: tuple[Viseme, ...] = ()
     listeners: tuple[Listening, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Schedule:
+    """A schedule as the realizer takes it (paper §3.8): behaviours whose times are all known, and the speech they go
+    with, so far as it is known.
+
+    `phrases` are stretches of speech between pauses, `emphases_s` the moments of stress in it, `agitation` the level at
+    which clips are chosen, `character` who moves.
+    """
+
+    behaviors: tuple[Behavior, ...]
+    duration_s: float
+    words: tuple[Word, ...] = ()
+    visemes: tuple[Viseme, ...] = ()
+    phrases: tuple[Interval, ...] = ()
+    emphases_s: tuple[float, ...] = ()
+    agitation: Level = Level.MEDIUM
+    character: str = "default"

@@ -1,0 +1,1 @@
+"""BML in, motion out (paper §3.8): gestures, controllers, face, exporters."""

@@ -1,0 +1,110 @@
+"""Rotations as unit quaternions x y z w, in arrays of shape (…, 4); every function works on whole arrays at once.
+
+Conventions: the last axis holds the quaternion (or the vector, x y z); angles are radians; `multiply(a, b)` turns by b
+first, then by a, as matrices do.
+"""
+
+import numpy as np
+
+from app.model import FloatArray
+
+IDENTITY: FloatArray = np.array([0.0, 0.0, 0.0, 1.0])
+IDENTITY.setflags(write=False)
+
+_NEAR_ZERO = 1e-12
+
+
+def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The rotation by `b`, then by `a`."""
+    ax, ay, az, aw = (a[..., k] for k in range(4))
+    bx, by, bz, bw = (b[..., k] for k in range(4))
+    parts = (
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+        aw * bw - ax * bx - ay * by - az * bz,
+    )
+    return np.stack(parts, axis=-1)
+
+
+def inverse(q: FloatArray) -> FloatArray:
+    """The rotation back."""
+    return np.asarray(q * np.array([-1.0, -1.0, -1.0, 1.0]))
+
+
+def rotate(q: FloatArray, vector: FloatArray) -> FloatArray:
+    """`vector` (…, 3) turned by `q`."""
+    axis, w = q[..., :3], q[..., 3:]
+    twice = 2.0 * np.cross(axis, vector)
+    return np.asarray(vector + w * twice + np.cross(axis, twice))
+
+
+def from_rotation_vector(vector: FloatArray) -> FloatArray:
+    """The rotation about the axis `vector` (…, 3) by its length."""
+    half = np.linalg.norm(vector, axis=-1, keepdims=True) / 2
+    return np.concatenate([vector * (np.sinc(half / np.pi) / 2), np.cos(half)], axis=-1)
+
+
+def to_rotation_vector(q: FloatArray) -> FloatArray:
+    """Axis times angle, the shorter way round: at most π long."""
+    q = np.where(q[..., 3:] < 0, -q, q)
+    sine = np.linalg.norm(q[..., :3], axis=-1, keepdims=True)
+    angle = 2 * np.arctan2(sine, q[..., 3:])
+    return np.asarray(q[..., :3] * np.where(sine > _NEAR_ZERO, angle / np.maximum(sine, _NEAR_ZERO), 2.0))
+
+
+def about(axis: tuple[float, float, float], angle: FloatArray) -> FloatArray:
+    """The rotations by the angles (…) about one axis of length 1."""
+    return from_rotation_vector(np.asarray(angle)[..., None] * np.array(axis))
+
+
+def between(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The shortest rotation that takes the direction `a` (…, 3) to the direction `b`."""
+    a = a / np.linalg.norm(a, axis=-1, keepdims=True)
+    b = b / np.linalg.norm(b, axis=-1, keepdims=True)
+    w = 1 + np.sum(a * b, axis=-1, keepdims=True)
+    sideways = np.where(np.abs(a[..., :1]) < 0.9, np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]))
+    axis = np.where(w > 1e-9, np.cross(a, b), np.cross(a, sideways))
+    return normalized(np.concatenate([axis, np.where(w > 1e-9, w, 0.0)], axis=-1))
+
+
+def from_axes(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
+    """The rotation that takes the base axes to `x`, `y` and `z` (…, 3), which are orthonormal and right-handed."""
+    weights = [
+        1 + x[..., 0] + y[..., 1] + z[..., 2],
+        1 + x[..., 0] - y[..., 1] - z[..., 2],
+        1 - x[..., 0] + y[..., 1] - z[..., 2],
+        1 - x[..., 0] - y[..., 1] + z[..., 2],
+    ]
+    yz, zx, xy = y[..., 2] - z[..., 1], z[..., 0] - x[..., 2], x[..., 1] - y[..., 0]
+    sxy, sxz, syz = y[..., 0] + x[..., 1], z[..., 0] + x[..., 2], z[..., 1] + y[..., 2]
+    choices = (
+        (yz, zx, xy, weights[0]),
+        (weights[1], sxy, sxz, yz),
+        (sxy, weights[2], syz, zx),
+        (sxz, syz, weights[3], xy),
+    )
+    candidates = np.stack([np.stack(choice, axis=-1) for choice in choices])
+    best = np.argmax(np.stack(weights), axis=0)[None, ..., None]
+    return normalized(np.take_along_axis(candidates, best, axis=0)[0])
+
+
+def normalized(q: FloatArray) -> FloatArray:
+    return np.asarray(q / np.linalg.norm(q, axis=-1, keepdims=True))
+
+
+def of_one_sign(q: FloatArray) -> FloatArray:
+    """The same rotations, q (T, …, 4), each of the sign that is nearer to the one before it in time."""
+    flips = np.cumprod(np.where(np.sum(q[1:] * q[:-1], axis=-1, keepdims=True) < 0, -1.0, 1.0), axis=0)
+    return np.concatenate([q[:1], q[1:] * flips])
+
+
+def slerp(a: FloatArray, b: FloatArray, share: FloatArray) -> FloatArray:
+    """The rotation `share` (…, in [0, 1]) of the shorter way from `a` to `b`."""
+    turn = to_rotation_vector(multiply(inverse(a), b))
+    return multiply(a, from_rotation_vector(turn * np.asarray(share)[..., None]))
+
+
+def angle_between(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The angle from `a` to `b` in radians, in [0, π]."""
+    return np.asarray(np.linalg.norm(to_rotation_vector(multiply(inverse(a), b)), axis=-1))
