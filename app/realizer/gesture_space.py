@@ -1,9 +1,9 @@
 """Where McNeill's sectors are: the wrist's place for a sector, in metres in the space of the upper body.
 
 Conventions: the origin is the hips joint of the upright body; x goes to the arm's own side, y up, z away from the
-body. The heights follow shared/motion.md, in which 0 is the hips and 1 the shoulders; Gesture Engine §4.2 has `YUpperP` at the
-shoulders. McNeill (1992) gives the squares, not the metres; these are for the body that we ship (arm .53 m to the
-wrist), so that nearly every sector is within its reach.
+body. The heights follow shared/motion.md, in which 0 is the hips and 1 the shoulders; Gesture Engine §4.2 has
+`YUpperP` at the shoulders. McNeill (1992) gives the squares, not the metres; these are for the body that we ship (arm
+.53 m to the wrist), so that nearly every sector is within its reach.
 """
 
 from collections.abc import Mapping
