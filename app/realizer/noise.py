@@ -1,0 +1,51 @@
+"""Perlin's gradient noise in one dimension, for what is never quite still (paper §3.8; Perlin 2002).
+
+Conventions: the lattice lies at whole multiples of the period from time 0, where every channel is zero; between its
+points each channel follows slopes that depend on seed, channel and lattice point alone, so a moment has the same noise
+however many others are asked for with it. Values lie in [-1, 1].
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model import FloatArray
+
+_LARGEST = 2.0**64
+
+
+def perlin(times_s: FloatArray, *, frequency_hz: float, seed: int, channels: int = 1) -> FloatArray:
+    """Smooth noise (T, channels) with `frequency_hz` lattice points a second.
+
+    The fade is 6t⁵ - 15t⁴ + 10t³ (Perlin 2002), so the second derivative has no steps. Perlin picks slopes from a short
+    list by a permuted table; here they are drawn evenly from [-2, 2] by a hash of integers, which repeats nowhere.
+    """
+    at = np.asarray(times_s, dtype=np.float64) * frequency_hz
+    below = np.floor(at)
+    first = int(below.min(initial=0))
+    last = int(below.max(initial=0)) + 1
+    slopes = _slopes(np.arange(first, last + 1), seed, channels)
+    share = (at - below)[:, None]
+    index = (below - first).astype(np.int64)
+    left, right = slopes[index] * share, slopes[index + 1] * (share - 1.0)
+    return np.asarray(left + fade(share) * (right - left))
+
+
+def fade(share: FloatArray) -> FloatArray:
+    """From 0 to 1 without a step in the second derivative: 6t⁵ - 15t⁴ + 10t³, which is the minimum-jerk course too."""
+    return np.asarray(share**3 * (10.0 + share * (6.0 * share - 15.0)))
+
+
+def _slopes(points: NDArray[np.int64], seed: int, channels: int) -> FloatArray:
+    """(points, channels), evenly from [-2, 2]."""
+    start = np.full(1, seed & (2**64 - 1), dtype=np.uint64)
+    of_channel = _mixed(np.asarray(_mixed(start) + np.arange(channels, dtype=np.uint64), dtype=np.uint64))
+    hashed = _mixed(np.add(of_channel[None, :], points.astype(np.uint64)[:, None]))
+    return np.asarray(hashed / _LARGEST * 4.0 - 2.0)
+
+
+def _mixed(number: NDArray[np.uint64]) -> NDArray[np.uint64]:
+    """A bijection that changes half the bits for every one that changes (SplitMix64; Steele, Lea & Flood 2014)."""
+    number = number + np.uint64(0x9E3779B97F4A7C15)
+    number = (number ^ (number >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    number = (number ^ (number >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    return np.asarray(number ^ (number >> np.uint64(31)))
