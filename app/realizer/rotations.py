@@ -35,8 +35,15 @@ def inverse(q: FloatArray) -> FloatArray:
 def rotate(q: FloatArray, vector: FloatArray) -> FloatArray:
     """`vector` (…, 3) turned by `q`."""
     axis, w = q[..., :3], q[..., 3:]
-    twice = 2.0 * np.cross(axis, vector)
-    return np.asarray(vector + w * twice + np.cross(axis, twice))
+    twice = 2.0 * cross(axis, vector)
+    return np.asarray(vector + w * twice + cross(axis, twice))
+
+
+def cross(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The vectors at right angles to both (…, 3): `np.cross`, several times as fast."""
+    ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
+    bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
+    return np.stack((ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx), axis=-1)
 
 
 def from_rotation_vector(vector: FloatArray) -> FloatArray:
@@ -64,7 +71,7 @@ def between(a: FloatArray, b: FloatArray) -> FloatArray:
     b = b / np.linalg.norm(b, axis=-1, keepdims=True)
     w = 1 + np.sum(a * b, axis=-1, keepdims=True)
     sideways = np.where(np.abs(a[..., :1]) < 0.9, np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]))
-    axis = np.where(w > 1e-9, np.cross(a, b), np.cross(a, sideways))
+    axis = np.where(w > 1e-9, cross(a, b), cross(a, sideways))
     return normalized(np.concatenate([axis, np.where(w > 1e-9, w, 0.0)], axis=-1))
 
 

@@ -1,0 +1,52 @@
+"""How thick the body is: capsules around its bones, for the mannequin that is drawn and the hands that stay out of it.
+
+Conventions: a capsule is all within `radius_m` of the line from `start_m` to `end_m`, metres in the space of its joint.
+Sided parts are the left's; the right's are their mirror images. The measures are those of the skeleton's adult of
+1.73 m: chest 33 cm across and 21 cm deep, head 18 cm across.
+"""
+
+from dataclasses import dataclass, replace
+
+Point = tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Capsule:
+    """A part of the body: its name, the joint that carries it, its line and its radius."""
+
+    part: str
+    joint: str
+    start_m: Point
+    end_m: Point
+    radius_m: float
+
+    def mirrored(self) -> "Capsule":
+        """The same part of the right side."""
+        return replace(
+            self,
+            joint="right" + self.joint.removeprefix("left"),
+            start_m=(-self.start_m[0], *self.start_m[1:]),
+            end_m=(-self.end_m[0], *self.end_m[1:]),
+        )
+
+
+TRUNK: tuple[Capsule, ...] = (
+    Capsule("pelvis", "hips", (-0.070, -0.010, -0.005), (0.070, -0.010, -0.005), 0.105),
+    Capsule("belly", "spine", (-0.050, 0.050, 0.000), (0.050, 0.050, 0.000), 0.100),
+    Capsule("chest", "chest", (-0.065, 0.080, -0.005), (0.065, 0.080, -0.005), 0.105),
+    Capsule("upper chest", "upperChest", (-0.080, 0.030, 0.000), (0.080, 0.030, 0.000), 0.085),
+    Capsule("neck", "neck", (0.000, 0.000, 0.000), (0.000, 0.090, 0.010), 0.055),
+    Capsule("head", "head", (0.000, 0.060, 0.015), (0.000, 0.110, 0.010), 0.092),
+)
+"""The parts in the middle, from the pelvis up."""
+
+LEFT: tuple[Capsule, ...] = (
+    Capsule("upper leg", "leftUpperLeg", (0.000, -0.020, 0.000), (0.000, -0.400, 0.010), 0.078),
+    Capsule("lower leg", "leftLowerLeg", (0.000, 0.000, 0.000), (0.000, -0.400, -0.030), 0.050),
+    Capsule("upper arm", "leftUpperArm", (0.000, 0.000, 0.000), (0.280, 0.000, 0.000), 0.045),
+    Capsule("forearm", "leftLowerArm", (0.000, 0.000, 0.000), (0.235, 0.000, 0.000), 0.035),
+    Capsule("hand", "leftHand", (0.025, 0.000, 0.000), (0.120, -0.005, 0.000), 0.032),
+)
+"""The parts of the left side; the fingers are within the hand as a loose fist has them."""
+
+BUILD: tuple[Capsule, ...] = (*TRUNK, *LEFT, *(capsule.mirrored() for capsule in LEFT))
