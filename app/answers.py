@@ -69,6 +69,14 @@ class WordAnswer(Answer):
     phones: list[PhoneAnswer]
 
 
+class FillerAnswer(Answer):
+    """A sound of hesitation that was heard and is no word of the transcript."""
+
+    text: str
+    start_s: Number = Field(validation_alias=AliasPath("interval", "start_s"))
+    end_s: Number = Field(validation_alias=AliasPath("interval", "end_s"))
+
+
 class AudioAnswer(Answer):
     """The recording."""
 
@@ -209,15 +217,17 @@ class VisemeAnswer(Answer):
 
 
 class AlignAnswer(Answer):
-    """Words and phones in time."""
+    """Words and phones in time, and the fillers between them."""
 
     audio: AudioAnswer
     words: list[WordAnswer]
+    fillers: list[FillerAnswer]
     warnings: list[WarningAnswer]
 
     @classmethod
     def of(cls, aligned: Aligned) -> Self:
-        return cls.model_validate({"audio": aligned, "words": aligned.words, "warnings": aligned.notices})
+        heard = {"words": aligned.words, "fillers": aligned.fillers, "warnings": aligned.notices}
+        return cls.model_validate({"audio": aligned, **heard})
 
 
 class AgitationAnswer(Answer):
@@ -266,6 +276,7 @@ class AnalysisAnswer(Answer):
 
     audio: AudioAnswer
     words: list[WordAnswer]
+    fillers: list[FillerAnswer]
     stress: StressAnswer
     agitation: Level
     memberships: MembershipsAnswer
@@ -385,6 +396,7 @@ def _understood(utterance: Utterance, functions: Sequence[Function], notices: Se
     return {
         "audio": {"duration_s": utterance.duration_s},
         "words": utterance.words,
+        "fillers": utterance.fillers,
         "stress": utterance.thresholds,
         "agitation": utterance.agitation and utterance.agitation.level,
         "memberships": utterance.agitation,

@@ -202,13 +202,17 @@ class Parse:
 
 @dataclass(frozen=True, slots=True)
 class Utterance:
-    """All that is known of a line before its meaning is sought; `agitation` is None when nothing was heard."""
+    """All that is known of a line before its meaning is sought; `agitation` is None when nothing was heard.
+
+    `fillers` are in order of time, each between two words or at an end of the line.
+    """
 
     words: tuple[Word, ...]
     parse: Parse
     agitation: Agitation | None = None
     thresholds: StressThresholds | None = None
     duration_s: float | None = None
+    fillers: tuple[Filler, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

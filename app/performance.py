@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Self
 
 from app.acoustic.agitation import AgitationModel
-from app.acoustic.alignment import Aligner
+from app.acoustic.alignment import Aligner, Alignment
 from app.acoustic.decoding import AudioLimits, decode
 from app.acoustic.pitch import track_f0
 from app.acoustic.prominence import prominence
@@ -30,6 +30,7 @@ from app.model import (
     Agitation,
     Audio,
     Contours,
+    Filler,
     Function,
     GivenFunction,
     Level,
@@ -135,11 +136,12 @@ class Heard:
 
 @dataclass(frozen=True, slots=True)
 class Aligned:
-    """The words in time; `duration_s` is the audio's."""
+    """The words in time, and the fillers heard between them; `duration_s` is the audio's."""
 
     words: tuple[Word, ...]
     duration_s: float
     notices: tuple[Notice, ...]
+    fillers: tuple[Filler, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -289,9 +291,9 @@ def analyze(
     transcript = read_transcript(line.text, max_characters=mind.settings.max_text_characters)
     heard = hear(ears, line.audio, progress, reference=reference)
     progress("align")
-    words, notices = _timed(ears, heard.audio, transcript, line.timings)
+    timed = _timed(ears, heard.audio, transcript, line.timings)
     progress("stress")
-    words, thresholds = stress(prominence(words, heard.contours.f0_hz), heard.contours)
+    words, thresholds = stress(prominence(timed.words, heard.contours.f0_hz), heard.contours)
     progress("parse")
     utterance = Utterance(
         words=words,
@@ -299,12 +301,13 @@ def analyze(
         agitation=_certain(agitation) if agitation else heard.agitation,
         thresholds=thresholds,
         duration_s=heard.audio.duration_s,
+        fillers=timed.fillers,
     )
     progress("functions")
     functions = derive_functions(
         mind.rules, utterance, emphasis_ratio=mind.settings.emphasis_ratio, given=line.functions
     )
-    return Analysis(utterance, functions, heard.notices + notices)
+    return Analysis(utterance, functions, heard.notices + timed.notices)
 
 
 def understand(mind: Mind, text: str) -> Analysis:
@@ -340,17 +343,15 @@ def align(ears: Ears, line: Line) -> Aligned:
     """The words and phones of a line in time."""
     transcript = read_transcript(line.text, max_characters=ears.settings.max_text_characters)
     signal, notices = decode(line.audio, _limits(ears.settings))
-    words, align_notices = _timed(ears, signal, transcript, line.timings)
-    return Aligned(words, signal.duration_s, notices + align_notices)
+    timed = _timed(ears, signal, transcript, line.timings)
+    return Aligned(timed.words, signal.duration_s, notices + timed.notices, timed.fillers)
 
 
-def _timed(
-    ears: Ears, audio: Audio, transcript: tuple[Word, ...], timings: Timings | None
-) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
+def _timed(ears: Ears, audio: Audio, transcript: tuple[Word, ...], timings: Timings | None) -> Alignment:
     """The words in time: as the caller timed them, else as the aligner hears them."""
     if timings is None:
-        return ears.aligner.align(audio, transcript)
-    return read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s), ()
+        return ears.aligner.listen(audio, transcript)
+    return Alignment(read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s), ())
 
 
 def _limits(settings: Settings) -> AudioLimits:

@@ -23,6 +23,7 @@ from app.model import (
     Behavior,
     Channel,
     Clause,
+    Filler,
     Function,
     Hand,
     Interval,
@@ -46,7 +47,8 @@ WORDS = (
 )
 TOKEN = Token(0, 0, "Not", "not", "PART", "RB", "advmod", 2)
 PARSE = Parse((TOKEN,), (Phrase("noun", 2, 2, 2),), (Clause("root", 0, 2, 2),))
-UTTERANCE = Utterance(WORDS, PARSE, Agitation(0.2, 0.3, 0.5), StressThresholds(-20.0, None), 1.0)
+FILLERS = (Filler("um", Interval(0.9, 1.0)),)
+UTTERANCE = Utterance(WORDS, PARSE, Agitation(0.2, 0.3, 0.5), StressThresholds(-20.0, None), 1.0, FILLERS)
 KEPT = Function("f1", "negation", "plain", 0, 0, 5.0, "negation_word", (Because(word=0),))
 LOST = Function("f2", "deixis", "distal", 1, 2, 3.0, "those", (Because(fact="lexical", rule="r"),), False, "f1")
 NOTICES = (Notice("pronunciation_guessed", "guessed"),)
@@ -135,6 +137,7 @@ def test_an_analysis_tells_all_that_was_heard_and_understood() -> None:
     assert told["parse"]["phrases"] == [{"kind": "noun", "first": 2, "last": 2, "head": 2}]
     assert told["parse"]["clauses"] == [{"label": "root", "first": 0, "last": 2, "head": 2}]
     assert [word["index"] for word in told["words"]] == [0, 1, 2]
+    assert told["fillers"] == [{"text": "um", "start_s": 0.9, "end_s": 1.0}]
     assert told["warnings"] == [{"code": "pronunciation_guessed", "message": "guessed"}]
 
 
@@ -154,7 +157,8 @@ def test_the_small_shapes() -> None:
         "agitation": "low",
         "memberships": {"low": 0.5, "medium": 0.25, "high": 0.25},
     }
-    aligned = _told(AlignAnswer.of(Aligned(WORDS, 1.0, NOTICES)))
+    aligned = _told(AlignAnswer.of(Aligned(WORDS, 1.0, NOTICES, FILLERS)))
+    assert [filler["text"] for filler in aligned["fillers"]] == ["um"]
     assert len(aligned["words"]) == 3
     assert aligned["audio"] == {"duration_s": 1.0}
     functions = FunctionsAnswer.of(Analysis(UTTERANCE, (KEPT,)))

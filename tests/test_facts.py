@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from app.model import Agitation, Clause, Interval, Phrase, Utterance
+from app.model import Agitation, Clause, Filler, Interval, Phrase, Utterance
 from app.rules.chainer import Fact
 from app.rules.facts import bare, utterance_facts
 from tests.utterances import utterance, words_of
@@ -93,6 +93,14 @@ def test_what_is_heard_becomes_facts_and_short_gaps_are_no_pauses() -> None:
     assert arguments(spoken, "prominence") == {(0.75, 0, 1)}
     assert arguments(spoken, "pause") == {(0.3, 2)}
     assert arguments(spoken, "agitation") == {("high",)}
+
+
+def test_a_filler_stands_at_the_boundary_before_the_word_that_follows_it() -> None:
+    first, dash, second = words_of("so — it")
+    words = (replace(first, interval=Interval(0.5, 0.9)), dash, replace(second, interval=Interval(1.4, 1.5)))
+    fillers = (Filler("um", Interval(0.1, 0.4)), Filler("uh", Interval(1.0, 1.3)), Filler("um", Interval(1.5, 1.9)))
+    spoken = replace(utterance("so — it", ""), words=words, fillers=fillers)
+    assert arguments(spoken, "heard_filler") == {("um", 0), ("uh", 2), ("um", 3)}
 
 
 def test_nothing_heard_and_nothing_said_leave_no_facts() -> None:

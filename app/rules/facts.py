@@ -9,7 +9,7 @@ punctuation ends.
 import re
 from collections.abc import Iterator
 
-from app.model import Token, Utterance, Word
+from app.model import Filler, Token, Utterance, Word
 from app.rules.chainer import Fact
 
 SHORTEST_PAUSE_S = 0.2
@@ -125,5 +125,13 @@ def _heard_facts(utterance: Utterance) -> Iterator[Fact]:
         if before_s is not None and word.interval.start_s - before_s >= SHORTEST_PAUSE_S:
             yield Fact("pause", (round(word.interval.start_s - before_s, 3), word.index))
         before_s = word.interval.end_s
+    for filler in utterance.fillers:
+        yield Fact("heard_filler", (filler.text, _boundary_of(filler, utterance.words)))
     if utterance.agitation is not None:
         yield Fact("agitation", (utterance.agitation.level.value,))
+
+
+def _boundary_of(filler: Filler, words: tuple[Word, ...]) -> int:
+    """The boundary before the first word that begins after the filler does."""
+    later = (word.index for word in words if word.interval and word.interval.start_s > filler.interval.start_s)
+    return next(later, len(words))
