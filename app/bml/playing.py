@@ -14,6 +14,7 @@ from app.bml.blocks import GAZE_RANGE_DEGREES, MODES
 from app.bml.documents import Element
 from app.bml.elements import SBM
 from app.bml.faces import ACTION_UNITS
+from app.bml.table import GLANCE, LOOK, SHIFT
 from app.model import Behavior, Channel, Hand, SyncPoints
 
 _HANDS: Mapping[str, Hand] = MappingProxyType({mode: hand for hand, mode in MODES.items()})
@@ -83,7 +84,7 @@ def _gaze(element: Element, blank: Behavior, *, shifts: bool = False) -> Behavio
     return replace(
         blank,
         kind=Channel.GAZE,
-        lexeme="GLANCE" if joints == _EYES_ALONE and not shifts else "SHIFT" if shifts else "LOOK",
+        lexeme=GLANCE if joints == _EYES_ALONE and not shifts else SHIFT if shifts else LOOK,
         target=_text(element, "target"),
         direction=direction if aside else None,
         amount=min(1.0, abs(angle) / GAZE_RANGE_DEGREES) if aside and angle is not None else None,

@@ -18,6 +18,7 @@ from app.bml.documents import DialectName, Document, Element, Reference, Time
 from app.bml.elements import DIALECTS, ElementKind
 from app.bml.playing import SHIFTS, played
 from app.bml.speech import Speech, behaviors_of, mark_s, speech_of
+from app.bml.table import GLANCE, SHIFT
 from app.bml.visemes import OPENINGS
 from app.model import Behavior, Channel, Interval, Level, Notice, SyncPoints, Viseme, Word
 
@@ -147,10 +148,10 @@ def _lasting(behaviors: list[Behavior], dialect: DialectName) -> list[Behavior]:
 
 def _until(gaze: Behavior, end_s: float | None) -> Behavior:
     """A gaze that stays, until another begins if one does."""
-    if gaze.lexeme != "GLANCE" or end_s is None:
+    if gaze.lexeme != GLANCE or end_s is None:
         reached_s = gaze.sync.ready if gaze.sync.ready is not None else gaze.sync.end
         reached_s = reached_s if end_s is None else min(reached_s, end_s)
-        return replace(gaze, lexeme="SHIFT", sync=SyncPoints(gaze.sync.start, reached_s, reached_s, relax=reached_s))
+        return replace(gaze, lexeme=SHIFT, sync=SyncPoints(gaze.sync.start, reached_s, reached_s, relax=reached_s))
     ready_s = min(gaze.sync.ready if gaze.sync.ready is not None else end_s, end_s)
     return replace(gaze, sync=SyncPoints(start=gaze.sync.start, ready=ready_s, relax=end_s, end=end_s))
 
