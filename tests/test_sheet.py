@@ -1,0 +1,59 @@
+"""Contact sheets are PNG, and show the poses they are given."""
+
+import io
+
+import numpy as np
+import pytest
+
+from app.model import FloatArray, Interval, SyncPoints, Word
+from app.realizer.motion import SHAPES, BodyMotion, Motion
+from app.realizer.rotations import IDENTITY, about
+from app.realizer.sheet import COLUMNS, Still, draw_sheet, draw_stills, moments_of
+from app.realizer.skeleton import HIPS_HEIGHT_M, Skeleton
+
+pytest.importorskip("matplotlib", reason="contact sheets need matplotlib")
+
+BODY = Skeleton.standing()
+
+
+def t_pose(frames: int = 1) -> FloatArray:
+    return np.tile(IDENTITY, (frames, len(BODY.names), 1))
+
+
+def pixels(png: bytes) -> FloatArray:
+    from matplotlib.image import imread
+
+    return np.asarray(imread(io.BytesIO(png)), dtype=np.float64)
+
+
+def test_a_sheet_has_the_pose_of_each_moment() -> None:
+    rotations = t_pose(31)
+    rotations[15:, BODY.index["leftUpperArm"]] = about((0.0, 0.0, 1.0), np.array(-1.3))
+    body = BodyMotion(np.arange(31) / 30, rotations, np.tile([0.0, HIPS_HEIGHT_M, 0.0], (31, 1)))
+    motion = Motion(30, body, np.zeros((31, len(SHAPES))), {"b1": SyncPoints(0.0, 1.0)})
+    picture = pixels(draw_sheet(motion, BODY, [(0.0, "up"), (1.0, "down")], faces=False))
+    up, down = np.split(picture[:300], 2, axis=1)
+    assert np.abs(up - down).max() > 0.3
+    same = pixels(draw_sheet(motion, BODY, [(0.0, "up"), (0.4, "up")], faces=False))
+    first, second = np.split(same[:300], 2, axis=1)
+    assert np.allclose(first, second)
+
+
+def test_many_poses_wrap_into_rows() -> None:
+    one = pixels(draw_stills([Still("a", t_pose()[0])], BODY, faces=False))
+    many = pixels(draw_stills([Still("a", t_pose()[0])] * (COLUMNS + 1), BODY, faces=False))
+    assert many.shape[0] == 2 * one.shape[0]
+    assert many.shape[1] == COLUMNS * one.shape[1]
+
+
+def test_moments_are_the_peaks_in_order_with_the_words_said() -> None:
+    body = BodyMotion(np.arange(61) / 30, t_pose(61), np.tile([0.0, HIPS_HEIGHT_M, 0.0], (61, 1)))
+    realized = {
+        "b2": SyncPoints(0.5, 1.5, ready=0.8),
+        "b1": SyncPoints(0.1, 1.0, ready=0.2, stroke=0.6),
+        "b3": SyncPoints(1.7, 1.9),
+    }
+    motion = Motion(30, body, np.zeros((61, len(SHAPES))), realized)
+    words = (Word(0, "No,", Interval(0.4, 0.7)), Word(1, "never", Interval(0.7, 1.2)))
+    assert moments_of(motion, words) == ((0.6, "b1 No,"), (0.8, "b2 never"), (1.7, "b3 "))
+    assert moments_of(motion, words, at_most=2) == ((0.6, "b1 No,"), (1.7, "b3 "))
