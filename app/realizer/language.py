@@ -1,0 +1,206 @@
+"""Reads gesture files (Gesture Engine §4.2): text in, gestures as written out (`statements.py`), or every mistake.
+
+The language is a statement a line. Each line is parsed by itself, then lines are put together: GESTURECLASS begins a
+gesture, STARTFRAME … ENDFRAME hold a frame. What the words mean is for `definitions.py`.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from difflib import get_close_matches
+from functools import cache, lru_cache
+from pathlib import Path
+from types import MappingProxyType
+
+from lark import Lark, Token, Tree, UnexpectedInput, UnexpectedToken
+
+from app.errors import Mistake
+from app.realizer.statements import FrameTree, GestureFile, GestureTree, Located, Statement, Word
+
+HEADER: Mapping[str, str] = MappingProxyType(
+    {
+        "GESTURECLASS": "GESTURECLASS iconic",
+        "GESTUREINSTANCE": "GESTUREINSTANCE small",
+        "DURATION": "DURATION 1.5",
+        "ARMS": "ARMS both",
+        "CATEGORY": "CATEGORY SMALL PINCH",
+        "AIMED": "AIMED",
+        "LEVELS": "LEVELS medium high",
+        "EXPRESSIVITY": "EXPRESSIVITY low amplitude 0.8 tempo 0.9",
+    }
+)
+"""The statements before the frames, each with an example of how it is written."""
+
+FRAME: Mapping[str, str] = MappingProxyType(
+    {
+        "STARTFRAME": "STARTFRAME 0.4",
+        "FRAMETYPE": "FRAMETYPE stroke_end",
+        "ARM": "ARM XC YUpperP ZNear, or with OFFSET 0.02 0 -0.05 behind",
+        "HAND": "HAND symbol_1_open",
+        "FINGER": "FINGER index bend_curved",
+        "WRIST": "WRIST FBUp PalmInwards",
+        "SHOULDER": "SHOULDER 0.5",
+        "JOINT": "JOINT LowerArm 0 -80 0",
+        "ADDNOISE": "ADDNOISE",
+        "ENDFRAME": "ENDFRAME",
+    }
+)
+"""The statements of frames, each with an example."""
+
+OTHER = "OTHER"
+OF_AN_ARM = frozenset({"ARM", "HAND", "FINGER", "WRIST", "SHOULDER", "JOINT"})
+"""The statements that OTHER may stand before."""
+
+
+def read_gestures(path: Path) -> tuple[GestureFile, tuple[Mistake, ...]]:
+    """What could be read of the file at `path`, and what is wrong with its lines and their order."""
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        return GestureFile(path), (Mistake(path, 1, 1, f"cannot be read: {error.strerror}"),)
+    except UnicodeDecodeError as error:
+        return GestureFile(path), (Mistake(path, 1, 1, f"not UTF-8 text at byte {error.start}"),)
+    return parse_gestures(text, path)
+
+
+def parse_gestures(text: str, path: Path) -> tuple[GestureFile, tuple[Mistake, ...]]:
+    """As `read_gestures`, of text already read; `path` is where it says it comes from."""
+    lines = tuple(line.expandtabs(1) for line in text.split("\n"))
+    wrong: list[Located] = []
+    gestures = _Assembly(wrong).of(_statements(lines, wrong))
+    file = GestureFile(path, lines, gestures)
+    return file, tuple(mistake_in(file, found) for found in wrong)
+
+
+def mistake_in(file: GestureFile, found: Located) -> Mistake:
+    """A mistake with its file and the line it is on."""
+    at = found.at
+    return Mistake(file.path, at.line, at.column, found.message, file.lines[at.line - 1].rstrip("\r"))
+
+
+@cache
+def _grammar() -> Lark:
+    return Lark.open("gesture.lark", rel_to=__file__, parser="lalr")
+
+
+@lru_cache(maxsize=2048)
+def _parsed(line: str) -> Tree[Token]:
+    """Gestures repeat their lines; a third of a library's are new."""
+    return _grammar().parse(line)
+
+
+def _statements(lines: tuple[str, ...], wrong: list[Located]) -> Iterator[Statement]:
+    """Each line that says something; one that could not be read counts as what it most likely is."""
+    for number, line in enumerate(lines, start=1):
+        said = line.split("#")[0].split()
+        if not said:
+            continue
+        try:
+            yield _statement(_parsed(line), number)
+        except UnexpectedInput as error:
+            column = min(_column(error, line), len(line.rstrip()) + 1)
+            statement, message = _unread(said, Word(line[column - 1 :].split("#")[0].strip(), number, column), line)
+            wrong.append(Located(message[0], message[1]))
+            yield statement
+
+
+def _statement(tree: Tree[Token], line: int) -> Statement:
+    *other, said = (child for child in tree.children if child is not None)
+    assert isinstance(said, Tree)
+    keyword, *values = (
+        Word(str(token), line, token.column or 1) for token in said.children if isinstance(token, Token)
+    )
+    words = tuple(value for value in values if value.text[0].isalpha())
+    numbers = tuple(value for value in values if not value.text[0].isalpha())
+    return Statement(keyword, words, numbers, other=bool(other))
+
+
+def _column(error: UnexpectedInput, line: str) -> int:
+    if isinstance(error, UnexpectedToken) and error.token.type == "$END":
+        return len(line.split("#", maxsplit=1)[0].rstrip()) + 1
+    return int(error.column)
+
+
+def _unread(said: list[str], at: Word, line: str) -> tuple[Statement, tuple[Word, str]]:
+    """The statement that a line was meant to be, and what is wrong with it; `at` is the text from the mistake on."""
+    other = said[0] == OTHER and len(said) > 1
+    written = said[1] if other else said[0]
+    known = {**HEADER, **FRAME}
+    first = Word(written, at.line, line.index(written) + 1)
+    guessed = written if written in known else _nearest(written, [*known])
+    statement = Statement(Word(guessed or "", first.line, first.column), other=other, sound=False)
+    if written not in known:
+        meant = f"; did you mean {guessed}?" if guessed else f"; lines of a gesture file begin with {', '.join(known)}"
+        return statement, (first, f"no line begins with {written!r}{meant}")
+    if other and written not in OF_AN_ARM:
+        return statement, (first, f"OTHER speaks of the other arm's {', '.join(sorted(OF_AN_ARM))}, not of {written}")
+    found = f"found {at.text.split()[0]!r}" if at.text else "the line ends too soon"
+    return statement, (at, f"{found}; {written} is written as in: {known[written]}")
+
+
+def _nearest(word: str, known: list[str]) -> str | None:
+    return next(iter(get_close_matches(word.upper(), known, n=1)), None)
+
+
+class _Assembly:
+    """Puts statements together into gestures; what stands in the wrong place goes to `wrong`."""
+
+    def __init__(self, wrong: list[Located]) -> None:
+        self._wrong = wrong
+        self._gestures: list[GestureTree] = []
+        self._header: list[Statement] = []
+        self._frames: list[FrameTree] = []
+        self._start: Statement | None = None
+        self._inside: list[Statement] = []
+
+    def of(self, statements: Iterator[Statement]) -> tuple[GestureTree, ...]:
+        for statement in statements:
+            keyword = statement.keyword.text
+            if keyword == "GESTURECLASS":
+                self._end_gesture()
+                self._header = [statement]
+                continue
+            if not self._header:
+                self._say(statement, "a gesture begins with GESTURECLASS")
+                self._header = [replace(statement, keyword=replace(statement.keyword, text=""), sound=False)]
+            if keyword == "STARTFRAME":
+                self._end_frame(closed=False)
+                self._start = statement
+            elif keyword == "ENDFRAME" and self._start is None:
+                self._say(statement, "ENDFRAME without a STARTFRAME before it")
+            elif keyword == "ENDFRAME":
+                self._end_frame(closed=True)
+            else:
+                self._take(statement)
+        self._end_gesture()
+        return tuple(self._gestures)
+
+    def _take(self, statement: Statement) -> None:
+        keyword = statement.keyword.text
+        if self._start is not None and keyword not in HEADER:
+            self._inside.append(statement)
+        elif self._start is not None:
+            self._say(statement, f"{keyword} belongs before the first frame; or is an ENDFRAME missing above?")
+        elif keyword in FRAME:
+            self._say(statement, f"{keyword} belongs in a frame, between STARTFRAME and ENDFRAME")
+        elif self._frames:
+            self._say(statement, f"{keyword} belongs before the first frame")
+        else:
+            self._header.append(statement)
+
+    def _end_frame(self, *, closed: bool) -> None:
+        if self._start is not None:
+            if not closed:
+                self._say(self._start, "this frame has no ENDFRAME")
+            self._frames.append(FrameTree(self._start, tuple(self._inside)))
+        self._start, self._inside = None, []
+
+    def _end_gesture(self) -> None:
+        self._end_frame(closed=False)
+        if self._header:
+            self._gestures.append(GestureTree(tuple(self._header), tuple(self._frames)))
+        self._header, self._frames = [], []
+
+    def _say(self, statement: Statement, message: str) -> None:
+        """Of lines that could be read: the others are mistakes already."""
+        if statement.sound:
+            self._wrong.append(Located(statement.keyword, message))

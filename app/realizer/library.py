@@ -1,0 +1,147 @@
+"""The gesture library: every definition under a folder, as clips by category, level of agitation and hand.
+
+A folder holds `*.gesture` files, in subfolders as well, and may hold `aliases.yaml`: lexemes that other BML speaks,
+by the category of ours that shows them.
+"""
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+from types import MappingProxyType
+
+from app.authored import Entry, Source
+from app.errors import AuthoringError, InputError, Mistake
+from app.model import Hand, Level
+from app.realizer.checking import names_twice
+from app.realizer.clips import clip
+from app.realizer.definitions import definition
+from app.realizer.gesture import Clip, Definition
+from app.realizer.language import mistake_in, read_gestures
+from app.realizer.statements import GestureFile, Located
+
+SUFFIX = ".gesture"
+ALIASES = "aliases.yaml"
+LAST_RESORT = "BEAT"
+"""Gesture Engine §5: requests that no prototype matches are shown by a generic beat."""
+
+
+class Aliases(Entry):
+    """`aliases.yaml`: by category, the lexemes that mean it."""
+
+    aliases: Mapping[str, tuple[str, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Library:
+    """Definitions in the order of their files, by category, and the aliases of categories."""
+
+    definitions: tuple[Definition, ...]
+    by_category: Mapping[str, tuple[Definition, ...]]
+    aliases: Mapping[str, str]
+
+    @classmethod
+    def load(cls, folder: Path) -> "Library":
+        """Everything under `folder`; raises AuthoringError with every mistake in all of it."""
+        definitions, mistakes = read_definitions(sorted(folder.rglob(f"*{SUFFIX}")))
+        if mistakes:
+            raise AuthoringError(mistakes)
+        library = cls.of(definitions)
+        path = folder / ALIASES
+        return cls.of(definitions, _aliases(path, library.by_category)) if path.is_file() else library
+
+    @classmethod
+    def of(cls, definitions: Iterable[Definition], aliases: Mapping[str, str] = MappingProxyType({})) -> "Library":
+        """The library of these definitions."""
+        listed = tuple(definitions)
+        found: dict[str, list[Definition]] = defaultdict(list)
+        for one in listed:
+            for category in one.categories:
+                found[category].append(one)
+        by_category = {category: tuple(found[category]) for category in sorted(found)}
+        return cls(listed, MappingProxyType(by_category), MappingProxyType(dict(aliases)))
+
+    @property
+    def categories(self) -> tuple[str, ...]:
+        """The lexemes that have a gesture, in alphabetical order."""
+        return tuple(self.by_category)
+
+    def clips(self, category: str, level: Level, hand: Hand) -> tuple[Clip, ...]:
+        """Every way to show `category` at `level` with `hand`, in the order of the files; none when there is none.
+
+        Definitions for as many hands as are asked for come alone. Where there are none, both hands make a one-handed
+        gesture each, as mirror images, or one hand makes the leading hand's part of one for both. A definition for the
+        left hand, or the right, is for that hand only.
+        """
+        fit = [one for one in self.by_category.get(category, ()) if level in one.levels]
+        either, both = [one for one in fit if one.hand is None], [one for one in fit if one.hand is Hand.BOTH]
+        same = both if hand is Hand.BOTH else [one for one in fit if one.hand in {None, hand}]
+        otherwise = either if hand is Hand.BOTH else both
+        return tuple(clip(one, level, hand, category) for one in same or otherwise)
+
+    def definition(self, name: str) -> Definition:
+        """The definition of that name; raises InputError `unknown_name`."""
+        named = {one.name: one for one in self.definitions}
+        if name not in named:
+            close = get_close_matches(name, named, n=3)
+            hint = f"; did you mean {' or '.join(close)}?" if close else "; see gestures list"
+            raise InputError("unknown_name", f"no gesture is called {name!r}{hint}", field="name")
+        return named[name]
+
+    def nearest(self, lexeme: str) -> str | None:
+        """The category that shows `lexeme` of whatever BML: its own, in whatever case and with whatever between its
+        words, that of which it is an alias, or a beat. None when the library has no beat either."""
+        spelt = re.sub(r"[^A-Z0-9]+", "_", lexeme.upper()).strip("_")
+        for category in (lexeme, spelt, self.aliases.get(spelt), LAST_RESORT):
+            if category in self.by_category:
+                return category
+        return None
+
+
+def read_definitions(paths: Sequence[Path]) -> tuple[tuple[Definition, ...], tuple[Mistake, ...]]:
+    """The definitions in these files that are right, and every mistake in the others, by file and line."""
+    definitions: list[Definition] = []
+    files: list[GestureFile] = []
+    mistakes: list[Mistake] = []
+    for path in paths:
+        file, found = read_gestures(path)
+        files.append(file)
+        mistakes += found
+        wrong: list[Located] = []
+        read = [definition(tree, path, wrong) for tree in file.gestures]
+        definitions += [one for one in read if one is not None]
+        mistakes += [mistake_in(file, one) for one in wrong]
+    mistakes += names_twice(files)
+    order = {path: number for number, path in enumerate(paths)}
+    return tuple(definitions), tuple(sorted(mistakes, key=lambda one: (order[one.path], one.line, one.column)))
+
+
+def _aliases(path: Path, categories: Mapping[str, object]) -> Mapping[str, str]:
+    """Category by lexeme."""
+    source = Source(path)
+    listed = source.validated(Aliases).aliases
+    mistakes = [source.mistake(where, told) for where, told in _alias_mistakes(listed, categories)]
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+    return {lexeme: category for category, lexemes in listed.items() for lexeme in lexemes}
+
+
+def _alias_mistakes(
+    listed: Mapping[str, tuple[str, ...]], categories: Mapping[str, object]
+) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    seen: dict[str, str] = {}
+    for category, lexemes in listed.items():
+        if category not in categories:
+            close = get_close_matches(category, categories, n=1)
+            yield ("aliases", category), f"no gesture shows {category}" + "".join(f"; {one}?" for one in close)
+        for position, lexeme in enumerate(lexemes):
+            where = ("aliases", category, position)
+            if not re.fullmatch(r"[A-Z][A-Z0-9]*(_[A-Z0-9]+)*", lexeme):
+                yield where, f"{lexeme!r}: lexemes are written in capitals, words joined by one underscore"
+            elif lexeme in categories:
+                yield where, f"{lexeme} has gestures of its own"
+            elif lexeme in seen:
+                yield where, f"{lexeme} is listed under {seen[lexeme]} already"
+            seen.setdefault(lexeme, category)

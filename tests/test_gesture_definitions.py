@@ -1,0 +1,95 @@
+"""Headers of gestures: what they say, what is made where they say nothing, and what cannot be."""
+
+from pathlib import Path
+
+import pytest
+
+from app.model import Hand, Level
+from app.realizer.definitions import RANGES, derived
+from app.realizer.gesture import Expressivity, FrameType
+from tests.gesture_files import gesture, read, read_one
+
+SMALL = Path(__file__).resolve().parents[1] / "lexicon" / "gestures" / "small.gesture"
+
+
+def test_the_paper_s_gesture_small_as_printed(tmp_path: Path) -> None:
+    """Gesture Engine §4.2."""
+    small = read_one(tmp_path, SMALL.read_text(encoding="utf-8"))
+    assert (small.gesture_class, small.name, small.duration_s) == ("adjectival", "small", 1.5)
+    assert (small.categories, small.hand, small.aimed) == (("SMALL",), None, False)
+    types = [FrameType.STROKE_START, FrameType.STROKE_END, FrameType.HOLD]
+    assert [(frame.time, frame.type) for frame in small.frames] == list(zip([0.0, 0.4, 1.0], types, strict=True))
+    assert [frame.noise for frame in small.frames] == [False, True, False]
+    assert small.frames[1].leading.hand is None
+    assert small.frames[0].leading.hand == small.frames[2].leading.hand
+
+
+def test_the_whole_header(tmp_path: Path) -> None:
+    header = "ARMS both\nCATEGORY ME WE\nAIMED\nLEVELS medium high\nEXPRESSIVITY high amplitude 1.4 power 1"
+    found = read_one(tmp_path, gesture(header))
+    assert (found.hand, found.categories, found.aimed) == (Hand.BOTH, ("ME", "WE"), True)
+    assert found.levels == {
+        Level.MEDIUM: Expressivity(),
+        Level.HIGH: Expressivity(amplitude=1.4, tempo=1.2, fluidity=0.35, power=1.0),
+    }
+
+
+def test_levels_are_made_from_medium(tmp_path: Path) -> None:
+    levels = read_one(tmp_path, gesture("EXPRESSIVITY medium amplitude 0.5 tempo 2 fluidity 0.9 power 0.1")).levels
+    low, medium, high = (levels[level] for level in Level)
+    assert (low.amplitude, medium.amplitude, high.amplitude) == pytest.approx((0.4, 0.5, 0.6))
+    assert (low.tempo, medium.tempo, high.tempo) == pytest.approx((1.7, 2.0, 2.4))
+    assert (low.fluidity, medium.fluidity, high.fluidity) == pytest.approx((1.0, 0.9, 0.75))
+    assert (low.power, medium.power, high.power) == pytest.approx((0.0, 0.1, 0.35))
+
+
+@pytest.mark.parametrize("level", Level)
+@pytest.mark.parametrize("edge", [0, 1])
+def test_derived_levels_stay_in_range(level: Level, edge: int) -> None:
+    made = derived(level, Expressivity(**{name: limits[edge] for name, limits in RANGES.items()}))
+    assert all(least <= getattr(made, name) <= most for name, (least, most) in RANGES.items())
+
+
+@pytest.mark.parametrize(
+    ("header", "line", "column", "told"),
+    [
+        ("ARMS none", 4, 6, "'none' is not an arm, nor both: one of left, right, both"),
+        ("CATEGORY me", 4, 10, "a category is a BML lexeme in capitals: ME"),
+        ("CATEGORY ME ME", 4, 13, "ME stands here a second time"),
+        ("LEVELS hihg", 4, 8, "'hihg' is not a level of agitation; did you mean high?"),
+        ("LEVELS low\nEXPRESSIVITY high tempo 1", 5, 14, "high is not among the LEVELS of this gesture"),
+        ("EXPRESSIVITY high speed 1", 4, 19, "'speed' is none of amplitude, tempo, fluidity, power, repetition"),
+        ("EXPRESSIVITY high tempo 1 tempo 2", 4, 27, "tempo stands here a second time"),
+        ("EXPRESSIVITY high tempo 3.5", 4, 25, "3.5 is outside 0.25 … 3"),
+        ("EXPRESSIVITY high tempo 1\nEXPRESSIVITY high power 1", 5, 1, "EXPRESSIVITY high stands here a second time"),
+        ("DURATION 3", 4, 1, "DURATION stands here a second time; the first is in line 3"),
+    ],
+)
+def test_a_wrong_header(tmp_path: Path, header: str, line: int, column: int, told: str) -> None:
+    definitions, (mistake,) = read(tmp_path, gesture(header))
+    assert definitions == ()
+    assert (mistake.line, mistake.column) == (line, column)
+    assert told in mistake.message
+
+
+@pytest.mark.parametrize("line", ["GESTUREINSTANCE trial", "DURATION 2"])
+def test_what_a_header_must_have(tmp_path: Path, line: str) -> None:
+    _, (mistake,) = read(tmp_path, gesture().replace(line, ""))
+    assert f"this gesture has no {line.split(maxsplit=1)[0]}" in mistake.message
+
+
+def test_a_line_that_could_not_be_read_is_not_missed(tmp_path: Path) -> None:
+    assert len(read(tmp_path, gesture().replace("DURATION 2", "DURATION"))[1]) == 1
+    assert len(read(tmp_path, gesture(last="FRAMETYPE"))[1]) == 1
+
+
+def test_a_right_gesture_beside_a_wrong_one(tmp_path: Path) -> None:
+    definitions, mistakes = read(tmp_path, gesture(name="right") + gesture("ARMS no", name="wrong"))
+    assert [one.name for one in definitions] == ["right"]
+    assert len(mistakes) == 1
+
+
+@pytest.mark.parametrize("duration", ["0", "0.05", "10.1", "-1"])
+def test_durations_have_limits(tmp_path: Path, duration: str) -> None:
+    _, (mistake,) = read(tmp_path, gesture().replace("DURATION 2", f"DURATION {duration}"))
+    assert f"{duration} is outside 0.1 … 10 s" in mistake.message
