@@ -39,6 +39,7 @@ from app.model import (
     Notice,
     Parse,
     Performance,
+    StressThresholds,
     Utterance,
     Word,
 )
@@ -290,14 +291,11 @@ def analyze(
     ears, mind = understudy.ears, understudy.mind
     transcript = read_transcript(line.text, max_characters=mind.settings.max_text_characters)
     heard = hear(ears, line.audio, progress, reference=reference)
-    progress("align")
-    timed = _timed(ears, heard.audio, transcript, line.timings)
-    progress("stress")
-    words, thresholds = stress(prominence(timed.words, heard.contours.f0_hz), heard.contours)
+    timed, thresholds = hear_words(ears, heard, transcript, line.timings, progress)
     progress("parse")
     utterance = Utterance(
-        words=words,
-        parse=mind.parser.parse(words),
+        words=timed.words,
+        parse=mind.parser.parse(timed.words),
         agitation=_certain(agitation) if agitation else heard.agitation,
         thresholds=thresholds,
         duration_s=heard.audio.duration_s,
@@ -331,6 +329,21 @@ def hear(ears: Ears, audio: bytes, progress: Progress = unheard, *, reference: S
     contours = Contours(energy_db=energy_db(signal), f0_hz=track_f0(signal), mfcc=mfcc(signal))
     progress("agitation")
     return Heard(signal, contours, ears.agitation.agitation(signal, contours, reference), notices)
+
+
+def hear_words(
+    ears: Ears,
+    heard: Heard,
+    transcript: tuple[Word, ...],
+    timings: Timings | None = None,
+    progress: Progress = unheard,
+) -> tuple[Aligned, StressThresholds]:
+    """The words in time with how they stand out, and the utterance's own thresholds (paper §3.1.5)."""
+    progress("align")
+    timed = _timed(ears, heard.audio, transcript, timings)
+    progress("stress")
+    words, thresholds = stress(prominence(timed.words, heard.contours.f0_hz), heard.contours)
+    return replace(timed, words=words), thresholds
 
 
 def refer(ears: Ears, recordings: Sequence[Heard]) -> SpeakerReference:
