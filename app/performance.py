@@ -337,7 +337,7 @@ def hear_words(
     transcript: tuple[Word, ...],
     timings: Timings | None = None,
     progress: Progress = unheard,
-) -> tuple[Aligned, StressThresholds]:
+) -> tuple[Alignment, StressThresholds]:
     """The words in time with how they stand out, and the utterance's own thresholds (paper §3.1.5)."""
     progress("align")
     timed = _timed(ears, heard.audio, transcript, timings)
