@@ -1,0 +1,95 @@
+"""The face of a schedule: 52 weights a frame (paper §3.8, "Lip Syncing" and "Emotion, Facial Expression …").
+
+In order: what the speech makes of the mouth; what brows, cheeks, nose and mouth show; what is never still in a face;
+the eyes' looks, and the lids. Speech comes first at the lips: an expression gets of the mouth's corners what the
+visemes leave (a smile goes on, smaller, through an "oo"), of lips and jaw only what silence leaves, so that no smile
+opens an M.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+
+from app.model import FloatArray, Schedule
+from app.realizer.expressions import expressions
+from app.realizer.face_tables import COLUMNS, INDEX, FaceTables
+from app.realizer.lids import looks, with_lids
+from app.realizer.lips import Speech, speak
+from app.realizer.motion import SHAPES, BodyMotion
+from app.realizer.noise import perlin
+from app.realizer.skeleton import Skeleton
+
+CORNERS = ("mouthSmile", "mouthFrown", "mouthDimple", "mouthStretch", "mouthLeft", "mouthRight")
+"""The shapes at the corners of the mouth, which speech leaves in part."""
+
+LIPS = tuple(name for name in SHAPES if name.startswith(("jaw", "mouth", "tongue")) and not name.startswith(CORNERS))
+"""The other shapes of mouth and jaw, which speech needs for itself."""
+
+ASYMMETRY = 0.06
+"""Up to this much of an expression is missing on one side of the face, another each time of the same seed."""
+
+MICRO_MOVEMENT: Mapping[str, float] = MappingProxyType(
+    {
+        "browInnerUp": 0.03,
+        "browOuterUp": 0.025,
+        "browDown": 0.025,
+        "cheekSquint": 0.015,
+        "eyeSquint": 0.03,
+        "eyeWide": 0.02,
+        "mouthSmile": 0.025,
+        "mouthDimple": 0.02,
+        "mouthPress": 0.02,
+        "jawOpen": 0.012,
+        "noseSneer": 0.01,
+    }
+)
+"""How far the shapes wander when nothing is asked of them: too little to mean anything, enough not to freeze."""
+
+MICRO_MOVEMENT_HZ = 0.7
+
+
+def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Skeleton, *, seed: int) -> FloatArray:
+    """The weights (T, 52) in [0, 1], in the order of `SHAPES`, at the frames of `body`, whose eye joints are looked at.
+
+    Faces whose word the tables do not know are left out: `expressions.unknown_faces` tells which.
+    """
+    times_s = body.times_s
+    frame_s = float(times_s[1] - times_s[0]) if len(times_s) > 1 else 0.0
+    speech = speak(tables.visemes, schedule.visemes, times_s)
+    shown = expressions(tables.words, schedule.behaviors, times_s, frame_s) * _sides(seed)
+    shown = _together(shown, micro_movement(times_s, seed))
+    shapes = _together(speech.shapes, _beside_speech(shown, speech))
+    shapes = _together(shapes, looks(tables.eyes, body, skeleton))
+    return np.clip(with_lids(tables.eyes, shapes), 0, 1)
+
+
+def micro_movement(times_s: FloatArray, seed: int) -> FloatArray:
+    """What the face does when it does nothing (T, 52); each side by itself."""
+    moving = [(column, size) for name, size in MICRO_MOVEMENT.items() for column in COLUMNS[name]]
+    noise = perlin(times_s, frequency_hz=MICRO_MOVEMENT_HZ, seed=seed, channels=len(moving))
+    shapes = np.zeros((len(times_s), len(SHAPES)))
+    for channel, (column, size) in enumerate(moving):
+        shapes[:, column] = size * (1 + noise[:, channel]) / 2
+    return shapes
+
+
+def _beside_speech(shown: FloatArray, speech: Speech) -> FloatArray:
+    """Expressions as far as the speech leaves the mouth to them."""
+    shown = shown.copy()
+    for left, names in ((speech.corners, CORNERS), (speech.lips, LIPS)):
+        columns = [column for name in names for column in COLUMNS[name]]
+        shown[:, columns] *= left[:, None]
+    return shown
+
+
+def _sides(seed: int) -> FloatArray:
+    """(52,): how much of an expression each shape makes. Eyelids close wholly, on both sides."""
+    missing = np.random.default_rng(seed).uniform(0, ASYMMETRY, len(SHAPES))
+    missing[[INDEX["eyeBlinkLeft"], INDEX["eyeBlinkRight"]]] = 0
+    return np.asarray(1 - missing)
+
+
+def _together(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Both at once, never beyond 1."""
+    return np.asarray(1 - (1 - a) * (1 - b))

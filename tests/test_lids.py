@@ -1,0 +1,38 @@
+"""Lids and looks follow the eye joints."""
+
+import numpy as np
+import pytest
+
+from app.model import FloatArray, Schedule
+from app.realizer.face import face
+from app.realizer.face_tables import INDEX
+from app.realizer.rotations import about
+from tests.speaking import SKELETON, TABLES, still, times
+
+
+def turned(axis: tuple[float, float, float], degrees: float) -> FloatArray:
+    """The face of a body whose eyes are turned so."""
+    body = still(times(0.5))
+    eyes = SKELETON.chain("leftEye", "rightEye")
+    body.rotations[:, eyes] = about(axis, np.full((len(body.times_s), 2), np.deg2rad(degrees)))
+    return np.asarray(face(TABLES, Schedule((), 0.5), body, SKELETON, seed=1).mean(axis=0))
+
+
+def weight(shapes: FloatArray, name: str) -> float:
+    return float(shapes[INDEX[name]])
+
+
+@pytest.mark.parametrize("side", ["Left", "Right"])
+def test_lids_go_down_with_the_eyes_and_up_with_them(side: str) -> None:
+    down, ahead, up = (turned((1.0, 0.0, 0.0), degrees) for degrees in (25, 0, -25))
+    assert weight(down, "eyeLookDown" + side) == pytest.approx(25 / TABLES.eyes.down_deg)
+    assert weight(up, "eyeLookUp" + side) == pytest.approx(25 / TABLES.eyes.up_deg)
+    assert weight(down, "eyeBlink" + side) > weight(ahead, "eyeBlink" + side) + 0.2
+    assert weight(up, "eyeWide" + side) > weight(ahead, "eyeWide" + side) + 0.2
+
+
+def test_both_eyes_look_to_the_same_side() -> None:
+    left = turned((0.0, 1.0, 0.0), 20)
+    assert weight(left, "eyeLookOutLeft") == pytest.approx(20 / TABLES.eyes.out_deg)
+    assert weight(left, "eyeLookInRight") == pytest.approx(20 / TABLES.eyes.in_deg)
+    assert weight(left, "eyeLookInLeft") == weight(left, "eyeLookOutRight") == 0
