@@ -1,0 +1,107 @@
+"""Where the hands rest between gestures, and how long the ways from and to rest take.
+
+A gesture unit ends in one retraction, whose aim is chosen by the distance to the next unit: small clasped, medium at
+the side, large in the pockets (towards-natural §3.3, which gives no distances; ours are `SMALL_GAP_S` and
+`MEDIUM_GAP_S`). A posture of the schedule that tells what the hands do (HANDS_FOLDED …) takes over from then on: it is
+the character's own way to stand. A change of the standing leg ends it.
+
+Conventions: wrists as in `app.realizer.gesture_space`, from the arm's own side; speeds are means over a way.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+
+from app.model import Behavior, Channel, FloatArray, Schedule
+
+CLASPED, AT_SIDE, IN_POCKETS = "clasped", "at_side", "in_pockets"
+
+SMALL_GAP_S = 3.0
+MEDIUM_GAP_S = 10.0
+
+REST_WRIST_M: Mapping[str, tuple[float, float, float]] = MappingProxyType(
+    {
+        AT_SIDE: (0.24, -0.10, 0.05),
+        CLASPED: (0.06, 0.06, 0.22),
+        IN_POCKETS: (0.22, -0.02, 0.05),
+        "folded": (-0.10, 0.28, 0.20),
+        "behind_back": (0.08, 0.00, -0.16),
+        "on_hips": (0.22, 0.04, 0.03),
+        "open": (0.38, 0.02, 0.15),
+    }
+)
+"""About where the wrist is in each pose of `app.realizer.posing.rest_pose`."""
+
+POSTURES: Mapping[str, str | None] = MappingProxyType(
+    {
+        "HANDS_FOLDED": "folded",
+        "HANDS_BEHIND_BACK": "behind_back",
+        "HANDS_ON_HIPS": "on_hips",
+        "ARMS_OPEN": "open",
+        "WEIGHT_ON_LEFT_LEG": None,
+        "WEIGHT_ON_RIGHT_LEG": None,
+    }
+)
+"""What a posture says of the hands; None lets the distance to the next unit choose again."""
+
+PREPARATION_SPEED_M_S = 0.85
+RETRACTION_SPEED_M_S = 0.75
+"""So that a usual way of .35 m takes about as long as people take (shared/motion.md: .30 to .53 s)."""
+TOP_SPEED_M_S = 1.1
+"""The fastest mean speed of a way. A smooth one peaks at 1.9 times its mean: 2 m/s, people's 99th percentile."""
+SHORTEST_PREPARATION_S = 0.22
+SHORTEST_RETRACTION_S = 0.33
+SHORTEST_REST_S = 0.3
+"""Less than that at rest looks like a twitch."""
+
+
+@dataclass(frozen=True, slots=True)
+class RestChange:
+    """From `from_s` on, hands that rest do so in `pose`."""
+
+    from_s: float
+    pose: str
+
+
+def pose_for(gap_s: float) -> str:
+    """The pose that suits the time until the next unit."""
+    if gap_s < SMALL_GAP_S:
+        return CLASPED
+    return AT_SIDE if gap_s < MEDIUM_GAP_S else IN_POCKETS
+
+
+def posture_changes(schedule: Schedule) -> tuple[tuple[float, str | None], ...]:
+    """When the schedule's postures say something of the hands, and what, in order of time."""
+    postures = (each for each in schedule.behaviors if each.kept and each.kind is Channel.POSTURE)
+    told = (each for each in postures if each.lexeme in POSTURES)
+    return tuple(sorted(((_from_s(each), POSTURES[each.lexeme]) for each in told), key=lambda change: change[0]))
+
+
+def _from_s(posture: Behavior) -> float:
+    return max(0.0, posture.sync.start)
+
+
+def own_pose(changes: tuple[tuple[float, str | None], ...], time_s: float) -> str | None:
+    """The pose that the postures before `time_s` leave the hands in; None when they say nothing."""
+    return next((pose for from_s, pose in reversed(changes) if from_s <= time_s), None)
+
+
+def rest_m(pose: str) -> FloatArray:
+    """The wrist's place (3,) in a rest pose."""
+    return np.array(REST_WRIST_M[pose])
+
+
+def preparation_s(way_m: float, natural_s: float) -> float:
+    """How long a preparation takes that is in no hurry."""
+    return max(natural_s, way_m / PREPARATION_SPEED_M_S, SHORTEST_PREPARATION_S)
+
+
+def hurried_s(way_m: float) -> float:
+    """The shortest time for a way from or to rest."""
+    return max(way_m / TOP_SPEED_M_S, SHORTEST_PREPARATION_S)
+
+
+def retraction_s(way_m: float) -> float:
+    return max(way_m / RETRACTION_SPEED_M_S, SHORTEST_RETRACTION_S)

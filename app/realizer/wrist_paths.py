@@ -1,0 +1,52 @@
+"""Where the wrist is in a clip, as far as a plan must know: straight from each key that places it to the next.
+
+Conventions: metres as in `app.realizer.gesture_space`, seen from the arm's own side, so that places of one arm can be
+compared. What the body makes of it (joint limits, a belly in the way) may be some centimetres off.
+"""
+
+import numpy as np
+
+from app.model import FloatArray, Hand
+from app.realizer.gesture import ArmKey, Clip, ClipKey, Depth, Height, Place, Sideways
+from app.realizer.gesture_plan import Placed
+from app.realizer.gesture_space import sector_m
+
+_UNPLACED = Place(Sideways.C, Height.CC, Depth.MIDDLE)
+"""Where a hand is taken to be whose joints are given instead of its place."""
+
+
+def arm_key(key: ClipKey, side: Hand) -> ArmKey | None:
+    """What a key says of one arm."""
+    return key.left if side is Hand.LEFT else key.right
+
+
+def amplitude(placed: Placed) -> float:
+    """How large a gesture is made: by its level's expressivity and by what the schedule asks for."""
+    return placed.clip.expressivity.amplitude * placed.request.size
+
+
+def wrist_m(placed: Placed, side: Hand, time_s: float) -> FloatArray:
+    """The wrist's place (3,) at `time_s` of the clip."""
+    return _wrist_m(placed.clip, side, time_s, amplitude(placed))
+
+
+def stroke_start_m(placed: Placed, side: Hand) -> FloatArray:
+    return wrist_m(placed, side, placed.clip.markers.stroke_start)
+
+
+def relax_m(placed: Placed, side: Hand) -> FloatArray:
+    return wrist_m(placed, side, placed.clip.markers.relax)
+
+
+def distance_m(one: FloatArray, other: FloatArray) -> float:
+    return float(np.linalg.norm(one - other))
+
+
+def _wrist_m(clip: Clip, side: Hand, time_s: float, size: float) -> FloatArray:
+    within = [key for key in clip.keys if clip.markers.start <= key.time_s <= clip.markers.relax]
+    said = [(key.time_s, key_of.place) for key in within if (key_of := arm_key(key, side)) and key_of.place]
+    if not said:
+        return sector_m(_UNPLACED, size)
+    times_s = [at_s for at_s, _place in said]
+    places_m = np.array([sector_m(place, size) for _at_s, place in said])
+    return np.array([np.interp(time_s, times_s, places_m[:, axis]) for axis in range(3)])
