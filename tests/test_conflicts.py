@@ -1,3 +1,4 @@
+from dataclasses import replace
 from itertools import combinations, permutations
 
 import pytest
@@ -7,7 +8,7 @@ from hypothesis import strategies as st
 from app.bml.candidates import Candidate
 from app.bml.conflicts import resolve
 from app.bml.phases import Placing, Window, placed
-from app.bml.table import Phase, Timing
+from app.bml.table import GLANCE, LOOK, Phase, Timing
 from app.model import Behavior, Channel, Hand
 
 GESTURE = Timing(Phase(0.2, 0.4), Phase(0.2, 0.4), Phase(0.0, 1.0), Phase(0.0, 0.5))
@@ -52,6 +53,32 @@ def test_of_equals_the_earlier_stays() -> None:
     outcome = resolved(candidate("later", 2.1), candidate("sooner", 2.0))
     assert [name for name, behavior in outcome.items() if behavior.kept] == ["sooner"]
     assert "also has priority 1" in (outcome["later"].reason or "")
+
+
+def look(name: str, at_s: float, priority: float, direction: str | None = "LEFT") -> Candidate:
+    found = candidate(name, at_s, priority, kind=Channel.GAZE)
+    return replace(found, behavior=replace(found.behavior, lexeme=LOOK, direction=direction))
+
+
+def test_a_look_aside_while_the_head_is_taken_goes_to_the_eyes_alone() -> None:
+    outcome = resolved(candidate("nod", 2.0, 5, kind=Channel.HEAD), look("look", 2.1, 3))
+    assert outcome["nod"].kept
+    assert outcome["look"].kept
+    assert outcome["look"].lexeme == GLANCE
+    assert "eyes alone" in (outcome["look"].reason or "")
+
+
+def test_a_nod_at_a_more_important_look_aside_loses() -> None:
+    outcome = resolved(candidate("nod", 2.05, 3, kind=Channel.HEAD), look("look", 2.1, 5))
+    assert outcome["look"].lexeme == LOOK
+    assert (outcome["nod"].kept, outcome["nod"].lost_to) == (False, "look")
+
+
+@pytest.mark.parametrize(("at_s", "direction"), [(6.0, "LEFT"), (2.1, None)], ids=["later", "at the listener"])
+def test_other_looks_leave_the_head_alone(at_s: float, direction: str | None) -> None:
+    outcome = resolved(candidate("nod", 2.0, 5, kind=Channel.HEAD), look("look", at_s, 3, direction))
+    assert outcome["look"].lexeme == LOOK
+    assert outcome["look"].reason is None
 
 
 def test_the_lower_is_shortened_where_that_suffices() -> None:

@@ -1,9 +1,10 @@
 """Behaviours that overlap on a channel, or are too close to be played: who came first stays (paper §3.5).
 
-Candidates come in the order of their priority. Gestures compete hand by hand, everything else channel by channel. One
-that does not fit beside those taken before is shortened to what its phases need at least; if that is not enough, the
-retraction of its predecessor gives way to its preparation, and then its hold, which joins the two into one gesture unit
-(§3.8); if that is not enough either, it loses, with the winner's id and the reason.
+Candidates come in the order of their priority. Gestures compete hand by hand, everything else channel by channel, and a
+look aside, which turns the head, competes with what the head does. One that does not fit beside those taken before is
+shortened to what its phases need at least; a look whose head is taken goes to the eyes alone. If that is not enough,
+the retraction of its predecessor gives way to its preparation, and then its hold, which joins the two into one gesture
+unit (§3.8); if that is not enough either, it loses, with the winner's id and the reason.
 """
 
 from collections.abc import Iterable, Sequence
@@ -11,6 +12,7 @@ from dataclasses import dataclass, replace
 
 from app.bml.candidates import Candidate
 from app.bml.phases import Window, placed
+from app.bml.table import GLANCE, LOOK
 from app.model import Behavior, Channel, Hand
 
 Kept = tuple[Candidate, ...]
@@ -51,6 +53,9 @@ def fitted(candidate: Candidate, kept: Kept) -> Fitted | Behavior:
     sync = candidate.behavior.sync
     if begin_s <= sync.start and sync.end <= finish_s:
         return Fitted(candidate, (*kept, candidate))
+    heads = [other.behavior for other in rivals if other.behavior.kind is Channel.HEAD and _overlap(candidate, other)]
+    if candidate.behavior.kind is Channel.GAZE and heads:
+        return fitted(_with_the_eyes_alone(candidate, heads[0]), kept)
     neighbour = _neighbour(candidate, earlier, later)
     within = _within(candidate, Window(begin_s, finish_s), neighbour)
     if within is not None:
@@ -73,8 +78,22 @@ def beaten(behavior: Behavior, winner: Behavior) -> Behavior:
 def compete(one: Behavior, other: Behavior) -> bool:
     """Whether two behaviours move the same part of the body."""
     if one.kind is not other.kind:
-        return False
+        return _turns_the_head(one, other) or _turns_the_head(other, one)
     return one.kind is not Channel.GESTURE or one.hand is other.hand or Hand.BOTH in (one.hand, other.hand)
+
+
+def _turns_the_head(gaze: Behavior, head: Behavior) -> bool:
+    """Whether `gaze` has the head look aside while `head` moves it."""
+    return gaze.lexeme == LOOK and gaze.direction is not None and head.kind is Channel.HEAD
+
+
+def _overlap(one: Candidate, other: Candidate) -> bool:
+    return one.behavior.sync.start < other.behavior.sync.end and other.behavior.sync.start < one.behavior.sync.end
+
+
+def _with_the_eyes_alone(look: Candidate, head: Behavior) -> Candidate:
+    reason = f"with the eyes alone: the head has its {head.lexeme}"
+    return replace(look, behavior=replace(look.behavior, lexeme=GLANCE, reason=reason))
 
 
 def _rank(candidate: Candidate) -> tuple[float, float, str]:

@@ -28,7 +28,8 @@ DRIFTS = ("drift_left", "drift_right", "drift_turn_left", "drift_turn_right", "d
 UNASKED = ("blink", "breath", "gaze_opening", "gaze_return", "saccade", *DRIFTS)
 """The entries for what the body does by itself."""
 
-GAZE_LEXEMES = frozenset({"LOOK", "GLANCE", "SHIFT"})
+LOOK, GLANCE, SHIFT = "LOOK", "GLANCE", "SHIFT"
+GAZE_LEXEMES = frozenset({LOOK, GLANCE, SHIFT})
 
 
 class Anchor(StrEnum):
