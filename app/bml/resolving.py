@@ -33,13 +33,14 @@ _UNPLAYED = ("a body alone has no way to play it", "one recording has one speech
 
 @dataclass(frozen=True, slots=True)
 class Resolved:
-    """What a document has a body do, in order of time, and the words of its speech in the time of the block. Visemes
-    and agitation are there where the document says them, as SmartBody's dialect may."""
+    """What a document has a body do, in order of time, and the words of its speech in the time of the block. Visemes,
+    agitation and character are there where the document says them, as SmartBody's dialect may."""
 
     behaviors: tuple[Behavior, ...]
     words: tuple[Word, ...]
     visemes: tuple[Viseme, ...]
     agitation: Level | None
+    character: str | None
     notices: tuple[Notice, ...]
 
 
@@ -72,6 +73,7 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
         words=tuple(_shifted(word, start_s) for word in words),
         visemes=tuple(_visemes(elements, points)),
         agitation=_agitation(elements.values()),
+        character=_character(document.root),
         notices=notices,
     )
 
@@ -195,6 +197,13 @@ def _agitation(elements: Iterable[Element]) -> Level | None:
     styles = Counter(_STYLES.get(str(each.attributes.get("style", ""))) for each in elements if each.name == "gesture")
     del styles[None]
     return styles.most_common(1)[0][0] if styles else None
+
+
+def _character(root: Element) -> str | None:
+    """Who is to move: BML's `characterId`, SmartBody's participant."""
+    participants = (part.id for part in root.children if part.name == "participant")
+    named = root.attributes.get("characterId") or next(participants, None)
+    return named if isinstance(named, str) else None
 
 
 def _guessed(wanted: Sequence[Wanted], speech: Speech | None, words: tuple[Word, ...]) -> Iterator[Notice]:
