@@ -1,0 +1,112 @@
+"""Biovision BVH: the body as text that every animation tool reads.
+
+Conventions (shared/motion.md): centimetres, Y up, facing +Z; zero rotation is the T-pose. The root has six channels,
+its place (absolute: its offset is zero) and its rotation, each other joint three. Rotations are Z X Y in degrees: about
+the joint's own axes in that order, so R = Rz · Rx · Ry. The first frame is the motion's first.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from app.model import FloatArray
+from app.realizer.exporting.retargeting import Rig
+from app.realizer.motion import Motion
+from app.realizer.skeleton import FINGERS, Offset, Skeleton
+
+CENTIMETRES = 100.0
+DECIMALS = 4
+
+CHUNK = 1_000
+"""Frames that are formatted at a time, so that a long motion needs little memory."""
+
+_ENDS_M: dict[str, Offset] = {
+    "head": (0.0, 0.2, 0.0),
+    "Eye": (0.0, 0.0, 0.02),
+    "Toes": (0.0, 0.0, 0.06),
+    "ThumbDistal": (0.02, 0.0, 0.01),
+    **{f"{finger}Distal": (0.02, 0.0, 0.0) for finger in FINGERS[1:]},
+}
+
+
+def to_bvh(motion: Motion, skeleton: Skeleton, rig: Rig) -> bytes:
+    """The body's motion with the rig's names; the face has no place in BVH."""
+    order = list(_depth_first(skeleton, 0))
+    frames = len(motion.body.times_s)
+    lines = [
+        "HIERARCHY",
+        *_hierarchy(skeleton, rig, 0, ""),
+        "MOTION",
+        f"Frames: {frames}",
+        f"Frame Time: {1 / motion.frame_rate_hz:.10f}",
+        "",
+    ]
+    values = _channels(motion, order)
+    row = " ".join([f"%.{DECIMALS}f"] * values.shape[1]) + "\n"
+    chunks = ["\n".join(lines).encode()]
+    for chunk in np.array_split(values, -(-frames // CHUNK)):
+        chunks += ["".join([row % tuple(frame) for frame in chunk.tolist()]).encode()]
+    return b"".join(chunks)
+
+
+def zxy_degrees(rotations: FloatArray) -> FloatArray:
+    """The angles about Z, X and Y (…, 3) whose product Rz · Rx · Ry is each rotation (…, 4)."""
+    x, y, z, w = (rotations[..., k] for k in range(4))
+    sine = np.clip(2 * (y * z + w * x), -1.0, 1.0)
+    angles = [
+        np.arctan2(2 * (w * z - x * y), 1 - 2 * (x * x + z * z)),
+        np.arcsin(sine),
+        np.arctan2(2 * (w * y - x * z), 1 - 2 * (x * x + y * y)),
+    ]
+    locked = np.abs(sine) > 1 - 1e-9
+    angles[0] = np.where(locked, 2 * np.arctan2(z, w), angles[0])
+    angles[2] = np.where(locked, 0.0, angles[2])
+    return np.asarray(np.degrees(np.stack(angles, axis=-1)))
+
+
+def _channels(motion: Motion, order: list[int]) -> FloatArray:
+    """The numbers of the MOTION part, a row a frame. Angles run on past 180°, so that their curves are whole."""
+    values = np.empty((len(motion.body.times_s), 3 + 3 * len(order)))
+    values[:, :3] = motion.body.hips_m * CENTIMETRES
+    for place, joint in enumerate(order):
+        angles = np.unwrap(zxy_degrees(motion.body.rotations[:, joint]), period=360, axis=0)
+        values[:, 3 + 3 * place : 6 + 3 * place] = angles
+    return np.asarray(np.round(values, DECIMALS, out=values) + 0.0)
+
+
+def _depth_first(skeleton: Skeleton, joint: int) -> Iterator[int]:
+    yield joint
+    for child in _children(skeleton, joint):
+        yield from _depth_first(skeleton, child)
+
+
+def _children(skeleton: Skeleton, joint: int) -> list[int]:
+    return [child for child, parent in enumerate(skeleton.parents) if parent == joint]
+
+
+def _hierarchy(skeleton: Skeleton, rig: Rig, joint: int, indent: str) -> Iterator[str]:
+    root = skeleton.parents[joint] < 0
+    offset = (0.0, 0.0, 0.0) if root else skeleton.offsets_m[joint]
+    channels = "6 Xposition Yposition Zposition" if root else "3"
+    yield f"{indent}{'ROOT' if root else 'JOINT'} {rig.names[skeleton.names[joint]]}"
+    yield f"{indent}{{"
+    yield f"{indent}\t{_offset(offset)}"
+    yield f"{indent}\tCHANNELS {channels} Zrotation Xrotation Yrotation"
+    children = _children(skeleton, joint)
+    for child in children:
+        yield from _hierarchy(skeleton, rig, child, indent + "\t")
+    if not children:
+        end = _end_m(skeleton.names[joint])
+        yield from (f"{indent}\tEnd Site", f"{indent}\t{{", f"{indent}\t\t{_offset(end)}", f"{indent}\t}}")
+    yield f"{indent}}}"
+
+
+def _end_m(joint: str) -> Offset:
+    """Where the last bone of a chain ends."""
+    x, y, z = _ENDS_M[joint.removeprefix("left").removeprefix("right")]
+    return (-x if joint.startswith("right") else x, y, z)
+
+
+def _offset(offset_m: FloatArray | Offset) -> str:
+    x, y, z = (float(part) * CENTIMETRES + 0.0 for part in offset_m)
+    return f"OFFSET {x:.{DECIMALS}f} {y:.{DECIMALS}f} {z:.{DECIMALS}f}"

@@ -1,0 +1,107 @@
+"""The joints' names in other rigs, as `lexicon/retarget/*.yaml` tell them: Mixamo, Ready Player Me, Unreal and others.
+
+A table renames; it turns nothing: exported rotations are about the world's axes in the T-pose, whatever the rig's rest
+pose, unit and axes, which the table notes for whoever retargets.
+"""
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Literal
+
+from app.authored import Entry, Source, all_or_every_mistake
+from app.errors import AuthoringError, InputError
+from app.realizer.skeleton import SIDES, Skeleton
+
+Axis = Literal["+X", "-X", "+Y", "-Y", "+Z", "-Z"]
+
+
+@dataclass(frozen=True, slots=True)
+class Rig:
+    """A rig's `names` by our joints' names, its unit in metres, the axes that are up and forward, its rest pose."""
+
+    name: str
+    names: Mapping[str, str]
+    unit_m: float
+    up: str
+    forward: str
+    rest: str
+
+
+class Sides(Entry):
+    """The rig's words for left and right."""
+
+    left: str
+    right: str
+
+
+class RigFile(Entry):
+    """A table as it is written. In `sided` {side} is the rig's word for left or right, {SIDE} the same in capitals."""
+
+    unit_m: float
+    up: Literal["Y", "Z"]
+    forward: Axis
+    rest: Literal["T-pose", "A-pose", "I-pose"]
+    sides: Sides
+    middle: dict[str, str]
+    sided: dict[str, str]
+
+
+def load_rigs(folder: Path, skeleton: Skeleton) -> Mapping[str, Rig]:
+    """The tables in a folder by name; raises AuthoringError: joints unknown, left out, or of one name."""
+    rigs = all_or_every_mistake(_loaded(path, skeleton) for path in sorted(folder.glob("*.yaml")))
+    return MappingProxyType({rig.name: rig for rig in rigs})
+
+
+def find_rig(rigs: Mapping[str, Rig], name: str) -> Rig:
+    """Raises InputError `unknown_skeleton`."""
+    if name not in rigs:
+        raise InputError("unknown_skeleton", f"no skeleton {name!r}: there are {', '.join(rigs)}", field="skeleton")
+    return rigs[name]
+
+
+def _loaded(path: Path, skeleton: Skeleton) -> Rig | AuthoringError:
+    try:
+        source = Source(path)
+        written = source.validated(RigFile)
+        names = dict(_names(written))
+        _refuse_wrong_joints(source, names, skeleton)
+    except AuthoringError as error:
+        return error
+    in_order = MappingProxyType({joint: names[joint] for joint in skeleton.names})
+    return Rig(path.stem, in_order, written.unit_m, written.up, written.forward, written.rest)
+
+
+def _names(written: RigFile) -> Iterator[tuple[str, str]]:
+    yield from written.middle.items()
+    for side in SIDES:
+        word = str(getattr(written.sides, side))
+        for part, name in written.sided.items():
+            yield side + part, name.replace("{side}", word).replace("{SIDE}", word.upper())
+
+
+def _refuse_wrong_joints(source: Source, names: Mapping[str, str], skeleton: Skeleton) -> None:
+    mistakes = [
+        source.mistake(_place(joint), f"the body has no joint {joint}")
+        for joint in names
+        if joint not in skeleton.index
+    ]
+    missing = [joint for joint in skeleton.names if joint not in names]
+    if missing:
+        mistakes.append(source.mistake((), f"no name for {', '.join(missing)}"))
+    counts = Counter(names.values())
+    mistakes += [
+        source.mistake(_place(joint), f"{name} names two joints") for joint, name in names.items() if counts[name] > 1
+    ]
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+
+
+def _place(joint: str) -> tuple[str, str]:
+    """Where a joint's name stands in the file."""
+    for side in SIDES:
+        if joint.startswith(side):
+            return "sided", joint.removeprefix(side)
+    return "middle", joint

@@ -1,0 +1,50 @@
+"""The shapes of the mouth as a list in time, as lip-sync tools exchange them.
+
+Conventions: each line is a time in seconds of the audio, a tab and a viseme, which lasts until the next line (Rhubarb's
+form); the last line is `sil`. Gaps between visemes are `sil`. The JSON form has how far each is articulated besides.
+"""
+
+import json
+from collections.abc import Iterator, Sequence
+
+from app.model import Viseme
+
+SILENCE = "sil"
+FORMAT, VERSION = "understudy-visemes", 1
+
+
+def to_viseme_text(visemes: Sequence[Viseme], duration_s: float) -> bytes:
+    """The list as text; `duration_s` is the audio's."""
+    return "".join(f"{start_s:.3f}\t{label}\n" for start_s, label in _changes(visemes, duration_s)).encode()
+
+
+def to_viseme_json(visemes: Sequence[Viseme], duration_s: float) -> bytes:
+    """The list as JSON, with each viseme's articulation and opening in [0, 1]."""
+    rows = [
+        {
+            "viseme": each.label,
+            "start_s": round(each.interval.start_s, 3),
+            "end_s": round(each.interval.end_s, 3),
+            "articulation": round(each.articulation, 3),
+            "opening": round(each.opening, 3),
+        }
+        for each in visemes
+    ]
+    content = {"format": FORMAT, "version": VERSION, "duration_s": round(duration_s, 3), "visemes": rows}
+    return (json.dumps(content, indent=1) + "\n").encode()
+
+
+def _changes(visemes: Sequence[Viseme], duration_s: float) -> Iterator[tuple[float, str]]:
+    """When the mouth takes which shape, silences included."""
+    shown, until_s = None, 0.0
+    for each in visemes:
+        if each.interval.start_s > until_s + 5e-4 and shown != SILENCE:
+            yield until_s, SILENCE
+            shown = SILENCE
+        if each.label != shown:
+            yield each.interval.start_s, each.label
+        shown, until_s = each.label, each.interval.end_s
+    if shown != SILENCE:
+        yield until_s, SILENCE
+    if duration_s > until_s:
+        yield duration_s, SILENCE
