@@ -1,8 +1,9 @@
 """Proofreads what authors edit: all that is in use, or files that are not in use yet."""
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 
 from app.acoustic.normalisation import Normaliser
 from app.authored import Source
@@ -10,6 +11,7 @@ from app.bml.characters import Characters
 from app.bml.table import load_table
 from app.catalogue import RULES, load_characters
 from app.errors import AuthoringError, InputError, Mistake
+from app.realizer.face_tables import FaceTables
 from app.resources import resource_folder
 from app.rules.conflicts import Conflicts
 from app.rules.derivation import FunctionRules
@@ -19,11 +21,20 @@ from app.rules.priorities import Priorities
 from app.rules.program import load_program
 
 VOCABULARY = RULES / "vocabulary.rules"
-NAMED_FILES = frozenset({"conflicts.yaml", "priorities.yaml", "abbreviations.yaml", "behaviors.yaml"})
-"""YAML files that are told by their names; the others hold words, or a character in a folder `characters`."""
 
 Check = Callable[[], object]
 """Loads something; raises AuthoringError when it cannot be loaded."""
+
+NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
+    {
+        "conflicts.yaml": lambda file: Source(file).validated(Conflicts),
+        "priorities.yaml": Priorities.load,
+        "abbreviations.yaml": lambda file: Normaliser.load(file, ()),
+        "behaviors.yaml": load_table,
+        "face.yaml": FaceTables.load,
+    }
+)
+"""YAML files that are told by their names; the others hold words, or a character in a folder `characters`."""
 
 
 def check_files_in_use() -> None:
@@ -36,6 +47,7 @@ def check_files_in_use() -> None:
         partial(FunctionRules.load, RULES, lexicon / "en"),
         partial(Normaliser.load, lexicon / "en" / "abbreviations.yaml", ()),
         lambda: MappingRules.load(RULES, load_characters().behavior_names),
+        partial(FaceTables.load, lexicon / "face.yaml"),
     )
     if mistakes:
         raise AuthoringError(tuple(mistakes))
@@ -83,14 +95,8 @@ def _load_rules(files: Sequence[Path]) -> None:
 def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:
     """What reads a YAML file, keyed so that files which are read together are read once."""
     folder = file.parent
-    if file.name == "conflicts.yaml":
-        return ("conflicts", file), lambda: Source(file).validated(Conflicts)
-    if file.name == "priorities.yaml":
-        return ("priorities", file), partial(Priorities.load, file)
-    if file.name == "abbreviations.yaml":
-        return ("abbreviations", file), partial(Normaliser.load, file, ())
-    if file.name == "behaviors.yaml":
-        return ("table", file), partial(load_table, file)
+    if file.name in NAMED_FILES:
+        return (file.name, file), partial(NAMED_FILES[file.name], file)
     if folder.name == "characters":
         return ("characters", folder), partial(_load_characters, folder.parent)
     return ("words", folder), partial(_load_words, folder)

@@ -32,6 +32,7 @@ WRONG = {
     "conflicts.yaml": ("within_class: []\nbetween: none\n", 2),
     "priorities.yaml": ("negation: {plain: 5}\naffirmation: {plain: much}\n", 2),
     "behaviors.yaml": ("behaviors: {}\ntimings: {}\nmore: 1\n", 3),
+    "face.yaml": ("units: {}\nlexemes: {}\nmore: 1\n", 3),
 }
 
 
