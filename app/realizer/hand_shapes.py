@@ -1,0 +1,165 @@
+"""Hand forms as the bends of fifteen finger joints (Gesture Engine §4.2; HamNoSys 2.0's twelve basic forms).
+
+Conventions: the left hand's, local rotations (15, 4) in the skeleton's order: thumb, index, middle, ring and little
+finger, each from the palm outwards. Degrees in the tables; a finger bends towards the palm, and spreads away from the
+middle finger to the thumb's side by positive angles. HamNoSys draws its forms; the angles are ours, set by eye, those
+of the pinching and C-shaped hands so that the fingertips meet or face each other.
+"""
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+
+import numpy as np
+
+from app.model import FloatArray
+from app.realizer.gesture import Bend, Finger, HandForm, HandShape, Thumb
+from app.realizer.rotations import from_rotation_vector, multiply
+
+FingerBends = tuple[float, float, float, float]
+"""Proximal, intermediate and distal bend, and spread."""
+ThumbBends = tuple[float, float, float, float, float]
+"""At its root: to the index finger, below the palm, rolled; then the proximal and distal bend."""
+
+_CLOSED: FingerBends = (85.0, 100.0, 60.0, 0.0)
+_STRAIGHT: FingerBends = (0.0, 3.0, 2.0, 0.0)
+_RELAXED: tuple[FingerBends, ...] = (
+    (14.0, 24.0, 12.0, 2.0),
+    (20.0, 28.0, 15.0, 0.0),
+    (25.0, 32.0, 17.0, -2.0),
+    (29.0, 34.0, 18.0, -6.0),
+)
+_FIST = (_CLOSED,) * 4
+_OPEN: tuple[FingerBends, ...] = (
+    (2.0, 5.0, 3.0, 6.0),
+    (3.0, 6.0, 3.0, 0.0),
+    (4.0, 8.0, 4.0, -6.0),
+    (6.0, 9.0, 5.0, -13.0),
+)
+_SPREAD: tuple[FingerBends, ...] = (
+    (0.0, 4.0, 2.0, 14.0),
+    (0.0, 4.0, 2.0, 2.0),
+    (0.0, 5.0, 3.0, -11.0),
+    (0.0, 5.0, 3.0, -24.0),
+)
+_PINCHING: FingerBends = (48.0, 52.0, 24.0, 0.0)
+_CEE: FingerBends = (32.0, 40.0, 26.0, 0.0)
+
+_FINGERS: Mapping[HandForm, tuple[FingerBends, ...]] = MappingProxyType(
+    {
+        HandForm.DEFAULT: _RELAXED,
+        HandForm.FIST: _FIST,
+        HandForm.FLAT: (_STRAIGHT,) * 4,
+        HandForm.SPREAD: _SPREAD,
+        HandForm.INDEX: (_STRAIGHT, _CLOSED, _CLOSED, _CLOSED),
+        HandForm.TWO: (_STRAIGHT, _STRAIGHT, _CLOSED, _CLOSED),
+        HandForm.TWO_APART: ((0.0, 3.0, 2.0, 12.0), (0.0, 3.0, 2.0, -10.0), _CLOSED, _CLOSED),
+        HandForm.PINCH: (_PINCHING, _CLOSED, _CLOSED, _CLOSED),
+        HandForm.PINCH_ALL: (
+            (48.0, 52.0, 24.0, -4.0),
+            (52.0, 52.0, 24.0, 0.0),
+            (54.0, 50.0, 26.0, 6.0),
+            (56.0, 48.0, 30.0, 14.0),
+        ),
+        HandForm.PINCH_OPEN: (_PINCHING, *_OPEN[1:]),
+        HandForm.CEE: (_CEE, _CLOSED, _CLOSED, _CLOSED),
+        HandForm.CEE_ALL: (_CEE, _CEE, _CEE, (34.0, 40.0, 26.0, 0.0)),
+        HandForm.CEE_OPEN: (_CEE, *_OPEN[1:]),
+    }
+)
+
+_PINCHING_THUMB: ThumbBends = (10.0, 38.0, 20.0, 18.0, 20.0)
+_CEE_THUMB: ThumbBends = (0.0, 45.0, 20.0, 5.0, 15.0)
+_ACROSS: ThumbBends = (38.0, 30.0, 20.0, 35.0, 35.0)
+
+_THUMBS: Mapping[Thumb, ThumbBends] = MappingProxyType(
+    {
+        Thumb.OPEN: (28.0, 4.0, 0.0, 2.0, 0.0),
+        Thumb.OUT: (-28.0, -4.0, 0.0, -8.0, -8.0),
+        Thumb.ACROSS: _ACROSS,
+    }
+)
+_OWN_THUMBS: Mapping[HandForm, ThumbBends] = MappingProxyType(
+    {
+        HandForm.DEFAULT: (10.0, 14.0, 8.0, 10.0, 12.0),
+        HandForm.FIST: _ACROSS,
+        HandForm.FLAT: (24.0, 4.0, 0.0, 2.0, 2.0),
+        HandForm.SPREAD: (-14.0, 4.0, 0.0, -4.0, -4.0),
+        HandForm.INDEX: _ACROSS,
+        HandForm.TWO: _ACROSS,
+        HandForm.TWO_APART: _ACROSS,
+        HandForm.PINCH: _PINCHING_THUMB,
+        HandForm.PINCH_ALL: _PINCHING_THUMB,
+        HandForm.PINCH_OPEN: _PINCHING_THUMB,
+        HandForm.CEE: _CEE_THUMB,
+        HandForm.CEE_ALL: _CEE_THUMB,
+        HandForm.CEE_OPEN: _CEE_THUMB,
+    }
+)
+"""The thumb of a form that says nothing of it."""
+
+_BENDS: Mapping[Bend, tuple[float, float, float]] = MappingProxyType(
+    {
+        Bend.STRAIGHT: (0.0, 3.0, 2.0),
+        Bend.CURVED: (25.0, 38.0, 22.0),
+        Bend.ANGLED: (70.0, 8.0, 4.0),
+        Bend.HOOKED: (8.0, 95.0, 55.0),
+        Bend.CLOSED: _CLOSED[:3],
+    }
+)
+_THUMB_BENDS: Mapping[Bend, tuple[float, float]] = MappingProxyType(
+    {
+        Bend.STRAIGHT: (0.0, 0.0),
+        Bend.CURVED: (18.0, 25.0),
+        Bend.ANGLED: (40.0, 5.0),
+        Bend.HOOKED: (8.0, 60.0),
+        Bend.CLOSED: (45.0, 50.0),
+    }
+)
+
+_THUMB_HINGE: FloatArray = np.array([0.513, 0.643, -0.570])
+"""The axis about which the thumb bends: its pad faces the palm and the fingers, not the floor as theirs do."""
+
+_ORDER = tuple(Finger)
+
+
+def hand_shape(shape: HandShape, fingers: Sequence[tuple[Finger, Bend]] = ()) -> FloatArray:
+    """The finger joints' local rotations (15, 4) of a form, with the bends of single fingers on top of it."""
+    thumb = _OWN_THUMBS[shape.form] if shape.thumb is Thumb.DEFAULT else _THUMBS[shape.thumb]
+    rotations = np.concatenate([_thumb(thumb), *(_finger(bends) for bends in _FINGERS[shape.form])])
+    for finger, bend in fingers:
+        first = 3 * _ORDER.index(finger)
+        rotations[first : first + 3] = _bent(finger, bend, shape)
+    return rotations
+
+
+def finger_rows(finger: Finger) -> slice:
+    """Where a finger's three joints stand in the fifteen."""
+    first = 3 * _ORDER.index(finger)
+    return slice(first, first + 3)
+
+
+def _bent(finger: Finger, bend: Bend, shape: HandShape) -> FloatArray:
+    if finger is Finger.THUMB:
+        thumb = _OWN_THUMBS[shape.form] if shape.thumb is Thumb.DEFAULT else _THUMBS[shape.thumb]
+        return _thumb((*thumb[:3], *_THUMB_BENDS[bend]))
+    spread = _FINGERS[shape.form][_ORDER.index(finger) - 1][3]
+    return _finger((*_BENDS[bend], spread))
+
+
+def _finger(bends: FingerBends) -> FloatArray:
+    proximal, intermediate, distal, spread = bends
+    flexed = _about_z((-proximal, -intermediate, -distal))
+    flexed[0] = multiply(from_rotation_vector(np.radians([0.0, -spread, 0.0])), flexed[0])
+    return flexed
+
+
+def _about_z(degrees: tuple[float, float, float]) -> FloatArray:
+    return from_rotation_vector(np.radians([(0.0, 0.0, angle) for angle in degrees]))
+
+
+def _thumb(bends: ThumbBends) -> FloatArray:
+    inwards, below, rolled, proximal, distal = bends
+    root = from_rotation_vector(np.radians([0.0, inwards, -below]))
+    root = multiply(root, from_rotation_vector(np.radians([rolled, 0.0, 0.0])))
+    hinges = from_rotation_vector(np.radians([[proximal], [distal]]) * _THUMB_HINGE)
+    return np.concatenate([root[None], hinges])

@@ -1,0 +1,229 @@
+"""Key poses of an arm: what a gesture says in words (`ArmKey`) as rotations of joints (Gesture Engine §5.2).
+
+Conventions: joints in the skeleton's order, local rotations. Places of the wrist are in the hips' space of the upright
+body, seen from the own side as `gesture_space` has it (x outwards, y up, z away). Everything is worked out for the
+left arm; the right's is its mirror image. A `PartialPose` has a row for each part that moves by itself, so that what a
+key leaves open can be interpolated between the keys that say it.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+
+from app.model import FloatArray, Hand
+from app.realizer.arm_reach import ArmBones, Reach, reach
+from app.realizer.gesture import ArmKey, Depth, Direction, HandForm, HandShape, Height, Place, Sideways, Wrist
+from app.realizer.gesture_space import sector_m
+from app.realizer.hand_shapes import finger_rows, hand_shape
+from app.realizer.limits import MIRROR, parted_deg
+from app.realizer.rotations import about, from_rotation_vector, inverse, multiply, rotate
+from app.realizer.skeleton import FINGERS, Skeleton
+from app.realizer.wrist_turns import Turn, turned
+
+_PHALANGES = ("Proximal", "Intermediate", "Distal")
+FINGER_JOINTS: tuple[str, ...] = tuple(
+    finger + phalanx
+    for finger in FINGERS
+    for phalanx in (("Metacarpal", "Proximal", "Distal") if finger == "Thumb" else _PHALANGES)
+)
+PARTS: tuple[str, ...] = ("Shoulder", "UpperArm", "Elbow", "LowerArm", "Hand", *FINGER_JOINTS)
+"""The rows of a `PartialPose`: an arm's joints, but the lower arm's rotation as the elbow's hinge, then its twist."""
+
+ARM_ROWS, WRIST_ROWS, HAND_ROWS = slice(0, 3), slice(3, 5), slice(5, 20)
+"""The formational units: arm with collarbone, wrist, hand shape."""
+
+DIRECTIONS: Mapping[Direction, tuple[float, float, float]] = MappingProxyType(
+    {
+        Direction.UP: (0.0, 1.0, 0.0),
+        Direction.DOWN: (0.0, -1.0, 0.0),
+        Direction.INWARDS: (-1.0, 0.0, 0.0),
+        Direction.OUTWARDS: (1.0, 0.0, 0.0),
+        Direction.AWAY: (0.0, 0.0, 1.0),
+        Direction.TOWARDS: (0.0, 0.0, -1.0),
+    }
+)
+CENTRE = Place(Sideways.C, Height.CC, Depth.MIDDLE)
+
+_SWIVELS: FloatArray = np.radians(np.arange(-60.0, 76.0, 7.5))
+_AT_EASE_DEG: FloatArray = np.array([55.0, 14.0, 45.0])
+_POINTING_STRETCH = 1.05
+_POINTING_PALM: FloatArray = np.array([-0.4, -1.0, 0.0])
+
+
+def arm_joints(side: Hand) -> tuple[str, ...]:
+    """The nineteen joints of an arm in the skeleton's order, from the collarbone to the little finger's tip."""
+    return tuple(side.value + name for name in PARTS if name != "Elbow")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PartialPose:
+    """Local rotations `parts` (20, 4) in the order of `PARTS`, not-a-number where the key leaves them open, and the
+    wrist's place, if the whole arm is said."""
+
+    parts: FloatArray
+    wrist_m: FloatArray | None = None
+
+    @property
+    def said(self) -> FloatArray:
+        """Which of `PARTS` are said: (20,) of booleans."""
+        return np.asarray(~np.isnan(self.parts[:, 3]))
+
+    def over(self, below: "PartialPose") -> "PartialPose":
+        """This pose, and `below` where it leaves parts open."""
+        parts = np.where(self.said[:, None], self.parts, below.parts)
+        return PartialPose(parts, below.wrist_m if self.wrist_m is None else self.wrist_m)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ArmPose:
+    """A whole arm: local rotations (19, 4) of `arm_joints`, and where the wrist is."""
+
+    rotations: FloatArray
+    wrist_m: FloatArray
+
+    def as_partial(self) -> PartialPose:
+        """The same as a key that says everything."""
+        return PartialPose(parts_of(self.rotations), self.wrist_m)
+
+
+def pose_arm(
+    skeleton: Skeleton, side: Hand, key: ArmKey, *, amplitude: float = 1.0, aim_m: FloatArray | None = None
+) -> PartialPose:
+    """What a key says of the arm `side`.
+
+    `amplitude` stretches places from the middle of gesture space. `aim_m` is a target in the hips' space of the
+    upright body (x to the character's left): the arm is put on the line from the shoulder to it, and the fingers point
+    along that line. A wrist without a place is turned as if the arm were before the body's middle. A wrist's direction
+    that the joints cannot reach, the elbow helping by its swivel, is approached as far as their limits let it.
+    """
+    bones = ArmBones.of(skeleton)
+    parts = np.full((len(PARTS), 4), np.nan)
+    if aim_m is not None:
+        aim_m = np.asarray(aim_m) * _seen_from(side)
+    if key.place is not None or aim_m is not None or key.wrist is not None:
+        arm, turn = _solved(bones, key, amplitude, aim_m)
+        if key.place is not None or aim_m is not None:
+            parts[ARM_ROWS] = arm.collarbone, arm.upper_arm, arm.elbow
+        if key.wrist is not None or aim_m is not None:
+            parts[WRIST_ROWS] = turn.forearm, turn.hand
+    elif key.shoulder is not None:
+        parts[0] = reach(bones, _hanging_m(bones), swivel_rad=np.zeros(()), raised=key.shoulder).collarbone
+    _add_hand(parts, key)
+    _add_joints(parts, key)
+    wrist_m = None if np.isnan(parts[ARM_ROWS]).any() else _wrist_of_left(bones, parts[:3])
+    return PartialPose(parts if side is Hand.LEFT else parts * MIRROR, wrist_m)
+
+
+def held(
+    bones: ArmBones, wrist_m: FloatArray, finger_base: FloatArray, palm: FloatArray, swivel_deg: float
+) -> FloatArray:
+    """The first five parts of a left arm with the wrist at a place, the hand held so, and the elbow at a swivel."""
+    arm = reach(bones, wrist_m, swivel_rad=np.radians(swivel_deg))
+    turn = turned(arm.forearm, finger_base, palm).clamped()
+    return np.stack([arm.collarbone, arm.upper_arm, arm.elbow, turn.forearm, turn.hand])
+
+
+def arm_rotations(parts: FloatArray) -> FloatArray:
+    """Parts (…, 20, 4) as the rotations (…, 19, 4) of `arm_joints`: hinge and twist make one lower arm."""
+    lower_arm = multiply(parts[..., 2, :], parts[..., 3, :])
+    return np.concatenate([parts[..., :2, :], lower_arm[..., None, :], parts[..., 4:, :]], axis=-2)
+
+
+def parts_of(rotations: FloatArray) -> FloatArray:
+    """The inverse of `arm_rotations`: (…, 19, 4) as parts (…, 20, 4)."""
+    lower_arm = rotations[..., 2, :]
+    twist = about((1.0, 0.0, 0.0), np.radians(parted_deg(lower_arm, 0)[..., 0]))
+    hinge = multiply(lower_arm, inverse(twist))
+    return np.concatenate(
+        [rotations[..., :2, :], hinge[..., None, :], twist[..., None, :], rotations[..., 3:, :]], axis=-2
+    )
+
+
+def wrist_of(skeleton: Skeleton, side: Hand, rotations: FloatArray) -> FloatArray:
+    """Where the wrist (…, 3) of an arm (…, 19, 4) is, the body upright."""
+    return _wrist_of_left(ArmBones.of(skeleton), rotations if side is Hand.LEFT else rotations * MIRROR)
+
+
+def _seen_from(side: Hand) -> FloatArray:
+    return np.array([1.0 if side is Hand.LEFT else -1.0, 1.0, 1.0])
+
+
+def _hanging_m(bones: ArmBones) -> FloatArray:
+    return np.asarray(bones.shoulder_m - [0.0, bones.length_m, 0.0])
+
+
+def _wrist_of_left(bones: ArmBones, parts: FloatArray) -> FloatArray:
+    """By collarbone, upper arm and elbow; a twist of the third does not matter."""
+    collarbone, upper_arm, elbow = (parts[..., row, :] for row in range(3))
+    upper = multiply(collarbone, upper_arm)
+    along = np.array([1.0, 0.0, 0.0])
+    shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
+    elbow_m = shoulder_m + rotate(upper, bones.upper_m * along)
+    return np.asarray(elbow_m + rotate(multiply(upper, elbow), bones.lower_m * along))
+
+
+def _solved(bones: ArmBones, key: ArmKey, amplitude: float, aim_m: FloatArray | None) -> tuple[Reach, Turn]:
+    """The arm at the swivel that suits the wrist best."""
+    wrist_m = sector_m(key.place or CENTRE, amplitude)
+    finger_base, palm = _directions(key.wrist or Wrist())
+    if aim_m is not None:
+        wrist_m, finger_base = _on_the_line(bones, aim_m, wrist_m, key.place)
+        palm = _POINTING_PALM if palm is None else palm
+    wrists_m = np.broadcast_to(wrist_m, (*_SWIVELS.shape, 3))
+    arms = reach(bones, wrists_m, swivel_rad=_SWIVELS, raised=key.shoulder or 0.0)
+    turns = turned(arms.forearm, finger_base, palm)
+    best = int(np.argmin(_discomfort(arms, turns, wrist_m)))
+    arm = Reach(*(getattr(arms, name)[best] for name in Reach.__slots__))
+    return arm, Turn(turns.clamped().angles[best])
+
+
+def _discomfort(arms: Reach, turns: Turn, wrist_m: FloatArray) -> FloatArray:
+    """What speaks against each swivel: wrist and forearm near or past their limits, a place that the shoulder's limits
+    do not let the wrist reach, the elbow in the flank, and the swivel itself, for an elbow hangs as long as nothing
+    asks it to do otherwise."""
+    strained = np.maximum(np.abs(np.degrees(turns.angles)) - _AT_EASE_DEG, 0.0) / 30.0
+    impossible = np.degrees(turns.excess) / 10.0
+    missed = np.linalg.norm(arms.wrist_m - wrist_m, axis=-1) / 0.01
+    flank = np.where(np.abs(arms.elbow_m[..., 2]) < 0.14, np.maximum(0.20 - arms.elbow_m[..., 0], 0.0) / 0.05, 0.0)
+    cost = np.sum(strained**2 + impossible**2, axis=-1) + (missed - missed.min()) ** 2 + flank**2
+    return np.asarray(cost + (_SWIVELS / np.radians(40.0)) ** 2)
+
+
+def _directions(wrist: Wrist) -> tuple[FloatArray | None, FloatArray | None]:
+    sums = (np.sum([DIRECTIONS[direction] for direction in part], axis=0) for part in (wrist.finger_base, wrist.palm))
+    finger_base, palm = (total if np.any(total) else None for total in sums)
+    return finger_base, palm
+
+
+def _on_the_line(
+    bones: ArmBones, aim_m: FloatArray, wrist_m: FloatArray, place: Place | None
+) -> tuple[FloatArray, FloatArray]:
+    """A wrist on the way from the shoulder to the target, as far out as its place is, or nearly stretched without
+    one; and the way itself."""
+    way = aim_m - bones.shoulder_m
+    way = way / max(float(np.linalg.norm(way)), 1e-6)
+    stretched_m = _POINTING_STRETCH * bones.length_m
+    out_m = stretched_m if place is None else min(float(np.linalg.norm(wrist_m - bones.shoulder_m)), stretched_m)
+    return bones.shoulder_m + out_m * way, way
+
+
+def _add_hand(parts: FloatArray, key: ArmKey) -> None:
+    rotations = hand_shape(key.hand or HandShape(HandForm.DEFAULT), key.fingers)
+    if key.hand is not None:
+        parts[HAND_ROWS] = rotations
+    for finger, _bend in key.fingers:
+        parts[HAND_ROWS][finger_rows(finger)] = rotations[finger_rows(finger)]
+
+
+def _add_joints(parts: FloatArray, key: ArmKey) -> None:
+    """Joints fixed by angles: turned about x, then y, then z, the axes of the joint above."""
+    for joint, degrees in key.joints:
+        x, y, z = (from_rotation_vector(angle) for angle in np.radians(np.diag(degrees)))
+        rotation = multiply(z, multiply(y, x))
+        if joint == "LowerArm":
+            twist = about((1.0, 0.0, 0.0), np.radians(parted_deg(rotation, 0)[0]))
+            parts[2:4] = multiply(rotation, inverse(twist)), twist
+        else:
+            parts[PARTS.index(joint)] = rotation
