@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.realizer.noise import fade, perlin
+from app.realizer.noise import perlin
 
 TIMES_S = np.arange(-600, 6000) / 600
 
@@ -40,11 +40,3 @@ def test_seeds_and_channels_differ() -> None:
 
 def test_no_moments_have_no_noise() -> None:
     assert perlin(np.zeros(0), frequency_hz=1.0, seed=0, channels=4).shape == (0, 4)
-
-
-def test_the_fade_goes_from_0_to_1_and_starts_and_ends_at_rest() -> None:
-    share = np.linspace(0, 1, 1001)
-    course = fade(share)
-    assert course[[0, 500, -1]] == pytest.approx([0, 0.5, 1])
-    assert np.all(np.diff(course) > 0)
-    assert np.diff(course, 1)[[0, -1]] == pytest.approx(0, abs=1e-6)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model import FloatArray
+from app.realizer.easing import minimum_jerk
 
 _LARGEST = 2.0**64
 
@@ -16,7 +17,8 @@ _LARGEST = 2.0**64
 def perlin(times_s: FloatArray, *, frequency_hz: float, seed: int, channels: int = 1) -> FloatArray:
     """Smooth noise (T, channels) with `frequency_hz` lattice points a second.
 
-    The fade is 6t⁵ - 15t⁴ + 10t³ (Perlin 2002), so the second derivative has no steps. Perlin picks slopes from a short
+    Between lattice points slopes give way to each other by 6t⁵ - 15t⁴ + 10t³ (Perlin 2002), so the second derivative
+    has no steps. Perlin picks slopes from a short
     list by a permuted table; here they are drawn evenly from [-2, 2] by a hash of integers, which repeats nowhere.
     """
     at = np.asarray(times_s, dtype=np.float64) * frequency_hz
@@ -27,12 +29,7 @@ def perlin(times_s: FloatArray, *, frequency_hz: float, seed: int, channels: int
     share = (at - below)[:, None]
     index = (below - first).astype(np.int64)
     left, right = slopes[index] * share, slopes[index + 1] * (share - 1.0)
-    return np.asarray(left + fade(share) * (right - left))
-
-
-def fade(share: FloatArray) -> FloatArray:
-    """From 0 to 1 without a step in the second derivative: 6t⁵ - 15t⁴ + 10t³, which is the minimum-jerk course too."""
-    return np.asarray(share**3 * (10.0 + share * (6.0 * share - 15.0)))
+    return np.asarray(left + minimum_jerk(share) * (right - left))
 
 
 def _slopes(points: NDArray[np.int64], seed: int, channels: int) -> FloatArray:
