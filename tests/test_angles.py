@@ -3,8 +3,8 @@
 import numpy as np
 
 from app.realizer.angles import aim, angles, direction, turn
-from app.realizer.rotations import multiply, rotate
 from app.realizer.rotations import about as around
+from app.realizer.rotations import multiply, rotate
 
 GENERATOR = np.random.default_rng(5)
 PITCH, YAW, ROLL = (GENERATOR.uniform(-1.4, 1.4, 100) for _ in range(3))

@@ -1,0 +1,88 @@
+"""The hips over the feet: how high they can be, and the legs that keep the feet where they stand.
+
+Conventions: metres in the world. Each leg is solved in closed form: the knee's angle from the distance of hip joint and
+ankle, the thigh's direction from where the ankle is as seen from the foot. The knee bends about the
+lower leg's x axis, as it does in the T-pose.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.model import FloatArray
+from app.realizer.rotations import about, inverse, multiply, rotate
+from app.realizer.skeleton import SIDES, Skeleton
+
+STRETCHED = 0.992
+"""How much of its length the leg that bears the weight reaches: its knee is bent by about 14°, never locked."""
+
+_SOFTNESS_M = 0.0025
+"""How gradually one leg takes over from the other as the one that says how high the hips can be."""
+
+
+@dataclass(frozen=True, slots=True)
+class Footing:
+    """Where a foot stands: its ankle's place, and how far it points to the left, in radians."""
+
+    ankle_m: tuple[float, float, float]
+    yaw: float
+
+
+Feet = tuple[Footing, Footing]
+"""The left one and the right one."""
+
+STANDING: Feet = (Footing((0.115, 0.08, -0.012), 0.16), Footing((-0.110, 0.08, -0.038), -0.12))
+"""Slightly apart, toes out, the left foot a little in front."""
+
+
+def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, feet: Feet = STANDING) -> FloatArray:
+    """How high (T,) the hips of the horizontal place `hips_m` (T, 3) and the rotations `turned` (T, 4) are carried: as
+    high as the leg that bears most of the weight reaches."""
+    heights = []
+    for side, foot in zip(SIDES, feet, strict=True):
+        hip_m = rotate(turned, skeleton.offsets_m[skeleton.index[f"{side}UpperLeg"]])
+        across = np.asarray(foot.ankle_m) - hips_m - hip_m
+        reach_m = STRETCHED * sum(_lengths_m(skeleton, side))
+        rise_m = np.sqrt(reach_m**2 - across[:, 0] ** 2 - across[:, 2] ** 2)
+        heights.append(foot.ankle_m[1] + rise_m - hip_m[:, 1])
+    return np.asarray(-_SOFTNESS_M * np.logaddexp(-heights[0] / _SOFTNESS_M, -heights[1] / _SOFTNESS_M))
+
+
+def planted(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, feet: Feet = STANDING) -> FloatArray:
+    """The rotations (T, J, 4) with legs that keep the feet in their places, whatever the hips do.
+
+    Feet farther away than the legs are long come off their places; under the heights above none are.
+    """
+    rotations = rotations.copy()
+    for side, foot in zip(SIDES, feet, strict=True):
+        upper, lower, sole = skeleton.chain(f"{side}UpperLeg", f"{side}LowerLeg", f"{side}Foot")
+        hips = rotations[:, 0]
+        hip_m = hips_m + rotate(hips, skeleton.offsets_m[upper])
+        flat = about((0.0, 1.0, 0.0), np.array(foot.yaw))
+        thigh, knee = _leg(skeleton, side, rotate(inverse(flat), np.asarray(foot.ankle_m) - hip_m))
+        thigh = multiply(flat, thigh)
+        rotations[:, upper] = multiply(inverse(hips), thigh)
+        rotations[:, lower] = knee
+        rotations[:, sole] = multiply(inverse(multiply(thigh, knee)), flat)
+    return rotations
+
+
+def _leg(skeleton: Skeleton, side: str, way_m: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The rotations (T, 4) of thigh and knee for the way from hip to ankle, as seen from a foot that points ahead."""
+    shin = skeleton.offsets_m[skeleton.index[f"{side}LowerLeg"]]
+    foot = skeleton.offsets_m[skeleton.index[f"{side}Foot"]]
+    upper_m, lower_m = _lengths_m(skeleton, side)
+    distance_m = np.minimum(np.linalg.norm(way_m, axis=-1), upper_m + lower_m)
+    cosine = (distance_m**2 - upper_m**2 - lower_m**2) / (2 * upper_m * lower_m)
+    straight = np.arctan2(shin[2], -shin[1]) - np.arctan2(foot[2], -foot[1])
+    knee = about((1.0, 0.0, 0.0), np.arccos(np.clip(cosine, -1.0, 1.0)) - straight)
+    bent = shin + rotate(knee, foot)
+    across, along = way_m[:, 0], np.hypot(way_m[:, 0], way_m[:, 1])
+    swing = np.arctan2(way_m[:, 2], -along) - np.arctan2(bent[:, 2], bent[:, 1])
+    spread = np.arctan2(across, -way_m[:, 1])
+    return multiply(about((0.0, 0.0, 1.0), spread), about((1.0, 0.0, 0.0), swing)), knee
+
+
+def _lengths_m(skeleton: Skeleton, side: str) -> tuple[float, float]:
+    thigh, shin = (skeleton.offsets_m[skeleton.index[f"{side}{part}"]] for part in ("LowerLeg", "Foot"))
+    return float(np.linalg.norm(thigh)), float(np.linalg.norm(shin))

@@ -1,0 +1,99 @@
+"""Gaze: the eyes get to their target first, the head follows, the trunk gives a little (paper §3.8).
+
+The gaze takes the place of what neck, head and eyes did before. The trunk's joints turn in addition to what they do,
+unlike the paper's, so that the body still leans and breathes while it looks somewhere. While head and body move the
+eyes stay on the target (vestibulo-ocular reflex), as far as they can turn.
+
+Conventions: radians, metres and seconds; pitch and yaw in the world, as seen from where the eyes are in the T-pose.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+
+from app.model import FloatArray, Schedule
+from app.realizer.angles import angles, turn
+from app.realizer.easing import changes
+from app.realizer.looks import Aim, Position, Turned, looks
+from app.realizer.motion import BodyMotion
+from app.realizer.noise import perlin
+from app.realizer.rotations import from_rotation_vector, inverse, multiply, to_rotation_vector
+from app.realizer.sight import EYES, aimed, carried, toward
+from app.realizer.skeleton import Skeleton, forward
+
+_TRUNK = ("spine", "chest", "upperChest")
+
+NECK_LIMITS = np.radians([45.0, 60.0, 45.0])
+"""Pitch, yaw and roll of the head over the chest (shared/motion.md)."""
+
+SACCADE_S, SACCADE_S_PER_RADIAN = 0.021, 0.0022 * 180 / np.pi
+"""The main sequence of saccades: 2.2 ms a degree and 21 ms (Carpenter 1988)."""
+
+HEAD_LAG_S = 0.04
+"""The head is heavier and starts later than the eyes, the trunk later than the head."""
+TRUNK_LAG_S = 0.12
+HEAD_S, HEAD_S_PER_RADIAN = 0.2, 0.008 * 180 / np.pi
+"""The head takes no less time, and gets there late if the schedule has less: 20° have a peak of about 100°/s."""
+TRUNK_SLOWNESS = 1.8
+
+DRIFT_DEGREES, DRIFT_HZ = 0.3, 1.7
+"""Eyes that fixate are not still."""
+
+
+def gaze(
+    skeleton: Skeleton,
+    body: BodyMotion,
+    schedule: Schedule,
+    *,
+    targets_m: Mapping[str, Position] = MappingProxyType({}),
+    seed: int = 0,
+) -> BodyMotion:
+    """`body` with eyes, head and trunk turned by the schedule's gazes, looking at the listener before and between.
+
+    `targets_m` places targets in the world; one that it does not name is the other in the talk (`LISTENER_M`).
+    """
+    times_s, from_m = body.times_s, _eyes_in_t_pose(skeleton)
+    before, turned = looks(schedule, from_m, targets_m)
+    line, head, trunk = _courses(times_s, before, turned)
+    rotations = body.rotations.copy()
+    share = turn(np.zeros_like(trunk), trunk / len(_TRUNK), np.zeros_like(trunk))
+    joints = skeleton.chain(*_TRUNK)
+    rotations[:, joints] = multiply(rotations[:, joints], share[:, None])
+    _turn_head(skeleton, rotations, body.hips_m, head)
+    drift = np.radians(DRIFT_DEGREES) * perlin(times_s, frequency_hz=DRIFT_HZ, seed=seed, channels=2)
+    at_m = toward(line[:, 0] + drift[:, 0], line[:, 1] + drift[:, 1], 1.0 / line[:, 2], from_m)
+    rotations[:, skeleton.chain(*EYES)] = aimed(skeleton, rotations, body.hips_m, at_m)
+    return BodyMotion(times_s, rotations, body.hips_m)
+
+
+def _courses(times_s: FloatArray, before: Aim, turned: tuple[Turned, ...]) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """The eyes' pitch, yaw and nearness (T, 3), the head's pitch and yaw (T, 2), the trunk's yaw (T,)."""
+    aims = [before, *(each.aim for each in turned)]
+    eyes, head = np.array([each.eyes for each in aims]), np.array([each.head for each in aims])
+    trunk = np.array([[each.trunk] for each in aims])
+    starts_s, within_s = np.array([(each.start_s, each.within_s) for each in turned]).reshape(-1, 2).T
+    eyes_by, head_by = np.diff(eyes, axis=0), np.diff(head, axis=0)
+    eyes_s = SACCADE_S + SACCADE_S_PER_RADIAN * np.linalg.norm(eyes_by[:, :2], axis=-1)
+    head_s = np.maximum(HEAD_S + HEAD_S_PER_RADIAN * np.linalg.norm(head_by, axis=-1), within_s - HEAD_LAG_S)
+    return (
+        eyes[0] + changes(times_s, starts_s, eyes_s, eyes_by),
+        head[0] + changes(times_s, starts_s + HEAD_LAG_S, head_s, head_by),
+        (trunk[0] + changes(times_s, starts_s + TRUNK_LAG_S, TRUNK_SLOWNESS * head_s, np.diff(trunk, axis=0)))[:, 0],
+    )
+
+
+def _turn_head(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, head: FloatArray) -> None:
+    """Neck and head, half of it each, so that the head has the pitch and yaw `head` (T, 2) in the world."""
+    chest = carried(skeleton, rotations, hips_m).chest
+    wanted = angles(multiply(inverse(chest), turn(head[:, 0], head[:, 1], np.zeros(len(head)))))
+    limited = [np.clip(angle, -limit, limit) for angle, limit in zip(wanted, NECK_LIMITS, strict=True)]
+    half = from_rotation_vector(to_rotation_vector(turn(*limited)) / 2)
+    rotations[:, skeleton.chain("neck", "head")] = half[:, None]
+
+
+def _eyes_in_t_pose(skeleton: Skeleton) -> FloatArray:
+    """The place between the eyes (3,)."""
+    still = np.tile([0.0, 0.0, 0.0, 1.0], (len(skeleton.names), 1))
+    places_m = forward(skeleton, still, skeleton.offsets_m[0])[0]
+    return np.asarray(places_m[skeleton.chain(*EYES)].mean(axis=0))

@@ -1,0 +1,110 @@
+"""The body that does nothing: it stands on its feet, breathes, sways, and is never quite still (paper §3.8).
+
+Everything else is laid over this motion. Conventions: degrees in the tables, radians and metres elsewhere; the arms
+hang at the sides as the base that gestures take the place of; neck and head are straight, the gaze turns them. The
+sizes are ours, seen to be enough to be alive and too little to draw the eye.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+
+from app.model import FloatArray, Schedule
+from app.realizer.angles import turn
+from app.realizer.balance import hips_height_m, planted
+from app.realizer.breathing import lungs
+from app.realizer.motion import BodyMotion
+from app.realizer.noise import perlin
+from app.realizer.posture import Held, postures
+from app.realizer.rotations import IDENTITY, multiply
+from app.realizer.skeleton import FINGERS, SIDES, Skeleton
+
+Degrees = tuple[float, float, float]
+"""Pitch, yaw and roll; the left side's, the right's has the other yaw and roll."""
+
+UNEVEN_WEIGHT = 0.4
+"""Nobody stands on both legs alike; on which leg more is chance."""
+
+_HIPS_OVER_LEG_M = 0.05
+"""How far to the side the hips are when one leg bears all the weight, and then how much higher its hip is."""
+_PELVIS_DEGREES = 4.0
+_HIPS_BACK_M = 0.22
+"""How far the hips go back for each radian that the trunk leans forward, so that it stays over the feet."""
+
+_LEAN: Mapping[str, float] = MappingProxyType({"hips": 0.4, "spine": 0.3, "chest": 0.3})
+"""The joints' shares in a lean."""
+_UPRIGHT: Mapping[str, float] = MappingProxyType({"hips": 1.0, "spine": -0.7, "chest": -0.5})
+"""How the trunk stays upright over a pelvis that is not level."""
+
+_BREATH: Mapping[str, Degrees] = MappingProxyType(
+    {"spine": (-0.8, 0.0, 0.0), "chest": (-1.6, 0.0, 0.0), "upperChest": (-1.0, 0.0, 0.0)}
+)
+"""The turns with full lungs."""
+_COLLARBONE_BREATH: Degrees = (0.0, 0.0, 2.5)
+
+_SWAY_HZ = 0.23
+_SWAY_M = 0.014
+_SWAY_DEGREES = 1.5
+_STIRRING_HZ = 0.6
+_STIRRING_DEGREES = 1.2
+"""Noise of trunk and arms; the usual distance from the middle is a quarter of the amplitude."""
+
+_HANGING: Mapping[str, Degrees] = MappingProxyType(
+    {
+        "Shoulder": (0.0, 2.0, -3.0),
+        "UpperArm": (8.0, 4.0, -72.0),
+        "LowerArm": (10.0, -22.0, 0.0),
+        "Hand": (0.0, 0.0, -6.0),
+    }
+)
+_CURL: Mapping[str, Degrees] = MappingProxyType(
+    {"Proximal": (0.0, 0.0, -22.0), "Intermediate": (0.0, 0.0, -28.0), "Distal": (0.0, 0.0, -16.0)}
+)
+_TRUNK = ("hips", "spine", "chest", "upperChest")
+_STIRRED = ("Shoulder", "UpperArm", "LowerArm", "Hand", "IndexProximal", "MiddleProximal", "RingProximal")
+
+
+def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: int) -> BodyMotion:
+    """The idle motion at `times_s` (T,), with the schedule's postures and with breath in the pauses of its speech.
+
+    The feet stay where they are. The same seed gives the same motion.
+    """
+    generator = np.random.default_rng(seed)
+    held = postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
+    breath = lungs(times_s, schedule.phrases, generator)
+    rotations = np.tile(IDENTITY, (len(times_s), len(skeleton.names), 1))
+    sway = perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14)
+    _hold_trunk(skeleton, rotations, held, breath, sway[:, :12])
+    stirring = perlin(times_s, frequency_hz=_STIRRING_HZ, seed=seed + 1, channels=2 * len(_STIRRED))
+    _hang_arms(skeleton, rotations, breath, stirring)
+    hips_m = np.zeros((len(times_s), 3))
+    hips_m[:, 0] = _HIPS_OVER_LEG_M * held.weight + _SWAY_M * sway[:, 12]
+    hips_m[:, 2] = -_HIPS_BACK_M * held.forward + _SWAY_M * sway[:, 13]
+    hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0])
+    return BodyMotion(times_s, planted(skeleton, rotations, hips_m), hips_m)
+
+
+def _hold_trunk(skeleton: Skeleton, rotations: FloatArray, held: Held, breath: FloatArray, sway: FloatArray) -> None:
+    """Lean, weight, breath and sway (T, 12) of the joints from the hips up."""
+    for number, joint in enumerate(_TRUNK):
+        angles = np.radians(_BREATH.get(joint, (0.0, 0.0, 0.0))) * breath[:, None]
+        angles += np.radians(_SWAY_DEGREES) * sway[:, 3 * number : 3 * number + 3]
+        angles[:, 0] += _LEAN.get(joint, 0.0) * held.forward
+        angles[:, 2] += _UPRIGHT.get(joint, 0.0) * np.radians(_PELVIS_DEGREES) * held.weight
+        angles[:, 2] -= _LEAN.get(joint, 0.0) * held.left
+        rotations[:, skeleton.index[joint]] = turn(*angles.T)
+
+
+def _hang_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, stirring: FloatArray) -> None:
+    """Arms at the sides, collarbones that rise with the breath, and a little life (T, 2 × stirred) in the joints."""
+    fingers = {finger + part: degrees for finger in FINGERS[1:] for part, degrees in _CURL.items()}
+    poses = np.radians(list({**_HANGING, **fingers}.values()))
+    for number, side in enumerate(SIDES):
+        mirrored = np.array([1.0, -1.0, -1.0]) if side == "right" else np.ones(3)
+        rotations[:, skeleton.chain(*(side + name for name in (*_HANGING, *fingers)))] = turn(*(poses * mirrored).T)
+        stirred = skeleton.chain(*(side + name for name in _STIRRED))
+        stirs = np.radians(_STIRRING_DEGREES) * stirring[:, number * len(_STIRRED) :][:, : len(_STIRRED)]
+        stirs = stirs[:, :, None] * mirrored * (1.0, 1.0, -1.0)
+        stirs[:, 0] += np.radians(_COLLARBONE_BREATH) * mirrored * breath[:, None]
+        rotations[:, stirred] = multiply(rotations[0, stirred], turn(*np.moveaxis(stirs, -1, 0)))

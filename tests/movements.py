@@ -1,0 +1,25 @@
+"""Schedules and bodies for the controllers' tests."""
+
+import numpy as np
+
+from app.model import Behavior, Channel, FloatArray, Schedule, SyncPoints
+from app.realizer.skeleton import Skeleton
+
+BODY = Skeleton.standing()
+
+TIMES_S: FloatArray = np.arange(0, 6 * 60) / 60
+
+
+def behavior(kind: Channel, lexeme: str, *times_s: float, **changes: object) -> Behavior:
+    """A behaviour from `times_s`: start and end, or start, ready, relax and end, or all seven points."""
+    names = {
+        2: ("start", "end"),
+        4: ("start", "ready", "relax", "end"),
+        7: ("start", "ready", "stroke_start", "stroke", "stroke_end", "relax", "end"),
+    }[len(times_s)]
+    sync = SyncPoints(**dict(zip(names, times_s, strict=True)))
+    return Behavior(f"{lexeme} {times_s}", kind, lexeme, sync, 0, 0, 1.0, **changes)  # type: ignore[arg-type]
+
+
+def schedule(*behaviors: Behavior) -> Schedule:
+    return Schedule(behaviors, 6.0)
