@@ -10,9 +10,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.model import Behavior, Channel, FloatArray, SyncPoints
+from app.realizer.easing import minimum_jerk
 from app.realizer.face_tables import Side, sided
 from app.realizer.motion import SHAPES, Decision
-from app.realizer.noise import fade
 
 FACIAL = frozenset({Channel.FACE, Channel.EYES})
 
@@ -58,7 +58,7 @@ def envelope(times_s: FloatArray, points_s: tuple[float, float, float, float]) -
     start_s, ready_s, relax_s, end_s = points_s
     rise = np.clip((times_s - start_s) / (ready_s - start_s), 0, 1)
     fall = np.clip((times_s - relax_s) / (end_s - relax_s), 0, 1)
-    return np.asarray(fade(rise) - fade(fall))
+    return np.asarray(minimum_jerk(rise) - minimum_jerk(fall))
 
 
 def envelope_points(sync: SyncPoints, frame_s: float) -> tuple[float, float, float, float]:
