@@ -11,10 +11,12 @@ from typing import Annotated, Self
 
 from pydantic import AfterValidator, AliasPath, BaseModel, BeforeValidator, ConfigDict, Field
 
-from app.catalogue import Character, Item, Kind
+from app.catalogue import Character, Item, Kind, shown_path
 from app.errors import UnderstudyError
-from app.model import PLAIN, Agitation, Function, Level, Notice, Performance, SyncPoints, Utterance, Word
+from app.model import PLAIN, Agitation, Function, Hand, Level, Notice, Performance, SyncPoints, Utterance, Word
 from app.performance import Aligned, Analysis
+from app.realizer.clips import clip
+from app.realizer.gesture import Definition
 
 DECIMALS = 6
 
@@ -389,6 +391,65 @@ class CharactersAnswer(Answer):
     @classmethod
     def of(cls, characters: Iterable[Character]) -> Self:
         return cls(characters=[CharacterAnswer.of(character) for character in characters])
+
+
+class GestureLevelAnswer(Answer):
+    """How a gesture is made at one level of agitation; `markers_s` count from its start."""
+
+    amplitude: Number
+    tempo: Number
+    fluidity: Number
+    power: Number
+    repetition: Number
+    markers_s: dict[str, Number]
+    stroke_speed_m_s: Number
+
+
+class GestureAnswer(Answer):
+    """A gesture of the library; `arms` is absent when either hand may make it."""
+
+    name: str
+    gesture_class: str = Field(serialization_alias="class")
+    categories: list[str]
+    arms: Hand | None = None
+    aimed: bool
+    duration_s: Number
+    levels: dict[Level, GestureLevelAnswer]
+    file: str | None = None
+    line: int
+
+    @classmethod
+    def of(cls, definition: Definition) -> Self:
+        return cls(
+            name=definition.name,
+            gesture_class=definition.gesture_class,
+            categories=list(definition.categories),
+            arms=definition.hand,
+            aimed=definition.aimed,
+            duration_s=definition.duration_s,
+            levels={level: _at_level(definition, level) for level in definition.levels},
+            file=shown_path(definition.path) if definition.path else None,
+            line=definition.line,
+        )
+
+
+class GesturesAnswer(Answer):
+    """All gestures of the library."""
+
+    gestures: list[GestureAnswer]
+
+    @classmethod
+    def of(cls, definitions: Iterable[Definition]) -> Self:
+        return cls(gestures=[GestureAnswer.of(definition) for definition in definitions])
+
+
+def _at_level(definition: Definition, level: Level) -> GestureLevelAnswer:
+    made = clip(definition, level, definition.hand or Hand.RIGHT, definition.categories[0])
+    return GestureLevelAnswer(
+        **{name: getattr(made.expressivity, name) for name in made.expressivity.__slots__},
+        markers_s={name: getattr(made.markers, name) for name in made.markers.__slots__},
+        stroke_speed_m_s=made.stroke_speed_m_s,
+    )
 
 
 def _understood(utterance: Utterance, functions: Sequence[Function], notices: Sequence[Notice]) -> dict[str, object]:

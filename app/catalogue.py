@@ -12,6 +12,7 @@ from pathlib import Path
 from app.authored import Source
 from app.bml.characters import Character, Characters
 from app.errors import InputError
+from app.realizer.library import Library
 from app.resources import resource_folder
 from app.rules.derivation import FunctionRules
 from app.rules.lexicon import SLOT, LexicalEntry
@@ -20,7 +21,7 @@ from app.rules.program import Mention, Rule
 
 RULES = Path(__file__).resolve().parent / "rules"
 
-__all__ = ["RULES", "Catalogue", "Character", "Item", "Kind", "load_characters"]
+__all__ = ["RULES", "Catalogue", "Character", "Item", "Kind", "load_characters", "load_gestures"]
 
 
 class Kind(StrEnum):
@@ -97,6 +98,11 @@ class Catalogue:
 def load_characters() -> Characters:
     """Raises AuthoringError with every mistake in the behaviour table and the characters."""
     return Characters.load(resource_folder("lexicon"))
+
+
+def load_gestures() -> Library:
+    """Raises AuthoringError with every mistake in the gestures."""
+    return Library.load(resource_folder("lexicon") / "gestures")
 
 
 def shown_path(path: Path) -> str:

@@ -9,9 +9,12 @@ from app.acoustic.normalisation import Normaliser
 from app.authored import Source
 from app.bml.characters import Characters
 from app.bml.table import load_table
-from app.catalogue import RULES, load_characters
+from app.catalogue import RULES, load_characters, load_gestures
 from app.errors import AuthoringError, InputError, Mistake
+from app.realizer.aliases import ALIASES, read_aliases
 from app.realizer.face_tables import FaceTables
+from app.realizer.gesture import Definition
+from app.realizer.library import SUFFIX, Library, read_definitions
 from app.resources import resource_folder
 from app.rules.conflicts import Conflicts
 from app.rules.derivation import FunctionRules
@@ -19,9 +22,9 @@ from app.rules.lexicon import Lexicon
 from app.rules.mapping import MappingRules
 from app.rules.priorities import Priorities
 from app.rules.program import load_program
+from app.watching import AUTHORED
 
 VOCABULARY = RULES / "vocabulary.rules"
-
 Check = Callable[[], object]
 """Loads something; raises AuthoringError when it cannot be loaded."""
 
@@ -32,9 +35,11 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "abbreviations.yaml": lambda file: Normaliser.load(file, ()),
         "behaviors.yaml": load_table,
         "face.yaml": FaceTables.load,
+        ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
-"""YAML files that are told by their names; the others hold words, or a character in a folder `characters`."""
+"""What reads the YAML files that are told by their names; the others hold words, or a character in a folder
+`characters`."""
 
 
 def check_files_in_use() -> None:
@@ -47,6 +52,7 @@ def check_files_in_use() -> None:
         partial(FunctionRules.load, RULES, lexicon / "en"),
         partial(Normaliser.load, lexicon / "en" / "abbreviations.yaml", ()),
         lambda: MappingRules.load(RULES, load_characters().behavior_names),
+        load_gestures,
         partial(FaceTables.load, lexicon / "face.yaml"),
     )
     if mistakes:
@@ -54,16 +60,18 @@ def check_files_in_use() -> None:
 
 
 def check_files(paths: Iterable[Path]) -> int:
-    """Checks these files, and all `.rules` and `.yaml` files in these folders, instead of those in use; their number.
+    """Checks these files, and all that authors edit in these folders, instead of those in use; their number.
 
-    Rule files are read as one program, after the vocabulary in use unless a file of that name is among them.
+    Rule files are read as one program, after the vocabulary in use unless a file of that name is among them, gesture
+    files as one library.
     Raises AuthoringError with every mistake in them (or, when they are right, in what they are read together with),
     InputError `no_authored_file` for a path that holds none.
     """
     files = [file for path in paths for file in _authored_files(path)]
     rules = [file for file in files if file.suffix == ".rules"]
-    checks = dict(_check_of(file) for file in files if file.suffix != ".rules")
-    mistakes = _mistakes_of(partial(_load_rules, rules), *checks.values())
+    gestures = [file for file in files if file.suffix == SUFFIX]
+    checks = dict(_check_of(file) for file in files if file.suffix == ".yaml")
+    mistakes = _mistakes_of(partial(_load_rules, rules), partial(read_definitions, gestures), *checks.values())
     if mistakes:
         raise AuthoringError(tuple(mistake for mistake in mistakes if mistake.path in files) or tuple(mistakes))
     return len(files)
@@ -72,9 +80,11 @@ def check_files(paths: Iterable[Path]) -> int:
 def _authored_files(path: Path) -> list[Path]:
     """The files that `path` is or holds, by their full names."""
     inside = sorted(path.resolve().rglob("*")) if path.is_dir() else [path.resolve()]
-    files = [file for file in inside if file.suffix in {".rules", ".yaml"} and file.is_file()]
+    files = [file for file in inside if file.suffix in AUTHORED and file.is_file()]
     if not files:
-        raise InputError("no_authored_file", f"{path}: no .rules or .yaml file is there; give a file or folder of them")
+        raise InputError(
+            "no_authored_file", f"{path}: no .rules, .yaml or .gesture file is there; give a file or folder of them"
+        )
     for file in files:
         _require_text(file)
     return files
@@ -109,6 +119,10 @@ def _load_characters(lexicon: Path) -> None:
     Characters.load(lexicon)
 
 
+def _definitions_beside(aliases: Path) -> tuple[Definition, ...]:
+    return read_definitions(sorted(aliases.parent.rglob(f"*{SUFFIX}")))
+
+
 def _load_words(folder: Path) -> None:
     """Also refuses a file that nothing would read."""
     files = sorted(folder.glob("*.yaml"))
@@ -124,11 +138,11 @@ def _keys(file: Path) -> Collection[str]:
 
 
 def _mistakes_of(*checks: Check) -> list[Mistake]:
-    """The mistakes that each check raises."""
+    """The mistakes that the checks raise, each once: gestures are read for their aliases too."""
     mistakes: list[Mistake] = []
     for check in checks:
         try:
             check()
         except AuthoringError as error:
             mistakes += error.mistakes
-    return mistakes
+    return list(dict.fromkeys(mistakes))

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 LOOK_EVERY_S = 0.5
-AUTHORED = frozenset({".rules", ".yaml"})
+AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 
 Stamps: TypeAlias = Mapping[Path, tuple[int, int]]
 """When each file was last written, in nanoseconds, and its bytes."""

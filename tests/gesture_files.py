@@ -2,7 +2,9 @@
 
 from pathlib import Path
 
-from app.errors import Mistake
+import pytest
+
+from app.errors import AuthoringError, Mistake
 from app.realizer.gesture import Definition
 from app.realizer.library import read_definitions
 
@@ -18,16 +20,16 @@ def gesture(header: str = "", *, first: str = FIRST, last: str = LAST, name: str
     )
 
 
-def read(folder: Path, text: str) -> tuple[tuple[Definition, ...], tuple[Mistake, ...]]:
-    """What a file of that text defines, and what is wrong with it."""
-    path = folder / "trial.gesture"
-    path.write_text(text, encoding="utf-8")
-    return read_definitions([path])
+def mistakes_in(folder: Path, text: str) -> tuple[Mistake, ...]:
+    """What is wrong with a file of that text, in which something must be."""
+    with pytest.raises(AuthoringError) as caught:
+        read_one(folder, text)
+    return caught.value.mistakes
 
 
 def read_one(folder: Path, text: str) -> Definition:
     """The one gesture in a file of that text, which must be right."""
-    definitions, mistakes = read(folder, text)
-    assert mistakes == ()
-    assert len(definitions) == 1
-    return definitions[0]
+    path = folder / "trial.gesture"
+    path.write_text(text, encoding="utf-8")
+    (found,) = read_definitions([path])
+    return found

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from app.errors import AuthoringError
 from app.realizer.library import read_definitions
-from tests.gesture_files import FIRST, LAST, gesture, read, read_one
+from tests.gesture_files import FIRST, LAST, gesture, mistakes_in, read_one
 
 
 def frames(*types: str) -> str:
@@ -43,40 +44,38 @@ def test_phases_in_their_order(tmp_path: Path, types: str) -> None:
     ],
 )
 def test_phases_that_make_no_gesture(tmp_path: Path, types: str, told: str) -> None:
-    _, (mistake,) = read(tmp_path, frames(*types.split()))
+    (mistake,) = mistakes_in(tmp_path, frames(*types.split()))
     assert told in mistake.message
 
 
 def test_a_gesture_without_frames(tmp_path: Path) -> None:
-    _, (mistake,) = read(tmp_path, frames())
+    (mistake,) = mistakes_in(tmp_path, frames())
     assert "this gesture has no frames" in mistake.message
 
 
 @pytest.mark.parametrize(
-    ("first", "last", "told"),
-    [
-        ("0.5", "0.5", ["8:12: the times of frames rise; this one is not after the one before it at 0.5"]),
-        ("0.5", "0.4", ["8:12: the times of frames rise; this one is not after the one before it at 0.5"]),
-        ("-0.1", "1.01", ["5:12: -0.1 is outside 0 … 1", "8:12: 1.01 is outside 0 … 1"]),
-        ("0", "1", []),
-    ],
+    ("first", "last", "places"),
+    [("0.5", "0.5", [(9, 12)]), ("0.5", "0.4", [(9, 12)]), ("-0.1", "1.01", [(5, 12), (9, 12)])],
 )
-def test_times_rise_within_the_gesture(tmp_path: Path, first: str, last: str, told: list[str]) -> None:
-    text = gesture().replace("FRAMETYPE stroke_start\n  ", "FRAMETYPE stroke_start ").replace("0.25", first)
-    text = text.replace("FRAMETYPE stroke_start ", "FRAMETYPE stroke_start\n").replace("0.75", last)
-    found = [f"{one.line}:{one.column}: {one.message}" for one in read(tmp_path, text)[1]]
-    assert [line.split(": ")[1] for line in found] == [line.split(": ")[1] for line in told]
+def test_times_rise_within_the_gesture(tmp_path: Path, first: str, last: str, places: list[tuple[int, int]]) -> None:
+    found = mistakes_in(tmp_path, gesture().replace("0.25", first).replace("0.75", last))
+    assert [(one.line, one.column) for one in found] == places
+
+
+def test_times_from_beginning_to_end(tmp_path: Path) -> None:
+    found = read_one(tmp_path, gesture().replace("0.25", "0").replace("0.75", "1"))
+    assert [frame.time for frame in found.frames] == [0, 1]
 
 
 def test_the_first_frame_puts_the_arm_somewhere(tmp_path: Path) -> None:
-    _, (mistake,) = read(tmp_path, gesture(first="FRAMETYPE stroke_start"))
+    (mistake,) = mistakes_in(tmp_path, gesture(first="FRAMETYPE stroke_start"))
     assert (mistake.line, mistake.message[:41]) == (5, "the first frame must say where the arm is")
     fixed = "FRAMETYPE stroke_start\nJOINT UpperArm 0 0 -60\nJOINT LowerArm 0 -90 0"
     assert read_one(tmp_path, gesture(first=fixed)).frames[0].leading.place is None
 
 
 def test_a_frame_has_a_type(tmp_path: Path) -> None:
-    _, (mistake,) = read(tmp_path, gesture(last="ARM XC YCC ZNear"))
+    (mistake,) = mistakes_in(tmp_path, gesture(last="ARM XC YCC ZNear"))
     assert (mistake.line, mistake.message) == (9, "this frame has no FRAMETYPE")
 
 
@@ -92,13 +91,13 @@ def test_a_frame_has_a_type(tmp_path: Path) -> None:
     ],
 )
 def test_a_frame_says_a_thing_once(tmp_path: Path, line: str, what: str) -> None:
-    _, (mistake,) = read(tmp_path, gesture("ARMS both", last=f"{LAST}\n{line}"))
+    (mistake,) = mistakes_in(tmp_path, gesture("ARMS both", last=f"{LAST}\n{line}"))
     assert f"{what} stands here a second time" in mistake.message
 
 
 @pytest.mark.parametrize("header", ["", "ARMS left"])
 def test_other_needs_both_arms(tmp_path: Path, header: str) -> None:
-    _, (mistake,) = read(tmp_path, gesture(header, first=f"{FIRST}\n  OTHER HAND form_fist"))
+    (mistake,) = mistakes_in(tmp_path, gesture(header, first=f"{FIRST}\n  OTHER HAND form_fist"))
     assert (mistake.line, mistake.column) == (8, 9)
     assert "write ARMS both in its header" in mistake.message
 
@@ -107,6 +106,8 @@ def test_names_are_said_once_among_all_files(tmp_path: Path) -> None:
     paths = [tmp_path / name for name in ("a.gesture", "b.gesture")]
     for path in paths:
         path.write_text(gesture(name="wave"), encoding="utf-8")
-    _, (mistake,) = read_definitions(paths)
+    with pytest.raises(AuthoringError) as caught:
+        read_definitions(paths)
+    (mistake,) = caught.value.mistakes
     assert (mistake.path, mistake.line, mistake.column) == (paths[1], 2, 17)
     assert f"a gesture called wave is also at {paths[0]}:2" in mistake.message

@@ -20,7 +20,7 @@ from app.realizer.gesture import (
     Wrist,
 )
 from app.realizer.specifiers import THUMB_IN_FORM, orthogonal
-from tests.gesture_files import FIRST, gesture, read, read_one
+from tests.gesture_files import FIRST, gesture, mistakes_in, read_one
 
 
 def key(folder: Path, *lines: str) -> ArmKey:
@@ -29,7 +29,7 @@ def key(folder: Path, *lines: str) -> ArmKey:
 
 def message(folder: Path, line: str) -> tuple[int, str]:
     """Column and text of the first mistake of a frame with this line."""
-    _, (mistake, *_) = read(folder, gesture(last=f"FRAMETYPE stroke_end\n{line}"))
+    (mistake, *_) = mistakes_in(folder, gesture(last=f"FRAMETYPE stroke_end\n{line}"))
     return mistake.column, mistake.message
 
 

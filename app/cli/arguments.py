@@ -36,6 +36,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_perform(add)
     _add_analyses(add)
     _add_rules(add)
+    _add_gestures(add)
     _add_characters(add)
     _add_serve(add)
     return parser
@@ -153,6 +154,16 @@ def _add_rules(add: Adding) -> None:
     trace.add_argument("--rule", metavar="NAME", help="only this rule: where it fires, or comes nearest")
     unused = _add(actions.add_parser, "unused", "rules and words that no line of a corpus uses")
     unused.add_argument("corpus", metavar="CORPUS", help='a file with an utterance a line, or {"id", "text"} a line')
+
+
+def _add_gestures(add: Adding) -> None:
+    actions = add("gestures", "the library of gestures").add_subparsers(dest="action", metavar="ACTION", required=True)
+    check = _add(actions.add_parser, "check", "tell every mistake in gestures")
+    check.add_argument("paths", metavar="PATH", nargs="*", help="files or folders (default: the library in use)")
+    listing = _add(actions.add_parser, "list", "list them")
+    listing.add_argument("--json", action="store_true", help="as JSON")
+    show = _add(actions.add_parser, "show", "how one of them is written, and its times at each level of agitation")
+    show.add_argument("name", metavar="NAME", help="a gesture, or a category for all of its gestures")
 
 
 def _add_characters(add: Adding) -> None:

@@ -6,15 +6,15 @@ by the category of ours that shows them.
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
 from types import MappingProxyType
 
-from app.authored import Entry, Source
 from app.errors import AuthoringError, InputError, Mistake
 from app.model import Hand, Level
+from app.realizer.aliases import ALIASES, read_aliases
 from app.realizer.checking import names_twice
 from app.realizer.clips import clip
 from app.realizer.definitions import definition
@@ -23,15 +23,8 @@ from app.realizer.language import mistake_in, read_gestures
 from app.realizer.statements import GestureFile, Located
 
 SUFFIX = ".gesture"
-ALIASES = "aliases.yaml"
 LAST_RESORT = "BEAT"
 """Gesture Engine §5: requests that no prototype matches are shown by a generic beat."""
-
-
-class Aliases(Entry):
-    """`aliases.yaml`: by category, the lexemes that mean it."""
-
-    aliases: Mapping[str, tuple[str, ...]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,12 +38,10 @@ class Library:
     @classmethod
     def load(cls, folder: Path) -> "Library":
         """Everything under `folder`; raises AuthoringError with every mistake in all of it."""
-        definitions, mistakes = read_definitions(sorted(folder.rglob(f"*{SUFFIX}")))
-        if mistakes:
-            raise AuthoringError(mistakes)
+        definitions = read_definitions(sorted(folder.rglob(f"*{SUFFIX}")))
         library = cls.of(definitions)
         path = folder / ALIASES
-        return cls.of(definitions, _aliases(path, library.by_category)) if path.is_file() else library
+        return cls.of(definitions, read_aliases(path, library.categories)) if path.is_file() else library
 
     @classmethod
     def of(cls, definitions: Iterable[Definition], aliases: Mapping[str, str] = MappingProxyType({})) -> "Library":
@@ -100,48 +91,20 @@ class Library:
         return None
 
 
-def read_definitions(paths: Sequence[Path]) -> tuple[tuple[Definition, ...], tuple[Mistake, ...]]:
-    """The definitions in these files that are right, and every mistake in the others, by file and line."""
+def read_definitions(paths: Sequence[Path]) -> tuple[Definition, ...]:
+    """The definitions in these files; raises AuthoringError with every mistake, by file and line."""
     definitions: list[Definition] = []
     files: list[GestureFile] = []
     mistakes: list[Mistake] = []
     for path in paths:
         file, found = read_gestures(path)
-        files.append(file)
-        mistakes += found
         wrong: list[Located] = []
         read = [definition(tree, path, wrong) for tree in file.gestures]
         definitions += [one for one in read if one is not None]
-        mistakes += [mistake_in(file, one) for one in wrong]
+        mistakes += [*found, *(mistake_in(file, one) for one in wrong)]
+        files.append(file)
     mistakes += names_twice(files)
-    order = {path: number for number, path in enumerate(paths)}
-    return tuple(definitions), tuple(sorted(mistakes, key=lambda one: (order[one.path], one.line, one.column)))
-
-
-def _aliases(path: Path, categories: Mapping[str, object]) -> Mapping[str, str]:
-    """Category by lexeme."""
-    source = Source(path)
-    listed = source.validated(Aliases).aliases
-    mistakes = [source.mistake(where, told) for where, told in _alias_mistakes(listed, categories)]
     if mistakes:
-        raise AuthoringError(tuple(mistakes))
-    return {lexeme: category for category, lexemes in listed.items() for lexeme in lexemes}
-
-
-def _alias_mistakes(
-    listed: Mapping[str, tuple[str, ...]], categories: Mapping[str, object]
-) -> Iterator[tuple[tuple[str | int, ...], str]]:
-    seen: dict[str, str] = {}
-    for category, lexemes in listed.items():
-        if category not in categories:
-            close = get_close_matches(category, categories, n=1)
-            yield ("aliases", category), f"no gesture shows {category}" + "".join(f"; {one}?" for one in close)
-        for position, lexeme in enumerate(lexemes):
-            where = ("aliases", category, position)
-            if not re.fullmatch(r"[A-Z][A-Z0-9]*(_[A-Z0-9]+)*", lexeme):
-                yield where, f"{lexeme!r}: lexemes are written in capitals, words joined by one underscore"
-            elif lexeme in categories:
-                yield where, f"{lexeme} has gestures of its own"
-            elif lexeme in seen:
-                yield where, f"{lexeme} is listed under {seen[lexeme]} already"
-            seen.setdefault(lexeme, category)
+        order = {path: number for number, path in enumerate(paths)}
+        raise AuthoringError(tuple(sorted(mistakes, key=lambda one: (order[one.path], one.line, one.column))))
+    return tuple(definitions)
