@@ -12,9 +12,11 @@ from app.bml.table import load_table
 from app.catalogue import RULES, load_characters, load_gestures
 from app.errors import AuthoringError, InputError, Mistake
 from app.realizer.aliases import ALIASES, read_aliases
+from app.realizer.exporting.retargeting import load_rigs
 from app.realizer.face_tables import FaceTables
 from app.realizer.gesture import Definition
 from app.realizer.library import SUFFIX, Library, read_definitions
+from app.realizer.skeleton import Skeleton
 from app.resources import resource_folder
 from app.rules.conflicts import Conflicts
 from app.rules.derivation import FunctionRules
@@ -38,8 +40,8 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
-"""What reads the YAML files that are told by their names; the others hold words, or a character in a folder
-`characters`."""
+"""What reads the YAML files that are told by their names; the others hold words, in folders `characters` and
+`retarget` a character or the joints' names in a rig."""
 
 
 def check_files_in_use() -> None:
@@ -54,6 +56,7 @@ def check_files_in_use() -> None:
         lambda: MappingRules.load(RULES, load_characters().behavior_names),
         load_gestures,
         partial(FaceTables.load, lexicon / "face.yaml"),
+        partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     )
     if mistakes:
         raise AuthoringError(tuple(mistakes))
@@ -109,6 +112,8 @@ def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:
         return (file.name, file), partial(NAMED_FILES[file.name], file)
     if folder.name == "characters":
         return ("characters", folder), partial(_load_characters, folder.parent)
+    if folder.name == "retarget":
+        return ("rigs", folder), partial(load_rigs, folder, Skeleton.standing())
     return ("words", folder), partial(_load_words, folder)
 
 
