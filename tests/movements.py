@@ -3,6 +3,8 @@
 import numpy as np
 
 from app.model import Behavior, Channel, FloatArray, Schedule, SyncPoints
+from app.realizer.motion import BodyMotion
+from app.realizer.sight import EYES, Face, chest, face, seen_m
 from app.realizer.skeleton import Skeleton
 
 BODY = Skeleton.standing()
@@ -19,6 +21,17 @@ def behavior(kind: Channel, lexeme: str, *times_s: float, **changes: object) -> 
     }[len(times_s)]
     sync = SyncPoints(**dict(zip(names, times_s, strict=True)))
     return Behavior(f"{lexeme} {times_s}", kind, lexeme, sync, 0, 0, 1.0, **changes)  # type: ignore[arg-type]
+
+
+def faced(body: BodyMotion) -> Face:
+    """Head and eyes in the world."""
+    neck, head = (body.rotations[:, joint] for joint in BODY.chain("neck", "head"))
+    return face(BODY, chest(BODY, body.rotations, body.hips_m), neck, head)
+
+
+def seen_by(body: BodyMotion) -> FloatArray:
+    """The points (T, 3) that the eyes look at."""
+    return seen_m(faced(body), body.rotations[:, BODY.chain(*EYES)])
 
 
 def schedule(*behaviors: Behavior) -> Schedule:

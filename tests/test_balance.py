@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.realizer.angles import turn
-from app.realizer.balance import STANDING, hips_height_m, planted
+from app.realizer.balance import LEG_JOINTS, STANDING, hips_height_m, legs
 from app.realizer.rotations import IDENTITY, to_rotation_vector
 from app.realizer.skeleton import Skeleton, forward
 
@@ -19,7 +19,7 @@ def test_feet_stay_flat_and_in_place_under_hips_that_move_and_turn() -> None:
     hips_m = np.zeros((COUNT, 3))
     hips_m[:, [0, 2]] = generator.uniform(-0.06, 0.06, (COUNT, 2))
     hips_m[:, 1] = hips_height_m(BODY, hips_m, rotations[:, 0])
-    rotations = planted(BODY, rotations, hips_m)
+    rotations[:, BODY.chain(*LEG_JOINTS)] = legs(BODY, rotations[:, 0], hips_m)
     places_m, turned = forward(BODY, rotations, hips_m)
     for side, foot in zip(("left", "right"), STANDING, strict=True):
         sole = BODY.index[f"{side}Foot"]
@@ -35,7 +35,7 @@ def test_the_leg_under_the_hips_is_the_straighter_one_and_never_locked(across_m:
     rotations = np.tile(IDENTITY, (1, len(BODY.names), 1))
     rotations[:, 0] = turn(*np.radians([[0.0], [0.0], [np.sign(across_m) * 4.0]]))
     hips_m[:, 1] = hips_height_m(BODY, hips_m, rotations[:, 0])
-    rotations = planted(BODY, rotations, hips_m)
+    rotations[:, BODY.chain(*LEG_JOINTS)] = legs(BODY, rotations[:, 0], hips_m)
     bent = {
         side: np.degrees(to_rotation_vector(rotations[0, BODY.index[f"{side}LowerLeg"]])[0])
         for side in ("left", "right")

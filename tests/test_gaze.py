@@ -10,9 +10,9 @@ from app.realizer.idle import idle
 from app.realizer.looks import LISTENER_M, Position
 from app.realizer.motion import BodyMotion
 from app.realizer.rotations import IDENTITY, angle_between, between, inverse, multiply, rotate
-from app.realizer.sight import EYES, SIDEWAYS_LIMIT, UPRIGHT_LIMIT, carried, seen_m
+from app.realizer.sight import EYES, SIDEWAYS_LIMIT, UPRIGHT_LIMIT, chest
 from app.realizer.skeleton import forward
-from tests.movements import BODY, TIMES_S, behavior, schedule
+from tests.movements import BODY, TIMES_S, behavior, faced, schedule, seen_by
 
 TWO_DEGREES = np.radians(2.0)
 
@@ -34,12 +34,12 @@ def missed(body: BodyMotion, at_m: Position = LISTENER_M) -> FloatArray:
 
 
 def head_yaw(body: BodyMotion) -> FloatArray:
-    return np.degrees(angles(carried(BODY, body.rotations, body.hips_m).head)[1])
+    return np.degrees(angles(faced(body).turned)[1])
 
 
 def sight_yaw(body: BodyMotion) -> FloatArray:
     """Where the line of sight goes, from between the eyes."""
-    return np.degrees(aim(seen_m(BODY, body) - carried(BODY, body.rotations, body.hips_m).eyes_m.mean(axis=1))[1])
+    return np.degrees(aim(seen_by(body) - faced(body).eyes_m.mean(axis=1))[1])
 
 
 def test_both_eyes_are_on_the_listener_while_nothing_is_asked_for_and_while_the_body_leans() -> None:
@@ -112,8 +112,8 @@ def test_nothing_turns_farther_than_it_can_nor_too_fast() -> None:
     assert np.abs(pitch).max() <= UPRIGHT_LIMIT + 1e-9
     assert np.abs(yaw).max() <= SIDEWAYS_LIMIT + 1e-9
     assert np.abs(roll).max() < 1e-9
-    where = carried(BODY, body.rotations, body.hips_m)
-    over_chest = np.abs(angles(multiply(inverse(where.chest), where.head))).max(axis=1)
+    over_chest = multiply(inverse(chest(BODY, body.rotations, body.hips_m).turned), faced(body).turned)
+    over_chest = np.abs(angles(over_chest)).max(axis=1)
     assert np.all(over_chest <= NECK_LIMITS + 1e-6)
     assert angle_between(body.rotations[1:], body.rotations[:-1]).max() * 60 < 20
 
@@ -131,4 +131,4 @@ def test_the_gaze_takes_the_place_of_what_the_head_did_before_and_leaves_the_bod
 def test_the_point_that_is_seen_is_found_again() -> None:
     near: Position = (0.3, 1.5, 0.9)
     body = gazing(schedule(look("SHIFT", 0.0, 0.1, target="near")), {"near": near})
-    assert np.linalg.norm(seen_m(BODY, body)[TIMES_S > 1.0] - near, axis=-1).max() < 0.02
+    assert np.linalg.norm(seen_by(body)[TIMES_S > 1.0] - near, axis=-1).max() < 0.02

@@ -12,8 +12,7 @@ from app.realizer.head import MOVEMENTS, head
 from app.realizer.idle import idle
 from app.realizer.motion import BodyMotion
 from app.realizer.rotations import angle_between
-from app.realizer.sight import carried, seen_m
-from tests.movements import BODY, TIMES_S, behavior, schedule
+from tests.movements import BODY, TIMES_S, behavior, faced, schedule, seen_by
 
 FRAME_S = 1 / 60
 CALM = gaze(BODY, idle(BODY, TIMES_S, schedule(), seed=2), schedule())
@@ -26,7 +25,7 @@ def movement(lexeme: str, *times_s: float, **changes: object) -> Behavior:
 def added(*behaviors: Behavior) -> FloatArray:
     """Degrees of pitch, yaw and roll (T, 3) that the movements add to the head's in the world."""
     with_them, without = (head(BODY, CALM, schedule(*these), seed=3) for these in (behaviors, ()))
-    courses = [np.array(angles(carried(BODY, body.rotations, body.hips_m).head)) for body in (with_them, without)]
+    courses = [np.array(angles(faced(body).turned)) for body in (with_them, without)]
     return np.degrees(courses[0] - courses[1]).T
 
 
@@ -82,7 +81,7 @@ def test_a_nod_and_a_look_aside_are_both_seen() -> None:
     nod = replace(NOD, sync=NOD.sync.shifted(0.5))
     planned = schedule(aside, nod)
     turned = head(BODY, gaze(BODY, CALM, planned), planned, seed=3)
-    pitch, yaw, _roll = np.degrees(angles(carried(BODY, turned.rotations, turned.hips_m).head))
+    pitch, yaw, _roll = np.degrees(angles(faced(turned).turned))
     at_stroke = np.searchsorted(TIMES_S, 1.85)
     assert pitch[at_stroke] > 15
     assert yaw[at_stroke] > 18
@@ -91,9 +90,9 @@ def test_a_nod_and_a_look_aside_are_both_seen() -> None:
 def test_the_eyes_stay_on_their_target_while_the_head_nods_and_shakes() -> None:
     shake = movement("SHAKE", 3.0, 3.15, 3.15, 3.5, 3.8, 3.8, 4.1, amount=0.7, repetitions=2)
     moved = head(BODY, CALM, schedule(NOD, shake), seed=3)
-    middle = carried(BODY, CALM.rotations, CALM.hips_m).eyes_m.mean(axis=1)
-    distance_m = np.linalg.norm(seen_m(BODY, CALM) - middle, axis=-1)
-    assert (np.linalg.norm(seen_m(BODY, moved) - seen_m(BODY, CALM), axis=-1) / distance_m).max() < np.radians(0.5)
+    middle = faced(CALM).eyes_m.mean(axis=1)
+    distance_m = np.linalg.norm(seen_by(CALM) - middle, axis=-1)
+    assert (np.linalg.norm(seen_by(moved) - seen_by(CALM), axis=-1) / distance_m).max() < np.radians(0.5)
 
 
 def test_the_neck_is_ahead_of_the_head() -> None:
@@ -107,7 +106,7 @@ def test_the_head_is_never_still_and_stress_shows_in_it() -> None:
     stressed = head(BODY, CALM, Schedule((), 6.0, emphases_s=(2.0,)), seed=3)
     joint = BODY.index["head"]
     assert angle_between(plain.rotations[1:, joint], plain.rotations[:-1, joint]).min() > 1e-6
-    pitch = [angles(carried(BODY, body.rotations, body.hips_m).head)[0] for body in (plain, stressed)]
+    pitch = [angles(faced(body).turned)[0] for body in (plain, stressed)]
     dip = np.degrees(pitch[1] - pitch[0])
     assert abs(TIMES_S[np.argmax(dip)] - 2.0) <= FRAME_S
     assert 0.5 < dip.max() < 3

@@ -13,6 +13,8 @@ from app.model import FloatArray
 from app.realizer.rotations import about, inverse, multiply, rotate
 from app.realizer.skeleton import SIDES, Skeleton
 
+LEG_JOINTS = tuple(side + part for side in SIDES for part in ("UpperLeg", "LowerLeg", "Foot"))
+
 STRETCHED = 0.992
 """How much of its length the leg that bears the weight reaches: its knee is bent by about 14°, never locked."""
 
@@ -48,23 +50,19 @@ def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, fe
     return np.asarray(-_SOFTNESS_M * np.logaddexp(-heights[0] / _SOFTNESS_M, -heights[1] / _SOFTNESS_M))
 
 
-def planted(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, feet: Feet = STANDING) -> FloatArray:
-    """The rotations (T, J, 4) with legs that keep the feet in their places, whatever the hips do.
+def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet = STANDING) -> FloatArray:
+    """The rotations (T, 6, 4) of `LEG_JOINTS` that keep the feet in their places, whatever the hips do.
 
     Feet farther away than the legs are long come off their places; under the heights above none are.
     """
-    rotations = rotations.copy()
+    found = []
     for side, foot in zip(SIDES, feet, strict=True):
-        upper, lower, sole = skeleton.chain(f"{side}UpperLeg", f"{side}LowerLeg", f"{side}Foot")
-        hips = rotations[:, 0]
-        hip_m = hips_m + rotate(hips, skeleton.offsets_m[upper])
+        hip_m = hips_m + rotate(turned, skeleton.offsets_m[skeleton.index[f"{side}UpperLeg"]])
         flat = about((0.0, 1.0, 0.0), np.array(foot.yaw))
         thigh, knee = _leg(skeleton, side, rotate(inverse(flat), np.asarray(foot.ankle_m) - hip_m))
         thigh = multiply(flat, thigh)
-        rotations[:, upper] = multiply(inverse(hips), thigh)
-        rotations[:, lower] = knee
-        rotations[:, sole] = multiply(inverse(multiply(thigh, knee)), flat)
-    return rotations
+        found += [multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat)]
+    return np.stack(found, axis=1)
 
 
 def _leg(skeleton: Skeleton, side: str, way_m: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -19,8 +19,8 @@ from app.realizer.looks import Aim, Position, Turned, looks
 from app.realizer.motion import BodyMotion
 from app.realizer.noise import perlin
 from app.realizer.rotations import from_rotation_vector, inverse, multiply, to_rotation_vector
-from app.realizer.sight import EYES, aimed, carried, toward
-from app.realizer.skeleton import Skeleton, forward
+from app.realizer.sight import EYES, Chest, aimed, chest, face, toward
+from app.realizer.skeleton import Skeleton
 
 _TRUNK = ("spine", "chest", "upperChest")
 
@@ -58,12 +58,14 @@ def gaze(
     line, head, trunk = _courses(times_s, before, turned)
     rotations = body.rotations.copy()
     share = turn(np.zeros_like(trunk), trunk / len(_TRUNK), np.zeros_like(trunk))
-    joints = skeleton.chain(*_TRUNK)
-    rotations[:, joints] = multiply(rotations[:, joints], share[:, None])
-    _turn_head(skeleton, rotations, body.hips_m, head)
+    for joint in skeleton.chain(*_TRUNK):
+        rotations[:, joint] = multiply(rotations[:, joint], share)
+    carrying = chest(skeleton, rotations, body.hips_m)
+    half = _half_turned(carrying, head)
     drift = np.radians(DRIFT_DEGREES) * perlin(times_s, frequency_hz=DRIFT_HZ, seed=seed, channels=2)
     at_m = toward(line[:, 0] + drift[:, 0], line[:, 1] + drift[:, 1], 1.0 / line[:, 2], from_m)
-    rotations[:, skeleton.chain(*EYES)] = aimed(skeleton, rotations, body.hips_m, at_m)
+    rotations[:, skeleton.chain("neck", "head")] = half[:, None]
+    rotations[:, skeleton.chain(*EYES)] = aimed(face(skeleton, carrying, half, half), at_m)
     return BodyMotion(times_s, rotations, body.hips_m)
 
 
@@ -83,17 +85,15 @@ def _courses(times_s: FloatArray, before: Aim, turned: tuple[Turned, ...]) -> tu
     )
 
 
-def _turn_head(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, head: FloatArray) -> None:
-    """Neck and head, half of it each, so that the head has the pitch and yaw `head` (T, 2) in the world."""
-    chest = carried(skeleton, rotations, hips_m).chest
-    wanted = angles(multiply(inverse(chest), turn(head[:, 0], head[:, 1], np.zeros(len(head)))))
+def _half_turned(carrying: Chest, head: FloatArray) -> FloatArray:
+    """The rotations (T, 4) of neck and of head, half of it each, that give the head the pitch and yaw `head` (T, 2) in
+    the world."""
+    wanted = angles(multiply(inverse(carrying.turned), turn(head[:, 0], head[:, 1], np.zeros(len(head)))))
     limited = [np.clip(angle, -limit, limit) for angle, limit in zip(wanted, NECK_LIMITS, strict=True)]
-    half = from_rotation_vector(to_rotation_vector(turn(*limited)) / 2)
-    rotations[:, skeleton.chain("neck", "head")] = half[:, None]
+    return from_rotation_vector(to_rotation_vector(turn(*limited)) / 2)
 
 
 def _eyes_in_t_pose(skeleton: Skeleton) -> FloatArray:
     """The place between the eyes (3,)."""
-    still = np.tile([0.0, 0.0, 0.0, 1.0], (len(skeleton.names), 1))
-    places_m = forward(skeleton, still, skeleton.offsets_m[0])[0]
-    return np.asarray(places_m[skeleton.chain(*EYES)].mean(axis=0))
+    down = skeleton.chain("hips", "spine", "chest", "upperChest", "neck", "head")
+    return np.asarray(skeleton.offsets_m[down].sum(axis=0) + skeleton.offsets_m[skeleton.chain(*EYES)].mean(axis=0))

@@ -21,7 +21,7 @@ from app.realizer.easing import SHORTEST_S, plateau
 from app.realizer.motion import BodyMotion
 from app.realizer.noise import perlin
 from app.realizer.rotations import multiply
-from app.realizer.sight import EYES, aimed, seen_m
+from app.realizer.sight import EYES, aimed, chest, face, seen_m
 from app.realizer.skeleton import Skeleton
 
 Degrees = tuple[float, float, float]
@@ -79,12 +79,14 @@ def head(skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int)
     for movement in schedule.behaviors:
         if movement.kept and movement.kind is Channel.HEAD and movement.lexeme in MOVEMENTS:
             _add(times_s, movement, neck_turn, head_turn)
-    at_m = seen_m(skeleton, body)
+    neck, skull = (body.rotations[:, joint] for joint in skeleton.chain("neck", "head"))
+    eyes = skeleton.chain(*EYES)
+    carrying = chest(skeleton, body.rotations, body.hips_m)
+    at_m = seen_m(face(skeleton, carrying, neck, skull), body.rotations[:, eyes])
+    neck, skull = multiply(neck, turn(*neck_turn.T)), multiply(skull, turn(*head_turn.T))
     rotations = body.rotations.copy()
-    for joint, angles in (("neck", neck_turn), ("head", head_turn)):
-        index = skeleton.index[joint]
-        rotations[:, index] = multiply(rotations[:, index], turn(*angles.T))
-    rotations[:, skeleton.chain(*EYES)] = aimed(skeleton, rotations, body.hips_m, at_m)
+    rotations[:, skeleton.index["neck"]], rotations[:, skeleton.index["head"]] = neck, skull
+    rotations[:, eyes] = aimed(face(skeleton, carrying, neck, skull), at_m)
     return BodyMotion(times_s, rotations, body.hips_m)
 
 

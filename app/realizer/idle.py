@@ -12,7 +12,7 @@ import numpy as np
 
 from app.model import FloatArray, Schedule
 from app.realizer.angles import turn
-from app.realizer.balance import hips_height_m, planted
+from app.realizer.balance import LEG_JOINTS, hips_height_m, legs
 from app.realizer.breathing import lungs
 from app.realizer.motion import BodyMotion
 from app.realizer.noise import perlin
@@ -73,38 +73,49 @@ def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: i
     generator = np.random.default_rng(seed)
     held = postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     breath = lungs(times_s, schedule.phrases, generator)
-    rotations = np.tile(IDENTITY, (len(times_s), len(skeleton.names), 1))
+    rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
     sway = perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14)
     _hold_trunk(skeleton, rotations, held, breath, sway[:, :12])
     stirring = perlin(times_s, frequency_hz=_STIRRING_HZ, seed=seed + 1, channels=2 * len(_STIRRED))
-    _hang_arms(skeleton, rotations, breath, stirring)
+    _stir_arms(skeleton, rotations, breath, stirring)
     hips_m = np.zeros((len(times_s), 3))
     hips_m[:, 0] = _HIPS_OVER_LEG_M * held.weight + _SWAY_M * sway[:, 12]
     hips_m[:, 2] = -_HIPS_BACK_M * held.forward + _SWAY_M * sway[:, 13]
     hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0])
-    return BodyMotion(times_s, planted(skeleton, rotations, hips_m), hips_m)
+    rotations[:, skeleton.chain(*LEG_JOINTS)] = legs(skeleton, rotations[:, 0], hips_m)
+    return BodyMotion(times_s, rotations, hips_m)
 
 
 def _hold_trunk(skeleton: Skeleton, rotations: FloatArray, held: Held, breath: FloatArray, sway: FloatArray) -> None:
     """Lean, weight, breath and sway (T, 12) of the joints from the hips up."""
+    angles = np.radians(_SWAY_DEGREES) * sway.reshape(len(sway), len(_TRUNK), 3)
     for number, joint in enumerate(_TRUNK):
-        angles = np.radians(_BREATH.get(joint, (0.0, 0.0, 0.0))) * breath[:, None]
-        angles += np.radians(_SWAY_DEGREES) * sway[:, 3 * number : 3 * number + 3]
-        angles[:, 0] += _LEAN.get(joint, 0.0) * held.forward
-        angles[:, 2] += _UPRIGHT.get(joint, 0.0) * np.radians(_PELVIS_DEGREES) * held.weight
-        angles[:, 2] -= _LEAN.get(joint, 0.0) * held.left
-        rotations[:, skeleton.index[joint]] = turn(*angles.T)
+        angles[:, number] += np.radians(_BREATH.get(joint, (0.0, 0.0, 0.0))) * breath[:, None]
+        angles[:, number, 0] += _LEAN.get(joint, 0.0) * held.forward
+        angles[:, number, 2] += _UPRIGHT.get(joint, 0.0) * np.radians(_PELVIS_DEGREES) * held.weight
+        angles[:, number, 2] -= _LEAN.get(joint, 0.0) * held.left
+    rotations[:, skeleton.chain(*_TRUNK)] = turn(*np.moveaxis(angles, -1, 0))
 
 
-def _hang_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, stirring: FloatArray) -> None:
-    """Arms at the sides, collarbones that rise with the breath, and a little life (T, 2 × stirred) in the joints."""
+def _hanging(skeleton: Skeleton) -> FloatArray:
+    """The pose (J, 4) with the arms at the sides."""
+    pose = np.tile(IDENTITY, (len(skeleton.names), 1))
     fingers = {finger + part: degrees for finger in FINGERS[1:] for part, degrees in _CURL.items()}
-    poses = np.radians(list({**_HANGING, **fingers}.values()))
-    for number, side in enumerate(SIDES):
-        mirrored = np.array([1.0, -1.0, -1.0]) if side == "right" else np.ones(3)
-        rotations[:, skeleton.chain(*(side + name for name in (*_HANGING, *fingers)))] = turn(*(poses * mirrored).T)
+    for name, degrees in {**_HANGING, **fingers}.items():
+        for side in SIDES:
+            pose[skeleton.index[side + name]] = turn(*(np.radians(degrees) * _mirrored(side)))
+    return pose
+
+
+def _stir_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, stirring: FloatArray) -> None:
+    """Collarbones that rise with the breath, and a little life (T, 2 × stirred) in the arms' joints."""
+    for side, noise in zip(SIDES, np.split(stirring, 2, axis=1), strict=True):
+        stirs = np.radians(_STIRRING_DEGREES) * noise[:, :, None] * (_mirrored(side) * (1.0, 1.0, -1.0))
+        stirs[:, 0] += np.radians(_COLLARBONE_BREATH) * _mirrored(side) * breath[:, None]
         stirred = skeleton.chain(*(side + name for name in _STIRRED))
-        stirs = np.radians(_STIRRING_DEGREES) * stirring[:, number * len(_STIRRED) :][:, : len(_STIRRED)]
-        stirs = stirs[:, :, None] * mirrored * (1.0, 1.0, -1.0)
-        stirs[:, 0] += np.radians(_COLLARBONE_BREATH) * mirrored * breath[:, None]
         rotations[:, stirred] = multiply(rotations[0, stirred], turn(*np.moveaxis(stirs, -1, 0)))
+
+
+def _mirrored(side: str) -> FloatArray:
+    """The signs of pitch, yaw and roll on that side."""
+    return np.array([1.0, 1.0, 1.0] if side == "left" else [1.0, -1.0, -1.0])

@@ -10,7 +10,6 @@ import numpy as np
 
 from app.model import FloatArray
 from app.realizer.angles import aim, direction, turn
-from app.realizer.motion import BodyMotion
 from app.realizer.rotations import inverse, multiply, rotate
 from app.realizer.skeleton import Skeleton
 
@@ -27,41 +26,49 @@ _AHEAD = np.array([0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Carried:
-    """The head in the world, and what carries it: `chest` and `head` (T, 4), the eyes' places (T, 2, 3)."""
+class Chest:
+    """What carries the head: the rotation of the upper chest in the world (T, 4), and the neck's place (T, 3)."""
 
-    chest: FloatArray
-    head: FloatArray
+    turned: FloatArray
+    neck_m: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Face:
+    """The head's rotation in the world (T, 4), and the left and right eye's places (T, 2, 3)."""
+
+    turned: FloatArray
     eyes_m: FloatArray
 
 
-def carried(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Carried:
-    """Head and eyes as the joints from the hips up carry them."""
+def chest(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Chest:
+    """The chest as the joints from the hips up carry it."""
     place_m, turned = hips_m, rotations[:, 0]
-    for joint in ("spine", "chest", "upperChest", "neck"):
-        place_m = place_m + rotate(turned, skeleton.offsets_m[skeleton.index[joint]])
-        turned = multiply(turned, rotations[:, skeleton.index[joint]])
-        if joint == "upperChest":
-            chest = turned
-    place_m = place_m + rotate(turned, skeleton.offsets_m[skeleton.index["head"]])
-    head = multiply(turned, rotations[:, skeleton.index["head"]])
-    eyes = skeleton.offsets_m[skeleton.chain(*EYES)]
-    return Carried(chest, head, place_m[:, None] + rotate(head[:, None], eyes))
+    for joint in skeleton.chain("spine", "chest", "upperChest"):
+        place_m = place_m + rotate(turned, skeleton.offsets_m[joint])
+        turned = multiply(turned, rotations[:, joint])
+    return Chest(turned, place_m + rotate(turned, skeleton.offsets_m[skeleton.index["neck"]]))
 
 
-def aimed(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, at_m: FloatArray) -> FloatArray:
+def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArray) -> Face:
+    """Head and eyes over the chest, with neck and head turned so (T, 4)."""
+    joint, *eyes = skeleton.chain("head", *EYES)
+    turned = multiply(carried_by.turned, neck)
+    head_m = carried_by.neck_m + rotate(turned, skeleton.offsets_m[joint])
+    turned = multiply(turned, head)
+    return Face(turned, head_m[:, None] + rotate(turned[:, None], skeleton.offsets_m[eyes]))
+
+
+def aimed(where: Face, at_m: FloatArray) -> FloatArray:
     """The rotations (T, 2, 4) of the left and right eye that look at the points `at_m` (T, 3), within their limits."""
-    body = carried(skeleton, rotations, hips_m)
-    pitch, yaw = aim(rotate(inverse(body.head)[:, None], at_m[:, None] - body.eyes_m))
+    pitch, yaw = aim(rotate(inverse(where.turned)[:, None], at_m[:, None] - where.eyes_m))
     pitch = np.clip(pitch, -UPRIGHT_LIMIT, UPRIGHT_LIMIT)
     return turn(pitch, np.clip(yaw, -SIDEWAYS_LIMIT, SIDEWAYS_LIMIT), np.zeros_like(yaw))
 
 
-def seen_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
-    """The points (T, 3) that both eyes look at: where their lines of sight come nearest to each other."""
-    where = carried(skeleton, body.rotations, body.hips_m)
-    eyes = body.rotations[:, skeleton.chain(*EYES)]
-    lines = rotate(multiply(where.head[:, None], eyes), _AHEAD)
+def seen_m(where: Face, eyes: FloatArray) -> FloatArray:
+    """The points (T, 3) that eyes turned so (T, 2, 4) look at: where their lines of sight are nearest to each other."""
+    lines = rotate(multiply(where.turned[:, None], eyes), _AHEAD)
     left, right = lines[:, 0], lines[:, 1]
     base = where.eyes_m[:, 0] - where.eyes_m[:, 1]
     cosine, on_left, on_right = (np.sum(a * b, axis=-1) for a, b in ((left, right), (base, left), (base, right)))
