@@ -13,8 +13,9 @@ A pronunciation is a string of phones between spaces; every word has one or more
 own (7 ms to make), so no answer depends on earlier requests.
 
 The first pass listens by a grammar: the words in their order, "um" and "uh" between them where they are far likelier
-than nothing, and, if there is more, an end after any word. The second aligns the words and fillers so found, for the
-grammar's own times are less exact; the third aligns their phones. Fillers that then fit poorly are taken back.
+than nothing, and, if there is more, an end after any word. The second aligns the phones of what was heard. Where there
+is more, what was heard before a pause is aligned afresh first, words and then phones; so are the words without a
+filler that turns out too short or fits poorly.
 """
 
 import json
@@ -22,7 +23,7 @@ import sys
 from itertools import pairwise
 from typing import BinaryIO
 
-from pocketsphinx import Alignment, Decoder
+from pocketsphinx import AlignmentEntry, Decoder
 
 FRAMES_PER_S = 125
 BYTES_PER_FRAME = 2 * 16_000 // FRAMES_PER_S
@@ -38,11 +39,14 @@ LOWEST_FILLER_SCORE = -36.0
 UNSURE_FRAMES = 2 * FRAMES_PER_S
 """What is heard so near the end of a piece may change with what follows."""
 
-Phones = list[tuple[str, int, int, int]]
+Phone = tuple[str, int, int, int]
+"""Label, first frame, frames, score; so are words and fillers told."""
 
+Segment = tuple[str, int, int]
+"""A word or filler of the first pass with its first and last frame."""
 
-Heard = list[tuple[str, int, int]]
-"""Words ("w" and their number) and fillers with first and last frame."""
+Heard = list[tuple[Phone, list[Phone]]]
+"""Words ("w" and their number) and fillers in order, each with its phones."""
 
 
 def main(requests: BinaryIO, answers: BinaryIO) -> None:
@@ -57,42 +61,21 @@ def main(requests: BinaryIO, answers: BinaryIO) -> None:
 def aligned(audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
     """The answer to a request."""
     decoder = _decoder(words)
-    heard = _heard(decoder, audio, len(words), more=more)
-    end = len(audio) // BYTES_PER_FRAME
+    _listen(decoder, audio, len(words), more=more)
+    count, end = len(words), len(audio) // BYTES_PER_FRAME
     if more:
-        heard, end = _before_a_pause(heard, end)
-        if not heard:
-            return {"words": [], "fillers": [], "end": end}
-    names = [name for name, _, _ in heard]
-    placed = _placed(decoder, audio[: end * BYTES_PER_FRAME], names)
-    if placed and any(map(_is_poor, placed[1])):
-        placed = _placed(decoder, audio[: end * BYTES_PER_FRAME], _believed(names, placed[1]))
-    return {"words": placed[0], "fillers": placed[1], "end": end} if placed else {"words": None}
-
-
-def _placed(decoder: Decoder, audio: bytes, names: list[str]) -> tuple[list[Phones], Phones] | None:
-    """The phones of the words among `names`, and the fillers among them; None when there is no path."""
-    if not names:
-        return None
-    decoder.set_align_text(" ".join(names))
-    _decode(decoder, audio)
-    if decoder.hyp() is None:
-        return None
-    decoder.set_alignment()
-    _decode(decoder, audio)
-    words, fillers = _phones(decoder.get_alignment())
-    return (words, fillers) if len(words) + len(fillers) == len(names) else None
-
-
-def _is_poor(filler: tuple[str, int, int, int]) -> bool:
-    _, _, frames, score = filler
-    return score < LOWEST_FILLER_SCORE * frames
-
-
-def _believed(names: list[str], fillers: Phones) -> list[str]:
-    """The names without the fillers that fit poorly."""
-    verdicts = iter(fillers)
-    return [name for name in names if name not in FILLERS or not _is_poor(next(verdicts))]
+        names, end = _before_a_pause(_segments(decoder), end)
+        count = len(names) - sum(name in FILLERS for name in names)
+        audio = audio[: end * BYTES_PER_FRAME]
+        heard = _aligned_afresh(decoder, audio, names)
+    else:
+        heard = _placed(decoder, audio)
+    believed = [each[0] for each, _ in heard if not _is_doubtful(each)]
+    if len(believed) < len(heard):
+        heard = _aligned_afresh(decoder, audio, believed)
+    spoken = [phones for each, phones in heard if each[0] not in FILLERS]
+    fillers = [each for each, _ in heard if each[0] in FILLERS]
+    return {"words": spoken if len(spoken) == count else None, "fillers": fillers, "end": end}
 
 
 def _decoder(words: list[list[str]]) -> Decoder:
@@ -107,8 +90,8 @@ def _decoder(words: list[list[str]]) -> Decoder:
     return decoder
 
 
-def _heard(decoder: Decoder, audio: bytes, count: int, *, more: bool) -> Heard:
-    """The words and fillers of the first pass, in order: all words, or with `more` the first few; none: no path."""
+def _listen(decoder: Decoder, audio: bytes, count: int, *, more: bool) -> None:
+    """The first pass, for the words w0 to w(count − 1)."""
     transitions: list[tuple[int, int, float, str] | tuple[int, int, float]] = [
         (number, number + 1, 1.0, f"w{number}") for number in range(count)
     ]
@@ -117,19 +100,55 @@ def _heard(decoder: Decoder, audio: bytes, count: int, *, more: bool) -> Heard:
     decoder.add_fsg("line", decoder.create_fsg("line", 0, count, transitions))
     decoder.activate_search("line")
     _decode(decoder, audio)
+
+
+def _aligned_afresh(decoder: Decoder, audio: bytes, names: list[str]) -> Heard:
+    """The words and fillers of these names, whatever was heard before."""
+    if not names:
+        return []
+    decoder.set_align_text(" ".join(names))
+    _decode(decoder, audio)
+    return _placed(decoder, audio)
+
+
+def _placed(decoder: Decoder, audio: bytes) -> Heard:
+    """What the decoder just heard, with its phones; nothing when it found no path. A phone must be read while its word
+    is there."""
+    if decoder.hyp() is None:
+        return []
+    decoder.set_alignment()
+    _decode(decoder, audio)
+    heard = [(_told(word), [_told(phone) for phone in word]) for word in decoder.get_alignment()]
+    return [(each, phones) for each, phones in heard if _is_one_of_ours(each[0])]
+
+
+def _is_one_of_ours(name: str) -> bool:
+    return name.startswith("w") or name in FILLERS
+
+
+def _told(entry: AlignmentEntry) -> Phone:
+    return entry.name.partition("(")[0], entry.start, entry.duration, entry.score
+
+
+def _is_doubtful(heard: Phone) -> bool:
+    """A filler that is too short, or fits too poorly."""
+    name, _, frames, score = heard
+    return name in FILLERS and (frames < SHORTEST_FILLER_FRAMES or score < LOWEST_FILLER_SCORE * frames)
+
+
+def _segments(decoder: Decoder) -> list[Segment]:
+    """The words and fillers of the first pass."""
     if decoder.hyp() is None:
         return []
     named = [(segment.word.partition("(")[0], segment.start_frame, segment.end_frame) for segment in decoder.seg()]
-    heard = [each for each in named if each[0].startswith("w") or _is_filler(*each)]
-    complete = sum(name.startswith("w") for name, _, _ in heard) == count
-    return heard if more or complete else []
+    return [
+        (name, first, last)
+        for name, first, last in named
+        if _is_one_of_ours(name) and not (name in FILLERS and last - first + 1 < SHORTEST_FILLER_FRAMES)
+    ]
 
 
-def _is_filler(name: str, first: int, last: int) -> bool:
-    return name in FILLERS and last - first + 1 >= SHORTEST_FILLER_FRAMES
-
-
-def _before_a_pause(heard: Heard, frames: int) -> tuple[Heard, int]:
+def _before_a_pause(heard: list[Segment], frames: int) -> tuple[list[str], int]:
     """What is surely heard, and where to cut after it: in the longest pause of the piece's later half, or else
     (everything) of all of it. Nothing heard for sure: the cut is where the unsure part begins."""
     sure = frames - UNSURE_FRAMES
@@ -141,7 +160,7 @@ def _before_a_pause(heard: Heard, frames: int) -> tuple[Heard, int]:
     if not gaps:
         return [], sure
     _, cut, number = max([gap for gap in gaps if gap[1] > frames // 2] or gaps)
-    return heard[:number], min(cut, sure)
+    return [name for name, _, _ in heard[:number]], min(cut, sure)
 
 
 def _decode(decoder: Decoder, audio: bytes) -> None:
@@ -149,18 +168,6 @@ def _decode(decoder: Decoder, audio: bytes) -> None:
     decoder.start_utt()
     decoder.process_raw(audio, full_utt=True)
     decoder.end_utt()
-
-
-def _phones(alignment: Alignment) -> tuple[list[Phones], Phones]:
-    """Phones word by word, and the fillers. A phone must be read while its word is there."""
-    words, fillers = [], []
-    for word in alignment:
-        phones = [(phone.name, phone.start, phone.duration, phone.score) for phone in word]
-        if word.name.startswith("w"):
-            words.append(phones)
-        elif word.name in FILLERS:
-            fillers.append((word.name, word.start, word.duration, word.score))
-    return words, fillers
 
 
 if __name__ == "__main__":
