@@ -44,7 +44,7 @@ from app.model import (
     Word,
 )
 from app.resources import resource_folder
-from app.rules.derivation import FunctionRules, derive_functions
+from app.rules.derivation import Emphasis, FunctionRules, derive_functions
 from app.rules.mapping import MappingRules, offer_movements
 from app.settings import Settings
 from app.syntax.parser import Parser
@@ -302,9 +302,7 @@ def analyze(
         fillers=timed.fillers,
     )
     progress("functions")
-    functions = derive_functions(
-        mind.rules, utterance, emphasis_ratio=mind.settings.emphasis_ratio, given=line.functions
-    )
+    functions = derive_functions(mind.rules, utterance, emphasis=_emphasis(mind.settings), given=line.functions)
     return Analysis(utterance, functions, heard.notices + timed.notices)
 
 
@@ -375,6 +373,10 @@ def _limits(settings: Settings) -> AudioLimits:
         max_sample_rate_hz=settings.max_sample_rate_hz,
         max_channels=settings.max_channels,
     )
+
+
+def _emphasis(settings: Settings) -> Emphasis:
+    return Emphasis(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
 
 
 def _certain(level: Level) -> Agitation:

@@ -28,6 +28,12 @@ class Settings(BaseSettings):
     parser: Path | str | None = Field(
         default=None, description="another spaCy pipeline, by name or folder (ClearNLP or UD labels); ours if unset"
     )
+    emphasis: Literal["prominence", "ratio"] = Field(
+        default="prominence", description="what emphasises a word: our prominence, or the paper's stressed ratio"
+    )
+    emphasis_prominence: float = Field(
+        default=0.4, ge=0, le=1, description="prominence above which a word is emphasised"
+    )
     emphasis_ratio: float = Field(
         default=0.1, ge=0, le=1, description="stressed ratio above which a word is emphasised"
     )

@@ -8,7 +8,7 @@ import pytest
 from app.errors import AuthoringError
 from app.model import Because, Function, Utterance
 from app.rules.conflicts import Conflicts
-from app.rules.derivation import FunctionRules, derive_functions
+from app.rules.derivation import Emphasis, FunctionRules, derive_functions
 from tests.utterances import utterance
 
 VOCABULARY = (Path(__file__).resolve().parents[1] / "app" / "rules" / "vocabulary.rules").read_text()
@@ -31,7 +31,7 @@ assert
 rule stressed
 foreach
   stressed_ratio($ratio, $s, $e)
-  emphasis_threshold($threshold)
+  emphasis_threshold(ratio, $threshold)
   $ratio > $threshold
 assert
   fcn(emphasis, plain, $s, $e, 2)
@@ -130,8 +130,8 @@ def test_a_word_is_emphasised_above_the_threshold(tmp_path: Path, ratio: float, 
 def test_the_threshold_can_be_set(tmp_path: Path) -> None:
     spoken = stressed(utterance("so", ""), 0.3)
     rules = load(tmp_path)
-    assert derive_functions(rules, spoken, emphasis_ratio=0.25)
-    assert not derive_functions(rules, spoken, emphasis_ratio=0.35)
+    assert derive_functions(rules, spoken, emphasis=Emphasis(above_ratio=0.25))
+    assert not derive_functions(rules, spoken, emphasis=Emphasis(above_ratio=0.35))
 
 
 def function(class_name: str, subtype: str, first: int, last: int) -> Function:
