@@ -70,15 +70,22 @@ def _leg(skeleton: Skeleton, side: str, way_m: FloatArray) -> tuple[FloatArray, 
     shin = skeleton.offsets_m[skeleton.index[f"{side}LowerLeg"]]
     foot = skeleton.offsets_m[skeleton.index[f"{side}Foot"]]
     upper_m, lower_m = _lengths_m(skeleton, side)
-    distance_m = np.minimum(np.linalg.norm(way_m, axis=-1), upper_m + lower_m)
+    distance_m = np.minimum(np.sqrt(np.sum(way_m**2, axis=-1)), upper_m + lower_m)
     cosine = (distance_m**2 - upper_m**2 - lower_m**2) / (2 * upper_m * lower_m)
     straight = np.arctan2(shin[2], -shin[1]) - np.arctan2(foot[2], -foot[1])
-    knee = about((1.0, 0.0, 0.0), np.arccos(np.clip(cosine, -1.0, 1.0)) - straight)
-    bent = shin + rotate(knee, foot)
-    across, along = way_m[:, 0], np.hypot(way_m[:, 0], way_m[:, 1])
-    swing = np.arctan2(way_m[:, 2], -along) - np.arctan2(bent[:, 2], bent[:, 1])
-    spread = np.arctan2(across, -way_m[:, 1])
-    return multiply(about((0.0, 0.0, 1.0), spread), about((1.0, 0.0, 0.0), swing)), knee
+    bend = np.arccos(np.clip(cosine, -1.0, 1.0)) - straight
+    bent_y = shin[1] + foot[1] * np.cos(bend) - foot[2] * np.sin(bend)
+    bent_z = shin[2] + foot[1] * np.sin(bend) + foot[2] * np.cos(bend)
+    along_m = np.hypot(way_m[:, 0], way_m[:, 1])
+    swing = np.arctan2(way_m[:, 2], -along_m) - np.arctan2(bent_z, bent_y)
+    spread = np.arctan2(way_m[:, 0], -way_m[:, 1])
+    return _swung(swing, spread), _swung(bend, np.zeros_like(bend))
+
+
+def _swung(swing: FloatArray, spread: FloatArray) -> FloatArray:
+    """The rotations (T, 4) about x by `swing`, then about z by `spread`."""
+    sx, cx, sz, cz = np.sin(swing / 2), np.cos(swing / 2), np.sin(spread / 2), np.cos(spread / 2)
+    return np.stack([cz * sx, sz * sx, sz * cx, cz * cx], axis=-1)
 
 
 def _lengths_m(skeleton: Skeleton, side: str) -> tuple[float, float]:

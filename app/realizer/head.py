@@ -118,8 +118,7 @@ def _phase(times_s: FloatArray, behavior: Behavior, waves: int, first_extreme: f
     stroke_s = _stroke_s(behavior)
     between = np.pi if first_extreme < np.pi else 2 * np.pi
     even = last * (stroke_s - sync.start) / max(sync.end - sync.start, SHORTEST_S)
-    steps = np.clip(np.round((even - first_extreme) / between), 0, round((last - between) / between))
-    extreme = first_extreme + between * float(steps)
+    extreme = first_extreme + between * min(max(round((even - first_extreme) / between), 0), round(last / between) - 1)
     phase = np.interp(times_s, [sync.start, stroke_s, sync.end], [0.0, extreme, last])
     return np.asarray(phase + ahead * PHASE_SHIFT * np.sin(np.pi * phase / last) ** 2)
 
@@ -128,12 +127,13 @@ def _stroke_s(behavior: Behavior) -> float:
     """The moment of the extreme, inside the movement; the middle where none is given."""
     sync = behavior.sync
     stroke_s = (sync.start + sync.end) / 2 if sync.stroke is None else sync.stroke
-    return float(np.clip(stroke_s, sync.start + SHORTEST_S, sync.end - SHORTEST_S))
+    return min(max(stroke_s, sync.start + SHORTEST_S), sync.end - SHORTEST_S)
 
 
 def _nodding(phase: FloatArray, waves: int) -> FloatArray:
     """0 at each whole wave, 1 and less and less between them."""
-    return np.asarray((1 - np.cos(phase)) / 2 * DECAY ** np.clip(np.floor(phase / (2 * np.pi)), 0, waves - 1))
+    sizes = DECAY ** np.arange(waves)
+    return np.asarray((1 - np.cos(phase)) / 2 * sizes[np.clip(phase / (2 * np.pi), 0, waves - 1).astype(int)])
 
 
 def _swinging(phase: FloatArray, waves: int) -> FloatArray:

@@ -6,19 +6,22 @@ sizes are ours, seen to be enough to be alive and too little to draw the eye.
 """
 
 from collections.abc import Mapping
+from functools import cache
 from types import MappingProxyType
 
 import numpy as np
 
-from app.model import FloatArray, Schedule
+from app.model import FloatArray, Hand, Schedule
 from app.realizer.angles import turn
 from app.realizer.balance import LEG_JOINTS, hips_height_m, legs
 from app.realizer.breathing import lungs
 from app.realizer.motion import BodyMotion
 from app.realizer.noise import perlin
+from app.realizer.posing import arm_joints
 from app.realizer.posture import Held, postures
+from app.realizer.rest_poses import rest_pose
 from app.realizer.rotations import IDENTITY, multiply
-from app.realizer.skeleton import FINGERS, SIDES, Skeleton
+from app.realizer.skeleton import SIDES, Skeleton
 
 Degrees = tuple[float, float, float]
 """Pitch, yaw and roll; the left side's, the right's has the other yaw and roll."""
@@ -50,17 +53,6 @@ _STIRRING_HZ = 0.6
 _STIRRING_DEGREES = 1.2
 """Noise of trunk and arms; the usual distance from the middle is a quarter of the amplitude."""
 
-_HANGING: Mapping[str, Degrees] = MappingProxyType(
-    {
-        "Shoulder": (0.0, 2.0, -3.0),
-        "UpperArm": (8.0, 4.0, -72.0),
-        "LowerArm": (10.0, -22.0, 0.0),
-        "Hand": (0.0, 0.0, -6.0),
-    }
-)
-_CURL: Mapping[str, Degrees] = MappingProxyType(
-    {"Proximal": (0.0, 0.0, -22.0), "Intermediate": (0.0, 0.0, -28.0), "Distal": (0.0, 0.0, -16.0)}
-)
 _TRUNK = ("hips", "spine", "chest", "upperChest")
 _STIRRED = ("Shoulder", "UpperArm", "LowerArm", "Hand", "IndexProximal", "MiddleProximal", "RingProximal")
 
@@ -97,13 +89,13 @@ def _hold_trunk(skeleton: Skeleton, rotations: FloatArray, held: Held, breath: F
     rotations[:, skeleton.chain(*_TRUNK)] = turn(*np.moveaxis(angles, -1, 0))
 
 
+@cache
 def _hanging(skeleton: Skeleton) -> FloatArray:
-    """The pose (J, 4) with the arms at the sides."""
+    """The pose (J, 4) with the arms at the sides, which takes as long to solve as a second of motion."""
     pose = np.tile(IDENTITY, (len(skeleton.names), 1))
-    fingers = {finger + part: degrees for finger in FINGERS[1:] for part, degrees in _CURL.items()}
-    for name, degrees in {**_HANGING, **fingers}.items():
-        for side in SIDES:
-            pose[skeleton.index[side + name]] = turn(*(np.radians(degrees) * _mirrored(side)))
+    for side in (Hand.LEFT, Hand.RIGHT):
+        pose[skeleton.chain(*arm_joints(side))] = rest_pose(skeleton, side, "at_side").rotations
+    pose.setflags(write=False)
     return pose
 
 
