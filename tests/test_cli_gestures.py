@@ -76,3 +76,17 @@ def test_checking(capfdbinary: Captured, tmp_path: Path) -> None:
     assert code == 2
     assert f"{path}:4:6: 'none' is not an arm, nor both" in err
     assert f"{path}:5:1: no line begins with 'AIMD'; did you mean AIMED?" in err
+
+
+def test_a_gesture_is_drawn(capfdbinary: Captured, tmp_path: Path) -> None:
+    sheet = tmp_path / "sheet.png"
+    code, _, err = _run(capfdbinary, "gestures", "render", "small", "-o", str(sheet), "--level", "high")
+    assert code == 0
+    assert err == f"3 key poses of 1 gestures in {sheet}\n"
+    assert sheet.read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_picture_has_the_name_of_one(capfdbinary: Captured, tmp_path: Path) -> None:
+    code, _, err = _run(capfdbinary, "gestures", "render", "small", "-o", str(tmp_path / "sheet.jpg"))
+    assert code == 2
+    assert "pictures are PNG" in err

@@ -7,7 +7,7 @@ from typing import NoReturn
 
 from app import __version__
 from app.errors import InputError
-from app.model import Level, Mode
+from app.model import Hand, Level, Mode
 from app.performance import DialectName, TimeForm
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
@@ -164,6 +164,11 @@ def _add_gestures(add: Adding) -> None:
     listing.add_argument("--json", action="store_true", help="as JSON")
     show = _add(actions.add_parser, "show", "how one of them is written, and its times at each level of agitation")
     show.add_argument("name", metavar="NAME", help="a gesture, or a category for all of its gestures")
+    render = _add(actions.add_parser, "render", "draw the key poses of one of them")
+    render.add_argument("name", metavar="NAME", help="a gesture, or a category for all of its gestures")
+    render.add_argument("-o", "--output", metavar="SHEET.png", required=True, help="where the picture goes")
+    render.add_argument("--level", choices=[level.value for level in Level], default="medium", help="of agitation")
+    render.add_argument("--hand", choices=[hand.value for hand in Hand], help="which makes it (default: as written)")
 
 
 def _add_characters(add: Adding) -> None:

@@ -38,7 +38,7 @@ def require_plot(name: str) -> None:
         import matplotlib.figure  # noqa: F401
     except ModuleNotFoundError:
         raise ServiceError(
-            "plot_unavailable", "--plot needs matplotlib, which is not installed: pip install 'understudy[plot]'"
+            "plot_unavailable", "pictures need matplotlib, which is not installed: pip install 'understudy[plot]'"
         ) from None
 
 

@@ -1,4 +1,4 @@
-"""`understudy gestures`: check, list and show the gesture library."""
+"""`understudy gestures`: check, list, show and draw the gesture library."""
 
 import argparse
 from collections.abc import Iterable, Sequence
@@ -6,16 +6,23 @@ from pathlib import Path
 
 from app.answers import GesturesAnswer
 from app.catalogue import load_gestures
-from app.cli.files import write_standard
+from app.cli.files import require_writable, write, write_standard
 from app.cli.gesture_listings import counts, explanation, headline
 from app.cli.log import Log
+from app.cli.plot import require_plot
+from app.errors import InputError
+from app.model import Hand, Level
 from app.proofreading import check_files
-from app.realizer.gesture import Definition
+from app.realizer.clips import clip as clip_of
+from app.realizer.gesture import Clip, Definition
+from app.realizer.key_poses import key_poses
 from app.realizer.library import Library
+from app.realizer.sheet import Still, draw_stills
+from app.realizer.skeleton import Skeleton
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
-    actions = {"check": _check, "list": _list, "show": _show}
+    actions = {"check": _check, "list": _list, "show": _show, "render": _render}
     actions[arguments.action](arguments, log)
     return 0
 
@@ -39,6 +46,30 @@ def _list(arguments: argparse.Namespace, _log: Log) -> None:
 
 def _show(arguments: argparse.Namespace, _log: Log) -> None:
     _print(line for one in _named(load_gestures(), arguments.name) for line in (*explanation(one), ""))
+
+
+def _render(arguments: argparse.Namespace, log: Log) -> None:
+    require_plot(arguments.output)
+    require_writable(arguments.output, field="output")
+    hand = Hand(arguments.hand) if arguments.hand else None
+    named = _named(load_gestures(), arguments.name)
+    clips = [clip for one in named for clip in _fitting(one, Level(arguments.level), hand)]
+    if not clips:
+        raise InputError("unfit_gesture", f"{arguments.name} is not for {arguments.level} agitation", field="level")
+    skeleton = Skeleton.standing()
+    stills = [
+        Still(f"{clip.name}\n{pose.key.time_s:.2f} s {pose.key.type}", pose.rotations)
+        for clip in clips
+        for pose in key_poses(skeleton, clip)
+    ]
+    write(arguments.output, draw_stills(stills, skeleton, faces=False))
+    log.note(f"{len(stills)} key poses of {len(clips)} gestures in {arguments.output}")
+
+
+def _fitting(definition: Definition, level: Level, hand: Hand | None) -> Sequence[Clip]:
+    if level not in definition.levels:
+        return ()
+    return (clip_of(definition, level, hand or definition.hand or Hand.RIGHT, definition.categories[0]),)
 
 
 def _named(library: Library, name: str) -> Sequence[Definition]:
