@@ -8,6 +8,7 @@ from fastapi import FastAPI
 from app import __version__
 from app.api.body_limit import BodyLimit
 from app.api.capacity import Capacity
+from app.api.metrics import Measured, Metrics
 from app.api.problems import answer_errors_as_problems
 from app.api.reloading import reloading
 from app.api.routes import router
@@ -23,6 +24,8 @@ def create_app(settings: Settings, understudy: Understudy | None = None, *, relo
     """The application. An `understudy` that is given stays its giver's to close; otherwise one is loaded when the
     application starts and closed when it stops. With `reload` what authors save is read again."""
 
+    metrics = Metrics.fresh()
+
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         with ExitStack() as stack:
@@ -30,7 +33,8 @@ def create_app(settings: Settings, understudy: Understudy | None = None, *, relo
             capacity = Capacity(settings.max_concurrent)
             stack.callback(capacity.close)
             catalogue = Catalogue.of(loaded.mind.rules, loaded.body.characters, loaded.body.rules)
-            app.state.service = Service(settings, loaded, catalogue, capacity)
+            metrics.watch(lambda: capacity.busy)
+            app.state.service = Service(settings, loaded, catalogue, capacity, metrics)
             if reload:
                 stack.enter_context(reloading(app.state))
             yield
@@ -43,6 +47,7 @@ def create_app(settings: Settings, understudy: Understudy | None = None, *, relo
         redirect_slashes=False,
     )
     app.add_middleware(BodyLimit, max_bytes=settings.max_body_bytes)
+    app.add_middleware(Measured, metrics=metrics)
     app.include_router(router)
     answer_errors_as_problems(app)
     return app

@@ -57,6 +57,11 @@ class Capacity:
         self._threads = ThreadPoolExecutor(places, thread_name_prefix="line")
 
     @property
+    def busy(self) -> int:
+        """How many lines are being performed."""
+        return self._busy
+
+    @property
     def is_full(self) -> bool:
         return self._busy >= self._places
 

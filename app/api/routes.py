@@ -8,10 +8,12 @@ from typing import Any
 
 from fastapi import APIRouter, Request, Response
 from starlette.exceptions import HTTPException
+from starlette.responses import PlainTextResponse
 
 from app.answers import CharactersAnswer, FunctionsAnswer, PerformAnswer, RulesAnswer
 from app.api.capacity import Deadline
 from app.api.form import Part, read_form
+from app.api.metrics import MEDIA_TYPE as METRICS
 from app.api.negotiation import preferred
 from app.api.problems import MEDIA_TYPE as PROBLEM
 from app.api.service import Shared
@@ -116,6 +118,12 @@ async def get_healthz() -> dict[str, str]:
 async def get_readyz(shared: Shared) -> dict[str, str]:
     """Everything is loaded; `not_reloaded` says why files that were saved since are not (`serve --reload`)."""
     return {"status": "ready"} | ({"not_reloaded": shared.not_reloaded} if shared.not_reloaded else {})
+
+
+@router.get("/metrics", response_class=PlainTextResponse)
+def get_metrics(shared: Shared) -> Response:
+    """The service's figures, for Prometheus."""
+    return Response(shared.metrics.text(), media_type=METRICS)
 
 
 def _media_type(request: Request, offered: Sequence[str], what: str) -> str:

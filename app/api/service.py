@@ -6,6 +6,7 @@ from typing import Annotated
 from fastapi import Depends, Request
 
 from app.api.capacity import Capacity
+from app.api.metrics import Metrics
 from app.catalogue import Catalogue
 from app.performance import Understudy
 from app.settings import Settings
@@ -22,6 +23,7 @@ class Service:
     understudy: Understudy
     catalogue: Catalogue
     capacity: Capacity
+    metrics: Metrics
     not_reloaded: str | None = None
 
 

@@ -1,0 +1,73 @@
+"""Figures of the service for Prometheus, at `GET /metrics`: requests by path and status, how long they took, how busy.
+
+Each application has a registry of its own, so that two in one process do not count each other's requests. Paths are
+those of the routes; everything else counts as `other`, whatever clients make up.
+"""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram
+from prometheus_client.exposition import CONTENT_TYPE_LATEST, generate_latest
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+MEDIA_TYPE = CONTENT_TYPE_LATEST
+BUCKETS_S = (0.01, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0, 60.0)
+OTHER = "other"
+
+
+@dataclass(frozen=True, slots=True)
+class Metrics:
+    """What is counted; `busy` is told how many lines are being performed when the figures are read."""
+
+    registry: CollectorRegistry
+    requests: Counter
+    seconds: Histogram
+    busy: Gauge
+
+    @classmethod
+    def fresh(cls) -> "Metrics":
+        registry = CollectorRegistry()
+        labels = ("method", "path", "status")
+        return cls(
+            registry,
+            Counter("understudy_requests", "Requests answered", labels, registry=registry),
+            Histogram("understudy_request_seconds", "Time to answer", ("path",), buckets=BUCKETS_S, registry=registry),
+            Gauge("understudy_lines_in_work", "Lines being performed now", registry=registry),
+        )
+
+    def watch(self, busy: Callable[[], float]) -> None:
+        """Has the gauge ask `busy` whenever it is read."""
+        self.busy.set_function(busy)
+
+    def text(self) -> bytes:
+        """The figures in Prometheus' text form."""
+        return generate_latest(self.registry)
+
+
+class Measured:
+    """ASGI middleware that counts and times every request."""
+
+    def __init__(self, app: ASGIApp, metrics: Metrics) -> None:
+        self._app = app
+        self._metrics = metrics
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        begun_s, status = time.perf_counter(), "500"
+
+        async def watched(message: Message) -> None:
+            nonlocal status
+            if message["type"] == "http.response.start":
+                status = str(message["status"])
+            await send(message)
+
+        try:
+            await self._app(scope, receive, watched)
+        finally:
+            path = getattr(scope.get("route"), "path", OTHER)
+            self._metrics.requests.labels(scope["method"], path, status).inc()
+            self._metrics.seconds.labels(path).observe(time.perf_counter() - begun_s)
