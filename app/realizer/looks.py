@@ -87,7 +87,7 @@ def _turned(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Posi
         glances = [each for each in running if each.lexeme == "GLANCE"]
         glance = np.zeros(3)
         if glances:
-            directed = glances[-1].direction is not None
+            directed = glances[-1].direction in DIRECTIONS
             glance = _aside(glances[-1]) if directed else _at(glances[-1].target, from_m, targets_m) - line
         yield Turned(at_s, within_s, _aim(line, "LOOK" if aside else "SHIFT", glance))
 
@@ -117,9 +117,8 @@ def _aim(line: FloatArray, lexeme: str, glance: FloatArray) -> Aim:
 
 
 def _aside(gaze: Behavior) -> FloatArray:
-    if gaze.direction is None:
-        return np.zeros(3)
-    return np.asarray(np.radians(RANGE_DEGREES) * (gaze.amount or 0.0) * np.array([*DIRECTIONS[gaze.direction], 0.0]))
+    pitch, yaw = DIRECTIONS.get(gaze.direction or "", (0.0, 0.0))
+    return np.asarray(np.radians(RANGE_DEGREES) * (gaze.amount or 0.0) * np.array([pitch, yaw, 0.0]))
 
 
 def _at(target: str | None, from_m: FloatArray, targets_m: Mapping[str, Position]) -> FloatArray:

@@ -21,7 +21,7 @@ UPRIGHT_LIMIT = np.radians(25.0)
 FARTHEST_M = 20.0
 """Eyes that see farther are parallel."""
 
-_PARALLEL = 1e-8
+_PARALLEL = 1e-6
 _AHEAD = np.array([0.0, 0.0, 1.0])
 
 
@@ -72,9 +72,10 @@ def seen_m(where: Face, eyes: FloatArray) -> FloatArray:
     left, right = lines[:, 0], lines[:, 1]
     base = where.eyes_m[:, 0] - where.eyes_m[:, 1]
     cosine, on_left, on_right = (np.sum(a * b, axis=-1) for a, b in ((left, right), (base, left), (base, right)))
-    sine_squared = np.maximum(1.0 - cosine**2, _PARALLEL)
-    left_m, right_m = (cosine * on_right - on_left) / sine_squared, (on_right - cosine * on_left) / sine_squared
-    ends_m = where.eyes_m + np.clip(np.stack([left_m, right_m], axis=-1), 0.0, FARTHEST_M)[:, :, None] * lines
+    sine_squared = 1.0 - cosine**2
+    along = np.stack([cosine * on_right - on_left, on_right - cosine * on_left], axis=-1)
+    along_m = np.clip(along / np.maximum(sine_squared, _PARALLEL)[:, None], 0.0, FARTHEST_M)
+    ends_m = where.eyes_m + np.where(sine_squared < _PARALLEL, FARTHEST_M, along_m.T).T[:, :, None] * lines
     return np.asarray(ends_m.mean(axis=1))
 
 

@@ -1,0 +1,28 @@
+"""What the body cannot do is told."""
+
+import pytest
+
+from app.model import Channel
+from app.realizer.unplayed import unplayed
+from tests.movements import behavior, schedule
+
+
+@pytest.mark.parametrize(
+    ("kind", "lexeme", "direction", "action"),
+    [
+        (Channel.HEAD, "NOD", None, None),
+        (Channel.HEAD, "ROLL_EYES", None, "dropped"),
+        (Channel.POSTURE, "LEAN_BACK", None, None),
+        (Channel.POSTURE, "HANDS_FOLDED", None, None),
+        (Channel.POSTURE, "SITTING", None, "dropped"),
+        (Channel.GAZE, "LOOK", "UPLEFT", None),
+        (Channel.GAZE, "LOOK", "POLAR", "replaced"),
+    ],
+)
+def test_what_has_no_movement_is_told(kind: Channel, lexeme: str, direction: str | None, action: str | None) -> None:
+    told = unplayed(schedule(behavior(kind, lexeme, 1.0, 1.2, 2.0, 2.2, direction=direction)))
+    assert [decision.action for decision in told] == ([] if action is None else [action])
+
+
+def test_what_lost_is_not_told() -> None:
+    assert unplayed(schedule(behavior(Channel.HEAD, "ROLL_EYES", 1.0, 2.0, kept=False))) == ()
