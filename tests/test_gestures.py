@@ -1,0 +1,141 @@
+"""The gestures that we ship (lexicon/gestures/): what the rules and the characters ask for is there, at every level and
+by every hand that it is asked of, and no key pose asks an arm for what it cannot do.
+"""
+
+from collections.abc import Iterator
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.bml.characters import Characters
+from app.bml.table import BehaviorEntry
+from app.model import Channel, FloatArray, Hand, Level
+from app.realizer.clips import clip
+from app.realizer.gesture import ArmKey, Clip, Definition
+from app.realizer.gesture_space import sector_m
+from app.realizer.library import Library
+from app.realizer.skeleton import Skeleton
+
+LEXICON = Path(__file__).resolve().parents[1] / "lexicon"
+
+TOUCHING = {"PALMS_TOGETHER"}
+"""Categories whose hands meet on purpose."""
+
+CHEST_M = 0.13
+"""How far before the hips' axis the chest's front is."""
+
+COMMON = ("BEAT", "RHYTHM", "PALM_BEAT", "QUESTION", "NEGATION", "ME", "UNCERTAINTY", "SHRUG", "CONTRAST", "SURROUND")
+
+
+@pytest.fixture(scope="module")
+def library() -> Library:
+    return Library.load(LEXICON / "gestures")
+
+
+def entries() -> Iterator[BehaviorEntry]:
+    """Every gesture that a rule may choose, as every character makes it."""
+    for character in Characters.load(LEXICON).by_name.values():
+        for entry in character.entries.values():
+            if entry.channel is Channel.GESTURE:
+                yield entry
+
+
+def hands_asked(entry: BehaviorEntry) -> tuple[Hand, ...]:
+    return (entry.hand,) if entry.hand else (Hand.LEFT, Hand.RIGHT)
+
+
+def made(library: Library) -> Iterator[Clip]:
+    """Every definition at every level, by the hands it is for."""
+    for definition, level in product(library.definitions, Level):
+        if level in definition.levels:
+            yield clip(definition, level, definition.hand or Hand.RIGHT, definition.categories[0])
+
+
+def wrists_m(found: Clip) -> Iterator[tuple[FloatArray, ...]]:
+    """At each key that says where all its arms are: the wrists, the left's x outwards, the right's mirrored."""
+    for key in found.keys:
+        arms: list[ArmKey] = [arm for arm in (key.left, key.right) if arm is not None]
+        places = [arm.place for arm in arms]
+        if all(place is not None for place in places):
+            yield tuple(sector_m(place, found.expressivity.amplitude) for place in places if place is not None)
+
+
+def test_every_gesture_asked_for_is_there_by_the_hands_it_is_asked_of(library: Library) -> None:
+    definitions = {definition.name: definition for definition in library.definitions}
+    for entry in entries():
+        for hand, level in product(hands_asked(entry), Level):
+            clips = library.clips(entry.lexeme, level, hand)
+            assert clips, (entry.lexeme, level, hand)
+            own = {None, hand} if hand is not Hand.BOTH else {Hand.BOTH}
+            assert {definitions[one.name].hand for one in clips} <= own, (entry.lexeme, hand)
+
+
+def test_every_category_has_variants(library: Library) -> None:
+    lexemes = {entry.lexeme for entry in entries()}
+    assert len(lexemes) > 100
+    assert {lexeme for lexeme in lexemes if len(library.by_category[lexeme]) < 2} == set()
+
+
+@pytest.mark.parametrize("category", COMMON)
+def test_common_categories_have_variants_by_the_same_hands(library: Library, category: str) -> None:
+    asked = {hand for entry in entries() if entry.lexeme == category for hand in hands_asked(entry)}
+    assert asked
+    for hand, level in product(asked, Level):
+        assert len(library.clips(category, level, hand)) >= 2
+
+
+def test_the_more_agitated_the_faster(library: Library) -> None:
+    for definition in library.definitions:
+        clips = [clip(definition, level, definition.hand or Hand.RIGHT, "X") for level in Level]
+        low, medium, high = (one.stroke_speed_m_s for one in clips)
+        assert 0 < low < medium < high, definition.name
+
+
+def test_some_variant_s_stroke_is_as_long_as_the_table_says(library: Library) -> None:
+    for entry in entries():
+        stroke = entry.timing.stroke
+        assert stroke is not None
+        for hand in hands_asked(entry):
+            marks = [found.markers for found in library.clips(entry.lexeme, Level.MEDIUM, hand)]
+            durations_s = [mark.stroke_end - mark.stroke_start for mark in marks]
+            fit = [stroke.shortest_s - 0.02 <= duration_s <= stroke.usual_s + 0.02 for duration_s in durations_s]
+            assert any(fit), (entry.lexeme, durations_s)
+
+
+def test_some_variant_fits_a_stroke_of_usual_length_with_the_shortest_hold(library: Library) -> None:
+    """Paper §3.8, eq. 5, with the point of emphasis at .61 of the stroke, as the schedule has it."""
+    for entry in entries():
+        stroke, hold = entry.timing.stroke, entry.timing.hold
+        assert stroke is not None
+        room_s = (1 - 0.61) * stroke.usual_s + hold.shortest_s
+        for hand, level in product(hands_asked(entry), Level):
+            marks = [found.markers for found in library.clips(entry.lexeme, level, hand)]
+            assert min(mark.relax - mark.stroke for mark in marks) <= room_s + 1e-3, (entry.lexeme, level)
+
+
+def test_no_wrist_is_out_of_reach(library: Library) -> None:
+    """An arm is .53 m long; the last centimetre is left to be eased into."""
+    skeleton = Skeleton.standing()
+    shoulder_m = np.sum(skeleton.offsets_m[skeleton.chain("spine", "chest", "upperChest")], axis=0)
+    shoulder_m = shoulder_m + np.sum(skeleton.offsets_m[skeleton.chain("leftShoulder", "leftUpperArm")], axis=0)
+    for found in made(library):
+        for wrists in wrists_m(found):
+            assert max(np.linalg.norm(wrist - shoulder_m) for wrist in wrists) <= 0.54, found.name
+
+
+def test_no_wrist_is_in_the_body(library: Library) -> None:
+    for found in made(library):
+        for wrists in wrists_m(found):
+            for outwards, _up, away in wrists:
+                assert away >= CHEST_M or outwards >= 0.2, (found.name, found.level)
+
+
+def test_two_hands_stay_apart(library: Library) -> None:
+    definitions: dict[str, Definition] = {definition.name: definition for definition in library.definitions}
+    for found in made(library):
+        least_m = 0.04 if TOUCHING & set(definitions[found.name].categories) else 0.12
+        for left, *right in wrists_m(found):
+            for other in right:
+                assert np.linalg.norm(left - other * [-1, 1, 1]) >= least_m, (found.name, found.level)
