@@ -60,6 +60,13 @@ def test_a_category_is_shown_with_all_its_gestures(capfdbinary: Captured) -> Non
     assert _run(capfdbinary, "gestures", "show", "SMALL")[1].startswith("small: lexicon/gestures/small.gesture:1\n")
 
 
+def test_a_file_that_is_not_in_the_library_is_shown(capfdbinary: Captured, tmp_path: Path) -> None:
+    path = tmp_path / "own.gesture"
+    path.write_text(f"# Mine.\n{gesture(name='own')}", encoding="utf-8")
+    out = _run(capfdbinary, "gestures", "show", str(path))[1]
+    assert out.splitlines()[:3] == [f"own: {path}:2", "    # Mine.", "    GESTURECLASS beat"]
+
+
 def test_an_unknown_name(capfdbinary: Captured) -> None:
     code, out, err = _run(capfdbinary, "gestures", "show", "smal")
     assert (code, out) == (2, "")

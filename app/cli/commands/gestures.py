@@ -16,7 +16,7 @@ from app.proofreading import check_files
 from app.realizer.clips import clip as clip_of
 from app.realizer.gesture import Clip, Definition
 from app.realizer.key_poses import key_poses
-from app.realizer.library import Library
+from app.realizer.library import SUFFIX, read_definitions
 from app.realizer.sheet import Still, draw_stills
 from app.realizer.skeleton import Skeleton
 
@@ -45,14 +45,14 @@ def _list(arguments: argparse.Namespace, _log: Log) -> None:
 
 
 def _show(arguments: argparse.Namespace, _log: Log) -> None:
-    _print(line for one in _named(load_gestures(), arguments.name) for line in (*explanation(one), ""))
+    _print(line for one in _named(arguments.name) for line in (*explanation(one), ""))
 
 
 def _render(arguments: argparse.Namespace, log: Log) -> None:
     require_plot(arguments.output)
     require_writable(arguments.output, field="output")
     hand = Hand(arguments.hand) if arguments.hand else None
-    named = _named(load_gestures(), arguments.name)
+    named = _named(arguments.name)
     clips = [clip for one in named for clip in _fitting(one, Level(arguments.level), hand)]
     if not clips:
         raise InputError("unfit_gesture", f"{arguments.name} is not for {arguments.level} agitation", field="level")
@@ -72,8 +72,11 @@ def _fitting(definition: Definition, level: Level, hand: Hand | None) -> Sequenc
     return (clip_of(definition, level, hand or definition.hand or Hand.RIGHT, definition.categories[0]),)
 
 
-def _named(library: Library, name: str) -> Sequence[Definition]:
-    """The gestures of a category, or the gesture of that name; raises InputError `unknown_name`."""
+def _named(name: str) -> Sequence[Definition]:
+    """The gestures of a category or in a file, or the gesture of that name; raises InputError `unknown_name`."""
+    if name.endswith(SUFFIX):
+        return read_definitions([Path(name)])
+    library = load_gestures()
     return library.by_category.get(name) or (library.definition(name),)
 
 
