@@ -10,7 +10,6 @@ exactly nothing, so that a moment depends on few phones. Departure from §3.8 of
 of diphones: they are not public; dominance does for every pair of phones what they do for some.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,6 +21,7 @@ from app.realizer.face_tables import Dominance
 HORIZON_S = 0.45
 
 _SOFTENING_S = 0.004
+_FRAMES_AT_ONCE = 64
 
 Numbers = NDArray[np.int64]
 
@@ -34,52 +34,40 @@ class Segments:
     start_s: FloatArray
     end_s: FloatArray
 
+    def between(self, start_s: float, end_s: float) -> slice:
+        """Which of them are at least partly there."""
+        return slice(int(np.searchsorted(self.end_s, start_s)), int(np.searchsorted(self.start_s, end_s, side="right")))
+
 
 def blend(
     dominance: Dominance, segments: Segments, targets: FloatArray, articulator: Numbers, times_s: FloatArray
 ) -> FloatArray:
     """The mean (T, channels) of `targets` (segments, channels), each weighted by dominance over its articulator."""
-    total = np.zeros((len(times_s), dominance.strength.shape[1]))
-    weighted = np.zeros((len(times_s), targets.shape[1]))
-    for segment, weight in _neighbours(dominance, segments, times_s):
-        total += weight
-        weighted += weight[:, articulator] * targets[segment]
-    return np.asarray(weighted / total[:, articulator])
+    blended = np.empty((len(times_s), targets.shape[1]))
+    for first in range(0, len(times_s), _FRAMES_AT_ONCE):
+        frames = slice(first, first + _FRAMES_AT_ONCE)
+        at_s = times_s[frames]
+        near = segments.between(float(at_s[0]) - HORIZON_S, float(at_s[-1]) + HORIZON_S)
+        weights = _weights(dominance, segments, near, at_s)
+        for number, weight in enumerate(weights / weights.sum(axis=-1, keepdims=True)):
+            blended[frames, articulator == number] = weight @ targets[near][:, articulator == number]
+    return blended
 
 
-def _neighbours(dominance: Dominance, segments: Segments, times_s: FloatArray) -> Iterator[tuple[Numbers, FloatArray]]:
-    """For each moment the phone said then, the one before, the one behind and so on to the horizon: the number of the
-    segment (T,) and its dominance (T, articulators), zero where there is none."""
-    last = len(segments.kind) - 1
-    now = np.clip(np.searchsorted(segments.start_s, times_s, side="right") - 1, 0, last)
-    reach = _reach(segments)
-    for step in range(-reach, reach + 1):
-        segment = np.clip(now + step, 0, last)
-        there = (now + step == segment)[:, None]
-        yield segment, np.where(there, _weight(dominance, segments, segment, times_s), 0.0)
-
-
-def _reach(segments: Segments) -> int:
-    """The most segments that begin within a horizon after another's end, or end within one before its start."""
-    number = np.arange(len(segments.kind))
-    behind = np.searchsorted(segments.start_s, segments.end_s + HORIZON_S) - 1 - number
-    before = number - np.searchsorted(segments.end_s, segments.start_s - HORIZON_S)
-    return int(max(behind.max(), before.max()))
-
-
-def _weight(dominance: Dominance, segments: Segments, segment: Numbers, times_s: FloatArray) -> FloatArray:
-    kind = segments.kind[segment]
-    start_s, end_s, at_s = (each[:, None] for each in (segments.start_s[segment], segments.end_s[segment], times_s))
-    inset_s = np.minimum(dominance.inset_s, (end_s - start_s) / 2)
-    ahead_s = _softened(start_s + inset_s - at_s)
-    behind_s = _softened(at_s - end_s + inset_s)
-    fading = ahead_s / dominance.before_s[kind] + behind_s / dominance.after_s[kind]
-    outside_s = np.maximum(np.maximum(start_s - at_s, at_s - end_s), 0)
-    within = np.maximum(1 - (outside_s / HORIZON_S) ** 2, 0)
-    return np.asarray(dominance.strength[kind] * np.exp(-fading) * within)
+def _weights(dominance: Dominance, segments: Segments, near: slice, at_s: FloatArray) -> FloatArray:
+    """The dominance (articulators, T, segments) at each moment of the segments in `near`."""
+    kind, start_s, end_s = segments.kind[near], segments.start_s[near], segments.end_s[near]
+    strength, before_s, after_s = (
+        table[kind].T[:, None] for table in (dominance.strength, dominance.before_s, dominance.after_s)
+    )
+    ahead_s, behind_s = start_s - at_s[:, None], at_s[:, None] - end_s
+    within = np.maximum(1 - (np.maximum(np.maximum(ahead_s, behind_s), 0) / HORIZON_S) ** 2, 0)
+    inset_s = np.minimum(dominance.inset_s[:, None, None], (end_s - start_s) / 2)
+    fading = _softened(ahead_s + inset_s) / before_s + _softened(behind_s + inset_s) / after_s
+    return np.asarray(strength * np.exp(-fading) * within)
 
 
 def _softened(distance_s: FloatArray) -> FloatArray:
     """The positive part, without a corner."""
     positive = np.maximum(distance_s, 0)
-    return np.asarray(np.hypot(positive, _SOFTENING_S) - _SOFTENING_S)
+    return np.asarray(np.sqrt(positive * positive + _SOFTENING_S**2) - _SOFTENING_S)

@@ -19,7 +19,7 @@ from app.realizer.coarticulation import Segments, blend
 from app.realizer.face_tables import INDEX, SILENCE, VISEMES, Articulator, VisemeTable
 from app.realizer.motion import SHAPES
 
-LEAD_S = 0.02
+LEAD_S = 0.015
 
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 _MARGIN_S = 1.0
