@@ -5,17 +5,21 @@ follows at most four joints, whose weights sum to 1.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 import numpy as np
 
 from app.model import FloatArray
+from app.realizer import mannequin_head
 from app.realizer.mannequin_body import GARMENTS, capsules, t_pose_m
+from app.realizer.mannequin_eyes import ball, brow, lids
+from app.realizer.mannequin_face import displacements_m
+from app.realizer.mannequin_mouth import teeth, tongue
 from app.realizer.mannequin_surface import Capsule, IntArray, Surface, distances_m, mesh
 from app.realizer.motion import SHAPES
 from app.realizer.rotations import rotate
-from app.realizer.skeleton import Skeleton, forward
+from app.realizer.skeleton import SIDES, Skeleton, forward
 
 INFLUENCES = 4
 
@@ -28,6 +32,14 @@ COLOURS: Mapping[str, tuple[float, float, float]] = MappingProxyType(
         "jumper": (0.10, 0.20, 0.27),
         "trousers": (0.055, 0.065, 0.085),
         "shoes": (0.03, 0.03, 0.035),
+        "hair": (0.045, 0.03, 0.022),
+        "lips": (0.50, 0.235, 0.19),
+        "mouth": (0.10, 0.02, 0.02),
+        "teeth": (0.80, 0.77, 0.70),
+        "tongue": (0.45, 0.14, 0.13),
+        "eye_white": (0.82, 0.82, 0.80),
+        "iris": (0.10, 0.17, 0.20),
+        "pupil": (0.008, 0.008, 0.01),
     }
 )
 
@@ -60,7 +72,56 @@ class Mannequin:
         for garment, its in made.items():
             surface = mesh(its, melt_m=garment.melt_m, grid_m=garment.grid_m)
             parts.append(Part(garment.material, surface, *_skinned(surface.positions_m, bones, skeleton)))
-        return cls(skeleton, tuple(parts))
+        return cls(skeleton, (*parts, *_head_parts(skeleton)))
+
+
+def _head_parts(skeleton: Skeleton) -> tuple[Part, ...]:
+    """Everything that the head joint carries, and the eyeballs."""
+    moving = list(mannequin_head.skin())
+    moving += [("teeth", *teeth(upper=upper)) for upper in (True, False)]
+    moving.append(("tongue", *tongue()))
+    fixed = [("skin", mannequin_head.ears(), "head"), ("hair", mannequin_head.hair(), "head")]
+    for side in SIDES:
+        eye_m = skeleton.offsets_m[skeleton.index[f"{side}Eye"]]
+        moving += [*lids(eye_m, side), ("hair", *brow(side))]
+        fixed += [(material, surface, f"{side}Eye") for material, surface in ball(eye_m)]
+    head_m = t_pose_m(skeleton)[skeleton.index["head"]]
+    rigid = [_rigid(material, surface, skeleton.index[joint], head_m) for material, surface, joint in fixed]
+    carried = [
+        replace(_rigid(material, surface, skeleton.index["head"], head_m), shapes=displacements_m(tissue))
+        for material, surface, tissue in moving
+    ]
+    return (*rigid, *carried)
+
+
+def _rigid(material: str, surface: Surface, joint: int, origin_m: FloatArray) -> Part:
+    """A part that follows one joint, whose surface is given about `origin_m`."""
+    count = len(surface.positions_m)
+    joints = np.zeros((count, INFLUENCES), dtype=np.int64)
+    joints[:, 0] = joint
+    weights = np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
+    return Part(material, replace(surface, positions_m=surface.positions_m + origin_m), joints, weights)
+
+
+def joined(parts: tuple[Part, ...]) -> tuple[Part, ...]:
+    """The parts of each material as one, so that a renderer draws it at once."""
+    materials = dict.fromkeys(part.material for part in parts)
+    return tuple(_as_one(tuple(part for part in parts if part.material == material)) for material in materials)
+
+
+def _as_one(parts: tuple[Part, ...]) -> Part:
+    starts = np.cumsum([0, *(len(part.joints) for part in parts)])
+    surface = Surface(
+        np.concatenate([part.surface.positions_m for part in parts]),
+        np.concatenate([part.surface.normals for part in parts]),
+        np.concatenate([part.surface.triangles + start for part, start in zip(parts, starts, strict=False)]),
+    )
+    shapes = {name: np.zeros_like(surface.positions_m) for part in parts for name in part.shapes}
+    for part, start in zip(parts, starts, strict=False):
+        for name, moved in part.shapes.items():
+            shapes[name][start : start + len(moved)] = moved
+    joints, weights = (np.concatenate([getattr(part, name) for part in parts]) for name in ("joints", "weights"))
+    return Part(parts[0].material, surface, joints, weights, shapes)
 
 
 def posed(mannequin: Mannequin, rotations: FloatArray, hips_m: FloatArray, shapes: FloatArray) -> tuple[Surface, ...]:

@@ -124,23 +124,12 @@ NECK = Garment(
     melt_m=0.008,
     grid_m=0.012,
     middle=(
-        Bone("neck", "head", 0.053, 0.050, (0, -0.07, 0.002), (0, -0.02, 0.0)),
-        Bone("head", "head", 0.050, 0.050, (0, -0.02, 0.0), (0, 0.04, 0.004)),
+        Bone("neck", "head", 0.051, 0.046, (0, -0.07, 0.002), (0, -0.02, 0.0)),
+        Bone("head", "head", 0.046, 0.046, (0, -0.02, 0.0), (0, 0.04, 0.004)),
     ),
 )
 
-HEAD = Garment(
-    "skin",
-    melt_m=0.012,
-    grid_m=0.011,
-    middle=(
-        Bone("head", "head", 0.088, 0.090, (0, 0.105, -0.02), (0, 0.105, 0.006), (0.86, 1.05, 1)),
-        Bone("head", "head", 0.062, 0.050, (0, 0.06, 0.03), (0, 0.01, 0.045), (0.95, 1, 1)),
-        Bone("head", "head", 0.010, 0.014, (0, 0.075, 0.09), (0, 0.045, 0.104)),
-    ),
-)
-
-GARMENTS: tuple[Garment, ...] = (JUMPER, TROUSERS, SHOES, HANDS, NECK, HEAD)
+GARMENTS: tuple[Garment, ...] = (JUMPER, TROUSERS, SHOES, HANDS, NECK)
 
 
 def capsules(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:

@@ -1,0 +1,126 @@
+"""glTF binary: the mannequin, skinned, with a face of 52 ARKit shapes and 15 visemes, and its motion.
+
+Conventions (shared/motion.md): metres, seconds from the first frame, LINEAR tracks. Rotations of neighbouring keys have
+one sign. The weights of all shapes are one track; the visemes' stay 0: the ARKit shapes show what they would.
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from app.model import FloatArray
+from app.realizer.exporting.gltf import Accessors, Json, Tracks, binary, joint_nodes
+from app.realizer.mannequin import COLOURS, Mannequin, Part, joined
+from app.realizer.mannequin_body import t_pose_m
+from app.realizer.mannequin_face import FACE_SHAPES
+from app.realizer.motion import Motion
+from app.realizer.rotations import of_one_sign
+from app.realizer.skeleton import Skeleton
+
+
+def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:
+    """The file; any glTF viewer shows it."""
+    mannequin = Mannequin.around(skeleton)
+    accessors = Accessors()
+    nodes = joint_nodes(skeleton)
+    still = joined(tuple(part for part in mannequin.parts if not part.shapes))
+    moving = joined(tuple(part for part in mannequin.parts if part.shapes))
+    meshes = [_mesh("Body", still, accessors), _mesh("Face", moving, accessors)]
+    face = len(nodes) + 1
+    nodes += [{"name": mesh["name"], "mesh": number, "skin": 0} for number, mesh in enumerate(meshes)]
+    tree: dict[str, Json] = {
+        "scene": 0,
+        "scenes": [{"name": "Understudy", "nodes": [0, face - 1, face]}],
+        "nodes": nodes,
+        "meshes": meshes,
+        "materials": [_material(name) for name in COLOURS],
+        "skins": [_skin(skeleton, accessors)],
+        "animations": [_animation(motion, face, accessors)],
+    }
+    return binary(tree, accessors)
+
+
+def described(motion: Motion) -> dict[str, Json]:
+    """What the motion is of, for programs: events by BML id, in seconds from the first frame, and decisions."""
+    start_s = float(motion.body.times_s[0])
+    return {
+        "frame_rate_hz": motion.frame_rate_hz,
+        "audio_offset_s": round(start_s, 6),
+        "events": [
+            {"behavior": event.behavior, "point": event.point, "time_s": round(event.time_s - start_s, 6)}
+            for event in motion.events()
+        ],
+        "decisions": [
+            {"behavior": each.behavior, "action": each.action, "reason": each.reason} for each in motion.decisions
+        ],
+    }
+
+
+def _mesh(name: str, parts: tuple[Part, ...], accessors: Accessors) -> dict[str, Json]:
+    with_shapes = any(part.shapes for part in parts)
+    mesh: dict[str, Json] = {"name": name, "primitives": [_primitive(part, accessors) for part in parts]}
+    if with_shapes:
+        mesh |= {"weights": [0.0] * len(FACE_SHAPES), "extras": {"targetNames": list(FACE_SHAPES)}}
+    return mesh
+
+
+def _primitive(part: Part, accessors: Accessors) -> Json:
+    surface = part.surface
+    attributes: dict[str, Json] = {
+        "POSITION": accessors.floats(surface.positions_m, bounds=True, target="ARRAY_BUFFER"),
+        "NORMAL": accessors.floats(surface.normals, target="ARRAY_BUFFER"),
+        "JOINTS_0": accessors.joints(np.where(part.weights > 0, part.joints, 0)),
+        "WEIGHTS_0": accessors.floats(part.weights, target="ARRAY_BUFFER"),
+    }
+    primitive: dict[str, Json] = {
+        "attributes": attributes,
+        "indices": accessors.indices(surface.triangles),
+        "material": list(COLOURS).index(part.material),
+    }
+    if part.shapes:
+        nothing = np.zeros_like(surface.positions_m)
+        primitive["targets"] = [
+            {"POSITION": accessors.displacements(part.shapes.get(name, nothing))} for name in FACE_SHAPES
+        ]
+    return primitive
+
+
+def _material(name: str) -> Json:
+    return {
+        "name": name,
+        "pbrMetallicRoughness": {
+            "baseColorFactor": [*COLOURS[name], 1.0],
+            "metallicFactor": 0.0,
+            "roughnessFactor": 0.35 if name in _GLOSSY else 0.8,
+        },
+    }
+
+
+def _skin(skeleton: Skeleton, accessors: Accessors) -> Json:
+    """The joints' inverse bind matrices: in the T-pose nothing turns, so they only move."""
+    matrices = np.tile(np.eye(4), (len(skeleton.names), 1, 1))
+    matrices[:, 3, :3] = -t_pose_m(skeleton)
+    return {
+        "inverseBindMatrices": accessors.floats(matrices),
+        "skeleton": 0,
+        "joints": list(range(len(skeleton.names))),
+    }
+
+
+def _animation(motion: Motion, face: int, accessors: Accessors) -> Json:
+    tracks = Tracks(accessors, clock_s(motion))
+    tracks.add(0, "translation", motion.body.hips_m)
+    for joint in range(motion.body.rotations.shape[1]):
+        tracks.add(joint, "rotation", of_one_sign(motion.body.rotations[:, joint]))
+    weights = np.zeros((len(motion.shapes), len(FACE_SHAPES)))
+    weights[:, : motion.shapes.shape[1]] = np.clip(motion.shapes, 0.0, 1.0)
+    tracks.add(face, "weights", weights)
+    return {"name": "performance", **tracks.tree(), "extras": described(motion)}
+
+
+def clock_s(motion: Motion) -> FloatArray:
+    """The frames' times (T,) from the first on."""
+    return np.arange(len(motion.body.times_s)) / motion.frame_rate_hz
+
+
+_GLOSSY: Mapping[str, None] = {"eye_white": None, "iris": None, "pupil": None}

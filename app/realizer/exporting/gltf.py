@@ -1,0 +1,169 @@
+"""glTF 2.0 as binary files: arrays become accessors in one buffer, and a JSON tree says what they are.
+
+Conventions: numbers are little-endian, every view starts at a multiple of four bytes, and equal arrays are stored once.
+"""
+
+import json
+import struct
+from collections.abc import Mapping, Sequence
+from typing import Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app import __version__
+from app.model import FloatArray
+from app.realizer.mannequin_surface import IntArray
+from app.realizer.skeleton import Skeleton
+
+Json: TypeAlias = "str | int | float | bool | Sequence[Json] | Mapping[str, Json] | None"
+Target = Literal["ARRAY_BUFFER", "ELEMENT_ARRAY_BUFFER"]
+
+FLOAT, UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT = 5126, 5121, 5123, 5125
+_TARGETS = {"ARRAY_BUFFER": 34962, "ELEMENT_ARRAY_BUFFER": 34963}
+_SHAPES = {(): "SCALAR", (2,): "VEC2", (3,): "VEC3", (4,): "VEC4", (4, 4): "MAT4"}
+_MAGIC, _VERSION, _JSON_CHUNK, _BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
+
+
+class Accessors:
+    """The accessors of a file as they are added, and the bytes that stand behind them."""
+
+    def __init__(self) -> None:
+        self._views: list[dict[str, Json]] = []
+        self._accessors: list[dict[str, Json]] = []
+        self._chunks: list[bytes] = []
+        self._length = 0
+        self._known: dict[tuple[str, str, bytes], int] = {}
+
+    def floats(self, values: FloatArray, *, bounds: bool = False, target: Target | None = None) -> int:
+        """An accessor of 32-bit floats (N, …), with their least and greatest values if wanted; its number."""
+        return self._add(values.astype("<f4"), FLOAT, bounds=bounds, target=target)
+
+    def indices(self, triangles: IntArray) -> int:
+        """An accessor of vertex numbers, for triangles (F, 3)."""
+        flat = triangles.reshape(-1)
+        if flat.max(initial=0) < 2**16 - 1:
+            return self._add(flat.astype("<u2"), UNSIGNED_SHORT, target="ELEMENT_ARRAY_BUFFER")
+        return self._add(flat.astype("<u4"), UNSIGNED_INT, target="ELEMENT_ARRAY_BUFFER")
+
+    def joints(self, joints: IntArray) -> int:
+        """An accessor of the joints (V, 4) that vertices follow."""
+        return self._add(joints.astype("<u1"), UNSIGNED_BYTE, target="ARRAY_BUFFER")
+
+    def displacements(self, values: FloatArray) -> int:
+        """A sparse accessor of vectors (V, 3), most of which are zero."""
+        stored = values.astype("<f4")
+        where = np.flatnonzero(np.any(stored != 0, axis=1))
+        accessor: dict[str, Json] = {
+            "componentType": FLOAT,
+            "count": len(stored),
+            "type": "VEC3",
+            "min": stored.min(axis=0).tolist(),
+            "max": stored.max(axis=0).tolist(),
+        }
+        if len(where):
+            accessor["sparse"] = {
+                "count": len(where),
+                "indices": {"bufferView": self._view(where.astype("<u2").tobytes()), "componentType": UNSIGNED_SHORT},
+                "values": {"bufferView": self._view(stored[where].tobytes())},
+            }
+        self._accessors.append(accessor)
+        return len(self._accessors) - 1
+
+    def tree(self) -> dict[str, Json]:
+        """What the JSON tree says of them."""
+        return {
+            "accessors": self._accessors,
+            "bufferViews": self._views,
+            "buffers": [{"byteLength": self._length}],
+        }
+
+    def content(self) -> list[bytes]:
+        """The buffer, in pieces."""
+        return self._chunks
+
+    def _add(
+        self, stored: NDArray[np.generic], component: int, *, bounds: bool = False, target: Target | None = None
+    ) -> int:
+        content = stored.tobytes()
+        key = (str(stored.shape), str((stored.dtype, bounds, target)), content)
+        if key in self._known:
+            return self._known[key]
+        accessor: dict[str, Json] = {
+            "bufferView": self._view(content, target),
+            "componentType": component,
+            "count": len(stored),
+            "type": _SHAPES[stored.shape[1:]],
+        }
+        if bounds:
+            accessor |= {
+                "min": np.atleast_1d(stored.min(axis=0)).tolist(),
+                "max": np.atleast_1d(stored.max(axis=0)).tolist(),
+            }
+        self._accessors.append(accessor)
+        if len(content) < 2**16:
+            self._known[key] = len(self._accessors) - 1
+        return len(self._accessors) - 1
+
+    def _view(self, content: bytes, target: Target | None = None) -> int:
+        view: dict[str, Json] = {"buffer": 0, "byteOffset": self._length, "byteLength": len(content)}
+        if target:
+            view["target"] = _TARGETS[target]
+        padding = -len(content) % 4
+        self._chunks += [content, b"\0" * padding]
+        self._length += len(content) + padding
+        self._views.append(view)
+        return len(self._views) - 1
+
+
+def binary(tree: Mapping[str, Json], accessors: Accessors) -> bytes:
+    """The file: `tree` with the accessors' part added, and the buffer."""
+    asset = {"version": "2.0", "generator": f"Understudy {__version__}"}
+    described = json.dumps({"asset": asset, **tree, **accessors.tree()}, separators=(",", ":")).encode()
+    described += b" " * (-len(described) % 4)
+    chunks = accessors.content()
+    length = sum(map(len, chunks))
+    header = struct.pack("<III", _MAGIC, _VERSION, 12 + 8 + len(described) + 8 + length)
+    json_header = struct.pack("<II", len(described), _JSON_CHUNK)
+    return b"".join([header, json_header, described, struct.pack("<II", length, _BINARY_CHUNK), *chunks])
+
+
+def joint_nodes(skeleton: Skeleton) -> list[dict[str, Json]]:
+    """A node for each joint, in the skeleton's order, in the T-pose."""
+    nodes: list[dict[str, Json]] = []
+    for joint, name in enumerate(skeleton.names):
+        children = [child for child, parent in enumerate(skeleton.parents) if parent == joint]
+        node: dict[str, Json] = {"name": name, "translation": [float(part) for part in skeleton.offsets_m[joint]]}
+        nodes.append(node | ({"children": children} if children else {}))
+    return nodes
+
+
+class Tracks:
+    """The channels and samplers of an animation, all linear. What never moves gets one key."""
+
+    def __init__(self, accessors: Accessors, times_s: FloatArray) -> None:
+        """`times_s` (T,) rise strictly from 0."""
+        self._accessors = accessors
+        self._times_s = times_s
+        self._channels: list[Json] = []
+        self._samplers: list[Json] = []
+
+    def add(self, node: int, path: str, values: FloatArray) -> None:
+        """The values (T, …) of a node's rotation, translation or weights."""
+        stored = values.astype(np.float32)
+        moves = bool(np.any(stored != stored[:1]))
+        kept = values if moves else values[:1]
+        if path == "weights":
+            kept = kept.reshape(-1)
+        times_s = self._times_s if moves else self._times_s[:1]
+        sampler: Json = {
+            "input": self._accessors.floats(times_s, bounds=True),
+            "output": self._accessors.floats(kept),
+            "interpolation": "LINEAR",
+        }
+        self._samplers.append(sampler)
+        self._channels.append({"sampler": len(self._samplers) - 1, "target": {"node": node, "path": path}})
+
+    def tree(self) -> dict[str, Json]:
+        """What the JSON tree says of them."""
+        return {"channels": self._channels, "samplers": self._samplers}
