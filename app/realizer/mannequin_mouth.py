@@ -1,4 +1,4 @@
-"""The teeth and tongue of the mannequin, in metres in the space of the head joint. The jaw has all but the upper teeth."""
+"""The teeth and tongue, in metres in the space of the head joint. The upper teeth stay with the skull."""
 
 from itertools import pairwise
 
