@@ -1,6 +1,6 @@
 """Proofreads what authors edit: all that is in use, or files that are not in use yet."""
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
@@ -8,9 +8,10 @@ from types import MappingProxyType
 from app.acoustic.normalisation import Normaliser
 from app.authored import Source
 from app.bml.characters import Characters
-from app.bml.table import load_table
+from app.bml.table import BehaviorEntry, load_table
 from app.catalogue import RULES, load_characters, load_gestures
 from app.errors import AuthoringError, InputError, Mistake
+from app.model import Channel, Hand, Level
 from app.realizer.aliases import ALIASES, read_aliases
 from app.realizer.exporting.retargeting import load_rigs
 from app.realizer.face_tables import FaceTables
@@ -47,7 +48,8 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
 def check_files_in_use() -> None:
     """Checks all that the program uses; raises AuthoringError with every mistake.
 
-    Mapping rules are checked against the behaviour table, so mistakes in the table hide theirs.
+    Mapping rules are checked against the behaviour table, so mistakes in the table hide theirs; whether there are
+    gestures for all of the table shows when there are no other mistakes.
     """
     lexicon = resource_folder("lexicon")
     mistakes = _mistakes_of(
@@ -57,7 +59,23 @@ def check_files_in_use() -> None:
         load_gestures,
         partial(FaceTables.load, lexicon / "face.yaml"),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
-    )
+    ) or _mistakes_of(lambda: check_coverage(lexicon, load_gestures()))
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+
+
+def check_coverage(lexicon: Path, library: Library) -> None:
+    """Raises AuthoringError with every entry of the table or of a character for which the library has no gesture, at
+    each level of agitation and with the entry's hand, or either."""
+    table = load_table(lexicon / "behaviors.yaml")
+    source = Source(lexicon / "behaviors.yaml")
+    mistakes = [found for name in table.lines for found in _unshown(source, table.entry(name), library)]
+    for character in Characters.load(lexicon).by_name.values():
+        source = Source(lexicon / "characters" / f"{character.name}.yaml")
+        for entry in character.entries.values():
+            usual = table.entry(entry.name)
+            if (entry.lexeme, entry.hand) != (usual.lexeme, usual.hand):
+                mistakes += _unshown(source, entry, library)
     if mistakes:
         raise AuthoringError(tuple(mistakes))
 
@@ -78,6 +96,16 @@ def check_files(paths: Iterable[Path]) -> int:
     if mistakes:
         raise AuthoringError(tuple(mistake for mistake in mistakes if mistake.path in files) or tuple(mistakes))
     return len(files)
+
+
+def _unshown(source: Source, entry: BehaviorEntry, library: Library) -> Iterator[Mistake]:
+    if entry.channel is not Channel.GESTURE:
+        return
+    for hand in (entry.hand,) if entry.hand else (Hand.LEFT, Hand.RIGHT):
+        missing = [level for level in Level if not library.clips(entry.lexeme, level, hand)]
+        if missing:
+            told = f"no gesture shows {entry.lexeme} at {', '.join(missing)} agitation with hand {hand}"
+            yield source.mistake(("behaviors", entry.name), told)
 
 
 def _authored_files(path: Path) -> list[Path]:

@@ -1,11 +1,18 @@
 """Mistakes in what authors edit are told with file and line, all at once."""
 
+import shutil
+from dataclasses import replace
 from pathlib import Path
+from types import MappingProxyType
 
 import pytest
 
+from app.catalogue import load_gestures
 from app.errors import AuthoringError, InputError
-from app.proofreading import check_files, check_files_in_use
+from app.model import Level
+from app.proofreading import check_coverage, check_files, check_files_in_use
+from app.realizer.gesture import Expressivity
+from app.realizer.library import Library
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -56,6 +63,41 @@ def test_the_mistakes_of_all_files_come_at_once(tmp_path: Path) -> None:
     with pytest.raises(AuthoringError) as caught:
         check_files([tmp_path])
     assert {mistake.path.name for mistake in caught.value.mistakes} == together
+
+
+def test_every_gesture_of_the_table_and_the_characters_can_be_shown() -> None:
+    check_coverage(ROOT / "lexicon", load_gestures())
+
+
+def test_a_gesture_that_cannot_be_shown_is_told_where_it_is_asked_for(tmp_path: Path) -> None:
+    """The library is shown as without the gestures for ME, and without calm ones for YOU."""
+    library = load_gestures()
+    calm = MappingProxyType({Level.HIGH: Expressivity()})
+    rest = [
+        replace(one, levels=calm) if "YOU" in one.categories else one
+        for one in library.definitions
+        if "ME" not in one.categories
+    ]
+    shutil.copytree(ROOT / "lexicon", tmp_path / "lexicon")
+    elder = tmp_path / "lexicon" / "characters" / "formal_elder.yaml"
+    elder.write_text(elder.read_text(encoding="utf-8").replace("PALMS_TOGETHER", "PALMS_APART", 1), encoding="utf-8")
+    with pytest.raises(AuthoringError) as caught:
+        check_coverage(tmp_path / "lexicon", Library.of(rest))
+    told = [(one.path.name, one.source_line.split(":")[0].strip(), one.message) for one in caught.value.mistakes]
+    both = [
+        (
+            "formal_elder.yaml",
+            "gesture_apology",
+            "no gesture shows PALMS_APART at low, medium, high agitation with hand both",
+        )
+    ]
+    assert [one for one in told if "PALMS" in one[2]] == both
+    assert (
+        "behaviors.yaml",
+        "gesture_me_both",
+        "no gesture shows ME at low, medium, high agitation with hand both",
+    ) in told
+    assert ("behaviors.yaml", "gesture_you", "no gesture shows YOU at low, medium agitation with hand left") in told
 
 
 def test_good_files_are_counted(tmp_path: Path) -> None:
