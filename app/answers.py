@@ -29,6 +29,10 @@ def _set_points(sync: SyncPoints) -> dict[str, float]:
     return dict(sync.in_order())
 
 
+def _if_so(flag: bool) -> bool | None:
+    return flag or None
+
+
 Number = Annotated[float, AfterValidator(_rounded)]
 Times = Annotated[dict[str, Number], BeforeValidator(_set_points)]
 
@@ -60,7 +64,10 @@ class PhoneAnswer(Answer):
 
 
 class WordAnswer(Answer):
-    """A word of the transcript; one that is not spoken, such as a lone dash, has no times."""
+    """A word of the transcript; one that is not spoken, such as a lone dash, has no times.
+
+    `spread` is there, and true, where the times are guessed from loudness.
+    """
 
     index: int
     text: str
@@ -68,6 +75,7 @@ class WordAnswer(Answer):
     end_s: Number | None = Field(default=None, validation_alias=AliasPath("interval", "end_s"))
     stressed_ratio: Number | None = None
     prominence: Number | None = None
+    spread: Annotated[bool | None, BeforeValidator(_if_so)] = None
     phones: list[PhoneAnswer]
 
 

@@ -105,6 +105,7 @@ class Word:
     """A word of the transcript; without audio it has no interval, no phones, no stressed ratio and no prominence.
 
     Both tell how it stands out, in [0, 1]: the ratio is the paper's (§3.1.5), prominence is ours; it needs phones.
+    `spread` tells that its times were guessed from loudness alone.
     """
 
     index: int
@@ -113,6 +114,7 @@ class Word:
     phones: tuple[Phone, ...] = ()
     stressed_ratio: float | None = None
     prominence: float | None = None
+    spread: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,7 @@
 """The JSON shapes of CONTRACT.md, from values made by hand."""
 
 import json
+from dataclasses import replace
 from typing import Any
 
 from app.answers import (
@@ -149,6 +150,12 @@ def test_a_performance_is_an_analysis_with_its_movements() -> None:
     assert [behavior["id"] for behavior in told["behaviors"]] == ["b1", "b2", "b3"]
     whole = _told(PerformAnswer.of(PERFORMANCE, "<bml>é</bml>".encode()))
     assert whole == {"bml": "<bml>é</bml>", "performance": told, "warnings": told["warnings"]}
+
+
+def test_a_word_says_so_when_its_times_are_guessed_and_only_then() -> None:
+    guessed = replace(WORDS[0], spread=True)
+    assert _told(WordAnswer.model_validate(guessed))["spread"] is True
+    assert "spread" not in _told(WordAnswer.model_validate(WORDS[0]))
 
 
 def test_the_small_shapes() -> None:

@@ -49,6 +49,7 @@ def test_a_text_below_the_limit_is_refused_and_just_above_it_suspect() -> None:
     assert (caught.value.code, caught.value.field) == ("transcript_mismatch", "text")
     (notice,) = check_fit(_audio(), (_word(),), _scored(MISMATCH_SCORE + 1))
     assert notice.code == "transcript_suspect"
+    assert "worst at word 0 (ah)" in notice.message
 
 
 def test_noise_lowers_the_limits_and_refuses_nothing() -> None:
@@ -63,7 +64,7 @@ def test_sound_outside_the_words_is_suspect() -> None:
     assert power_outside(_audio(), (_word(),)) == pytest.approx(0.0, abs=0.01)
     assert power_outside(_audio(), (_word(0.25, 0.5),)) == pytest.approx(0.5, abs=0.02)
     (notice,) = check_fit(_audio(), (_word(0.25, 0.5),), _scored(-12))
-    assert "50% of the sound lies outside the words" in notice.message
+    assert "50% of the sound lies outside the words, most of it after word 0 (ah)" in notice.message
 
 
 def test_a_word_stretched_beyond_speech_is_suspect() -> None:

@@ -26,7 +26,9 @@ def test_words_get_time_by_their_phones_where_it_is_loud() -> None:
     assert two.interval == Interval(3.5, 4.0)
     assert [phone.interval.start_s for phone in one.phones] == [1.0, 1.5, 3.0]
     assert [notice.code for notice in notices] == ["alignment_low_confidence"]
-    assert "all 2 words" in notices[0].message
+    assert "word 0 (x), 1 (x)" in notices[0].message
+    assert one.spread
+    assert two.spread
 
 
 def test_more_than_anybody_can_say_is_refused() -> None:

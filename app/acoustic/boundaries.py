@@ -142,10 +142,12 @@ def kernel(one: FloatArray, other: FloatArray) -> FloatArray:
 
 def _mel_levels(samples: FloatArray) -> FloatArray:
     """Log Mel energies every `STEP_S`, relative to each band's loud frames (95th percentile); shape (steps, bands)."""
-    padded = np.pad(samples / (np.abs(samples).max(initial=0.0) or 1.0), WINDOW_SAMPLES // 2)
-    frames = sliding_window_view(padded, WINDOW_SAMPLES)[:: round(STEP_S * SAMPLE_RATE_HZ)]
+    peak = max(samples.max(initial=0.0), -samples.min(initial=0.0)) or 1.0
+    frames = sliding_window_view(np.pad(samples, WINDOW_SAMPLES // 2), WINDOW_SAMPLES)[
+        :: round(STEP_S * SAMPLE_RATE_HZ)
+    ]
     blocks = [frames[first : first + FRAMES_AT_ONCE] for first in range(0, len(frames), FRAMES_AT_ONCE)]
-    levels = np.vstack([_log_mel(block) for block in blocks])
+    levels = np.vstack([_log_mel(block / peak) for block in blocks])
     return levels - np.percentile(levels, 95, axis=0)
 
 

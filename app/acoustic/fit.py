@@ -78,10 +78,10 @@ def _suspicions(
 ) -> Iterator[str]:
     """What speaks against the text, in words; `noise_db` is what the recording lacks of a clean one."""
     score = alignment_score(decoded)
-    if score < SUSPECT_SCORE - SCORE_PER_DB * noise_db:
-        yield f"it fits badly (score {score:.0f})"
-    limit = POOR_PHONE_SCORE - PHONE_SCORE_PER_DB * noise_db
     scores = [phone.score / phone.frames for word in decoded for phone in word]
+    if score < SUSPECT_SCORE - SCORE_PER_DB * noise_db:
+        yield f"it fits badly (score {score:.0f}), worst at {_names(words, _are_worst(scores))}"
+    limit = POOR_PHONE_SCORE - PHONE_SCORE_PER_DB * noise_db
     if np.percentile(scores, POOR_PHONE_PERCENTILE) < limit:
         yield f"least at {_names(words, [score < limit for score in scores])}"
     stretched = [phone.interval.duration_s > LONGEST_PHONE_S for word in words for phone in word.phones]
@@ -89,7 +89,28 @@ def _suspicions(
         yield f"too long for what they say: {_names(words, stretched)}"
     outside = power_outside(audio, words)
     if outside > MOST_POWER_OUTSIDE:
-        yield f"{outside:.0%} of the sound lies outside the words"
+        yield f"{outside:.0%} of the sound lies outside the words, most of it {_largest_gap(audio, words)}"
+
+
+def _are_worst(scores: list[float]) -> list[bool]:
+    """Whether each phone is among the tenth that fits worst."""
+    limit = np.percentile(scores, POOR_PHONE_PERCENTILE)
+    return [bool(score <= limit) for score in scores]
+
+
+def _largest_gap(audio: Audio, words: tuple[Word, ...]) -> str:
+    """Beside which word there is most sound that lies in no word: "before word 3 (anything)"."""
+    power = frame_power(audio)
+    above = np.concatenate([[0.0], np.cumsum(np.maximum(power - _floor(power), 0.0))]) * FRAME_S
+    timed = [word for word in words if word.interval is not None]
+    starts_s = [word.interval.start_s for word in timed if word.interval]
+    ends_s = [word.interval.end_s for word in timed if word.interval]
+    edges_s = np.arange(len(above)) * FRAME_S
+    gaps = np.interp([*starts_s, audio.duration_s], edges_s, above) - np.interp([0.0, *ends_s], edges_s, above)
+    place = int(np.argmax(gaps))
+    if place < len(timed):
+        return f"before word {timed[place].index} ({timed[place].text})"
+    return f"after word {timed[-1].index} ({timed[-1].text})"
 
 
 def _names(words: tuple[Word, ...], phone_is_odd: list[bool]) -> str:
