@@ -18,11 +18,16 @@ def minimum_jerk(share: FloatArray) -> FloatArray:
 
 
 def changes(times_s: FloatArray, starts_s: FloatArray, durations_s: FloatArray, by: FloatArray) -> FloatArray:
-    """The sum (T, C) of movements by `by` (K, C) that last. One that starts before the other ended is laid over it, as
-    people do when a target jumps (Flash & Henis 1991), so speed has no steps."""
+    """The sum (T, C) of movements by `by` (K, C) that last, at rising `times_s`. One that starts before the other ended
+    is laid over it, as people do when a target jumps (Flash & Henis 1991), so speed has no steps."""
     durations_s = np.maximum(durations_s, SHORTEST_S)
-    done = minimum_jerk((np.asarray(times_s)[:, None] - starts_s) / durations_s)
-    return np.asarray(done @ by)
+    firsts, ends = np.searchsorted(times_s, starts_s), np.searchsorted(times_s, starts_s + durations_s)
+    over = np.zeros((len(times_s) + 1, by.shape[1]))
+    np.add.at(over, ends, by)
+    course = np.cumsum(over[:-1], axis=0)
+    for first, end, start_s, duration_s, change in zip(firsts, ends, starts_s, durations_s, by, strict=True):
+        course[first:end] += minimum_jerk((times_s[first:end] - start_s) / duration_s)[:, None] * change
+    return np.asarray(course)
 
 
 def through(times_s: FloatArray, at_s: FloatArray, values: FloatArray) -> FloatArray:

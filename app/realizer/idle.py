@@ -47,8 +47,8 @@ _BREATH: Mapping[str, Degrees] = MappingProxyType(
 _COLLARBONE_BREATH: Degrees = (0.0, 0.0, 2.5)
 
 _SWAY_HZ = 0.23
-_SWAY_M = 0.014
-_SWAY_DEGREES = 1.5
+_SWAY_M = 0.018
+_SWAY_DEGREES = 2.0
 _STIRRING_HZ = 0.6
 _STIRRING_DEGREES = 1.2
 """Noise of trunk and arms; the usual distance from the middle is a quarter of the amplitude."""
