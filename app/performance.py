@@ -6,7 +6,7 @@ stages; the forms in which results leave (BML, TextGrid, CTM) are passed on from
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial, reduce
 from pathlib import Path
 from typing import Self
@@ -147,11 +147,12 @@ class Aligned:
 
 @dataclass(frozen=True, slots=True)
 class Analysis:
-    """What a line says and does, before any movement is chosen."""
+    """What a line says and does, before any movement is chosen; `heard` is what its signal says, if it has one."""
 
     utterance: Utterance
     functions: tuple[Function, ...]
     notices: tuple[Notice, ...] = ()
+    heard: Heard | None = field(default=None, repr=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -303,7 +304,7 @@ def analyze(
     )
     progress("functions")
     functions = derive_functions(mind.rules, utterance, emphasis=_emphasis(mind.settings), given=line.functions)
-    return Analysis(utterance, functions, heard.notices + timed.notices)
+    return Analysis(utterance, functions, heard.notices + timed.notices, heard)
 
 
 def understand(mind: Mind, text: str) -> Analysis:

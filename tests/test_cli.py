@@ -79,6 +79,22 @@ def test_an_analysis_in_json_with_its_stages_as_json_lines(capfdbinary: Captured
     assert {"event": "stage", "stage": "parse"} in events
 
 
+def test_an_analysis_is_drawn_beside_its_json(capfdbinary: Captured, tmp_path: Path) -> None:
+    picture = tmp_path / "line.png"
+    code, out, _ = _run(capfdbinary, "analyze", AUDIO, "--text", TEXT, "--plot", str(picture))
+    assert (code, json.loads(out)["audio"].keys()) == (0, {"duration_s"})
+    content = picture.read_bytes()
+    width, height = (int.from_bytes(content[place : place + 4], "big") for place in (16, 20))
+    assert content.startswith(b"\x89PNG")
+    assert width > height > 500
+
+
+def test_a_picture_that_is_no_png_is_refused_before_anything_is_heard(capfdbinary: Captured, tmp_path: Path) -> None:
+    code, out, err = _run(capfdbinary, "analyze", AUDIO, "--text", TEXT, "--plot", str(tmp_path / "line.jpg"))
+    assert (code, out) == (2, "")
+    assert "plot_format" in err or ".png" in err
+
+
 def test_alignments_in_three_formats_can_be_read_again(capfdbinary: Captured, tmp_path: Path) -> None:
     code, out, _ = _run(capfdbinary, "align", *LINE)
     words = json.loads(out)["words"]

@@ -9,7 +9,7 @@ from app.cli.lines import read_line
 from app.cli.log import Log
 from app.cli.plot import plot, require_plot
 from app.model import Level
-from app.performance import Understudy, analyze, hear
+from app.performance import Understudy, analyze
 from app.settings import read_settings
 
 
@@ -23,8 +23,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     with Understudy.load(settings) as understudy:
         reference = speaker_reference(understudy.ears, arguments.reference, log)
         analysis = analyze(understudy, line, agitation=level, reference=reference, progress=log.stage)
-        if arguments.plot:
-            write(arguments.plot, plot(analysis, hear(understudy.ears, line.audio)))
+    if arguments.plot and analysis.heard is not None:
+        write(arguments.plot, plot(analysis, analysis.heard))
     write_standard(AnalysisAnswer.of(analysis).to_json(indent=2) + b"\n")
     log.warnings(analysis.notices)
     return 0
