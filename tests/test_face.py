@@ -111,6 +111,13 @@ def test_the_face_is_never_frozen_and_never_restless() -> None:
     assert shapes.max() < 0.06
 
 
+def test_a_face_that_is_held_lives() -> None:
+    held = replace(shown("RAISE_BROWS", amount=0.8), sync=SyncPoints(start=0.0, ready=0.2, relax=9.0, end=9.3))
+    brow = faced(behaviors=(held,), end_s=10.0)[60 : 60 * 8, INDEX["browOuterUpLeft"]]
+    assert 0.01 < np.ptp(brow) < 0.1
+    assert np.abs(np.diff(brow)).max() > 0
+
+
 def test_the_same_seed_makes_the_same_face_and_another_another() -> None:
     one, again, other = (
         faced(said(SENTENCE), (shown("RAISE_BROWS"),), end_s=3.0, seed=seed).tobytes() for seed in (1, 1, 2)

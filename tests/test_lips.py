@@ -6,7 +6,7 @@ import pytest
 from app.model import Interval, Viseme
 from app.realizer.face_tables import INDEX, VISEMES
 from app.realizer.lip_closure import SHUT, lip_closures, lip_opening
-from app.realizer.lips import LEAD_S, speak
+from app.realizer.lips import LEAD_S, speak, viseme_weights
 from tests.speaking import START_S, TABLES, faced, middle_s, said, shape, times
 
 VOWELS = ["AA", "AE", "IY", "AO", "UW", "ER"]
@@ -98,3 +98,28 @@ def test_a_face_without_speech_has_its_mouth_shut() -> None:
 def test_visemes_that_overlap_or_come_out_of_order_are_still_a_face() -> None:
     muddled = (Viseme("aa", Interval(0.5, 1.0), 1.0, 1.0), Viseme("O", Interval(0.4, 0.7), 1.0, 0.5))
     assert np.isfinite(speak(TABLES.visemes, muddled, times(2.0)).shapes).all()
+
+
+SENTENCE = "HH AW M EH N IY P IY P AH L V UW D B AO T"
+
+
+def test_viseme_weights_are_shares_of_one_mouth() -> None:
+    weights = viseme_weights(TABLES.visemes, said(SENTENCE, phone_s=0.07), times(2.5))
+    assert weights.shape == (len(times(2.5)), 15)
+    assert weights.min() >= 0
+    assert np.allclose(weights.sum(axis=1), 1), "a stressed word is articulated wholly"
+    half = viseme_weights(TABLES.visemes, said(SENTENCE, stressed_ratio=0.0), times(3.0))
+    assert half.sum(axis=1).max() <= 1 + 1e-9
+    assert half.sum(axis=1).min() < 0.8
+
+
+@pytest.mark.parametrize("phone_s", [0.06, 0.07, 0.12])
+def test_no_viseme_is_passed_over_and_closures_are_whole(phone_s: float) -> None:
+    spoken, times_s = said(SENTENCE, phone_s=phone_s), times(3.0, 120)
+    weights = viseme_weights(TABLES.visemes, spoken, times_s)
+    for viseme in spoken:
+        own = VISEMES.index(viseme.label)
+        during = weights[(times_s >= viseme.interval.start_s) & (times_s <= viseme.interval.end_s)]
+        assert (during.argmax(axis=1) == own).any(), viseme
+        if viseme.label in {"PP", "FF"}:
+            assert during[:, own].max() > 0.99

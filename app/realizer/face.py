@@ -13,7 +13,7 @@ import numpy as np
 
 from app.model import FloatArray, Schedule
 from app.realizer.expressions import expressions
-from app.realizer.face_tables import COLUMNS, INDEX, FaceTables
+from app.realizer.face_tables import COLUMNS, FaceTables
 from app.realizer.lids import looks, with_lids
 from app.realizer.lips import Speech, speak
 from app.realizer.motion import SHAPES, BodyMotion
@@ -26,8 +26,8 @@ CORNERS = ("mouthSmile", "mouthFrown", "mouthDimple", "mouthStretch", "mouthLeft
 LIPS = tuple(name for name in SHAPES if name.startswith(("jaw", "mouth", "tongue")) and not name.startswith(CORNERS))
 """The other shapes of mouth and jaw, which speech needs for itself."""
 
-ASYMMETRY = 0.06
-"""Up to this much of an expression is missing on one side of the face, another each time of the same seed."""
+ASYMMETRY = 0.08
+"""Up to this much of an expression is missing on a side of the face, now more and now less: held faces live too."""
 
 MICRO_MOVEMENT: Mapping[str, float] = MappingProxyType(
     {
@@ -46,7 +46,7 @@ MICRO_MOVEMENT: Mapping[str, float] = MappingProxyType(
 )
 """How far the shapes wander when nothing is asked of them: too little to mean anything, enough not to freeze."""
 
-MICRO_MOVEMENT_HZ = 0.7
+MICRO_MOVEMENT_HZ, ASYMMETRY_HZ = 0.7, 0.4
 
 
 def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Skeleton, *, seed: int) -> FloatArray:
@@ -57,7 +57,7 @@ def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Ske
     times_s = body.times_s
     frame_s = float(times_s[1] - times_s[0]) if len(times_s) > 1 else 0.0
     speech = speak(tables.visemes, schedule.visemes, times_s)
-    shown = expressions(tables.words, schedule.behaviors, times_s, frame_s) * _sides(seed)
+    shown = expressions(tables.words, schedule.behaviors, times_s, frame_s) * _sides(times_s, seed)
     shown = _together(shown, micro_movement(times_s, seed))
     shapes = _together(speech.shapes, _beside_speech(shown, speech))
     shapes = _together(shapes, looks(tables.eyes, body, skeleton))
@@ -83,11 +83,14 @@ def _beside_speech(shown: FloatArray, speech: Speech) -> FloatArray:
     return shown
 
 
-def _sides(seed: int) -> FloatArray:
-    """(52,): how much of an expression each shape makes. Eyelids close wholly, on both sides."""
-    missing = np.random.default_rng(seed).uniform(0, ASYMMETRY, len(SHAPES))
-    missing[[INDEX["eyeBlinkLeft"], INDEX["eyeBlinkRight"]]] = 0
-    return np.asarray(1 - missing)
+def _sides(times_s: FloatArray, seed: int) -> FloatArray:
+    """How much of an expression each side of the face makes, and its middle (T, 52). Eyelids close wholly on both."""
+    side = [(name.endswith("Left"), name.endswith("Right")) for name in SHAPES]
+    channel = [1 if left else 2 if right else 0 for left, right in side]
+    missing = ASYMMETRY * (1 + perlin(times_s, frequency_hz=ASYMMETRY_HZ, seed=seed + 1, channels=3)) / 2
+    made = 1 - missing[:, channel]
+    made[:, COLUMNS["eyeBlink"]] = 1
+    return np.asarray(made)
 
 
 def _together(a: FloatArray, b: FloatArray) -> FloatArray:

@@ -23,6 +23,7 @@ LEAD_S = 0.015
 
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 _MARGIN_S = 1.0
+_NEAR_ZERO = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,8 +38,7 @@ class Speech:
 
 def speak(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> Speech:
     """The mouth at `times_s` of the audio; shut where nothing is said."""
-    spoken = tuple(_without_gaps(visemes, float(times_s[0]) - _MARGIN_S, float(times_s[-1]) + _MARGIN_S))
-    segments = _segments(spoken)
+    spoken, segments = _segmented(visemes, times_s)
     columns = np.flatnonzero(np.array(table.articulator) >= 0)
     channels = np.array(table.articulator)[columns]
     order = list(Articulator)
@@ -52,21 +52,47 @@ def speak(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) 
     return Speech(shapes, corners=mean[:, -2], lips=mean[:, -1])
 
 
+def viseme_weights(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> FloatArray:
+    """How much of each viseme the mouth has (T, 15), for rigs that have them as shapes: in [0, 1], together at most 1.
+
+    One dominance for the whole mouth, in which each viseme has at least an equal say, so that none is passed over.
+    Those that close the lips press on as they do in `speak`, at the cost of the others.
+    """
+    spoken, segments = _segmented(visemes, times_s)
+    equal = replace(table.dominance, strength=np.maximum(table.dominance.strength, 1))
+    mouth = np.full(len(VISEMES), list(Articulator).index(Articulator.LIPS))
+    targets = np.eye(len(VISEMES))[segments.kind] * _articulation(spoken, segments)[:, None]
+    return _pressed(blend(equal, segments, targets, mouth, times_s + LEAD_S), table.targets[:, _CLOSE])
+
+
+def _pressed(shares: FloatArray, closing: FloatArray) -> FloatArray:
+    """The shares (T, 15) with those of visemes whose lips close beyond contact grown by as much, up to 1 in all."""
+    grown = shares * np.where(closing > 1, closing, 0)
+    grown /= np.maximum(grown.sum(axis=1, keepdims=True), 1)
+    others = shares * (closing <= 1)
+    left = np.maximum(1 - grown.sum(axis=1, keepdims=True), 0)
+    return np.asarray(grown + others * np.minimum(left / np.maximum(others.sum(axis=1, keepdims=True), _NEAR_ZERO), 1))
+
+
+def _articulation(visemes: tuple[Viseme, ...], segments: Segments) -> FloatArray:
+    """How much of its shape each is; silence is always whole."""
+    silent = segments.kind == VISEMES.index(SILENCE)
+    return np.where(silent, 1.0, [viseme.articulation for viseme in visemes])
+
+
 def _targets(table: VisemeTable, visemes: tuple[Viseme, ...], segments: Segments) -> FloatArray:
     """(segments, 52): each viseme's own shape."""
-    silent = segments.kind == VISEMES.index(SILENCE)
-    articulation = np.where(silent, 1.0, [viseme.articulation for viseme in visemes])
-    targets = table.targets[segments.kind] * articulation[:, None]
+    targets = table.targets[segments.kind] * _articulation(visemes, segments)[:, None]
     targets[:, _JAW] = np.array([viseme.opening for viseme in visemes]) * table.widest_jaw
     return np.asarray(targets)
 
 
-def _segments(visemes: tuple[Viseme, ...]) -> Segments:
-    return Segments(
-        kind=np.array([VISEMES.index(viseme.label) for viseme in visemes]),
-        start_s=np.array([viseme.interval.start_s for viseme in visemes]),
-        end_s=np.array([viseme.interval.end_s for viseme in visemes]),
-    )
+def _segmented(visemes: tuple[Viseme, ...], times_s: FloatArray) -> tuple[tuple[Viseme, ...], Segments]:
+    """The visemes without gaps, a second longer than the frames on either side, and the same as arrays."""
+    spoken = tuple(_without_gaps(visemes, float(times_s[0]) - _MARGIN_S, float(times_s[-1]) + _MARGIN_S))
+    kind = np.array([VISEMES.index(viseme.label) for viseme in spoken])
+    bounds_s = np.array([(viseme.interval.start_s, viseme.interval.end_s) for viseme in spoken])
+    return spoken, Segments(kind, bounds_s[:, 0], bounds_s[:, 1])
 
 
 def _without_gaps(visemes: tuple[Viseme, ...], start_s: float, end_s: float) -> Iterator[Viseme]:
