@@ -179,12 +179,12 @@ def _timed(tree: FrameTree, hand: Hand | None, wrong: list[Located]) -> TimedFra
         time=number(tree.start.numbers[0], 0, 1, wrong) if tree.start.sound else None,
         type=one_of(FrameType, types[0], "a frame's type", wrong) if types else None,
         leading=leading,
-        other=_mirrored_where_silent(arm_key(others, wrong), leading) if others else None,
+        other=mirrored_where_silent(arm_key(others, wrong), leading) if others else None,
         noise=any(statement.keyword.text == "ADDNOISE" for statement in sound),
     )
 
 
-def _mirrored_where_silent(other: ArmKey, leading: ArmKey) -> ArmKey:
+def mirrored_where_silent(other: ArmKey, leading: ArmKey) -> ArmKey:
     """`other`, and what it leaves open as `leading` says it. Fingers are the hand's: they come with its form."""
     says_hand = other.hand is not None or other.fingers != ()
     kept = {"hand", "fingers"} if says_hand else set()
