@@ -11,6 +11,8 @@ from app.model import Behavior, Channel, Hand, Interval, Schedule, SyncPoints
 from app.realizer.gesture import Expressivity, Markers
 from app.realizer.gesture_plan import GesturePlan
 from app.realizer.planning import plan_gestures
+from app.realizer.rests import TOP_SPEED_M_S, rest_m
+from app.realizer.wrist_paths import distance_m, stroke_start_m
 from tests.gesture_clips import MARKERS, HandMade, clip, gesture, library
 
 
@@ -209,9 +211,9 @@ def test_a_posture_says_how_the_hands_rest_from_then_on() -> None:
     assert [rest.pose for rest in plan.rests if rest.side is Hand.RIGHT] == ["clasped", "at_side", "folded", "folded"]
 
 
-def test_a_first_stroke_that_cannot_be_reached_from_the_first_frame_is_dropped() -> None:
-    """At .35 s the stroke starts at .05 s, and no hand is raised in that time."""
-    plan = planned([gesture("g1", 0.35, 0.9)])
+def test_a_first_stroke_that_would_start_before_the_first_frame_is_dropped() -> None:
+    """At .25 s the stroke would start at -.05 s."""
+    plan = planned([gesture("g1", 0.25, 0.8)])
     assert plan.gestures == ()
     assert actions(plan, "g1") == ["dropped"]
 
@@ -220,7 +222,15 @@ def test_a_first_preparation_is_shortened_rather_than_begun_before_the_first_fra
     plan = planned([gesture("g1", 0.6, 1.1)])
     (arm,) = plan.gestures
     assert arm.markers.start == 0.0
+    assert arm.underway == 0.0
     assert actions(plan, "g1") == ["shortened"]
+
+
+def test_a_hand_too_far_for_the_time_that_is_left_is_raised_in_the_first_frame() -> None:
+    """.1 s to the stroke start; the way at the top speed takes longer."""
+    (arm,) = planned([gesture("g1", 0.4, 0.9)]).gestures
+    way_m = distance_m(rest_m("clasped"), stroke_start_m(arm.placed, Hand.RIGHT))
+    assert arm.underway == pytest.approx(1 - 0.1 / (way_m / TOP_SPEED_M_S))
 
 
 def test_beats_are_repeated_on_further_emphases_each_smaller() -> None:

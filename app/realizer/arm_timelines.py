@@ -18,6 +18,7 @@ from app.realizer.rests import (
     SHORTEST_REST_S,
     SHORTEST_RETRACTION_S,
     RestChange,
+    hurried_s,
     own_pose,
     pose_for,
     preparation_s,
@@ -97,6 +98,7 @@ class _Way:
     first: Placed | None = None
     second: Placed | None = None
     joined: bool = False
+    underway: float = 0.0
 
 
 def _between(first: Placed, second: Placed, side: Hand, changes: tuple[RestChange, ...], setting: Setting) -> _Way:
@@ -112,10 +114,14 @@ def _between(first: Placed, second: Placed, side: Hand, changes: tuple[RestChang
 
 
 def _from_the_first_frame(first: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
+    """A speaker lifts the hands before the first word. What is too far for the time from the first frame is therefore
+    behind them in that frame already."""
     window_s = first.stroke_start_s
     way_s = min(_preparation_s(first, side, changes), window_s)
     ready_s = window_s - _hold_s(first, window_s - way_s)
-    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first)
+    hurried = hurried_s(distance_m(rest_m(changes[0].pose), stroke_start_m(first, side)))
+    underway = max(0.0, 1.0 - window_s / hurried)
+    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, underway=underway)
 
 
 def _to_rest(last: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
@@ -155,6 +161,7 @@ def _arm_gesture(side: Hand, gesture: Placed, before: _Way, after: _Way) -> ArmG
         markers=markers,
         blended_from=before.first.request.behavior if before.joined and before.first else None,
         blended_to=after.second.request.behavior if after.joined and after.second else None,
+        underway=before.underway,
     )
 
 

@@ -11,6 +11,9 @@ from app.model import Hand, Level, SyncPoints
 from app.realizer.gesture import Clip, Markers
 from app.realizer.motion import Decision
 
+TOP_STROKE_SPEED_M_S = 1.0
+"""The fastest mean speed of a stroke: it peaks at about 1.9 times that, where people's 95th percentile is."""
+
 
 @dataclass(frozen=True, slots=True)
 class Request:
@@ -61,6 +64,13 @@ class Placed:
         return self.offset_s + self.clip.markers.stroke_end
 
     @property
+    def size(self) -> float:
+        """How large the gesture is made: as it is asked for, but its stroke, which takes its own time, no faster than
+        `TOP_STROKE_SPEED_M_S`."""
+        fastest_m_s = max(self.request.size * self.clip.stroke_speed_m_s, TOP_STROKE_SPEED_M_S)
+        return self.request.size * TOP_STROKE_SPEED_M_S / fastest_m_s
+
+    @property
     def arms(self) -> tuple[Hand, ...]:
         return arms_of(self.clip.hand)
 
@@ -68,13 +78,15 @@ class Placed:
 @dataclass(frozen=True, slots=True)
 class ArmGesture:
     """A placed gesture as one arm plays it. `blended_from` and `blended_to` are the gestures that this arm comes from
-    and goes to without rest; where they are None it comes from rest and goes back."""
+    and goes to without rest; where they are None it comes from rest and goes back. `underway` is how much of the way to
+    the stroke start lies behind the arm in the first frame, on a line whose first stroke leaves no time for it."""
 
     side: Hand
     placed: Placed
     markers: Markers
     blended_from: str | None = None
     blended_to: str | None = None
+    underway: float = 0.0
 
     @property
     def behavior(self) -> str:

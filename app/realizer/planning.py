@@ -125,6 +125,8 @@ def _told(arm: ArmGesture) -> Iterator[Decision]:
     elif natural_preparation_s(gesture) - (markers.ready - markers.start) > _NOTICEABLE_S:
         natural_s = natural_preparation_s(gesture)
         reason = f"{markers.ready - markers.start:.2f} s of preparation instead of {natural_s:.2f} s"
+        if arm.underway > 0:
+            reason += ", the hand raised in the first frame"
         yield Decision(arm.behavior, "shortened", reason)
     cut_s = gesture.clip.markers.relax - gesture.clip.markers.stroke - (markers.relax - markers.stroke)
     if cut_s > _NOTICEABLE_S:

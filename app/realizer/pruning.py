@@ -10,9 +10,7 @@ from dataclasses import dataclass
 from app.model import Hand
 from app.realizer.gesture_plan import Placed
 from app.realizer.motion import Decision
-from app.realizer.rests import hurried_s, rest_m
 from app.realizer.transitions import Setting, flow_together, gap_s, stroke_speed_m_s, transition_speed_m_s
-from app.realizer.wrist_paths import distance_m, stroke_start_m
 
 BLEND_SPEED_THRESHOLD_M_S = 0.5
 """The paper's v_th, for which it gives no figure. A stroke of .6 m/s may so be reached by a way of 1.1 m/s, whose peak
@@ -76,19 +74,17 @@ def obstacle(second: Placed, before: tuple[Placed, ...], setting: Setting) -> Ob
     """What keeps a gesture from being played behind those before it; None when nothing does."""
     for side in second.arms:
         first = next((each for each in reversed(before) if side in each.arms), None)
-        found = _too_early(second, side, setting) if first is None else _in_the_way(first, second, side, setting)
+        found = _too_early(second) if first is None else _in_the_way(first, second, side, setting)
         if found is not None:
             return found
     return None
 
 
-def _too_early(placed: Placed, side: Hand, setting: Setting) -> Obstacle | None:
-    """Nothing moves before the first frame, so the first preparation has the time until the stroke starts."""
-    pose = setting.pose_in_gap(0.0, placed.stroke_start_s)
-    least_s = hurried_s(distance_m(rest_m(pose), stroke_start_m(placed, side)))
-    if placed.stroke_start_s >= least_s:
+def _too_early(placed: Placed) -> Obstacle | None:
+    """Nothing moves before the first frame: a stroke that would have begun by then cannot be played."""
+    if placed.stroke_start_s >= 0:
         return None
-    return Obstacle(f"{placed.stroke_start_s:.2f} s before its stroke starts, and the way there needs {least_s:.2f} s")
+    return Obstacle(f"its stroke would start {-placed.stroke_start_s:.2f} s before the first frame")
 
 
 def _in_the_way(first: Placed, second: Placed, side: Hand, setting: Setting) -> Obstacle | None:

@@ -52,6 +52,7 @@ RETRACTION_SPEED_M_S = 0.75
 TOP_SPEED_M_S = 1.1
 """The fastest mean speed of a way. A smooth one peaks at 1.9 times its mean: 2 m/s, people's 99th percentile."""
 SHORTEST_PREPARATION_S = 0.22
+HURRIED_PREPARATION_S = 0.15
 SHORTEST_RETRACTION_S = 0.33
 SHORTEST_REST_S = 0.3
 """Less than that at rest looks like a twitch."""
@@ -100,7 +101,7 @@ def preparation_s(way_m: float, natural_s: float) -> float:
 
 def hurried_s(way_m: float) -> float:
     """The shortest time for a way from or to rest."""
-    return max(way_m / TOP_SPEED_M_S, SHORTEST_PREPARATION_S)
+    return max(way_m / TOP_SPEED_M_S, HURRIED_PREPARATION_S)
 
 
 def retraction_s(way_m: float) -> float:

@@ -11,6 +11,7 @@ at all.
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
+from math import sqrt
 from typing import Protocol
 
 import numpy as np
@@ -22,7 +23,8 @@ from app.realizer.motion import Decision
 
 TOLERANCE_S = 0.1
 USUAL_AMOUNT = 0.5
-"""The size of a gesture that BML calls neither small nor large."""
+"""The size of a gesture that BML calls neither small nor large. The hands go as far as its root: twice
+the amount is not twice the reach of an arm."""
 
 
 class Clips(Protocol):
@@ -54,7 +56,7 @@ def _request(gesture: Behavior, level: Level) -> Request:
         priority=gesture.priority,
         hand=gesture.hand or Hand.RIGHT,
         level=level,
-        size=1.0 if gesture.amount is None else gesture.amount / USUAL_AMOUNT,
+        size=1.0 if gesture.amount is None else sqrt(gesture.amount / USUAL_AMOUNT),
         target=gesture.target,
     )
 

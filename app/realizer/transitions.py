@@ -86,4 +86,4 @@ def transition_s(first: Placed, second: Placed, side: Hand) -> float:
 
 def stroke_speed_m_s(placed: Placed) -> float:
     """The paper's v of a gesture; a stroke of the wrist or the fingers alone, which has none, is taken as slow."""
-    return max(placed.clip.stroke_speed_m_s * placed.request.size, SLOWEST_STROKE_M_S)
+    return max(placed.clip.stroke_speed_m_s * placed.size, SLOWEST_STROKE_M_S)

@@ -22,7 +22,7 @@ def arm_key(key: ClipKey, side: Hand) -> ArmKey | None:
 
 def amplitude(placed: Placed) -> float:
     """How large a gesture is made: by its level's expressivity and by what the schedule asks for."""
-    return placed.clip.expressivity.amplitude * placed.request.size
+    return placed.clip.expressivity.amplitude * placed.size
 
 
 def wrist_m(placed: Placed, side: Hand, time_s: float) -> FloatArray:
