@@ -4,7 +4,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.model import Behavior, Channel, Hand, Interval, Schedule, SyncPoints
@@ -229,7 +229,7 @@ def test_a_first_preparation_is_shortened_rather_than_begun_before_the_first_fra
 def test_a_hand_too_far_for_the_time_that_is_left_is_raised_in_the_first_frame() -> None:
     """.1 s to the stroke start; the way at the top speed takes longer."""
     (arm,) = planned([gesture("g1", 0.4, 0.9)]).gestures
-    way_m = distance_m(rest_m("clasped"), stroke_start_m(arm.placed, Hand.RIGHT))
+    way_m = distance_m(rest_m("clasped", Hand.RIGHT), stroke_start_m(arm.placed, Hand.RIGHT))
     assert arm.underway == pytest.approx(1 - 0.1 / (way_m / TOP_SPEED_M_S))
 
 
@@ -310,6 +310,7 @@ def schedules(draw: st.DrawFn) -> Schedule:
     return Schedule(tuple(behaviors), 22.0, phrases=phrases, emphases_s=tuple(draw(st.lists(st.floats(0, 20)))))
 
 
+@settings(deadline=None)
 @given(schedule=schedules(), seed=st.integers(0, 3))
 def test_whatever_is_asked_for_the_plan_is_sound(schedule: Schedule, seed: int) -> None:
     plan = plan_gestures(_random_clips(), schedule, seed=seed)

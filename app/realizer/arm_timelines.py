@@ -119,7 +119,7 @@ def _from_the_first_frame(first: Placed, side: Hand, changes: tuple[RestChange, 
     window_s = first.stroke_start_s
     way_s = min(_preparation_s(first, side, changes), window_s)
     ready_s = window_s - _hold_s(first, window_s - way_s)
-    hurried = hurried_s(distance_m(rest_m(changes[0].pose), stroke_start_m(first, side)))
+    hurried = hurried_s(distance_m(rest_m(changes[0].pose, side), stroke_start_m(first, side)))
     underway = max(0.0, 1.0 - window_s / hurried)
     return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, underway=underway)
 
@@ -137,12 +137,12 @@ def _hold_s(gesture: Placed, room_s: float) -> float:
 def _preparation_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...]) -> float:
     natural_s = natural_preparation_s(gesture)
     pose = pose_at(changes, max(0.0, gesture.stroke_start_s - natural_s))
-    return preparation_s(distance_m(rest_m(pose), stroke_start_m(gesture, side)), natural_s)
+    return preparation_s(distance_m(rest_m(pose, side), stroke_start_m(gesture, side)), natural_s)
 
 
 def _retraction_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...]) -> float:
     pose = pose_at(changes, gesture.relax_s + SHORTEST_RETRACTION_S)
-    return retraction_s(distance_m(relax_m(gesture, side), rest_m(pose)))
+    return retraction_s(distance_m(relax_m(gesture, side), rest_m(pose, side)))
 
 
 def _arm_gesture(side: Hand, gesture: Placed, before: _Way, after: _Way) -> ArmGesture:
@@ -176,7 +176,7 @@ def _rests(side: Hand, start_s: float, end_s: float, changes: Iterable[RestChang
     for change in changes:
         if change.from_s <= start_s or change.pose == pose:
             continue
-        arrival_s = change.from_s + retraction_s(distance_m(rest_m(pose), rest_m(change.pose)))
+        arrival_s = change.from_s + retraction_s(distance_m(rest_m(pose, side), rest_m(change.pose, side)))
         if arrival_s > end_s:
             break
         yield ArmRest(side, pose, start_s, change.from_s)

@@ -14,25 +14,13 @@ from types import MappingProxyType
 
 import numpy as np
 
-from app.model import Behavior, Channel, FloatArray, Schedule
+from app.model import Behavior, Channel, FloatArray, Hand, Schedule
+from app.realizer.rest_poses import RESTS
 
 CLASPED, AT_SIDE, IN_POCKETS = "clasped", "at_side", "in_pockets"
 
 SMALL_GAP_S = 3.0
 MEDIUM_GAP_S = 10.0
-
-REST_WRIST_M: Mapping[str, tuple[float, float, float]] = MappingProxyType(
-    {
-        AT_SIDE: (0.24, -0.10, 0.05),
-        CLASPED: (0.06, 0.06, 0.22),
-        IN_POCKETS: (0.22, -0.02, 0.05),
-        "folded": (-0.10, 0.28, 0.20),
-        "behind_back": (0.08, 0.00, -0.16),
-        "on_hips": (0.22, 0.04, 0.03),
-        "open": (0.38, 0.02, 0.15),
-    }
-)
-"""About where the wrist is in each pose of `app.realizer.posing.rest_pose`."""
 
 POSTURES: Mapping[str, str | None] = MappingProxyType(
     {
@@ -89,9 +77,10 @@ def own_pose(changes: tuple[tuple[float, str | None], ...], time_s: float) -> st
     return next((pose for from_s, pose in reversed(changes) if from_s <= time_s), None)
 
 
-def rest_m(pose: str) -> FloatArray:
+def rest_m(pose: str, side: Hand) -> FloatArray:
     """The wrist's place (3,) in a rest pose."""
-    return np.array(REST_WRIST_M[pose])
+    left, right = RESTS[pose]
+    return np.array((left if side is Hand.LEFT else right).wrist_m)
 
 
 def preparation_s(way_m: float, natural_s: float) -> float:

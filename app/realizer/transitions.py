@@ -55,7 +55,7 @@ def flow_together(first: Placed, second: Placed, side: Hand, setting: Setting) -
 
 def _rest_between_s(first: Placed, second: Placed, side: Hand, setting: Setting) -> float:
     """The time it takes to go to rest and come back."""
-    rest = rest_m(setting.pose_in_gap(first.relax_s, gap_s(first, second)))
+    rest = rest_m(setting.pose_in_gap(first.relax_s, gap_s(first, second)), side)
     there_m, back_m = distance_m(relax_m(first, side), rest), distance_m(rest, stroke_start_m(second, side))
     return retraction_s(there_m) + SHORTEST_REST_S + preparation_s(back_m, natural_preparation_s(second))
 
