@@ -15,9 +15,9 @@ import numpy as np
 from app.model import FloatArray, Schedule
 from app.realizer.angles import angles, turn
 from app.realizer.easing import changes
+from app.realizer.fixation import fixating, saccade_s
 from app.realizer.looks import Aim, Position, Turned, looks
 from app.realizer.motion import BodyMotion
-from app.realizer.noise import perlin
 from app.realizer.rotations import from_rotation_vector, inverse, multiply, to_rotation_vector
 from app.realizer.sight import EYES, Chest, aimed, chest, face, toward
 from app.realizer.skeleton import Skeleton
@@ -27,18 +27,12 @@ _TRUNK = ("spine", "chest", "upperChest")
 NECK_LIMITS = np.radians([45.0, 60.0, 45.0])
 """Pitch, yaw and roll of the head over the chest (shared/motion.md)."""
 
-SACCADE_S, SACCADE_S_PER_RADIAN = 0.021, 0.0022 * 180 / np.pi
-"""The main sequence of saccades: 2.2 ms a degree and 21 ms (Carpenter 1988)."""
-
 HEAD_LAG_S = 0.04
 """The head is heavier and starts later than the eyes, the trunk later than the head."""
 TRUNK_LAG_S = 0.12
 HEAD_S, HEAD_S_PER_RADIAN = 0.2, 0.008 * 180 / np.pi
 """The head takes no less time, and gets there late if the schedule has less: 20° have a peak of about 100°/s."""
 TRUNK_SLOWNESS = 1.8
-
-DRIFT_DEGREES, DRIFT_HZ = 0.3, 1.7
-"""Eyes that fixate are not still."""
 
 
 def gaze(
@@ -62,8 +56,8 @@ def gaze(
         rotations[:, joint] = multiply(rotations[:, joint], share)
     carrying = chest(skeleton, rotations, body.hips_m)
     half = _half_turned(carrying, head)
-    drift = np.radians(DRIFT_DEGREES) * perlin(times_s, frequency_hz=DRIFT_HZ, seed=seed, channels=2)
-    at_m = toward(line[:, 0] + drift[:, 0], line[:, 1] + drift[:, 1], 1.0 / line[:, 2], from_m)
+    aside = fixating(times_s, seed=seed)
+    at_m = toward(line[:, 0] + aside[:, 0], line[:, 1] + aside[:, 1], 1.0 / line[:, 2], from_m)
     rotations[:, skeleton.chain("neck", "head")] = half[:, None]
     rotations[:, skeleton.chain(*EYES)] = aimed(face(skeleton, carrying, half, half), at_m)
     return BodyMotion(times_s, rotations, body.hips_m)
@@ -76,7 +70,7 @@ def _courses(times_s: FloatArray, before: Aim, turned: tuple[Turned, ...]) -> tu
     trunk = np.array([[each.trunk] for each in aims])
     starts_s, within_s = np.array([(each.start_s, each.within_s) for each in turned]).reshape(-1, 2).T
     eyes_by, head_by = np.diff(eyes, axis=0), np.diff(head, axis=0)
-    eyes_s = SACCADE_S + SACCADE_S_PER_RADIAN * np.linalg.norm(eyes_by[:, :2], axis=-1)
+    eyes_s = saccade_s(np.linalg.norm(eyes_by[:, :2], axis=-1))
     head_s = np.maximum(HEAD_S + HEAD_S_PER_RADIAN * np.linalg.norm(head_by, axis=-1), within_s - HEAD_LAG_S)
     return (
         eyes[0] + changes(times_s, starts_s, eyes_s, eyes_by),
