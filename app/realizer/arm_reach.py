@@ -11,12 +11,13 @@ import numpy as np
 
 from app.model import FloatArray
 from app.realizer.limits import within_shoulder_limits
-from app.realizer.rotations import about, cross, from_axes, from_rotation_vector, inverse, multiply, rotate
+from app.realizer.rotations import about, cross, dot, from_axes, from_rotation_vector, inverse, length, multiply, rotate
 from app.realizer.skeleton import Skeleton
 
 ELBOW_FLEXION_DEG = (12.0, 136.0)
 """How far an elbow bends in strokes of talkers (shared/motion.md)."""
 
+_MOST_BENT_DEG, _STRAIGHT_DEG = 149.0, 2.0
 _SOFTENED_M = 0.02
 _RAISED_DEG, _PROTRACTED_DEG, _RETRACTED_DEG = 24.0, 16.0, 12.0
 _SHRUG_DEG, _SLUMP_DEG = 18.0, 8.0
@@ -74,20 +75,28 @@ def reach(bones: ArmBones, wrist_m: FloatArray, *, swivel_rad: FloatArray, raise
     collarbone = collarbone_for(bones, wrist_m, raised)
     shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
     to_wrist = wrist_m - shoulder_m
-    asked_m = np.maximum(np.linalg.norm(to_wrist, axis=-1, keepdims=True), 1e-6)
+    asked_m = np.maximum(length(to_wrist), 1e-6)
     direction = to_wrist / asked_m
     distance_m = _within_reach(bones, asked_m)
     pole = rotate(from_rotation_vector(direction * swivel_rad[..., None]), elbow_direction(direction))
-    along = (bones.upper_m**2 + distance_m**2 - bones.lower_m**2) / (2 * bones.upper_m * distance_m)
-    aside = np.sqrt(np.maximum(1 - along**2, 0.0))
-    upper = direction * along + pole * aside
-    towards = direction * aside - pole * along
-    orientation = within_shoulder_limits(from_axes(upper, cross(towards, upper), towards))
-    elbow = about((0.0, -1.0, 0.0), _flexion(bones, distance_m)[..., 0])
-    forearm = multiply(orientation, elbow)
-    elbow_m = shoulder_m + rotate(orientation, np.array([bones.upper_m, 0.0, 0.0]))
-    reached_m = elbow_m + rotate(forearm, np.array([bones.lower_m, 0.0, 0.0]))
-    return Reach(collarbone, multiply(inverse(collarbone), orientation), elbow, forearm, elbow_m, reached_m)
+    return _bent(bones, collarbone, direction, distance_m, pole)
+
+
+def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, wrist_m: FloatArray, elbow: FloatArray) -> Reach:
+    """The arm on a given `collarbone` (…, 4) whose wrist is at `wrist_m` (…, 3), its elbow towards `elbow` (…, 3)."""
+    to_wrist = wrist_m - bones.root_m - rotate(collarbone, bones.collarbone_m)
+    asked_m = np.maximum(length(to_wrist), 1e-6)
+    direction = to_wrist / asked_m
+    shortest_m, longest_m = (_distance(bones, np.radians(flexion)) for flexion in (_MOST_BENT_DEG, _STRAIGHT_DEG))
+    return _bent(bones, collarbone, direction, np.clip(asked_m, shortest_m, longest_m), _across(elbow, direction))
+
+
+def towards_elbow(upper_arm: FloatArray, elbow: FloatArray, bones: ArmBones) -> FloatArray:
+    """The direction (…, 3) of the elbow, at right angles to the line from shoulder to wrist, of an upper arm's
+    orientation (…, 4) and a hinge (…, 4); it is there in a straight arm too."""
+    to_wrist = bones.upper_m * np.array([1.0, 0.0, 0.0]) + bones.lower_m * rotate(elbow, np.array([1.0, 0.0, 0.0]))
+    aside = np.stack((to_wrist[..., 2], np.zeros_like(to_wrist[..., 0]), -to_wrist[..., 0]), axis=-1)
+    return rotate(upper_arm, aside / length(aside))
 
 
 def collarbone_for(bones: ArmBones, wrist_m: FloatArray, raised: float = 0.0) -> FloatArray:
@@ -112,8 +121,30 @@ def elbow_direction(direction: FloatArray) -> FloatArray:
     """
     low, across = np.maximum(-direction[..., 1], 0.0), np.maximum(-direction[..., 0], 0.0)
     pole = np.stack((np.full_like(low, 0.45), 0.4 * low - 1.0, 0.9 * across - 0.45 * (1 + low)), axis=-1)
-    pole = pole - np.sum(pole * direction, axis=-1, keepdims=True) * direction
-    return np.asarray(pole / np.linalg.norm(pole, axis=-1, keepdims=True))
+    return _across(pole, direction)
+
+
+def _across(vector: FloatArray, direction: FloatArray) -> FloatArray:
+    """What of `vector` is at right angles to `direction`, of length 1."""
+    vector = vector - dot(vector, direction) * direction
+    return np.asarray(vector / np.maximum(length(vector), 1e-9))
+
+
+def _bent(
+    bones: ArmBones, collarbone: FloatArray, direction: FloatArray, distance_m: FloatArray, pole: FloatArray
+) -> Reach:
+    """Shoulder and elbow for a wrist at `distance_m` in a direction from the shoulder, the elbow towards `pole`."""
+    along = (bones.upper_m**2 + distance_m**2 - bones.lower_m**2) / (2 * bones.upper_m * distance_m)
+    aside = np.sqrt(np.maximum(1 - along**2, 0.0))
+    upper = direction * along + pole * aside
+    towards = direction * aside - pole * along
+    orientation = within_shoulder_limits(from_axes(upper, cross(towards, upper), towards))
+    elbow = about((0.0, -1.0, 0.0), _flexion(bones, distance_m)[..., 0])
+    forearm = multiply(orientation, elbow)
+    shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
+    elbow_m = shoulder_m + rotate(orientation, np.array([bones.upper_m, 0.0, 0.0]))
+    reached_m = elbow_m + rotate(forearm, np.array([bones.lower_m, 0.0, 0.0]))
+    return Reach(collarbone, multiply(inverse(collarbone), orientation), elbow, forearm, elbow_m, reached_m)
 
 
 def _within_reach(bones: ArmBones, distance_m: FloatArray) -> FloatArray:

@@ -42,7 +42,7 @@ _SPREAD: tuple[FingerBends, ...] = (
     (0.0, 5.0, 3.0, -24.0),
 )
 _PINCHING: FingerBends = (48.0, 52.0, 24.0, 0.0)
-_CEE: FingerBends = (32.0, 40.0, 26.0, 0.0)
+_CEE: FingerBends = (42.0, 36.0, 24.0, 0.0)
 
 _FINGERS: Mapping[HandForm, tuple[FingerBends, ...]] = MappingProxyType(
     {
@@ -55,38 +55,38 @@ _FINGERS: Mapping[HandForm, tuple[FingerBends, ...]] = MappingProxyType(
         HandForm.TWO_APART: ((0.0, 3.0, 2.0, 12.0), (0.0, 3.0, 2.0, -10.0), _CLOSED, _CLOSED),
         HandForm.PINCH: (_PINCHING, _CLOSED, _CLOSED, _CLOSED),
         HandForm.PINCH_ALL: (
-            (48.0, 52.0, 24.0, -4.0),
-            (52.0, 52.0, 24.0, 0.0),
-            (54.0, 50.0, 26.0, 6.0),
-            (56.0, 48.0, 30.0, 14.0),
+            _PINCHING,
+            (52.0, 52.0, 24.0, 3.0),
+            (54.0, 50.0, 26.0, 12.0),
+            (56.0, 48.0, 30.0, 22.0),
         ),
         HandForm.PINCH_OPEN: (_PINCHING, *_OPEN[1:]),
         HandForm.CEE: (_CEE, _CLOSED, _CLOSED, _CLOSED),
-        HandForm.CEE_ALL: (_CEE, _CEE, _CEE, (34.0, 40.0, 26.0, 0.0)),
+        HandForm.CEE_ALL: (_CEE, _CEE, _CEE, (44.0, 36.0, 24.0, 0.0)),
         HandForm.CEE_OPEN: (_CEE, *_OPEN[1:]),
     }
 )
 
-_PINCHING_THUMB: ThumbBends = (10.0, 38.0, 20.0, 18.0, 20.0)
-_CEE_THUMB: ThumbBends = (0.0, 45.0, 20.0, 5.0, 15.0)
-_ACROSS: ThumbBends = (38.0, 30.0, 20.0, 35.0, 35.0)
+_PINCHING_THUMB: ThumbBends = (10.0, 20.0, 16.0, 18.0, 20.0)
+_CEE_THUMB: ThumbBends = (16.0, 30.0, 25.0, 0.0, 5.0)
+_OVER_THE_FIST: ThumbBends = (6.0, 7.0, 10.0, 42.0, 60.0)
 
 _THUMBS: Mapping[Thumb, ThumbBends] = MappingProxyType(
     {
         Thumb.OPEN: (28.0, 4.0, 0.0, 2.0, 0.0),
         Thumb.OUT: (-28.0, -4.0, 0.0, -8.0, -8.0),
-        Thumb.ACROSS: _ACROSS,
+        Thumb.ACROSS: (30.0, 14.0, 10.0, 30.0, 50.0),
     }
 )
 _OWN_THUMBS: Mapping[HandForm, ThumbBends] = MappingProxyType(
     {
         HandForm.DEFAULT: (10.0, 14.0, 8.0, 10.0, 12.0),
-        HandForm.FIST: _ACROSS,
+        HandForm.FIST: _OVER_THE_FIST,
         HandForm.FLAT: (24.0, 4.0, 0.0, 2.0, 2.0),
         HandForm.SPREAD: (-14.0, 4.0, 0.0, -4.0, -4.0),
-        HandForm.INDEX: _ACROSS,
-        HandForm.TWO: _ACROSS,
-        HandForm.TWO_APART: _ACROSS,
+        HandForm.INDEX: _OVER_THE_FIST,
+        HandForm.TWO: _OVER_THE_FIST,
+        HandForm.TWO_APART: _OVER_THE_FIST,
         HandForm.PINCH: _PINCHING_THUMB,
         HandForm.PINCH_ALL: _PINCHING_THUMB,
         HandForm.PINCH_OPEN: _PINCHING_THUMB,
@@ -125,11 +125,14 @@ _ORDER = tuple(Finger)
 def hand_shape(shape: HandShape, fingers: Sequence[tuple[Finger, Bend]] = ()) -> FloatArray:
     """The finger joints' local rotations (15, 4) of a form, with the bends of single fingers on top of it."""
     thumb = _OWN_THUMBS[shape.form] if shape.thumb is Thumb.DEFAULT else _THUMBS[shape.thumb]
-    rotations = np.concatenate([_thumb(thumb), *(_finger(bends) for bends in _FINGERS[shape.form])])
+    others = list(_FINGERS[shape.form])
     for finger, bend in fingers:
-        first = 3 * _ORDER.index(finger)
-        rotations[first : first + 3] = _bent(finger, bend, shape)
-    return rotations
+        if finger is Finger.THUMB:
+            thumb = (*thumb[:3], *_THUMB_BENDS[bend])
+        else:
+            number = _ORDER.index(finger) - 1
+            others[number] = (*_BENDS[bend], others[number][3])
+    return _rotations(thumb, others)
 
 
 def finger_rows(finger: Finger) -> slice:
@@ -138,28 +141,12 @@ def finger_rows(finger: Finger) -> slice:
     return slice(first, first + 3)
 
 
-def _bent(finger: Finger, bend: Bend, shape: HandShape) -> FloatArray:
-    if finger is Finger.THUMB:
-        thumb = _OWN_THUMBS[shape.form] if shape.thumb is Thumb.DEFAULT else _THUMBS[shape.thumb]
-        return _thumb((*thumb[:3], *_THUMB_BENDS[bend]))
-    spread = _FINGERS[shape.form][_ORDER.index(finger) - 1][3]
-    return _finger((*_BENDS[bend], spread))
-
-
-def _finger(bends: FingerBends) -> FloatArray:
-    proximal, intermediate, distal, spread = bends
-    flexed = _about_z((-proximal, -intermediate, -distal))
-    flexed[0] = multiply(from_rotation_vector(np.radians([0.0, -spread, 0.0])), flexed[0])
-    return flexed
-
-
-def _about_z(degrees: tuple[float, float, float]) -> FloatArray:
-    return from_rotation_vector(np.radians([(0.0, 0.0, angle) for angle in degrees]))
-
-
-def _thumb(bends: ThumbBends) -> FloatArray:
-    inwards, below, rolled, proximal, distal = bends
-    root = from_rotation_vector(np.radians([0.0, inwards, -below]))
-    root = multiply(root, from_rotation_vector(np.radians([rolled, 0.0, 0.0])))
-    hinges = from_rotation_vector(np.radians([[proximal], [distal]]) * _THUMB_HINGE)
-    return np.concatenate([root[None], hinges])
+def _rotations(thumb: ThumbBends, others: Sequence[FingerBends]) -> FloatArray:
+    """Each joint's bend, then what turns it at its root: the thumb's place before the palm, a finger's spread."""
+    bends, roots = np.zeros((15, 3)), np.zeros((15, 3))
+    inwards, below, rolled, *hinges = thumb
+    roots[0], bends[0] = (0.0, inwards, -below), (rolled, 0.0, 0.0)
+    bends[1:3] = np.array(hinges)[:, None] * _THUMB_HINGE
+    angles = np.array(others)
+    bends[3:, 2], roots[3::3, 1] = -angles[:, :3].ravel(), -angles[:, 3]
+    return multiply(from_rotation_vector(np.radians(roots)), from_rotation_vector(np.radians(bends)))

@@ -7,17 +7,19 @@ its elbow crease forward, because there flexion (-x), abduction (z) and rotation
 anatomy says.
 """
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from app.model import FloatArray
-from app.realizer.rotations import about, from_rotation_vector, inverse, multiply, to_rotation_vector
+from app.realizer.rotations import about, from_rotation_vector, inverse, multiply, nearest_sign, to_rotation_vector
 from app.realizer.skeleton import FINGERS, SIDES, Skeleton
 
 Degrees = tuple[float, float, float]
 
 _HANGING = about((0.0, 0.0, 1.0), np.array(-np.pi / 2))
+_TOLERATED_DEG = 1e-3
 MIRROR: FloatArray = np.array([1.0, -1.0, -1.0, 1.0])
 """Times a rotation: its mirror image on the body's other side."""
 
@@ -65,26 +67,39 @@ LIMITS: tuple[Limit, ...] = (*_TRUNK, *(_sided(side, limit) for side in SIDES fo
 
 def violations(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
     """How many degrees each of `LIMITS` is passed by (…, limits) in local rotations (…, J, 4); 0 where it is kept."""
-    return np.stack([_passed_by(limit, _measured(skeleton, limit, rotations)) for limit in LIMITS], axis=-1)
+    passed = np.zeros((*rotations.shape[:-2], len(LIMITS)))
+    for columns, angles in _measured(skeleton, LIMITS, rotations):
+        lowest, highest = _bounds(LIMITS, columns)
+        over = np.maximum(angles - highest, lowest - angles).max(axis=-1)
+        passed[..., columns] = np.where(over > _TOLERATED_DEG, over, 0.0)
+    return passed
 
 
 def clamped(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
-    """The same local rotations (…, J, 4) with every joint that passes a limit brought back to it; where a limit is on
-    a chain, its last joint."""
+    """The same local rotations (…, J, 4) with trunk, neck and arms brought back to their limits; where a limit is on a
+    chain, its last joint is turned back. Fingers are left to their tables."""
+    limits = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in _ARM))
     kept = rotations.copy()
-    for limit in LIMITS:
-        angles = _measured(skeleton, limit, kept)
-        over = _passed_by(limit, angles) > 0
-        if not np.any(over):
-            continue
-        within = _joined(limit, np.clip(angles, limit.lowest_deg, limit.highest_deg))
-        *above, last = skeleton.chain(*limit.joints)
-        if limit.joints[0].startswith("right"):
-            within = within * MIRROR
-        for joint in above:
-            within = multiply(inverse(kept[..., joint, :]), within)
-        kept[..., last, :] = np.where(over[..., None], within, kept[..., last, :])
+    for columns, angles in _measured(skeleton, limits, rotations):
+        lowest, highest = _bounds(limits, columns)
+        over = np.maximum(angles - highest, lowest - angles).max(axis=-1) > _TOLERATED_DEG
+        for place, column in enumerate(columns):
+            if over[..., place].any():
+                last = skeleton.index[limits[column].joints[-1]]
+                within = _brought_back(skeleton, limits[column], kept, angles[..., place, :])
+                kept[..., last, :] = np.where(over[..., place, None], within, kept[..., last, :])
     return kept
+
+
+def _brought_back(skeleton: Skeleton, limit: Limit, rotations: FloatArray, angles_deg: FloatArray) -> FloatArray:
+    """The chain's last joint (…, 4) as it must be for the chain's angles (…, 3) to be within the limit."""
+    within = _joined(limit, np.clip(angles_deg, limit.lowest_deg, limit.highest_deg))
+    if limit.joints[0].startswith("right"):
+        within = within * MIRROR
+    *above, last = skeleton.chain(*limit.joints)
+    for joint in above:
+        within = multiply(inverse(rotations[..., joint, :]), within)
+    return nearest_sign(within, rotations[..., last, :])
 
 
 def parted_deg(rotation: FloatArray, bone: int) -> FloatArray:
@@ -105,11 +120,9 @@ def shoulder_deg(orientation: FloatArray) -> FloatArray:
 def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
     """The left upper arm's orientation (…, 4) in the upper chest's space, brought back to what a shoulder allows."""
     angles = shoulder_deg(orientation)
-    passed = _passed_by(_SHOULDER, angles) > 0
-    if not np.any(passed):
-        return orientation
-    kept = _joined(_SHOULDER, np.clip(angles, _SHOULDER.lowest_deg, _SHOULDER.highest_deg))
-    return np.asarray(np.where(passed[..., None], kept, orientation))
+    within = np.clip(angles, _SHOULDER.lowest_deg, _SHOULDER.highest_deg)
+    passed = (within != angles).any(axis=-1, keepdims=True)
+    return np.asarray(np.where(passed, _joined(_SHOULDER, within), orientation)) if passed.any() else orientation
 
 
 def _about_bone(bone: int, angle: FloatArray) -> FloatArray:
@@ -118,14 +131,25 @@ def _about_bone(bone: int, angle: FloatArray) -> FloatArray:
     return from_rotation_vector(angle[..., None] * axis)
 
 
-def _measured(skeleton: Skeleton, limit: Limit, rotations: FloatArray) -> FloatArray:
-    first, *below = skeleton.chain(*limit.joints)
-    rotation = rotations[..., first, :]
-    for joint in below:
-        rotation = multiply(rotation, rotations[..., joint, :])
-    if limit.joints[0].startswith("right"):
-        rotation = rotation * MIRROR
-    return shoulder_deg(rotation) if limit.from_hanging else parted_deg(rotation, limit.bone)
+def _measured(
+    skeleton: Skeleton, limits: Sequence[Limit], rotations: FloatArray
+) -> Iterator[tuple[list[int], FloatArray]]:
+    """The angles (…, n, 3) of the limits in columns, those that are measured alike together, for speed."""
+    kinds = [(limit.bone, limit.from_hanging, len(limit.joints)) for limit in limits]
+    for kind in dict.fromkeys(kinds):
+        columns = [column for column, other in enumerate(kinds) if other == kind]
+        chains = np.array([skeleton.chain(*limits[column].joints) for column in columns]).T
+        rotation = rotations[..., chains[0], :]
+        for joints in chains[1:]:
+            rotation = multiply(rotation, rotations[..., joints, :])
+        right = [limits[column].joints[0].startswith("right") for column in columns]
+        rotation = np.where(np.array(right)[:, None], rotation * MIRROR, rotation)
+        yield columns, shoulder_deg(rotation) if kind[1] else parted_deg(rotation, kind[0])
+
+
+def _bounds(limits: Sequence[Limit], columns: list[int]) -> tuple[FloatArray, FloatArray]:
+    lowest, highest = ([getattr(limits[column], end) for column in columns] for end in ("lowest_deg", "highest_deg"))
+    return np.array(lowest), np.array(highest)
 
 
 def _joined(limit: Limit, angles_deg: FloatArray) -> FloatArray:
@@ -136,8 +160,3 @@ def _joined(limit: Limit, angles_deg: FloatArray) -> FloatArray:
     bend[..., limit.bone] = 0.0
     rotation = multiply(from_rotation_vector(bend), twist)
     return multiply(rotation, _HANGING) if limit.from_hanging else rotation
-
-
-def _passed_by(limit: Limit, angles_deg: FloatArray) -> FloatArray:
-    over = np.maximum(angles_deg - limit.highest_deg, np.asarray(limit.lowest_deg) - angles_deg)
-    return np.asarray(np.where(over > 1e-3, over, 0.0).max(axis=-1))

@@ -14,9 +14,11 @@ from app.realizer.rotations import (
     about,
     between,
     cross,
+    dot,
     from_axes,
     from_rotation_vector,
     inverse,
+    length,
     multiply,
     rotate,
     to_rotation_vector,
@@ -70,17 +72,17 @@ def turned(forearm: FloatArray, finger_base: FloatArray | None, palm: FloatArray
     return _parted(_held(ahead, rotate(back, palm)))
 
 
-def in_the_way_of_the_hand(hand: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Where the fingers and the palm (…, 3) of a hand of this orientation (…, 4) point."""
-    return rotate(hand, _FINGERS), rotate(hand, _PALM)
+def kept(forearm: FloatArray, hand: FloatArray) -> Turn:
+    """The turn that leaves a hand of the orientation `hand` (…, 4) as it is, the untwisted forearm being (…, 4)."""
+    return _parted(multiply(inverse(forearm), hand))
 
 
 def _held(fingers: FloatArray, palm: FloatArray) -> FloatArray:
     """The orientation of a hand by its directions; the palm gives way where they are not at right angles."""
-    fingers = fingers / np.linalg.norm(fingers, axis=-1, keepdims=True)
-    back_of_hand = -(palm - np.sum(palm * fingers, axis=-1, keepdims=True) * fingers)
-    length = np.linalg.norm(back_of_hand, axis=-1, keepdims=True)
-    back_of_hand = np.where(length > 1e-6, back_of_hand / np.maximum(length, 1e-6), -_PALM)
+    fingers = fingers / length(fingers)
+    back_of_hand = dot(palm, fingers) * fingers - palm
+    size = length(back_of_hand)
+    back_of_hand = np.where(size > 1e-6, back_of_hand / np.maximum(size, 1e-6), -_PALM)
     fingers = np.broadcast_to(fingers, back_of_hand.shape)
     return from_axes(fingers, back_of_hand, cross(fingers, back_of_hand))
 

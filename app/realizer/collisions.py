@@ -1,0 +1,213 @@
+"""Hands and forearms kept out of the body and of each other, and joints within their limits, once the motion is made.
+
+Conventions: metres in the world, frames in time. Where a limb is inside something, its wrist and its elbow are moved
+the shortest way out; the movement swells and ebbs over the frames around, so that no speed jumps, and the arm is
+solved again for its new wrist. The hand keeps its orientation as far as its joints let it.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model import FloatArray, Hand
+from app.realizer.arm_reach import ArmBones, reach_by_elbow, towards_elbow
+from app.realizer.build import BUILD
+from app.realizer.contacts import LIMBS, PAIRS, RADII_M, Contacts, contacts
+from app.realizer.limits import MIRROR, clamped, parted_deg
+from app.realizer.motion import BodyMotion, Decision
+from app.realizer.rotations import about, dot, inverse, length, multiply, nearest_sign, rotate
+from app.realizer.skeleton import SIDES, Skeleton, forward
+from app.realizer.wrist_turns import kept
+
+_CLEARANCE_M = 0.004
+_SWELL_S = 0.18
+_ROUNDS = 5
+_ELBOW_AT_LEAST_M = 0.12
+_FARTHEST_M = 0.22
+_MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Push:
+    """How far a wrist and an elbow (T, 3) are to be moved."""
+
+    wrist_m: FloatArray
+    elbow_m: FloatArray
+
+    def and_then(self, other: "_Push") -> "_Push":
+        wrist_m, elbow_m = self.wrist_m + other.wrist_m, self.elbow_m + other.elbow_m
+        return _Push(_at_most(wrist_m, _FARTHEST_M), _at_most(elbow_m, _FARTHEST_M))
+
+    def swelling(self, reach_frames: int) -> "_Push":
+        return _Push(_swelling(self.wrist_m, reach_frames), _swelling(self.elbow_m, reach_frames))
+
+
+def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
+    """The same motion with hands and forearms outside of torso, head, upper legs and each other, and with trunk, neck
+    and arms within their limits; and a decision for each stretch of time in which a hand had to give way.
+
+    What is still inside after a round is added to the push, and the arms are solved again from where they were; so
+    the push is smooth in time however many rounds it takes."""
+    rotations = clamped(skeleton, body.rotations)
+    start = replace(body, rotations=rotations)
+    found = contacts(skeleton, rotations, body.hips_m)
+    decisions = _decisions(found, body.times_s)
+    nothing = np.zeros((len(body.times_s), 3))
+    pushes = dict.fromkeys(SIDES, _Push(nothing, nothing))
+    way_out = np.zeros_like(found.out)
+    for _round in range(_ROUNDS):
+        if found.depth_m.max() <= 0:
+            break
+        way_out = _way_out(found, way_out)
+        one_way = _one_way(found, way_out)
+        pushes = {side: push.and_then(_push(one_way, side)) for side, push in pushes.items()}
+        rotations = _moved(skeleton, start, pushes)
+        found = contacts(skeleton, rotations, body.hips_m)
+    return replace(body, rotations=rotations), decisions
+
+
+def _way_out(found: Contacts, known: FloatArray) -> FloatArray:
+    """On which side each contact is left, (T, P, 3): in a whole stretch of frames on the side where the limb is inside
+    the most, and in every round on the same. A limb that passes through would otherwise be pushed back and, from the
+    middle on, forward."""
+    way_out = known.copy()
+    for column in np.nonzero((found.depth_m > 0).any(axis=0))[0]:
+        for first, past in _stretches(found.depth_m[:, column] > 0):
+            there = slice(first, past), column
+            before = known[there].sum(axis=0)
+            way_out[there] = before if before.any() else found.depth_m[there] @ found.out[there]
+    return way_out
+
+
+def _one_way(found: Contacts, way_out: FloatArray) -> Contacts:
+    """The same contacts, those that are nearer to the other side taken through to this one."""
+    wrong = (found.depth_m > 0) & (np.einsum("...k,...k->...", found.out, way_out) < 0)
+    through_m = found.depth_m + 2 * (RADII_M - found.depth_m)
+    return replace(
+        found, depth_m=np.where(wrong, through_m, found.depth_m), out=np.where(wrong[..., None], -found.out, found.out)
+    )
+
+
+def _moved(skeleton: Skeleton, body: BodyMotion, pushes: Mapping[str, _Push]) -> FloatArray:
+    """The local rotations with both arms pushed, around the frames where something is inside."""
+    rate_hz = (len(body.times_s) - 1) / max(body.times_s[-1] - body.times_s[0], 1e-9)
+    rotations = body.rotations.copy()
+    for side, asked in pushes.items():
+        push = asked.swelling(max(1, round(_SWELL_S * rate_hz)))
+        frames = np.nonzero((length(push.wrist_m) + length(push.elbow_m))[:, 0] > 1e-6)[0]
+        if len(frames):
+            there = BodyMotion(body.times_s[frames], rotations[frames], body.hips_m[frames])
+            pushed = _Push(push.wrist_m[frames], push.elbow_m[frames])
+            rotations[frames] = _solved_again(skeleton, there, Hand(side), pushed)
+    return rotations
+
+
+def _push(found: Contacts, side: str) -> _Push:
+    """The sum of what the contacts of an arm ask for, each only for what the others have not done in its direction.
+
+    A hand is moved by its wrist; a forearm by wrist and elbow, each by its share of the place that is inside. Where
+    both arms are in a contact, each gives way by half.
+    """
+    wrist_m, elbow_m = np.zeros((2, len(found.depth_m), 3))
+    deep_m = np.where(found.depth_m > 0, found.depth_m + _CLEARANCE_M, 0.0)
+    for column in np.nonzero(deep_m.any(axis=0))[0]:
+        ends = (BUILD[PAIRS[column][0]], found.on_limb, 1.0), (BUILD[PAIRS[column][1]], found.on_other, -1.0)
+        both = all(capsule.part in LIMBS for capsule, _place, _sign in ends)
+        for capsule, place, sign in ends:
+            if capsule.part in LIMBS and capsule.joint.startswith(side):
+                out = found.out[:, column] * (sign * deep_m[:, column] * (0.5 if both else 1.0))[:, None]
+                share = place[:, column, None] if capsule.part == "forearm" else np.ones((len(out), 1))
+                even = share**2 + (1 - share) ** 2
+                wrist_m += _beyond(out * share / even, wrist_m)
+                elbow_m += _beyond(out * (1 - share) / even, elbow_m)
+    return _Push(wrist_m, elbow_m)
+
+
+def _beyond(asked_m: FloatArray, given_m: FloatArray) -> FloatArray:
+    """What is left of `asked_m` after what `given_m` already does in its direction."""
+    size_m = np.maximum(length(asked_m), 1e-12)
+    done = np.sum(asked_m * given_m, axis=-1, keepdims=True) / size_m**2
+    return np.asarray(asked_m * np.clip(1 - done, 0.0, 1.0))
+
+
+def _at_most(push_m: FloatArray, farthest_m: float) -> FloatArray:
+    return np.asarray(push_m * np.minimum(1.0, farthest_m / np.maximum(length(push_m), 1e-12)))
+
+
+def _swelling(push_m: FloatArray, reach_frames: int) -> FloatArray:
+    """A push (T, 3) spread over the frames around it: hardly less than asked for, and smooth in size and direction.
+
+    The largest size within reach, averaged within reach, covers every frame's own; directions are averaged twice as
+    far, and where they disagree the push is smaller."""
+    size_m = length(push_m)[:, 0]
+    if not size_m.any():
+        return push_m
+    padded = np.pad(size_m, reach_frames, mode="constant")
+    largest = np.lib.stride_tricks.sliding_window_view(padded, 2 * reach_frames + 1).max(axis=1)
+    bell = np.hanning(2 * reach_frames + 3)[1:-1]
+    size_m = np.convolve(np.pad(largest, reach_frames, mode="edge"), bell / bell.sum(), mode="valid")
+    wide = np.hanning(4 * reach_frames + 3)[1:-1]
+    middle = slice(2 * reach_frames, 2 * reach_frames + len(push_m))
+    towards = np.stack([np.convolve(part, wide)[middle] for part in push_m.T], axis=-1)
+    agreed = np.convolve(length(push_m)[:, 0], wide)[middle]
+    return np.asarray(towards / np.maximum(agreed, 1e-12)[:, None] * size_m[:, None])
+
+
+def _solved_again(skeleton: Skeleton, body: BodyMotion, side: Hand, push: _Push) -> FloatArray:
+    """Local rotations with the arm `side` solved for its wrist where it is pushed to and its elbow swung aside."""
+    names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
+    chest, *joints = skeleton.chain("upperChest", *(side.value + name for name in names))
+    at, turned = forward(skeleton, body.rotations, body.hips_m, _above(skeleton, joints[-1]))
+    bones = ArmBones.of(skeleton)
+    back = inverse(turned[:, chest])
+    mirror, across = (np.ones(4), np.ones(3)) if side is Hand.LEFT else (MIRROR, _MIRRORED)
+    root_m = bones.root_m - skeleton.offsets_m[skeleton.index["leftShoulder"]]
+    wrist_m, elbow_push_m = (
+        rotate(back, vector) * across for vector in (at[:, joints[-1]] + push.wrist_m - at[:, chest], push.elbow_m)
+    )
+    collarbone, upper_arm, lower_arm, _hand = (body.rotations[:, joint] * mirror for joint in joints)
+    elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
+    elbow = elbow + (elbow_push_m - dot(elbow_push_m, elbow) * elbow) / _ELBOW_AT_LEAST_M
+    arm = reach_by_elbow(bones, collarbone, wrist_m + root_m, elbow)
+    turn = kept(arm.forearm, multiply(back, turned[:, joints[-1]]) * mirror).clamped()
+    rotations = body.rotations.copy()
+    new = (arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand)
+    for joint, rotation in zip(joints[1:], new, strict=True):
+        rotations[:, joint] = nearest_sign(rotation * mirror, rotations[:, joint])
+    return rotations
+
+
+def _without_twist(lower_arm: FloatArray) -> FloatArray:
+    return multiply(lower_arm, about((-1.0, 0.0, 0.0), np.radians(parted_deg(lower_arm, 0)[..., 0])))
+
+
+def _above(skeleton: Skeleton, joint: int) -> frozenset[int]:
+    """A joint and all that carry it."""
+    found = [joint]
+    while skeleton.parents[found[-1]] >= 0:
+        found.append(skeleton.parents[found[-1]])
+    return frozenset(found)
+
+
+def _stretches(inside: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """First frame, and frame past the last, of each run of true ones: (n, 2)."""
+    padded = np.concatenate([[False], inside, [False]])
+    return np.nonzero(padded[1:] != padded[:-1])[0].reshape(-1, 2)
+
+
+def _decisions(found: Contacts, times_s: FloatArray) -> tuple[Decision, ...]:
+    """One for each stretch of frames in which a limb of a side was inside something."""
+    decisions = []
+    for side in SIDES:
+        own = [column for column, (limb, _other) in enumerate(PAIRS) if BUILD[limb].joint.startswith(side)]
+        depth_m = found.depth_m[:, own]
+        for first, past in _stretches(depth_m.max(axis=1) > 0):
+            column = int(np.argmax(depth_m[first:past].max(axis=0)))
+            limb, other = (BUILD[number].part for number in PAIRS[own[column]])
+            deepest_cm = 100 * depth_m[first:past].max()
+            when = f"from {times_s[first]:.2f} s to {times_s[past - 1]:.2f} s"
+            reason = f"the {side} {limb} would have been {deepest_cm:.1f} cm inside the {other} {when}"
+            decisions.append(Decision("", "moved", reason))
+    return tuple(decisions)

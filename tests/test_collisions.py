@@ -1,0 +1,107 @@
+"""Hands stay out of the body and of each other, smoothly; what is clear is left as it is."""
+
+import numpy as np
+import pytest
+
+from app.model import FloatArray, Hand
+from app.realizer.arms import ArmTrack, TimedPose, arm_motion
+from app.realizer.collisions import clear
+from app.realizer.contacts import PAIRS, contacts, penetrations_m
+from app.realizer.gesture import ArmKey, Depth, Direction, HandForm, HandShape, Height, Place, Sideways, Wrist
+from app.realizer.limits import violations
+from app.realizer.motion import BodyMotion
+from app.realizer.posing import PartialPose, arm_joints, pose_arm
+from app.realizer.rest_poses import RESTS, rest_pose
+from app.realizer.rotations import IDENTITY, angle_between
+from app.realizer.skeleton import HIPS_HEIGHT_M, Skeleton
+
+BODY = Skeleton.standing()
+RATE_HZ = 60
+TIMES_S: FloatArray = np.arange(0.0, 3.0, 1 / RATE_HZ)
+INSIDE = Place(Sideways.CC, Height.LOWER_C, Depth.NEAR, (0.0, 0.0, -0.12))
+BEFORE = Place(Sideways.P, Height.CC, Depth.FAR)
+MIDDLE = Place(Sideways.CC, Height.CC, Depth.MIDDLE, (-0.06, 0.0, 0.0))
+
+
+def rest(side: Hand, name: str = "at_side") -> PartialPose:
+    return rest_pose(BODY, side, name).as_partial()
+
+
+def moving(*keys: tuple[Hand, Place]) -> BodyMotion:
+    """Each arm from its side to a place, held from 1 to 1.6 s, and back."""
+    rotations = np.tile(IDENTITY, (len(TIMES_S), len(BODY.names), 1))
+    places = dict(keys)
+    for side in (Hand.LEFT, Hand.RIGHT):
+        track = [TimedPose(0.0, rest(side))]
+        if side in places:
+            pose = pose_arm(BODY, side, ArmKey(places[side], HandShape(HandForm.FLAT), wrist=Wrist()))
+            track += [TimedPose(1.0, pose), TimedPose(1.6, pose), TimedPose(2.8, rest(side))]
+        rotations[:, BODY.chain(*arm_joints(side))] = arm_motion(ArmTrack(side, tuple(track)), TIMES_S, seed=0)
+    return BodyMotion(TIMES_S, rotations, np.tile([0.0, HIPS_HEIGHT_M, 0.0], (len(TIMES_S), 1)))
+
+
+def deepest_m(body: BodyMotion) -> float:
+    return float(penetrations_m(BODY, body.rotations, body.hips_m).max())
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        ((Hand.LEFT, INSIDE),),
+        ((Hand.RIGHT, INSIDE),),
+        ((Hand.LEFT, INSIDE), (Hand.RIGHT, BEFORE)),
+        ((Hand.LEFT, MIDDLE), (Hand.RIGHT, MIDDLE)),
+    ],
+    ids=["left", "right", "one of two", "each other"],
+)
+def test_hands_that_would_be_inside_something_are_kept_out_without_a_jump(keys: tuple[tuple[Hand, Place], ...]) -> None:
+    body = moving(*keys)
+    assert deepest_m(body) > 0.02
+    cleared, decisions = clear(BODY, body)
+    assert deepest_m(cleared) < 0.001
+    assert {decision.action for decision in decisions} == {"moved"}
+    assert "cm inside" in decisions[0].reason
+    speed = angle_between(cleared.rotations[1:], cleared.rotations[:-1]) * RATE_HZ
+    assert speed.max() < 20
+    assert np.abs(np.diff(speed, axis=0)).max() < 4
+    assert violations(BODY, cleared.rotations).max() == 0
+    assert np.all(np.sum(cleared.rotations[1:] * cleared.rotations[:-1], axis=-1) > 0)
+
+
+def test_what_is_clear_is_left_as_it_is() -> None:
+    body = moving((Hand.LEFT, BEFORE), (Hand.RIGHT, BEFORE))
+    cleared, decisions = clear(BODY, body)
+    assert decisions == ()
+    assert np.array_equal(cleared.rotations, body.rotations)
+
+
+@pytest.mark.parametrize("left", RESTS)
+def test_hands_rest_on_the_body_and_on_each_other_not_in_them(left: str) -> None:
+    rotations = np.tile(IDENTITY, (1, len(BODY.names), 1))
+    for side in (Hand.LEFT, Hand.RIGHT):
+        rotations[0, BODY.chain(*arm_joints(side))] = rest_pose(BODY, side, left).rotations
+    assert penetrations_m(BODY, rotations, np.zeros((1, 3)))[0] == 0
+
+
+def test_a_joint_past_its_limit_is_brought_back() -> None:
+    body = moving((Hand.LEFT, BEFORE))
+    bent = body.rotations.copy()
+    bent[:, BODY.index["leftHand"]] = [0.0, 0.0, np.sin(np.radians(50)), np.cos(np.radians(50))]
+    cleared, _ = clear(BODY, BodyMotion(TIMES_S, bent, body.hips_m))
+    assert violations(BODY, bent).max() > 25
+    assert violations(BODY, cleared.rotations).max() == 0
+
+
+def test_contacts_tell_how_deep_and_which_way_out() -> None:
+    place = Place(Sideways.CC, Height.LOWER_C, Depth.NEAR, (0.0, 0.0, -0.09))
+    pose = pose_arm(BODY, Hand.LEFT, ArmKey(place, wrist=Wrist(frozenset({Direction.INWARDS}), frozenset())))
+    rotations = np.tile(IDENTITY, (1, len(BODY.names), 1))
+    joints = BODY.chain(*arm_joints(Hand.LEFT))
+    rotations[0, joints] = rest_pose(BODY, Hand.LEFT, "open").rotations
+    rotations[0, joints[:2]] = pose.parts[:2]
+    rotations[0, joints[2]] = pose.parts[2]
+    found = contacts(BODY, rotations, np.zeros((1, 3)))
+    column = int(found.depth_m[0].argmax())
+    assert found.depth_m[0, column] > 0.01
+    assert found.out[0, column, 2] > 0.5
+    assert len(PAIRS) == found.depth_m.shape[1]
