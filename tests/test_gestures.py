@@ -18,7 +18,9 @@ from app.realizer.gesture_space import sector_m
 from app.realizer.library import Library
 from app.realizer.skeleton import Skeleton
 
-LEXICON = Path(__file__).resolve().parents[1] / "lexicon"
+ROOT = Path(__file__).resolve().parents[1]
+LEXICON = ROOT / "lexicon"
+PAGE = ROOT / "docs" / "gestures.md"
 
 TOUCHING = {"PALMS_TOGETHER"}
 """Categories whose hands meet on purpose."""
@@ -139,3 +141,23 @@ def test_two_hands_stay_apart(library: Library) -> None:
         for left, *right in wrists_m(found):
             for other in right:
                 assert np.linalg.norm(left - other * [-1, 1, 1]) >= least_m, (found.name, found.level)
+
+
+def test_the_page_lists_every_gesture_by_category_and_hands(library: Library) -> None:
+    rows = [line.split("|")[1:-1] for line in PAGE.read_text(encoding="utf-8").splitlines() if line.startswith("| ")]
+    listed = {row[0].strip(): tuple(names(cell) for cell in row[2:]) for row in rows if row[0].strip() != "category"}
+    there = {category: by_hands(definitions) for category, definitions in library.by_category.items()}
+    del there["SMALL"]
+    assert listed == there
+    assert all(row[1].strip() for row in rows)
+
+
+def names(cell: str) -> tuple[str, ...]:
+    return tuple(sorted(filter(None, (name.strip(" `") for name in cell.split(",")))))
+
+
+def by_hands(definitions: tuple[Definition, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The names of one-handed gestures, and of two-handed ones."""
+    one = sorted(each.name for each in definitions if each.hand is not Hand.BOTH)
+    both = sorted(each.name for each in definitions if each.hand is Hand.BOTH)
+    return tuple(one), tuple(both)
