@@ -9,6 +9,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.model import FloatArray
+from app.realizer.exporting.events import described
 from app.realizer.exporting.gltf import Accessors, Json, Tracks, binary, joint_nodes
 from app.realizer.mannequin import COLOURS, Mannequin, Part, joined
 from app.realizer.mannequin_body import t_pose_m
@@ -38,22 +39,6 @@ def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:
         "animations": [_animation(motion, face, accessors)],
     }
     return binary(tree, accessors)
-
-
-def described(motion: Motion) -> dict[str, Json]:
-    """What the motion is of, for programs: events by BML id, in seconds from the first frame, and decisions."""
-    start_s = float(motion.body.times_s[0])
-    return {
-        "frame_rate_hz": motion.frame_rate_hz,
-        "audio_offset_s": round(start_s, 6),
-        "events": [
-            {"behavior": event.behavior, "point": event.point, "time_s": round(event.time_s - start_s, 6)}
-            for event in motion.events()
-        ],
-        "decisions": [
-            {"behavior": each.behavior, "action": each.action, "reason": each.reason} for each in motion.decisions
-        ],
-    }
 
 
 def _mesh(name: str, parts: tuple[Part, ...], accessors: Accessors) -> dict[str, Json]:

@@ -1,0 +1,82 @@
+"""A clip as JSON, for engines that play it by themselves (docs/motion-formats.md has the schema).
+
+Conventions: metres, seconds from the first frame, quaternions x y z w local to the joint's parent, T-pose at the
+identity. A track that never changes has one value instead of one a frame. Numbers are written in text at a time for a
+whole track, so that ten minutes need little memory.
+"""
+
+import json
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from app.model import FloatArray
+from app.realizer.exporting.events import described
+from app.realizer.exporting.gltf import Json
+from app.realizer.exporting.retargeting import Rig
+from app.realizer.motion import SHAPES, Motion
+from app.realizer.rotations import of_one_sign
+from app.realizer.skeleton import Skeleton
+
+FORMAT, VERSION = "understudy-clip", 1
+ROTATION_DECIMALS, PLACE_DECIMALS, WEIGHT_DECIMALS = 5, 4, 4
+
+
+def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig) -> bytes:
+    """The clip with the rig's names of the joints; a line a track."""
+    head: dict[str, Json] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "skeleton": _skeleton(skeleton, rig),
+        "frames": len(motion.body.times_s),
+        "duration_s": round(motion.duration_s, 6),
+        **described(motion),
+        "notices": [{"code": notice.code, "message": notice.message} for notice in motion.notices],
+    }
+    lines = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in head.items()]
+    lines.append(f'"hips_m": {_track(motion.body.hips_m, PLACE_DECIMALS)}')
+    lines.append(_tracks("bones", dict(_bones(motion, rig))))
+    weights = np.clip(motion.shapes, 0.0, 1.0)
+    shapes = {name: _track(weights[:, k], WEIGHT_DECIMALS) for k, name in enumerate(SHAPES)}
+    lines.append(_tracks("blendshapes", shapes))
+    return ("{\n" + ",\n".join(lines) + "\n}\n").encode()
+
+
+def _skeleton(skeleton: Skeleton, rig: Rig) -> Json:
+    names = list(rig.names.values())
+    return {
+        "name": rig.name,
+        "unit_m": 1.0,
+        "up": "+Y",
+        "forward": "+Z",
+        "rest": "T-pose",
+        "joints": [
+            {
+                "name": rig.names[joint],
+                "parent": names[parent] if parent >= 0 else None,
+                "offset_m": [round(float(part), 6) for part in offset],
+            }
+            for joint, parent, offset in zip(skeleton.names, skeleton.parents, skeleton.offsets_m, strict=True)
+        ],
+    }
+
+
+def _bones(motion: Motion, rig: Rig) -> Iterator[tuple[str, str]]:
+    for joint, name in enumerate(rig.names.values()):
+        yield name, _track(of_one_sign(motion.body.rotations[:, joint]), ROTATION_DECIMALS)
+
+
+def _tracks(key: str, tracks: Mapping[str, str]) -> str:
+    rows = ",\n".join(f"  {json.dumps(name)}: {track}" for name, track in tracks.items())
+    return f"{json.dumps(key)}: {{\n{rows}\n}}"
+
+
+def _track(values: FloatArray, decimals: int) -> str:
+    """A JSON array of values (T,) or of arrays of them (T, N); only the first, if all are the same."""
+    rounded = np.round(values, decimals) + 0.0
+    if np.all(rounded == rounded[:1]):
+        rounded = rounded[:1]
+    one = f"%.{decimals}f"
+    if rounded.ndim > 1:
+        one = "[" + ",".join([one] * rounded.shape[1]) + "]"
+    return "[" + ",".join([one] * len(rounded)) % tuple(rounded.reshape(-1).tolist()) + "]"

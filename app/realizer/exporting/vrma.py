@@ -1,0 +1,129 @@
+"""VRM animation (`.vrma`, VRMC_vrm_animation 1.0): the performance for any VRM avatar.
+
+Conventions: VRM's T-pose at rest, metres, 30 frames a second where the motion's rate is a multiple of it. Only the hips
+move from their place, nothing is scaled. An expression's weight is the x of its node's place; the eyes' turn is that of
+the `lookAt` node (their mean), so the eye bones have no tracks. Avatars have few expressions: the mouth's five vowels
+are fitted to the ARKit shapes frame by frame. With `shapes`, the 52 ARKit shapes go as custom expressions instead, for
+avatars that have them ("perfect sync"), and no preset does, lest the face move twice.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+
+from app.model import FloatArray
+from app.realizer.exporting.events import described
+from app.realizer.exporting.gltf import Accessors, Json, Tracks, binary, joint_nodes
+from app.realizer.mannequin_face import VISEMES
+from app.realizer.motion import SHAPES, Motion
+from app.realizer.rotations import of_one_sign, slerp
+from app.realizer.skeleton import Skeleton
+
+EXTENSION = "VRMC_vrm_animation"
+FRAME_RATE_HZ = 30
+EYES = ("leftEye", "rightEye")
+LOOK_AT_M = (0.0, 0.075, 0.085)
+
+VOWELS: Mapping[str, str] = MappingProxyType({"aa": "aa", "ih": "I", "ou": "U", "ee": "E", "oh": "O"})
+"""VRM's mouth expressions, and the viseme that each is."""
+
+MOODS: Mapping[str, Mapping[str, float]] = MappingProxyType(
+    {
+        "happy": {"mouthSmileLeft": 0.5, "mouthSmileRight": 0.5},
+        "angry": {"browDownLeft": 0.35, "browDownRight": 0.35, "noseSneerLeft": 0.15, "noseSneerRight": 0.15},
+        "sad": {"browInnerUp": 0.4, "mouthFrownLeft": 0.3, "mouthFrownRight": 0.3},
+        "surprised": {"browOuterUpLeft": 0.2, "browOuterUpRight": 0.2, "eyeWideLeft": 0.3, "eyeWideRight": 0.3},
+    }
+)
+LIDS: Mapping[str, str] = MappingProxyType({"blinkLeft": "eyeBlinkLeft", "blinkRight": "eyeBlinkRight"})
+
+_FIT_STEPS = 60
+
+
+def to_vrma(motion: Motion, skeleton: Skeleton, *, shapes: bool = False) -> bytes:
+    """The animation; `shapes` sends the ARKit shapes as custom expressions instead of VRM's own presets."""
+    frames = slice(None, None, _stride(motion))
+    weights = np.clip(motion.shapes[frames], 0.0, 1.0)
+    expressions = {name: weights[:, k] for k, name in enumerate(SHAPES)} if shapes else presets(weights)
+    nodes = joint_nodes(skeleton)
+    look_at, first = len(nodes), len(nodes) + 1
+    nodes[skeleton.index["head"]]["children"] = [*(skeleton.index[eye] for eye in EYES), look_at]
+    nodes += [{"name": "lookAt", "translation": list(LOOK_AT_M)}, *({"name": name} for name in expressions)]
+    accessors = Accessors()
+    tracks = Tracks(accessors, np.arange(len(weights)) * _stride(motion) / motion.frame_rate_hz)
+    _add_body(tracks, motion, skeleton, frames)
+    tracks.add(look_at, "rotation", of_one_sign(_gaze(motion, skeleton, frames)))
+    for number, values in enumerate(expressions.values()):
+        tracks.add(first + number, "translation", np.pad(values[:, None], ((0, 0), (0, 2))))
+    named: Json = {name: {"node": first + number} for number, name in enumerate(expressions)}
+    extension = _extension(skeleton, {"custom" if shapes else "preset": named}, look_at)
+    tree: dict[str, Json] = {
+        "extensionsUsed": [EXTENSION],
+        "extensions": {EXTENSION: extension},
+        "scene": 0,
+        "scenes": [{"nodes": [0, *range(first, len(nodes))]}],
+        "nodes": nodes,
+        "animations": [{"name": "performance", **tracks.tree(), "extras": described(motion)}],
+    }
+    return binary(tree, accessors)
+
+
+def _stride(motion: Motion) -> int:
+    """How many frames of the motion go by for one of the animation."""
+    return motion.frame_rate_hz // FRAME_RATE_HZ if motion.frame_rate_hz % FRAME_RATE_HZ == 0 else 1
+
+
+def _extension(skeleton: Skeleton, expressions: Json, look_at: int) -> Json:
+    bones: Json = {name: {"node": joint} for joint, name in enumerate(skeleton.names) if name not in EYES}
+    return {
+        "specVersion": "1.0",
+        "humanoid": {"humanBones": bones},
+        "expressions": expressions,
+        "lookAt": {"node": look_at},
+    }
+
+
+def presets(weights: FloatArray) -> dict[str, FloatArray]:
+    """VRM's expressions (T,) that come nearest to the ARKit shapes (T, 52)."""
+    found = dict(zip(VOWELS, _vowels(weights).T, strict=True))
+    for name, shape in LIDS.items():
+        found[name] = weights[:, SHAPES.index(shape)]
+    for name, mixture in MOODS.items():
+        found[name] = np.clip(sum(share * weights[:, SHAPES.index(shape)] for shape, share in mixture.items()), 0, 1)
+    return found
+
+
+def _vowels(weights: FloatArray) -> FloatArray:
+    """Non-negative least squares (T, 5): how much of each vowel's mouth makes the mouth of each frame."""
+    mouth = [k for k, name in enumerate(SHAPES) if name.startswith(("jawOpen", "mouth"))]
+    basis = np.stack([_viseme_shapes(viseme)[mouth] for viseme in VOWELS.values()])
+    gram, seen = basis @ basis.T, weights[:, mouth] @ basis.T
+    step = 1.0 / float(np.linalg.eigvalsh(gram)[-1])
+    found = np.zeros((len(weights), len(VOWELS)))
+    for _ in range(_FIT_STEPS):
+        found = np.clip(found - step * (found @ gram - seen), 0.0, 1.0)
+    return np.where(found < 1e-4, 0.0, found)
+
+
+def _viseme_shapes(viseme: str) -> FloatArray:
+    """The ARKit shapes (52,) of a viseme."""
+    shapes = np.zeros(len(SHAPES))
+    for name, weight in VISEMES[viseme].items():
+        for k, shape in enumerate(SHAPES):
+            if shape.removesuffix("Left").removesuffix("Right") == name:
+                shapes[k] = weight
+    return shapes
+
+
+def _add_body(tracks: Tracks, motion: Motion, skeleton: Skeleton, frames: slice) -> None:
+    tracks.add(0, "translation", motion.body.hips_m[frames])
+    for joint, name in enumerate(skeleton.names):
+        if name not in EYES:
+            tracks.add(joint, "rotation", of_one_sign(motion.body.rotations[frames, joint]))
+
+
+def _gaze(motion: Motion, skeleton: Skeleton, frames: slice) -> FloatArray:
+    """The turn midway between the eyes' (T, 4)."""
+    left, right = (motion.body.rotations[frames, skeleton.index[eye]] for eye in EYES)
+    return slerp(left, right, np.full(len(left), 0.5))
