@@ -5,6 +5,7 @@ its place (absolute: its offset is zero) and its rotation, each other joint thre
 the joint's own axes in that order, so R = Rz · Rx · Ry. The first frame is the motion's first.
 """
 
+import io
 from collections.abc import Iterator
 
 import numpy as np
@@ -43,10 +44,11 @@ def to_bvh(motion: Motion, skeleton: Skeleton, rig: Rig) -> bytes:
     ]
     values = _channels(motion, order)
     row = " ".join([f"%.{DECIMALS}f"] * values.shape[1]) + "\n"
-    chunks = ["\n".join(lines).encode()]
+    content = io.BytesIO()
+    content.write("\n".join(lines).encode())
     for chunk in np.array_split(values, -(-frames // CHUNK)):
-        chunks += ["".join([row % tuple(frame) for frame in chunk.tolist()]).encode()]
-    return b"".join(chunks)
+        content.write("".join([row % tuple(frame) for frame in chunk.tolist()]).encode())
+    return content.getvalue()
 
 
 def zxy_degrees(rotations: FloatArray) -> FloatArray:

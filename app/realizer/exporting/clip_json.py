@@ -5,8 +5,9 @@ identity. A track that never changes has one value instead of one a frame. Numbe
 whole track, so that ten minutes need little memory.
 """
 
+import io
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -33,13 +34,16 @@ def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig) -> bytes:
         **described(motion),
         "notices": [{"code": notice.code, "message": notice.message} for notice in motion.notices],
     }
-    lines = [f"{json.dumps(key)}: {json.dumps(value)}" for key, value in head.items()]
-    lines.append(f'"hips_m": {_track(motion.body.hips_m, PLACE_DECIMALS)}')
-    lines.append(_tracks("bones", dict(_bones(motion, rig))))
-    weights = np.clip(motion.shapes, 0.0, 1.0)
-    shapes = {name: _track(weights[:, k], WEIGHT_DECIMALS) for k, name in enumerate(SHAPES)}
-    lines.append(_tracks("blendshapes", shapes))
-    return ("{\n" + ",\n".join(lines) + "\n}\n").encode()
+    content = io.BytesIO()
+    content.write(b"{\n")
+    for key, value in head.items():
+        content.write(f"{json.dumps(key)}: {json.dumps(value)},\n".encode())
+    content.write(f'"hips_m": {_track(motion.body.hips_m, PLACE_DECIMALS)},\n'.encode())
+    _write_tracks(content, "bones", _bones(motion, rig))
+    content.write(b",\n")
+    _write_tracks(content, "blendshapes", _blendshapes(motion))
+    content.write(b"\n}\n")
+    return content.getvalue()
 
 
 def _skeleton(skeleton: Skeleton, rig: Rig) -> Json:
@@ -66,9 +70,17 @@ def _bones(motion: Motion, rig: Rig) -> Iterator[tuple[str, str]]:
         yield name, _track(of_one_sign(motion.body.rotations[:, joint]), ROTATION_DECIMALS)
 
 
-def _tracks(key: str, tracks: Mapping[str, str]) -> str:
-    rows = ",\n".join(f"  {json.dumps(name)}: {track}" for name, track in tracks.items())
-    return f"{json.dumps(key)}: {{\n{rows}\n}}"
+def _blendshapes(motion: Motion) -> Iterator[tuple[str, str]]:
+    for k, name in enumerate(SHAPES):
+        yield name, _track(np.clip(motion.shapes[:, k], 0.0, 1.0), WEIGHT_DECIMALS)
+
+
+def _write_tracks(content: io.BytesIO, key: str, tracks: Iterator[tuple[str, str]]) -> None:
+    """An object of tracks by name."""
+    content.write(f"{json.dumps(key)}: {{".encode())
+    for number, (name, track) in enumerate(tracks):
+        content.write(f"{',' if number else ''}\n  {json.dumps(name)}: {track}".encode())
+    content.write(b"\n}")
 
 
 def _track(values: FloatArray, decimals: int) -> str:

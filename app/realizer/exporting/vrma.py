@@ -49,7 +49,8 @@ def to_vrma(motion: Motion, skeleton: Skeleton, *, shapes: bool = False) -> byte
     nodes = joint_nodes(skeleton)
     look_at, first = len(nodes), len(nodes) + 1
     nodes[skeleton.index["head"]]["children"] = [*(skeleton.index[eye] for eye in EYES), look_at]
-    nodes += [{"name": "lookAt", "translation": list(LOOK_AT_M)}, *({"name": name} for name in expressions)]
+    nodes.append({"name": "lookAt", "translation": list(LOOK_AT_M)})
+    nodes += [{"name": name} for name in expressions]
     accessors = Accessors()
     tracks = Tracks(accessors, np.arange(len(weights)) * _stride(motion) / motion.frame_rate_hz)
     _add_body(tracks, motion, skeleton, frames)
