@@ -8,6 +8,7 @@ whole track, so that ten minutes need little memory.
 import io
 import json
 from collections.abc import Iterator
+from itertools import chain, repeat
 
 import numpy as np
 
@@ -78,8 +79,11 @@ def _blendshapes(motion: Motion) -> Iterator[tuple[str, str]]:
 def _write_tracks(content: io.BytesIO, key: str, tracks: Iterator[tuple[str, str]]) -> None:
     """An object of tracks by name."""
     content.write(f"{json.dumps(key)}: {{".encode())
-    for number, (name, track) in enumerate(tracks):
-        content.write(f"{',' if number else ''}\n  {json.dumps(name)}: {track}".encode())
+    separators = chain([""], repeat(","))
+    content.writelines(
+        f"{separator}\n  {json.dumps(name)}: {track}".encode()
+        for separator, (name, track) in zip(separators, tracks, strict=False)
+    )
     content.write(b"\n}")
 
 
