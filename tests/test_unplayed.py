@@ -2,8 +2,10 @@
 
 import pytest
 
+from app.bml.characters import Characters
 from app.model import Channel
 from app.realizer.unplayed import unplayed
+from app.resources import resource_folder
 from tests.movements import behavior, schedule
 
 
@@ -22,6 +24,13 @@ from tests.movements import behavior, schedule
 def test_what_has_no_movement_is_told(kind: Channel, lexeme: str, direction: str | None, action: str | None) -> None:
     told = unplayed(schedule(behavior(kind, lexeme, 1.0, 1.2, 2.0, 2.2, direction=direction)))
     assert [decision.action for decision in told] == ([] if action is None else [action])
+
+
+def test_every_movement_of_our_own_table_is_played() -> None:
+    characters = Characters.load(resource_folder("lexicon"))
+    entries = [entry for name in characters.by_name for entry in characters.named(name).entries.values()]
+    ours = [behavior(entry.channel, entry.lexeme, 1.0, 2.0, direction=entry.direction) for entry in entries]
+    assert unplayed(schedule(*ours)) == ()
 
 
 def test_what_lost_is_not_told() -> None:

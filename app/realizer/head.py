@@ -41,6 +41,7 @@ MOVEMENTS: Mapping[str, HeadMovement] = MappingProxyType(
     {
         "NOD": HeadMovement(nods=(20.0, 0.0, 0.0)),
         "TOSS": HeadMovement(nods=(-18.0, 3.0, 4.0)),
+        "CHIN_RAISE": HeadMovement(nods=(-18.0, 0.0, 0.0)),
         "SHAKE": HeadMovement(swings=(0.0, 22.0, 0.0)),
         "SWAY": HeadMovement(swings=(0.0, 3.0, -15.0)),
         "TILT_LEFT": HeadMovement(held=(0.0, 0.0, -20.0)),
