@@ -141,6 +141,15 @@ def test_frames_between_frames_agree_with_each_other() -> None:
     assert np.allclose(slow, fast[::2], atol=1e-9)
 
 
+def test_a_long_line_is_made_piece_by_piece_and_the_pieces_fit() -> None:
+    long = tuple(viseme for turn in range(30) for viseme in _later(said(SENTENCE, phone_s=0.07), turn * 2.2))
+    schedule = Schedule((shown("RAISE_BROWS", start_s=33.5),), 70.0, visemes=long)
+    times_s = times(70.0)
+    whole = face(TABLES, schedule, still(times_s), SKELETON, seed=1)
+    middle = slice(60 * 30, 60 * 40)
+    assert np.allclose(whole[middle], face(TABLES, schedule, still(times_s[middle]), SKELETON, seed=1), atol=1e-9)
+
+
 def test_what_is_said_later_than_the_horizon_changes_nothing_now() -> None:
     near = said(SENTENCE, phone_s=0.07)
     alone, followed = (faced(spoken, end_s=5.0) for spoken in (near, (*near, *_later(near, 2.5))))

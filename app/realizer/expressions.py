@@ -35,10 +35,12 @@ def expressions(
     left = np.ones((len(times_s), len(SHAPES)))
     for behavior in behaviors:
         if _is_facial(behavior) and behavior.lexeme in words:
+            points_s = envelope_points(behavior.sync, frame_s)
+            first, last = np.searchsorted(times_s, [points_s[0], points_s[-1]])
+            if first == last:
+                continue
             weights = sided(words[behavior.lexeme], Side((behavior.direction or Side.BOTH).lower()))
-            start_s, ready_s, relax_s, end_s = envelope_points(behavior.sync, frame_s)
-            first, last = np.searchsorted(times_s, [start_s, end_s])
-            height = envelope(times_s[first:last], (start_s, ready_s, relax_s, end_s)) * _amount(behavior)
+            height = envelope(times_s[first:last], points_s) * _amount(behavior)
             moved = np.flatnonzero(weights)
             left[first:last, moved] *= 1 - height[:, None] * weights[moved]
     return 1 - left

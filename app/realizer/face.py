@@ -48,6 +48,9 @@ MICRO_MOVEMENT: Mapping[str, float] = MappingProxyType(
 
 MICRO_MOVEMENT_HZ, ASYMMETRY_HZ = 0.7, 0.4
 
+_FRAMES_AT_ONCE = 2048
+"""A face is a function of time, so ten minutes take little more room than half a minute."""
+
 
 def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Skeleton, *, seed: int) -> FloatArray:
     """The weights (T, 52) in [0, 1], in the order of `SHAPES`, at the frames of `body`, whose eye joints are looked at.
@@ -56,12 +59,16 @@ def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Ske
     """
     times_s = body.times_s
     frame_s = float(times_s[1] - times_s[0]) if len(times_s) > 1 else 0.0
-    speech = speak(tables.visemes, schedule.visemes, times_s)
-    shown = expressions(tables.words, schedule.behaviors, times_s, frame_s) * _sides(times_s, seed)
-    shown = _together(shown, micro_movement(times_s, seed))
-    shapes = _together(speech.shapes, _beside_speech(shown, speech))
-    shapes = _together(shapes, looks(tables.eyes, body, skeleton))
-    return np.clip(with_lids(tables.eyes, shapes), 0, 1)
+    shapes = np.empty((len(times_s), len(SHAPES)))
+    for first in range(0, len(times_s), _FRAMES_AT_ONCE):
+        frames = slice(first, first + _FRAMES_AT_ONCE)
+        part = BodyMotion(times_s[frames], body.rotations[frames], body.hips_m[frames])
+        at_rest = _together(looks(tables.eyes, part, skeleton), micro_movement(part.times_s, seed))
+        shown = expressions(tables.words, schedule.behaviors, part.times_s, frame_s) * _sides(part.times_s, seed)
+        speech = speak(tables.visemes, schedule.visemes, part.times_s)
+        beside = _beside_speech(_together(shown, at_rest), speech)
+        shapes[frames] = with_lids(tables.eyes, _together(speech.shapes, beside))
+    return shapes
 
 
 def micro_movement(times_s: FloatArray, seed: int) -> FloatArray:
@@ -94,5 +101,5 @@ def _sides(times_s: FloatArray, seed: int) -> FloatArray:
 
 
 def _together(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Both at once, never beyond 1."""
+    """Both at once, between 0 and 1 as they are."""
     return np.asarray(1 - (1 - a) * (1 - b))

@@ -9,7 +9,7 @@ sound from 45 ms on, picture before sound only from 125 ms on (ITU-R BT.1359-1),
 would part the lips of a P before it is heard.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -23,6 +23,8 @@ LEAD_S = 0.015
 
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 _MARGIN_S = 1.0
+"""More than the horizon of coarticulation."""
+
 _NEAR_ZERO = 1e-9
 
 
@@ -88,14 +90,16 @@ def _targets(table: VisemeTable, visemes: tuple[Viseme, ...], segments: Segments
 
 
 def _segmented(visemes: tuple[Viseme, ...], times_s: FloatArray) -> tuple[tuple[Viseme, ...], Segments]:
-    """The visemes without gaps, a second longer than the frames on either side, and the same as arrays."""
-    spoken = tuple(_without_gaps(visemes, float(times_s[0]) - _MARGIN_S, float(times_s[-1]) + _MARGIN_S))
+    """What is said within a second of the frames, without gaps, and the same as arrays."""
+    start_s, end_s = float(times_s[0]) - _MARGIN_S, float(times_s[-1]) + _MARGIN_S
+    near = (each for each in visemes if each.interval.end_s > start_s and each.interval.start_s < end_s)
+    spoken = tuple(_without_gaps(near, start_s, end_s))
     kind = np.array([VISEMES.index(viseme.label) for viseme in spoken])
     bounds_s = np.array([(viseme.interval.start_s, viseme.interval.end_s) for viseme in spoken])
     return spoken, Segments(kind, bounds_s[:, 0], bounds_s[:, 1])
 
 
-def _without_gaps(visemes: tuple[Viseme, ...], start_s: float, end_s: float) -> Iterator[Viseme]:
+def _without_gaps(visemes: Iterable[Viseme], start_s: float, end_s: float) -> Iterator[Viseme]:
     """The visemes with silence wherever there is none, from `start_s` to `end_s`."""
     at_s = start_s
     for viseme in visemes:
