@@ -68,7 +68,7 @@ def test_only_the_visemes_of_closed_lips_close_them() -> None:
         ("[tongueOut]", "[tongueOut, jawOpen]", "'jawOpen' is moved by another articulator already"),
         ("widest_jaw: 0.5", "widest_jaw: 5", "Input should be less than or equal to 1"),
         ("side: left", "side: front", "Input should be 'left', 'right' or 'both'"),
-        ("{down: 0.45, up: 0.35}", "{down: 0.45}", "Value error, missing: up"),
+        ("{down: 0.12, up: 0.12}", "{down: 0.12}", "Value error, missing: up"),
         ("leaves_corners: 1}", "leaves_corners: 1, opening: 1}", "unknown key"),
     ],
 )

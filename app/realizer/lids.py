@@ -1,8 +1,7 @@
-"""Eyes as shapes, and the lids that go with them: looks from the turn of the body's eye joints, lids that follow
-them.
+"""Eyes as shapes, and the lids that go with them: looks from the turn of the body's eye joints, lids that follow them.
 
-Conventions: an eye looks along its joint's +Z; up and to the character's left (+X) count as positive. The looks repeat
-what the eye joints do already, for faces that have no eye joints; whoever plays both turns the eyes twice.
+Conventions: an eye looks along its joint's +Z; up and to the character's left (+X) count as positive. ARKit's looks are
+what the lids do with a gaze; the balls turn with the eye joints. Faces without eye joints turn them by the looks.
 """
 
 import numpy as np
@@ -13,6 +12,9 @@ from app.realizer.motion import SHAPES, BodyMotion
 from app.realizer.rotations import rotate
 from app.realizer.skeleton import Skeleton
 
+SIDES = ("Left", "Right")
+
+_OF_LIDS = ("eyeBlink{}", "eyeWide{}", "eyeSquint{}", "eyeLookDown{}")
 _AHEAD: FloatArray = np.array([0.0, 0.0, 1.0])
 _AHEAD.setflags(write=False)
 
@@ -32,14 +34,14 @@ def looks(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> FloatArray:
 
 
 def with_lids(table: EyeTable, shapes: FloatArray) -> FloatArray:
-    """The weights with lids that follow the looks; as a lid closes it is no longer wide, and squints less."""
+    """The weights with lids that follow the looks; a lid that closes is no longer wide, squints less, and looks down no
+    more, which would push it beyond shut."""
     shapes = shapes.copy()
-    for side in ("Left", "Right"):
-        blink, wide, squint = (INDEX[name + side] for name in ("eyeBlink", "eyeWide", "eyeSquint"))
-        down = table.lids_down * shapes[:, INDEX["eyeLookDown" + side]]
-        up = table.lids_up * shapes[:, INDEX["eyeLookUp" + side]]
-        shapes[:, blink] = 1 - (1 - shapes[:, blink]) * (1 - down)
-        is_open = 1 - shapes[:, blink]
-        shapes[:, wide] = (1 - (1 - shapes[:, wide]) * (1 - up)) * is_open * (1 - 0.5 * shapes[:, squint])
-        shapes[:, squint] *= 0.5 + 0.5 * is_open
+    for side in SIDES:
+        blink, wide, squint, look_down = (shapes[:, INDEX[name.format(side)]] for name in _OF_LIDS)
+        look_down *= 1 - blink
+        blink += (1 - blink) * table.lids_down * look_down
+        wide += (1 - wide) * table.lids_up * shapes[:, INDEX["eyeLookUp" + side]]
+        wide *= (1 - blink) * (1 - 0.5 * squint)
+        squint *= 1 - 0.5 * blink
     return shapes
