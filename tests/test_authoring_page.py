@@ -67,4 +67,4 @@ def test_every_command_answers_what_the_page_says(copy: Path) -> None:
 
 def test_every_example_is_run() -> None:
     assert PAGE.count("```") == 2 * len(EXAMPLES)
-    assert {kind for kind, *_ in EXAMPLES} == {"yaml", "rules", "console"}
+    assert {kind for kind, *_ in EXAMPLES} == {"yaml", "rules", "gesture", "console"}
