@@ -16,14 +16,15 @@ def degrees(*gazes: tuple[str, float, dict[str, object]]) -> list[tuple[float, l
         behavior(Channel.GAZE, lexeme, start_s, start_s + 0.1, start_s + 1.0, start_s + 1.1, **changes)
         for lexeme, start_s, changes in gazes
     )
-    _before, turned = looks(schedule(*behaviors), FROM_M, {"door": (1.0, LISTENER_M[1], 1.0)})
-    return [(each.start_s, list(np.degrees(each.aim.eyes[:2])), list(np.degrees(each.aim.head))) for each in turned]
+    aims = looks(schedule(*behaviors), FROM_M, {"door": (1.0, LISTENER_M[1], 1.0)})
+    eyes, head = np.degrees(aims.eyes[1:, :2]).tolist(), np.degrees(aims.head[1:]).tolist()
+    return list(zip(aims.starts_s.tolist(), eyes, head, strict=True))
 
 
 def test_before_the_first_gaze_all_is_on_the_listener() -> None:
-    before, turned = looks(schedule(), FROM_M, {})
-    assert turned == ()
-    assert before.eyes == pytest.approx([0, 0, 1 / LISTENER_M[2]])
+    aims = looks(schedule(), FROM_M, {})
+    assert len(aims.starts_s) == 0
+    assert aims.eyes == pytest.approx(np.array([[0, 0, 1 / LISTENER_M[2]]]))
 
 
 @pytest.mark.parametrize("direction", sorted(DIRECTIONS))

@@ -16,7 +16,7 @@ from app.model import FloatArray, Schedule
 from app.realizer.angles import angles, turn
 from app.realizer.easing import changes
 from app.realizer.fixation import fixating, saccade_s
-from app.realizer.looks import Aim, Position, Turned, looks
+from app.realizer.looks import Aims, Position, looks
 from app.realizer.motion import BodyMotion
 from app.realizer.rotations import from_rotation_vector, inverse, multiply, to_rotation_vector
 from app.realizer.sight import EYES, Chest, aimed, chest, face, toward
@@ -48,8 +48,7 @@ def gaze(
     `targets_m` places targets in the world; one that it does not name is the other in the talk (`LISTENER_M`).
     """
     times_s, from_m = body.times_s, _eyes_in_t_pose(skeleton)
-    before, turned = looks(schedule, from_m, targets_m)
-    line, head, trunk = _courses(times_s, before, turned)
+    line, head, trunk = _courses(times_s, looks(schedule, from_m, targets_m))
     rotations = body.rotations.copy()
     share = turn(np.zeros_like(trunk), trunk / len(_TRUNK), np.zeros_like(trunk))
     for joint in skeleton.chain(*_TRUNK):
@@ -63,19 +62,16 @@ def gaze(
     return BodyMotion(times_s, rotations, body.hips_m)
 
 
-def _courses(times_s: FloatArray, before: Aim, turned: tuple[Turned, ...]) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _courses(times_s: FloatArray, aims: Aims) -> tuple[FloatArray, FloatArray, FloatArray]:
     """The eyes' pitch, yaw and nearness (T, 3), the head's pitch and yaw (T, 2), the trunk's yaw (T,)."""
-    aims = [before, *(each.aim for each in turned)]
-    eyes, head = np.array([each.eyes for each in aims]), np.array([each.head for each in aims])
-    trunk = np.array([[each.trunk] for each in aims])
-    starts_s, within_s = np.array([(each.start_s, each.within_s) for each in turned]).reshape(-1, 2).T
-    eyes_by, head_by = np.diff(eyes, axis=0), np.diff(head, axis=0)
+    eyes_by, head_by, trunk_by = (np.diff(each, axis=0) for each in (aims.eyes, aims.head, aims.trunk))
     eyes_s = saccade_s(np.linalg.norm(eyes_by[:, :2], axis=-1))
-    head_s = np.maximum(HEAD_S + HEAD_S_PER_RADIAN * np.linalg.norm(head_by, axis=-1), within_s - HEAD_LAG_S)
+    head_s = np.maximum(HEAD_S + HEAD_S_PER_RADIAN * np.linalg.norm(head_by, axis=-1), aims.within_s - HEAD_LAG_S)
+    trunk = aims.trunk[0] + changes(times_s, aims.starts_s + TRUNK_LAG_S, TRUNK_SLOWNESS * head_s, trunk_by)
     return (
-        eyes[0] + changes(times_s, starts_s, eyes_s, eyes_by),
-        head[0] + changes(times_s, starts_s + HEAD_LAG_S, head_s, head_by),
-        (trunk[0] + changes(times_s, starts_s + TRUNK_LAG_S, TRUNK_SLOWNESS * head_s, np.diff(trunk, axis=0)))[:, 0],
+        aims.eyes[0] + changes(times_s, aims.starts_s, eyes_s, eyes_by),
+        aims.head[0] + changes(times_s, aims.starts_s + HEAD_LAG_S, head_s, head_by),
+        trunk[:, 0],
     )
 
 

@@ -9,6 +9,7 @@ and right are the character's own.
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
 
@@ -46,50 +47,69 @@ TRUNK_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.25, "LOOK": 0.12
 AT_EASE = np.radians([18.0, 24.0])
 """How far eyes turn up or down and to the side before the head helps them."""
 
+_NOWHERE = np.zeros(3)
 
-@dataclass(frozen=True, slots=True)
-class Aim:
-    """What is turned where: the eyes' pitch, yaw and nearness (1/m), the head's pitch and yaw, the trunk's yaw."""
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Aims:
+    """What is turned where: the first row is before any gaze, the others from `starts_s` (K,) on, in order; a slow head
+    takes `within_s`. The eyes' pitch, yaw and nearness (1 / m) (K + 1, 3), the head's pitch and yaw (K + 1, 2), the
+    trunk's yaw (K + 1, 1)."""
+
+    starts_s: FloatArray
+    within_s: FloatArray
     eyes: FloatArray
     head: FloatArray
-    trunk: float
+    trunk: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
-class Turned:
-    """From `start_s` the aim is another; a slow head takes `within_s`."""
+class _Line(NamedTuple):
+    """Where the gaze goes from `at_s` on, what a glance adds to it, and whose shares head and trunk take."""
 
-    start_s: float
+    at_s: float
     within_s: float
-    aim: Aim
+    line: FloatArray
+    glance: FloatArray
+    lexeme: str
 
 
-def looks(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position]) -> tuple[Aim, tuple[Turned, ...]]:
-    """The aim before the first gaze, at the listener, and every change of it in order of time."""
-    at_listener = _aim(_at(None, from_m, targets_m), "SHIFT", np.zeros(3))
-    return at_listener, tuple(_turned(schedule, from_m, targets_m))
+def looks(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position]) -> Aims:
+    """The aims of a schedule's gazes, at the listener before them. Head and trunk take their shares of the line of
+    sight; the head helps where the eyes alone would be strained."""
+    names = {each.target for each in schedule.behaviors if each.kind is Channel.GAZE and each.kept}
+    at = {name: _at(name, from_m, targets_m) for name in {None, *names}}
+    lines = [_Line(0.0, 0.0, at[None], _NOWHERE, "SHIFT"), *_lines(schedule, at)]
+    line, glance = np.array([each.line for each in lines]), np.array([each.glance for each in lines])
+    shares = np.array([[HEAD_SHARE[each.lexeme], TRUNK_SHARE[each.lexeme]] for each in lines])
+    head = shares[:, :1] * line[:, :2]
+    in_head = (line + glance)[:, :2] - head
+    return Aims(
+        starts_s=np.array([each.at_s for each in lines[1:]]),
+        within_s=np.array([each.within_s for each in lines[1:]]),
+        eyes=line + glance,
+        head=head + in_head - np.clip(in_head, -AT_EASE, AT_EASE),
+        trunk=shares[:, 1:] * line[:, 1:2],
+    )
 
 
-def _turned(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position]) -> Iterator[Turned]:
+def _lines(schedule: Schedule, at: Mapping[str | None, FloatArray]) -> Iterator[_Line]:
     """The latest gaze that is not over yet has the aim, among glances and among the others."""
-    base = _at(None, from_m, targets_m)
+    base = at[None]
     running: list[Behavior] = []
     for at_s, within_s, gaze, begins in _moments(schedule):
         if not begins:
             running.remove(gaze)
         elif gaze.lexeme == "SHIFT":
-            base = _at(gaze.target, from_m, targets_m) + _aside(gaze)
+            base = at[gaze.target] + _aside(gaze)
         else:
             running.append(gaze)
         aside = [each for each in running if each.lexeme != "GLANCE"]
-        line = _at(aside[-1].target, from_m, targets_m) + _aside(aside[-1]) if aside else base
+        line = at[aside[-1].target] + _aside(aside[-1]) if aside else base
         glances = [each for each in running if each.lexeme == "GLANCE"]
-        glance = np.zeros(3)
+        glance = _NOWHERE
         if glances:
-            directed = glances[-1].direction in DIRECTIONS
-            glance = _aside(glances[-1]) if directed else _at(glances[-1].target, from_m, targets_m) - line
-        yield Turned(at_s, within_s, _aim(line, "LOOK" if aside else "SHIFT", glance))
+            glance = _aside(glances[-1]) if glances[-1].direction in DIRECTIONS else at[glances[-1].target] - line
+        yield _Line(at_s, within_s, line, glance, "LOOK" if aside else "SHIFT")
 
 
 def _moments(schedule: Schedule) -> list[tuple[float, float, Behavior, bool]]:
@@ -107,18 +127,10 @@ def _moments(schedule: Schedule) -> list[tuple[float, float, Behavior, bool]]:
     return sorted(found, key=lambda moment: (moment[0], moment[2].sync.start, moment[2].id, not moment[3]))
 
 
-def _aim(line: FloatArray, lexeme: str, glance: FloatArray) -> Aim:
-    """Head and trunk take their shares of the line of sight; the head helps where eyes alone would be strained."""
-    head = HEAD_SHARE[lexeme] * line[:2]
-    in_head = (line + glance)[:2] - head
-    return Aim(
-        line + glance, head + in_head - np.clip(in_head, -AT_EASE, AT_EASE), TRUNK_SHARE[lexeme] * float(line[1])
-    )
-
-
 def _aside(gaze: Behavior) -> FloatArray:
     pitch, yaw = DIRECTIONS.get(gaze.direction or "", (0.0, 0.0))
-    return np.asarray(np.radians(RANGE_DEGREES) * (gaze.amount or 0.0) * np.array([pitch, yaw, 0.0]))
+    angle = np.radians(RANGE_DEGREES) * (gaze.amount or 0.0)
+    return np.array([angle * pitch, angle * yaw, 0.0])
 
 
 def _at(target: str | None, from_m: FloatArray, targets_m: Mapping[str, Position]) -> FloatArray:
