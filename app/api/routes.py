@@ -17,6 +17,7 @@ from app.api.metrics import MEDIA_TYPE as METRICS
 from app.api.negotiation import preferred
 from app.api.problems import MEDIA_TYPE as PROBLEM
 from app.api.service import Shared
+from app.api.speaker import with_reference
 from app.catalogue import Kind
 from app.errors import InputError, UnsupportedFormatError
 from app.given_functions import read_functions
@@ -25,7 +26,7 @@ from app.questions import read_object, read_options, read_question, read_timings
 
 XML = "application/xml"
 JSON = "application/json"
-PERFORM_FIELDS = ("audio", "text", "options", "words", "functions")
+PERFORM_FIELDS = ("audio", "text", "options", "words", "functions", "reference")
 WARNINGS_HEADER = "Understudy-Warnings"
 
 _TEXT = {"type": "string"}
@@ -44,6 +45,7 @@ _PERFORM_BODY = {
                         "options": _TEXT,
                         "words": _FILE,
                         "functions": _FILE,
+                        "reference": _FILE,
                     },
                 }
             }
@@ -65,7 +67,8 @@ router = APIRouter()
 @router.post("/perform", responses=_PERFORMED | _ERRORS, openapi_extra=_PERFORM_BODY)
 async def post_perform(request: Request, shared: Shared) -> Response:
     """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation,
-    seed, mode, listener (a list of names; then only JSON is answered), dialect, timing.
+    seed, mode, listener (a list of names; then only JSON is answered), dialect, timing, reference (what `understudy
+    reference` writes). The file `reference` is the same as a .json, or another recording of the speaker.
     """
     media_type = _media_type(request, (XML, JSON), "a performance comes")
     shared.capacity.require_place()
@@ -75,7 +78,7 @@ async def post_perform(request: Request, shared: Shared) -> Response:
     options = _options(form)
     if options.listeners:
         media_type = _media_type(request, (JSON,), "a performance with listeners comes")
-    work = partial(_performed, shared.understudy, line, options, media_type)
+    work = partial(_performed, shared.understudy, line, options, media_type=media_type, reference=form.get("reference"))
     return await shared.capacity.run(work, deadline)
 
 
@@ -152,8 +155,17 @@ def _options(form: dict[str, Part]) -> Options:
     return replace(options, form=replace(options.form, audio_name=audio_name))
 
 
-def _performed(understudy: Understudy, line: Line, options: Options, media_type: str, progress: Progress) -> Response:
+def _performed(
+    understudy: Understudy,
+    line: Line,
+    options: Options,
+    progress: Progress,
+    *,
+    media_type: str,
+    reference: Part | None,
+) -> Response:
     """The answer, also written out in the thread that made it."""
+    options = with_reference(options, reference, understudy)
     performance = perform(understudy, line, options, progress)
     progress("write")
     bml = write_bml(performance, options.form)

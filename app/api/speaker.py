@@ -1,0 +1,30 @@
+"""The form's part `reference`: how the speaker usually sounds, stored or recorded."""
+
+from dataclasses import replace
+from pathlib import PurePath
+
+from app.api.form import Part
+from app.errors import InputError
+from app.performance import Options, Understudy, hear, refer
+from app.references import read_reference
+
+
+def with_reference(options: Options, part: Part | None, understudy: Understudy) -> Options:
+    """The options with the speaker's reference that the part holds: the file of `understudy reference`, if its name
+    ends in .json, else a recording of the speaker, which is heard here.
+
+    Raises InputError `field_repeated` where the options have one already, `reference_unreadable`, and as `hear` does.
+    """
+    if part is None:
+        return options
+    if options.reference is not None:
+        message = "the speaker's reference came in options and as a file; send one of them"
+        raise InputError("field_repeated", message, field="reference")
+    name = part.file_name or ""
+    if PurePath(name).suffix.lower() == ".json":
+        return replace(options, reference=read_reference(part.content, name))
+    try:
+        heard = hear(understudy.ears, part.content)
+    except InputError as error:
+        raise type(error)(error.code, f"reference: {error.message}", field="reference") from None
+    return replace(options, reference=refer(understudy.ears, [heard]))
