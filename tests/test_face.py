@@ -128,10 +128,20 @@ def test_the_same_seed_makes_the_same_face_and_another_another() -> None:
 
 def test_faces_that_were_dropped_are_not_shown_and_unknown_ones_are_told() -> None:
     lost, unknown = replace(shown("RAISE_BROWS"), kept=False), replace(shown("GRIMACE"), id="face2")
-    assert np.array_equal(faced(behaviors=(lost, unknown)), faced())
-    [decision] = unknown_faces(TABLES.words, (lost, unknown))
-    assert (decision.behavior, decision.action) == ("face2", "dropped")
-    assert "GRIMACE" in decision.reason
+    sideless = replace(shown("AU12"), id="face3", direction="UP")
+    assert np.array_equal(faced(behaviors=(lost, unknown, sideless)), faced())
+    decisions = unknown_faces(TABLES.words, (lost, unknown, sideless))
+    assert [(decision.behavior, decision.action) for decision in decisions] == [
+        ("face2", "dropped"),
+        ("face3", "dropped"),
+    ]
+    assert "GRIMACE" in decisions[0].reason
+    assert "UP" in decisions[1].reason
+
+
+def test_an_amount_beyond_the_whole_is_the_whole() -> None:
+    beyond, whole = (faced(behaviors=(shown("AU1", amount=amount),)) for amount in (7.0, 1.0))
+    assert np.array_equal(beyond, whole)
 
 
 def test_frames_between_frames_agree_with_each_other() -> None:

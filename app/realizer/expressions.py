@@ -6,6 +6,7 @@ order, without a corner, and never beyond 1.
 """
 
 from collections.abc import Mapping
+from types import MappingProxyType
 
 import numpy as np
 
@@ -15,6 +16,8 @@ from app.realizer.face_tables import Side, sided
 from app.realizer.motion import SHAPES, Decision
 
 FACIAL = frozenset({Channel.FACE, Channel.EYES})
+
+_SIDES: Mapping[str, Side] = MappingProxyType({side.value: side for side in Side})
 
 USUAL_AMOUNT = 0.5
 """BML 1.0's amount of a face that says none; a blink that says none is whole."""
@@ -34,12 +37,13 @@ def expressions(
     """The weights (T, 52) of all faces that were kept and whose word is in `words`; others have a `Decision`."""
     left = np.ones((len(times_s), len(SHAPES)))
     for behavior in behaviors:
-        if _is_facial(behavior) and behavior.lexeme in words:
+        side = _side(behavior)
+        if _is_facial(behavior) and behavior.lexeme in words and side:
             points_s = envelope_points(behavior.sync, frame_s)
             first, last = np.searchsorted(times_s, [points_s[0], points_s[-1]])
             if first == last:
                 continue
-            weights = sided(words[behavior.lexeme], Side((behavior.direction or Side.BOTH).lower()))
+            weights = sided(words[behavior.lexeme], side)
             height = envelope(times_s[first:last], points_s) * _amount(behavior)
             moved = np.flatnonzero(weights)
             left[first:last, moved] *= 1 - height[:, None] * weights[moved]
@@ -47,12 +51,16 @@ def expressions(
 
 
 def unknown_faces(words: Mapping[str, FloatArray], behaviors: tuple[Behavior, ...]) -> tuple[Decision, ...]:
-    """One for each face that is not shown, since the tables have no such word."""
-    return tuple(
-        Decision(behavior.id, "dropped", f"lexicon/face.yaml has no face {behavior.lexeme!r}")
-        for behavior in behaviors
-        if _is_facial(behavior) and behavior.lexeme not in words
-    )
+    """One for each face that is not shown, since the tables have no such word or a face has no such side."""
+    found = []
+    for behavior in behaviors:
+        if _is_facial(behavior) and behavior.lexeme not in words:
+            reason = f"lexicon/face.yaml has no face {behavior.lexeme!r}"
+            found.append(Decision(behavior.id, "dropped", reason))
+        elif _is_facial(behavior) and _side(behavior) is None:
+            reason = f"a face is LEFT, RIGHT or BOTH, not {behavior.direction!r}"
+            found.append(Decision(behavior.id, "dropped", reason))
+    return tuple(found)
 
 
 def envelope(times_s: FloatArray, points_s: tuple[float, float, float, float]) -> FloatArray:
@@ -77,7 +85,12 @@ def _is_facial(behavior: Behavior) -> bool:
     return behavior.kept and behavior.kind in FACIAL
 
 
+def _side(behavior: Behavior) -> Side | None:
+    """The side that a face takes, from its `direction`; None if a face has no such side."""
+    return _SIDES.get((behavior.direction or Side.BOTH).lower())
+
+
 def _amount(behavior: Behavior) -> float:
     if behavior.amount is not None:
-        return behavior.amount
+        return min(max(behavior.amount, 0.0), 1.0)
     return 1.0 if behavior.kind is Channel.EYES else USUAL_AMOUNT
