@@ -9,6 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from app.realizer.exporting.clip_json import to_clip_json
 from app.realizer.exporting.retargeting import load_rigs
+from app.realizer.face_tables import VISEMES
 from app.realizer.motion import SHAPES
 from tests.hand_made_motion import BODY, waving
 
@@ -71,6 +72,7 @@ class ClipFile(Strict):
     hips_m: list[list[float]]
     bones: dict[str, list[list[float]]]
     blendshapes: dict[str, list[Weight]]
+    visemes: dict[str, list[Weight]] | None = None
 
 
 def clip(rig: str = "vrm") -> ClipFile:
@@ -110,3 +112,30 @@ def test_other_rigs_rename_joints_and_their_parents() -> None:
     forearm = next(joint for joint in found.skeleton.joints if joint.name == "lowerarm_r")
     assert forearm.parent == "upperarm_r"
     assert found.bones["lowerarm_r"] == clip().bones["rightLowerArm"]
+
+
+def test_viseme_weights_go_along_if_they_are_given() -> None:
+    weights = np.zeros((FRAMES, len(VISEMES)))
+    weights[3, VISEMES.index("PP")] = 1.0
+    found = ClipFile.model_validate_json(to_clip_json(MOTION, BODY, RIGS["vrm"], visemes=weights))
+    assert found.visemes is not None
+    assert list(found.visemes) == [
+        "sil",
+        "PP",
+        "FF",
+        "TH",
+        "DD",
+        "kk",
+        "CH",
+        "SS",
+        "nn",
+        "RR",
+        "aa",
+        "E",
+        "I",
+        "O",
+        "U",
+    ]
+    assert found.visemes["PP"][3] == 1
+    assert found.visemes["aa"] == [0]
+    assert clip().visemes is None

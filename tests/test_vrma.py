@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.realizer.exporting.vrma import MOODS, VOWELS, presets, to_vrma
-from app.realizer.mannequin_face import VISEMES
+from app.realizer.mannequin_face import VISEME_MIXTURES
 from app.realizer.motion import SHAPES
 from app.realizer.rotations import about
 from tests.gltf_reading import Gltf, read
@@ -62,7 +62,7 @@ def test_the_look_is_midway_between_the_eyes() -> None:
 @pytest.mark.parametrize("vowel", VOWELS)
 def test_a_mouth_that_is_a_vowel_is_that_vowel(vowel: str) -> None:
     weights = np.zeros((1, len(SHAPES)))
-    for name, weight in VISEMES[VOWELS[vowel]].items():
+    for name, weight in VISEME_MIXTURES[VOWELS[vowel]].items():
         for k, shape in enumerate(SHAPES):
             if shape in {name, f"{name}Left", f"{name}Right"}:
                 weights[0, k] = weight

@@ -14,6 +14,7 @@ from types import MappingProxyType
 import numpy as np
 
 from app.model import FloatArray
+from app.realizer.face_tables import VISEMES
 from app.realizer.motion import SHAPES
 from app.realizer.rotations import about, rotate
 
@@ -120,7 +121,7 @@ _MIDDLE_PULLS: Mapping[str, tuple[Pull, ...]] = MappingProxyType(
     }
 )
 
-VISEMES: Mapping[str, Mapping[str, float]] = MappingProxyType(
+VISEME_MIXTURES: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
         "sil": {},
         "PP": {"mouthPress": 0.7, "mouthRollLower": 0.4, "mouthRollUpper": 0.4},
@@ -154,7 +155,7 @@ def displacements_m(tissue: Tissue) -> dict[str, FloatArray]:
         for name, pulls in _LEFT_PULLS.items():
             right = name.removesuffix("Left") + "Right"
             found[right] = _pulled(tissue, tuple(_mirrored(pull) for pull in pulls)) + tissue.own.get(right, 0.0)
-    for name, mixture in VISEMES.items():
+    for name, mixture in VISEME_MIXTURES.items():
         found[f"viseme_{name}"] = _mixed(tissue, found, mixture)
     return {name: moved for name, moved in found.items() if np.abs(moved).max(initial=0) > 1e-5}
 

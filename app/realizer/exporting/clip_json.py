@@ -16,6 +16,7 @@ from app.model import FloatArray
 from app.realizer.exporting.events import described
 from app.realizer.exporting.gltf import Json
 from app.realizer.exporting.retargeting import Rig
+from app.realizer.face_tables import VISEMES
 from app.realizer.motion import SHAPES, Motion
 from app.realizer.rotations import of_one_sign
 from app.realizer.skeleton import Skeleton
@@ -24,8 +25,12 @@ FORMAT, VERSION = "understudy-clip", 1
 ROTATION_DECIMALS, PLACE_DECIMALS, WEIGHT_DECIMALS = 5, 4, 4
 
 
-def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig) -> bytes:
-    """The clip with the rig's names of the joints; a line a track."""
+def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig, *, visemes: FloatArray | None = None) -> bytes:
+    """The clip with the rig's names of the joints; a line a track.
+
+    `visemes` are weights (T, 15) for rigs that have visemes as shapes (`app.realizer.lips.viseme_weights`); they stand
+    for the mouth's blendshapes, not beside them.
+    """
     head: dict[str, Json] = {
         "format": FORMAT,
         "version": VERSION,
@@ -42,7 +47,10 @@ def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig) -> bytes:
     content.write(f'"hips_m": {_track(motion.body.hips_m, PLACE_DECIMALS)},\n'.encode())
     _write_tracks(content, "bones", _bones(motion, rig))
     content.write(b",\n")
-    _write_tracks(content, "blendshapes", _blendshapes(motion))
+    _write_tracks(content, "blendshapes", _weights(SHAPES, motion.shapes))
+    if visemes is not None:
+        content.write(b",\n")
+        _write_tracks(content, "visemes", _weights(VISEMES, visemes))
     content.write(b"\n}\n")
     return content.getvalue()
 
@@ -71,9 +79,9 @@ def _bones(motion: Motion, rig: Rig) -> Iterator[tuple[str, str]]:
         yield name, _track(of_one_sign(motion.body.rotations[:, joint]), ROTATION_DECIMALS)
 
 
-def _blendshapes(motion: Motion) -> Iterator[tuple[str, str]]:
-    for k, name in enumerate(SHAPES):
-        yield name, _track(np.clip(motion.shapes[:, k], 0.0, 1.0), WEIGHT_DECIMALS)
+def _weights(names: tuple[str, ...], weights: FloatArray) -> Iterator[tuple[str, str]]:
+    for k, name in enumerate(names):
+        yield name, _track(np.clip(weights[:, k], 0.0, 1.0), WEIGHT_DECIMALS)
 
 
 def _write_tracks(content: io.BytesIO, key: str, tracks: Iterator[tuple[str, str]]) -> None:

@@ -15,7 +15,7 @@ import numpy as np
 from app.model import FloatArray
 from app.realizer.exporting.events import described
 from app.realizer.exporting.gltf import Accessors, Json, Tracks, binary, joint_nodes
-from app.realizer.mannequin_face import VISEMES
+from app.realizer.mannequin_face import VISEME_MIXTURES
 from app.realizer.motion import SHAPES, Motion
 from app.realizer.rotations import of_one_sign, slerp
 from app.realizer.skeleton import Skeleton
@@ -110,7 +110,7 @@ def _vowels(weights: FloatArray) -> FloatArray:
 def _viseme_shapes(viseme: str) -> FloatArray:
     """The ARKit shapes (52,) of a viseme."""
     shapes = np.zeros(len(SHAPES))
-    for name, weight in VISEMES[viseme].items():
+    for name, weight in VISEME_MIXTURES[viseme].items():
         for k, shape in enumerate(SHAPES):
             if shape.removesuffix("Left").removesuffix("Right") == name:
                 shapes[k] = weight
