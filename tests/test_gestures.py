@@ -13,8 +13,10 @@ from app.bml.characters import Characters
 from app.bml.table import BehaviorEntry
 from app.model import Channel, FloatArray, Hand, Level
 from app.realizer.clips import clip
-from app.realizer.gesture import ArmKey, Clip, Definition
+from app.realizer.contacts import penetrations_m
+from app.realizer.gesture import ArmKey, Clip, Definition, FrameType
 from app.realizer.gesture_space import sector_m
+from app.realizer.key_poses import key_poses
 from app.realizer.library import Library
 from app.realizer.skeleton import Skeleton
 
@@ -132,6 +134,17 @@ def test_no_wrist_is_in_the_body(library: Library) -> None:
         for wrists in wrists_m(found):
             for outwards, _up, away in wrists:
                 assert away >= CHEST_M or outwards >= 0.2, (found.name, found.level)
+
+
+def test_no_hand_or_forearm_is_in_the_body_where_the_stroke_ends(library: Library) -> None:
+    """A centimetre or two beside the belly is left to `collisions.clear`, which works on the whole motion."""
+    skeleton = Skeleton.standing()
+    for definition in library.definitions:
+        found = clip(definition, Level.MEDIUM, definition.hand or Hand.RIGHT, definition.categories[0])
+        poses = [pose for pose in key_poses(skeleton, found) if pose.key.type is FrameType.STROKE_END]
+        rotations = np.array([pose.rotations for pose in poses])
+        hips_m = np.broadcast_to(skeleton.offsets_m[0], (len(poses), 3))
+        assert penetrations_m(skeleton, rotations, hips_m).max() < 0.02, found.name
 
 
 def test_two_hands_stay_apart(library: Library) -> None:
