@@ -1,5 +1,7 @@
 """The plan on the body: hands where the clips say, at the time they say, and no corner on the way."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -106,3 +108,16 @@ def test_the_same_seed_gives_the_same_motion_and_another_another() -> None:
     one, same, other = (gestured(SKELETON, still(plan), plan, seed=seed) for seed in (0, 0, 1))
     assert one.rotations.tobytes() == same.rotations.tobytes()
     assert one.rotations.tobytes() != other.rotations.tobytes()
+
+
+def test_a_pointing_arm_is_on_the_line_from_the_shoulder_to_its_target() -> None:
+    pointing = replace(gesture("g1", 2.0, 3.0), target="door")
+    door_m = np.array([-2.0, 1.2, 1.5])
+    plan = plan_gestures(
+        library(replace(clip(), aimed=True)), Schedule((pointing,), 5.0), seed=0, targets_m={"door": tuple(door_m)}
+    )
+    positions, _ = forward(SKELETON, (body := moved(plan)).rotations, body.hips_m)
+    shoulder_m, wrist_m = positions[at(2.6)][SKELETON.chain("rightUpperArm", "rightHand")]
+    way, aim = wrist_m - shoulder_m, door_m - shoulder_m
+    cosine = way @ aim / np.linalg.norm(way) / np.linalg.norm(aim)
+    assert np.degrees(np.arccos(cosine)) < 8

@@ -171,10 +171,11 @@ def test_a_gesture_of_both_hands_blends_on_one_arm_and_starts_from_rest_on_the_o
 
 
 def test_neighbours_of_different_phrases_rest_between_them_when_there_is_time() -> None:
-    """1.45 s from relax to stroke start: in one phrase they flow together, in two the hand goes to rest."""
-    behaviors = [gesture("g1", 2.0, 2.5), gesture("g2", 4.25, 4.7)]
-    one = planned(behaviors, phrases=(Interval(0.0, 5.0),))
-    two = planned(behaviors, phrases=(Interval(0.0, 3.0), Interval(3.2, 5.0)))
+    """1.48 s from relax to stroke start: in one phrase they flow together, in two the hand goes to rest."""
+    behaviors = [gesture("g1", 2.0, 2.5), gesture("g2", 4.28, 4.7)]
+    near = library(clip(from_m=-0.1, to_m=0.1))
+    one = planned(behaviors, near, phrases=(Interval(0.0, 5.0),))
+    two = planned(behaviors, near, phrases=(Interval(0.0, 3.0), Interval(3.2, 5.0)))
     assert [unit.behaviors for unit in one.units] == [("g1", "g2")]
     assert [unit.behaviors for unit in two.units] == [("g1",), ("g2",)]
     assert two.transitions == ()
@@ -345,3 +346,22 @@ def assert_sound_arm(plan: GesturePlan, side: Hand) -> None:
     for arm in gestures:
         ends = [repeat.end_s for repeat in arm.placed.repeats]
         assert all(arm.markers.stroke_end < end <= arm.markers.relax for end in ends)
+
+
+@pytest.mark.parametrize(
+    ("target", "aim_m", "action"),
+    [
+        ("door", (3.0, 1.0, 1.0), []),
+        ("listener", (0.0, 1.25, 1.25), []),
+        ("window", None, ["replaced"]),
+        (None, None, []),
+    ],
+)
+def test_pointings_aim_at_places_that_are_known(
+    target: str | None, aim_m: tuple[float, float, float] | None, action: list[str]
+) -> None:
+    pointing = replace(gesture("g1", 2.0, 2.5), target=target)
+    clips = library(replace(clip(), aimed=True))
+    plan = plan_gestures(clips, Schedule((pointing,), 4.0), seed=0, targets_m={"door": (3.0, 1.0, 1.0)})
+    assert plan.gestures[0].placed.aim_m == (aim_m and pytest.approx(aim_m))
+    assert actions(plan, "g1") == action

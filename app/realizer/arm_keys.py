@@ -91,13 +91,15 @@ def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose
 
 
 def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
-    size = amplitude(gesture.placed)
+    size, aim_m = amplitude(gesture.placed), gesture.placed.aim_m
+    from_hips_m = None if aim_m is None else np.array(aim_m) - skeleton.offsets_m[0]
     for key in gesture.placed.clip.keys:
         said = arm_key(key, gesture.side)
-        if said is not None and _is_played(gesture, key):
-            yield _Posed(
-                _on_the_clock(gesture, key.time_s), key, pose_arm(skeleton, gesture.side, said, amplitude=size)
-            )
+        if said is None or not _is_played(gesture, key):
+            continue
+        at_m = from_hips_m if said.place is not None else None
+        pose = pose_arm(skeleton, gesture.side, said, amplitude=size, aim_m=at_m)
+        yield _Posed(_on_the_clock(gesture, key.time_s), key, pose)
 
 
 def _is_played(gesture: ArmGesture, key: ClipKey) -> bool:

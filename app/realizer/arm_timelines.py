@@ -18,6 +18,7 @@ from app.realizer.rests import (
     SHORTEST_REST_S,
     SHORTEST_RETRACTION_S,
     RestChange,
+    change_s,
     hurried_s,
     own_pose,
     pose_for,
@@ -176,7 +177,7 @@ def _rests(side: Hand, start_s: float, end_s: float, changes: Iterable[RestChang
     for change in changes:
         if change.from_s <= start_s or change.pose == pose:
             continue
-        arrival_s = change.from_s + retraction_s(distance_m(rest_m(pose, side), rest_m(change.pose, side)))
+        arrival_s = change.from_s + change_s(distance_m(rest_m(pose, side), rest_m(change.pose, side)))
         if arrival_s > end_s:
             break
         yield ArmRest(side, pose, start_s, change.from_s)

@@ -11,6 +11,8 @@ from app.model import Hand, Level, SyncPoints
 from app.realizer.gesture import Clip, Markers
 from app.realizer.motion import Decision
 
+Position = tuple[float, float, float]
+
 TOP_STROKE_SPEED_M_S = 1.0
 """The fastest mean speed of a stroke: it peaks at about 1.9 times that, where people's 95th percentile is."""
 
@@ -18,7 +20,7 @@ TOP_STROKE_SPEED_M_S = 1.0
 @dataclass(frozen=True, slots=True)
 class Request:
     """A gesture as the schedule asks for it: category, desired stroke and relax time, priority (paper §3.8, eq. 4),
-    and the hand, the level of agitation, the size (1 as defined) and the target that our BML adds."""
+    and the hand, the level of agitation, the size (1 as defined) and the name of a target that our BML adds."""
 
     behavior: str
     category: str
@@ -43,12 +45,14 @@ class Repeat:
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A clip A_i for a request G_i, its stroke on the desired time; `relax_s` is when its hold ends at the earliest."""
+    """A clip A_i for a request G_i, its stroke on the desired time; `relax_s` is when its hold ends at the earliest.
+    `aim_m` is the place in the world that it points at; None where it is played as defined."""
 
     request: Request
     clip: Clip
     relax_s: float
     repeats: tuple[Repeat, ...] = ()
+    aim_m: Position | None = None
 
     @property
     def offset_s(self) -> float:

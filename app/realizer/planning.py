@@ -6,16 +6,18 @@ that get in each other's way are replaced or pruned by priority (`pruning`); str
 not played as asked for has a `Decision`. docs/realizer-scheduling.md tells the rules with their reasons.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
 from math import isinf
+from types import MappingProxyType
 
 import numpy as np
 
 from app.model import Hand, Schedule, SyncPoints
+from app.realizer.aiming import aimed
 from app.realizer.arm_timelines import arm_timeline, rest_changes, units_of
-from app.realizer.gesture_plan import ArmGesture, GesturePlan, Placed, Transition, Unit
+from app.realizer.gesture_plan import ArmGesture, GesturePlan, Placed, Position, Transition, Unit
 from app.realizer.motion import Decision
 from app.realizer.pruning import Admission, admitted
 from app.realizer.repetition import repeats_until_s, with_repeats
@@ -30,11 +32,16 @@ _NOTICEABLE_S = 0.02
 """A phase that differs by less from what was asked for needs no word."""
 
 
-def plan_gestures(library: Clips, schedule: Schedule, *, seed: int) -> GesturePlan:
-    """What the arms do through a schedule. The stroke of every gesture that is played is on its time in the BML."""
+def plan_gestures(
+    library: Clips, schedule: Schedule, *, seed: int, targets_m: Mapping[str, Position] = MappingProxyType({})
+) -> GesturePlan:
+    """What the arms do through a schedule. The stroke of every gesture that is played is on its time in the BML.
+
+    `targets_m` places what is pointed at in the world, as for the gaze."""
     setting = Setting(schedule.phrases, posture_changes(schedule))
     chosen = chosen_clips(library, schedule, setting, seed=seed)
-    gestures = tuple(_repeated(chosen.kept, schedule, setting))
+    pointed = [aimed(gesture, targets_m) for gesture in chosen.kept]
+    gestures = tuple(_repeated(tuple(gesture for gesture, _told in pointed), schedule, setting))
     units = units_of(gestures, setting)
     changes = rest_changes(units, setting)
     timelines = [arm_timeline(side, gestures, changes, setting) for side in SIDES]
@@ -46,7 +53,7 @@ def plan_gestures(library: Clips, schedule: Schedule, *, seed: int) -> GesturePl
         rests=tuple(replace(rest, end_s=end_s) if isinf(rest.end_s) else rest for rest in rests),
         transitions=tuple(transition for side in SIDES for transition in _transitions(side, arms)),
         units=tuple(_unit(unit, arms) for unit in units),
-        decisions=(*chosen.decisions, *_decisions(arms)),
+        decisions=(*chosen.decisions, *(each for _gesture, told in pointed for each in told), *_decisions(arms)),
         realized={gesture.request.behavior: _realized(gesture, arms) for gesture in gestures},
         end_s=end_s,
     )

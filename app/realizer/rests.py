@@ -19,6 +19,7 @@ from app.realizer.rest_poses import RESTS
 
 CLASPED, AT_SIDE, IN_POCKETS = "clasped", "at_side", "in_pockets"
 
+FIRST_MOMENT_S = 1.0
 SMALL_GAP_S = 3.0
 MEDIUM_GAP_S = 10.0
 
@@ -34,14 +35,17 @@ POSTURES: Mapping[str, str | None] = MappingProxyType(
 )
 """What a posture says of the hands; None lets the distance to the next unit choose again."""
 
-PREPARATION_SPEED_M_S = 0.85
-RETRACTION_SPEED_M_S = 0.75
-"""So that a usual way of .35 m takes about as long as people take (shared/motion.md: .30 to .53 s)."""
+PREPARATION_SPEED_M_S = 0.6
+RETRACTION_SPEED_M_S = 0.6
+"""So that usual ways take about as long as people's in stories (shared/motion.md: .53 s either way)."""
 TOP_SPEED_M_S = 1.1
 """The fastest mean speed of a way. A smooth one peaks at 1.9 times its mean: 2 m/s, people's 99th percentile."""
-SHORTEST_PREPARATION_S = 0.22
+CHANGE_SPEED_M_S = 0.45
+"""Of the way from one rest to another, which nothing hurries."""
+SHORTEST_PREPARATION_S = 0.45
 HURRIED_PREPARATION_S = 0.15
-SHORTEST_RETRACTION_S = 0.33
+SHORTEST_RETRACTION_S = 0.45
+SHORTEST_CHANGE_S = 0.6
 SHORTEST_REST_S = 0.3
 """Less than that at rest looks like a twitch."""
 
@@ -69,7 +73,8 @@ def posture_changes(schedule: Schedule) -> tuple[tuple[float, str | None], ...]:
 
 
 def _from_s(posture: Behavior) -> float:
-    return max(0.0, posture.sync.start)
+    """A posture of the first moment is how the line is begun, not something that happens in it."""
+    return 0.0 if posture.sync.start < FIRST_MOMENT_S else posture.sync.start
 
 
 def own_pose(changes: tuple[tuple[float, str | None], ...], time_s: float) -> str | None:
@@ -95,3 +100,8 @@ def hurried_s(way_m: float) -> float:
 
 def retraction_s(way_m: float) -> float:
     return max(way_m / RETRACTION_SPEED_M_S, SHORTEST_RETRACTION_S)
+
+
+def change_s(way_m: float) -> float:
+    """How long the hands take from one rest to another."""
+    return max(way_m / CHANGE_SPEED_M_S, SHORTEST_CHANGE_S)

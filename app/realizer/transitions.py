@@ -15,8 +15,8 @@ from app.realizer.rests import SHORTEST_REST_S, own_pose, pose_for, preparation_
 from app.realizer.wrist_paths import distance_m, relax_m, stroke_start_m
 
 UNIT_GAP_S = 1.5
-EASY_TRANSITION_S = 0.30
-"""What is left of a gap when the hold before it is prolonged (people's preparations last at least that)."""
+EASY_TRANSITION_S = 0.40
+"""What is left of a gap when the hold before it is prolonged (people's preparations last .30 to 1.05 s)."""
 SLOWEST_STROKE_M_S = 0.25
 
 
