@@ -16,9 +16,10 @@ import numpy as np
 
 from app.model import Channel, FloatArray, Schedule
 from app.realizer.angles import angles
-from app.realizer.gaze import NECK_LIMITS, gaze
+from app.realizer.gaze import gaze
 from app.realizer.head import head
 from app.realizer.idle import idle
+from app.realizer.limits import violations
 from app.realizer.looks import LISTENER_M
 from app.realizer.motion import BodyMotion
 from app.realizer.rotations import angle_between, between, inverse, multiply, rotate
@@ -81,7 +82,7 @@ def measure(schedule: Schedule, *, rate_hz: int, seed: int) -> Found:
         missed_degrees=missed[on_listener(schedule, times_s)],
         joint_speeds=speeds[:, others].max(axis=0),
         eye_speed=float(speeds[:, eyes].max()),
-        beyond_limits=beyond_limits(body, turned),
+        beyond_limits=beyond_limits(body),
         nods_late_ms=np.array(list(nods_late_ms(schedule, gazing, body))),
         spent_ms=spent_ms,
         duration_s=schedule.duration_s,
@@ -97,13 +98,11 @@ def on_listener(schedule: Schedule, times_s: FloatArray) -> FloatArray:
     return free
 
 
-def beyond_limits(body: BodyMotion, turned: FloatArray) -> int:
-    """Frames in which head or eyes are turned farther than they can be."""
+def beyond_limits(body: BodyMotion) -> int:
+    """Frames in which a joint or an eye is turned farther than it can be."""
     pitch, yaw, _roll = angles(body.rotations[:, BODY.chain(*EYES)])
-    over_chest = multiply(inverse(turned[:, BODY.index["upperChest"]]), turned[:, BODY.index["head"]])
-    neck = np.abs(angles(over_chest)) > NECK_LIMITS[:, None] + 1e-6
     eyes = (np.abs(pitch) > UPRIGHT_LIMIT + 1e-6) | (np.abs(yaw) > SIDEWAYS_LIMIT + 1e-6)
-    return int(np.sum(neck.any(axis=0) | eyes.any(axis=1)))
+    return int(np.sum((violations(BODY, body.rotations) > 0).any(axis=1) | eyes.any(axis=1)))
 
 
 def nods_late_ms(schedule: Schedule, gazing: BodyMotion, body: BodyMotion) -> Iterator[float]:
@@ -145,7 +144,7 @@ def report(found: list[Found]) -> None:
     print(f"frames in which nothing but the eyes moves: {sum(each.frozen_frames for each in found)}")
     print(f"feet slide at most: {max(each.slide_mm for each in found):.6f} mm")
     print(f"eyes miss the listener by: median {np.median(missed):.2f}, worst {missed.max():.2f} degrees")
-    print(f"frames beyond the limits of neck or eyes: {sum(each.beyond_limits for each in found)}")
+    print(f"frames in which a joint or an eye is beyond its limits: {sum(each.beyond_limits for each in found)}")
     print(f"nods are lowest off their stroke by: median {np.median(late):.0f}, worst {late.max():.0f} ms ({len(late)})")
     print(f"fastest: eyes {max(each.eye_speed for each in found):.1f} rad/s,", end=" ")
     print(", ".join(f"{name} {speed:.1f}" for speed, name in fastest))

@@ -10,6 +10,7 @@ from app.realizer.angles import angles
 from app.realizer.gaze import gaze
 from app.realizer.head import MOVEMENTS, head
 from app.realizer.idle import idle
+from app.realizer.limits import violations
 from app.realizer.motion import BodyMotion
 from app.realizer.rotations import angle_between
 from tests.movements import BODY, TIMES_S, behavior, faced, schedule, seen_by
@@ -85,6 +86,14 @@ def test_a_nod_and_a_look_aside_are_both_seen() -> None:
     at_stroke = np.searchsorted(TIMES_S, 1.85)
     assert pitch[at_stroke] > 15
     assert yaw[at_stroke] > 18
+
+
+def test_the_neck_keeps_its_limits_however_much_is_added_up() -> None:
+    aside = behavior(Channel.GAZE, "LOOK", 0.2, 0.5, 3.0, 3.3, direction="DOWN", amount=1.0)
+    planned = schedule(aside, NOD, movement("LOWER", 1.0, 1.2, 1.2, 1.5, 1.7, 2.5, 2.8, amount=1.0))
+    body = head(BODY, gaze(BODY, CALM, planned), planned, seed=3)
+    assert violations(BODY, body.rotations).max() == 0
+    assert angle_between(body.rotations[1:], body.rotations[:-1]).max() * 60 < 20
 
 
 def test_the_eyes_stay_on_their_target_while_the_head_nods_and_shakes() -> None:

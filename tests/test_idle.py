@@ -5,6 +5,7 @@ import pytest
 
 from app.model import Channel
 from app.realizer.idle import idle
+from app.realizer.limits import violations
 from app.realizer.rotations import angle_between
 from app.realizer.skeleton import forward
 from tests.movements import BODY, TIMES_S, behavior, schedule
@@ -27,6 +28,7 @@ def test_feet_do_not_slide_and_no_two_frames_are_the_same(planned: object) -> No
     speed = angle_between(body.rotations[1:], body.rotations[:-1]) * 60
     assert speed.max() < 3.0
     assert np.linalg.norm(body.rotations, axis=-1) == pytest.approx(1)
+    assert violations(BODY, body.rotations).max() == 0
 
 
 def test_arms_hang_and_knees_are_soft() -> None:

@@ -20,7 +20,7 @@ def minimum_jerk(share: FloatArray) -> FloatArray:
 def changes(times_s: FloatArray, starts_s: FloatArray, durations_s: FloatArray, by: FloatArray) -> FloatArray:
     """The sum (T, C) of movements by `by` (K, C) that last, at rising `times_s`. One that starts before the other ended
     is laid over it, as people do when a target jumps (Flash & Henis 1991), so speed has no steps."""
-    moving = by.any(axis=1)
+    moving = by.any(axis=1) & (starts_s < times_s[-1])
     starts_s, durations_s, by = starts_s[moving], np.maximum(durations_s[moving], SHORTEST_S), by[moving]
     firsts, ends = np.searchsorted(times_s, starts_s), np.searchsorted(times_s, starts_s + durations_s)
     over = np.zeros((len(times_s) + 1, by.shape[1]))

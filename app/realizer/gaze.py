@@ -13,9 +13,10 @@ from types import MappingProxyType
 import numpy as np
 
 from app.model import FloatArray, Schedule
-from app.realizer.angles import angles, turn
+from app.realizer.angles import turn
 from app.realizer.easing import changes
 from app.realizer.fixation import fixating, saccade_s
+from app.realizer.limits import within_neck_limits
 from app.realizer.looks import Aims, Position, looks
 from app.realizer.motion import BodyMotion
 from app.realizer.rotations import from_rotation_vector, inverse, multiply, to_rotation_vector
@@ -23,9 +24,6 @@ from app.realizer.sight import EYES, Chest, aimed, chest, face, toward
 from app.realizer.skeleton import Skeleton
 
 _TRUNK = ("spine", "chest", "upperChest")
-
-NECK_LIMITS = np.radians([45.0, 60.0, 45.0])
-"""Pitch, yaw and roll of the head over the chest (shared/motion.md)."""
 
 HEAD_LAG_S = 0.04
 """The head is heavier and starts later than the eyes, the trunk later than the head."""
@@ -78,9 +76,8 @@ def _courses(times_s: FloatArray, aims: Aims) -> tuple[FloatArray, FloatArray, F
 def _half_turned(carrying: Chest, head: FloatArray) -> FloatArray:
     """The rotations (T, 4) of neck and of head, half of it each, that give the head the pitch and yaw `head` (T, 2) in
     the world."""
-    wanted = angles(multiply(inverse(carrying.turned), turn(head[:, 0], head[:, 1], np.zeros(len(head)))))
-    limited = [np.clip(angle, -limit, limit) for angle, limit in zip(wanted, NECK_LIMITS, strict=True)]
-    return from_rotation_vector(to_rotation_vector(turn(*limited)) / 2)
+    over_chest = multiply(inverse(carrying.turned), turn(head[:, 0], head[:, 1], np.zeros(len(head))))
+    return from_rotation_vector(to_rotation_vector(within_neck_limits(over_chest)) / 2)
 
 
 def _eyes_in_t_pose(skeleton: Skeleton) -> FloatArray:

@@ -18,9 +18,10 @@ import numpy as np
 from app.model import Behavior, Channel, FloatArray, Schedule
 from app.realizer.angles import turn
 from app.realizer.easing import SHORTEST_S, plateau
+from app.realizer.limits import within_neck_limits
 from app.realizer.motion import BodyMotion
 from app.realizer.noise import perlin
-from app.realizer.rotations import multiply
+from app.realizer.rotations import inverse, multiply
 from app.realizer.sight import EYES, aimed, chest, face, seen_m
 from app.realizer.skeleton import Skeleton
 
@@ -85,6 +86,7 @@ def head(skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int)
     carrying = chest(skeleton, body.rotations, body.hips_m)
     at_m = seen_m(face(skeleton, carrying, neck, skull), body.rotations[:, eyes])
     neck, skull = multiply(neck, turn(*neck_turn.T)), multiply(skull, turn(*head_turn.T))
+    skull = multiply(inverse(neck), within_neck_limits(multiply(neck, skull)))
     rotations = body.rotations.copy()
     rotations[:, skeleton.index["neck"]], rotations[:, skeleton.index["head"]] = neck, skull
     rotations[:, eyes] = aimed(face(skeleton, carrying, neck, skull), at_m)

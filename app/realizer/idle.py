@@ -54,7 +54,10 @@ _STIRRING_DEGREES = 1.2
 """Noise of trunk and arms; the usual distance from the middle is a quarter of the amplitude."""
 
 _TRUNK = ("hips", "spine", "chest", "upperChest")
-_STIRRED = ("Shoulder", "UpperArm", "LowerArm", "Hand", "IndexProximal", "MiddleProximal", "RingProximal")
+_STIRRED: Mapping[str, Degrees] = MappingProxyType(
+    {"Shoulder": (0.0, 1.0, -1.0), "UpperArm": (1.0, 1.0, -1.0), "LowerArm": (2.0, 0.0, 0.0)}
+)
+"""How much of the arms' noise each joint takes, in what it can do: the forearm twists."""
 
 
 def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: int) -> BodyMotion:
@@ -102,7 +105,7 @@ def _hanging(skeleton: Skeleton) -> FloatArray:
 def _stir_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, stirring: FloatArray) -> None:
     """Collarbones that rise with the breath, and a little life (T, 2 × stirred) in the arms' joints."""
     for side, noise in zip(SIDES, np.split(stirring, 2, axis=1), strict=True):
-        stirs = np.radians(_STIRRING_DEGREES) * noise[:, :, None] * (_mirrored(side) * (1.0, 1.0, -1.0))
+        stirs = np.radians(_STIRRING_DEGREES) * noise[:, :, None] * (_mirrored(side) * list(_STIRRED.values()))
         stirs[:, 0] += np.radians(_COLLARBONE_BREATH) * _mirrored(side) * breath[:, None]
         stirred = skeleton.chain(*(side + name for name in _STIRRED))
         rotations[:, stirred] = multiply(rotations[0, stirred], turn(*np.moveaxis(stirs, -1, 0)))

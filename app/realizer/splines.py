@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model import FloatArray
-from app.realizer.rotations import from_rotation_vector, inverse, length, multiply, of_one_sign, to_rotation_vector
+from app.realizer.rotations import from_rotation_vector, inverse, multiply, of_one_sign, to_rotation_vector
 
 _MOST_SLOPE = 3.0
 
@@ -41,17 +41,19 @@ def spline(key_times_s: FloatArray, keys: FloatArray, shape: Shape, times_s: Flo
         return np.repeat(keys, len(times_s), axis=0)
     keys = of_one_sign(keys)
     spans_s = np.diff(key_times_s)[:, None, None]
-    step = multiply(inverse(keys[:-1]), keys[1:])
-    leaving, arriving = _tangents(to_rotation_vector(step), spans_s, shape)
+    steps = to_rotation_vector(multiply(inverse(keys[:-1]), keys[1:]))
+    leaving, arriving = _tangents(steps, spans_s, shape)
     segment = np.clip(np.searchsorted(key_times_s, times_s, side="right") - 1, 0, len(spans_s) - 1)
     share = np.clip((times_s - key_times_s[segment]) / spans_s[segment, 0, 0], 0.0, 1.0)[:, None]
     first, third = leaving * spans_s / 3, arriving * spans_s / 3
-    onwards = multiply(from_rotation_vector(-first), multiply(step, from_rotation_vector(-third)))
+    onwards = multiply(
+        from_rotation_vector(-first), multiply(from_rotation_vector(steps), from_rotation_vector(-third))
+    )
+    found = keys[segment]
     weights = (1 - (1 - share) ** 3, share**2 * (3 - 2 * share), share**3)
-    found = np.moveaxis(keys, -1, 0)[:, segment]
     for turn, weight in zip((first, to_rotation_vector(onwards), third), weights, strict=True):
-        found = _product(found, _parts_of_turns(turn, segment, weight))
-    return np.moveaxis(found, 0, -1)
+        found = multiply(found, _parts_of_turns(turn, segment, weight))
+    return found
 
 
 def _tangents(steps: FloatArray, spans_s: FloatArray, shape: Shape) -> tuple[FloatArray, FloatArray]:
@@ -65,34 +67,26 @@ def _tangents(steps: FloatArray, spans_s: FloatArray, shape: Shape) -> tuple[Flo
     scale = (1 - tension) / (spans_s[:-1] + spans_s[1:])
     leaving = scale * ((1 + bias) * (1 + continuity) * before + (1 - bias) * (1 - continuity) * after)
     arriving = scale * ((1 + bias) * (1 - continuity) * before + (1 - bias) * (1 + continuity) * after)
-    most = _MOST_SLOPE * np.minimum(length(before / spans_s[:-1]), length(after / spans_s[1:]))
+    most = _MOST_SLOPE * np.minimum(
+        np.linalg.norm(before / spans_s[:-1], axis=-1, keepdims=True),
+        np.linalg.norm(after / spans_s[1:], axis=-1, keepdims=True),
+    )
     at_rest = np.zeros((1, *steps.shape[1:]))
     return np.concatenate([at_rest, _at_most(leaving, most)]), np.concatenate([_at_most(arriving, most), at_rest])
 
 
 def _at_most(vector: FloatArray, longest: FloatArray) -> FloatArray:
-    return np.asarray(vector * np.minimum(1.0, longest / np.maximum(length(vector), 1e-12)))
+    length = np.linalg.norm(vector, axis=-1, keepdims=True)
+    return np.asarray(vector * np.minimum(1.0, longest / np.maximum(length, 1e-12)))
 
 
 def _parts_of_turns(turns: FloatArray, segment: NDArray[np.intp], weight: FloatArray) -> FloatArray:
-    """The rotations by `weight` (T, 1) of the turn (K-1, C, 3) of each time's segment, as four arrays (4, T, C).
-
-    Axes are worked out once a segment, and components are kept apart: this is where a realizer's time goes."""
-    angle = length(turns)
-    axis = np.moveaxis(turns / np.maximum(angle, 1e-12), -1, 0)
-    half = (0.5 * angle[..., 0])[segment] * weight
-    found = np.empty((4, *half.shape))
-    np.multiply(axis[:, segment], np.sin(half), out=found[:3])
-    np.cos(half, out=found[3])
+    """The rotations (T, C, 4) by `weight` (T, 1) of the turn (K-1, C, 3) of each time's segment: axes are worked out
+    once a segment, not once a frame."""
+    angle = np.linalg.norm(turns, axis=-1)
+    axis = turns / np.maximum(angle, 1e-12)[..., None]
+    half = 0.5 * angle[segment] * weight
+    found = np.empty((*half.shape, 4))
+    found[..., :3] = axis[segment] * np.sin(half)[..., None]
+    found[..., 3] = np.cos(half)
     return found
-
-
-def _product(a: FloatArray, b: FloatArray) -> FloatArray:
-    """`rotations.multiply` of (4, T, C)."""
-    (ax, ay, az, aw), (bx, by, bz, bw) = a, b
-    product = np.empty_like(b)
-    product[0] = aw * bx + ax * bw + ay * bz - az * by
-    product[1] = aw * by - ax * bz + ay * bw + az * bx
-    product[2] = aw * bz + ax * by - ay * bx + az * bw
-    product[3] = aw * bw - ax * bx - ay * by - az * bz
-    return product
