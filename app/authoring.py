@@ -13,6 +13,7 @@ from app.catalogue import RULES
 from app.errors import InputError
 from app.model import Function, Level, Utterance
 from app.performance import Body, Mind, Understudy
+from app.realizer.realizing import Realizer
 from app.resources import resource_folder
 from app.rules.chainer import Derivation, Fact, derive
 from app.rules.derivation import FunctionRules, derive_facts, derive_functions
@@ -78,13 +79,13 @@ def files_in_use() -> tuple[Path, ...]:
 
 
 def read_again(understudy: Understudy) -> Understudy:
-    """The same ears and parser with rules, words, tables and characters as their files say now.
+    """The same ears and parser with rules, words, tables, characters and gestures as their files say now.
 
     The aligner keeps the abbreviations that it began with. Raises AuthoringError when something does not load.
     """
     rules, lexicon = files_in_use()
     mind = replace(understudy.mind, rules=FunctionRules.load(rules, lexicon / "en"))
-    return replace(understudy, mind=mind, body=Body.load())
+    return replace(understudy, mind=mind, body=Body.load(), realizer=Realizer.load(lexicon))
 
 
 def _still_unused(rules: Sequence[Rule], derivation: Derivation) -> list[Rule]:

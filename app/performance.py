@@ -43,6 +43,7 @@ from app.model import (
     Utterance,
     Word,
 )
+from app.realizer.realizing import Realizer
 from app.resources import resource_folder
 from app.rules.derivation import Emphasis, FunctionRules, derive_functions
 from app.rules.mapping import MappingRules, offer_movements
@@ -213,10 +214,12 @@ class Understudy:
     ears: Ears
     mind: Mind
     body: Body
+    realizer: Realizer
 
     @classmethod
     def load(cls, settings: Settings) -> "Understudy":
-        return cls(ears=Ears.load(settings), mind=Mind.load(settings), body=Body.load())
+        realizer = Realizer.load(resource_folder("lexicon"))
+        return cls(ears=Ears.load(settings), mind=Mind.load(settings), body=Body.load(), realizer=realizer)
 
     def close(self) -> None:
         self.ears.aligner.close()

@@ -4,13 +4,14 @@ import json
 import re
 from collections.abc import Sequence
 from pathlib import PurePath
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from app.errors import InputError, UndecodableError, UnsupportedFormatError
 from app.model import Level, Mode
 from app.performance import BmlForm, DialectName, Options, TimeForm, Timings
+from app.realization import DEFAULT_SKELETON
 from app.references import ReferenceForm
 
 MOST_LISTENERS = 16
@@ -48,6 +49,18 @@ class OptionsQuestion(BaseModel):
         )
 
 
+class RealizeQuestion(BaseModel):
+    """`options` of a request for motion: the same names as on the command line."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+
+    agitation: Level | None = None
+    character: str | None = None
+    fps: Literal[30, 60] = 60
+    seed: Seed = 0
+    skeleton: str = DEFAULT_SKELETON
+
+
 class TextQuestion(BaseModel):
     """A text whose functions are asked for; keys besides these are not read."""
 
@@ -62,10 +75,19 @@ def read_options(content: bytes) -> Options:
 
     Raises UndecodableError `not_json`, InputError `not_an_object`, `value_wrong` with the option's name in `field`.
     """
+    return _checked(OptionsQuestion, _option_fields(content)).to_options()
+
+
+def read_realize_options(content: bytes) -> RealizeQuestion:
+    """The options of a request for motion; raises as `read_options` does."""
+    return _checked(RealizeQuestion, _option_fields(content))
+
+
+def _option_fields(content: bytes) -> dict[str, Any]:
     fields = read_object(content, "options")
     if isinstance(fields.get("agitation"), str):
         fields["agitation"] = _level(fields["agitation"])
-    return _checked(OptionsQuestion, fields).to_options()
+    return fields
 
 
 def listener_names(names: Sequence[str]) -> tuple[str, ...]:

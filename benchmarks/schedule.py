@@ -21,6 +21,7 @@ from pathlib import Path
 
 from app.bml.characters import Character, Characters
 from app.bml.scheduling import schedule
+from app.bml.visemes import visemes
 from app.bml.writer import write_bml
 from app.model import Agitation, Behavior, Channel, Function, Hand, Interval, Mode, Performance, Phone, Utterance, Word
 from app.resources import resource_folder
@@ -97,6 +98,19 @@ def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) ->
     clock.append(time.perf_counter())
     times_ms = [1000 * (after - before) for before, after in pairwise(clock)]
     return Outcome(functions, behaviors, duration_s, len(words), tuple(check(bml)), *times_ms)
+
+
+def performed(stages: Stages, text: str, seed: int) -> Performance:
+    """The text's performance, as if read at medium agitation."""
+    words = tuple(timed(read_transcript(text, max_characters=20_000), random.Random(text)))
+    duration_s = max(word.interval.end_s for word in words if word.interval) + 0.2
+    agitation = Agitation(low=0.0, medium=1.0, high=0.0)
+    utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)
+    functions = derive_functions(stages.functions, utterance)
+    wishes = offer_movements(stages.mapping, utterance, functions, seed=seed)
+    behaviors = schedule(wishes, utterance, stages.character, seed=seed)
+    lips, _notices = visemes(words, duration_s)
+    return Performance(utterance, functions, behaviors, stages.character.name, seed, visemes=lips)
 
 
 def spoken_sentences() -> Iterator[str]:

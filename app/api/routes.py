@@ -1,16 +1,17 @@
 """The paths of the service."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from pathlib import PurePath
+from pathlib import Path, PurePath
+from types import MappingProxyType
 from typing import Any
 
 from fastapi import APIRouter, Request, Response
 from starlette.exceptions import HTTPException
 from starlette.responses import PlainTextResponse
 
-from app.answers import CharactersAnswer, FunctionsAnswer, PerformAnswer, RulesAnswer
+from app.answers import Answer, CharactersAnswer, FunctionsAnswer, GesturesAnswer, PerformAnswer, RulesAnswer
 from app.api.capacity import Deadline
 from app.api.form import Part, read_form
 from app.api.metrics import MEDIA_TYPE as METRICS
@@ -21,11 +22,23 @@ from app.api.speaker import with_reference
 from app.catalogue import Kind
 from app.errors import InputError, UnsupportedFormatError
 from app.given_functions import read_functions
+from app.model import Notice
 from app.performance import Line, Options, Progress, Understudy, perform, understand, write_bml, write_listener
-from app.questions import read_object, read_options, read_question, read_timings
+from app.questions import (
+    RealizeQuestion,
+    read_object,
+    read_options,
+    read_question,
+    read_realize_options,
+    read_timings,
+)
+from app.realization import MotionFormat, Realized, Sheet, realize, stage, write_motion
 
 XML = "application/xml"
 JSON = "application/json"
+GLB = "model/gltf-binary"
+BVH = "text/x-bvh"
+REALIZE_FIELDS = ("bml", "audio", "options")
 PERFORM_FIELDS = ("audio", "text", "options", "words", "functions", "reference")
 WARNINGS_HEADER = "Understudy-Warnings"
 
@@ -61,6 +74,27 @@ _FUNCTIONS_BODY = {
 _ERRORS: dict[int | str, dict[str, Any]] = {"4XX": {"content": {PROBLEM: {}}}, "5XX": {"content": {PROBLEM: {}}}}
 _PERFORMED: dict[int | str, dict[str, Any]] = {200: {"content": {XML: {}}, "model": PerformAnswer}}
 
+_REALIZED: dict[int | str, dict[str, Any]] = {200: {"content": {JSON: {}, GLB: {}, BVH: {}}}}
+_REALIZE_BODY = {
+    "requestBody": {
+        "required": True,
+        "content": {
+            XML: {"schema": _TEXT},
+            "multipart/form-data": {
+                "schema": {
+                    "type": "object",
+                    "required": ["bml"],
+                    "properties": {"bml": _FILE, "audio": _FILE, "options": _TEXT},
+                }
+            },
+        },
+    }
+}
+_MOTION_FORMATS: Mapping[str, MotionFormat] = MappingProxyType(
+    {JSON: MotionFormat.JSON, GLB: MotionFormat.GLB, BVH: MotionFormat.BVH}
+)
+_BML_TYPES = frozenset({XML, "text/xml"})
+
 router = APIRouter()
 
 
@@ -82,6 +116,19 @@ async def post_perform(request: Request, shared: Shared) -> Response:
     return await shared.capacity.run(work, deadline)
 
 
+@router.post("/realize", responses=_REALIZED | _ERRORS, openapi_extra=_REALIZE_BODY)
+async def post_realize(request: Request, shared: Shared) -> Response:
+    """BML in, motion out: the BML alone as the body, or a form with `bml`, the `audio` of its speech and `options`
+    (JSON: agitation, character, fps, seed, skeleton). Answers a clip as JSON, GLB or BVH, by `Accept`.
+    """
+    media_type = _media_type(request, tuple(_MOTION_FORMATS), "motion comes")
+    shared.capacity.require_place()
+    deadline = Deadline.starting_now(shared.settings.deadline_s)
+    sheet, question = await deadline.within(_sheet(request))
+    work = partial(_realized, shared.understudy, sheet, question, media_type)
+    return await shared.capacity.run(work, deadline)
+
+
 @router.post("/functions", response_model=FunctionsAnswer, responses=_ERRORS, openapi_extra=_FUNCTIONS_BODY)
 async def post_functions(request: Request, shared: Shared) -> Response:
     """What words alone do."""
@@ -97,6 +144,12 @@ async def post_functions(request: Request, shared: Shared) -> Response:
 def get_characters(shared: Shared) -> Response:
     """Who can perform, and how they move."""
     return _json(CharactersAnswer.of(shared.catalogue.characters.by_name.values()))
+
+
+@router.get("/gestures", response_model=GesturesAnswer)
+def get_gestures(shared: Shared) -> Response:
+    """The library of gestures: what shows which lexeme, and how it is made at each level of agitation."""
+    return _json(GesturesAnswer.of(shared.understudy.realizer.library.definitions))
 
 
 @router.get("/rules", response_model=RulesAnswer)
@@ -155,6 +208,43 @@ def _options(form: dict[str, Part]) -> Options:
     return replace(options, form=replace(options.form, audio_name=audio_name))
 
 
+async def _sheet(request: Request) -> tuple[Sheet, RealizeQuestion]:
+    """Raises InputError `field_missing`, UnsupportedFormatError `media_type`, and what the form's own checks raise."""
+    sent = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    if sent in _BML_TYPES:
+        return Sheet(await request.body(), Path("bml")), RealizeQuestion()
+    if sent != "multipart/form-data":
+        raise UnsupportedFormatError("media_type", f"send BML as {XML}, or multipart/form-data with bml and audio")
+    form = await read_form(request, REALIZE_FIELDS)
+    if "bml" not in form:
+        raise InputError("field_missing", "the field bml is missing; send the BML that is to be played", field="bml")
+    name = Path(form["bml"].file_name or "bml")
+    question = read_realize_options(form["options"].content) if "options" in form else RealizeQuestion()
+    return Sheet(form["bml"].content, name, form["audio"].content if "audio" in form else None), question
+
+
+def _realized(
+    understudy: Understudy, sheet: Sheet, question: RealizeQuestion, media_type: str, progress: Progress
+) -> Response:
+    """The motion in the form asked for."""
+    rig = understudy.realizer.rig(question.skeleton)
+    staged = stage(
+        understudy.ears, sheet, agitation=question.agitation, character=question.character, progress=progress
+    )
+    progress("realize")
+    motion = realize(understudy.realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed)
+    progress("export")
+    realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
+    content = write_motion(realized, understudy.realizer, _MOTION_FORMATS[media_type], rig)
+    return Response(content, media_type=media_type, headers=_headers(staged.notices))
+
+
+def _headers(notices: Sequence[Notice]) -> dict[str, str]:
+    """The codes of what was degraded, dropped or guessed, each once."""
+    codes = ", ".join(dict.fromkeys(notice.code for notice in notices))
+    return {"Vary": "Accept"} | ({WARNINGS_HEADER: codes} if codes else {})
+
+
 def _performed(
     understudy: Understudy,
     line: Line,
@@ -171,11 +261,8 @@ def _performed(
     bml = write_bml(performance, options.form)
     listeners = {each.name: write_listener(performance, each, options.form) for each in performance.listeners}
     content = bml if media_type == XML else PerformAnswer.of(performance, bml, listeners).to_json()
-    headers = {"Vary": "Accept"}
-    if performance.notices:
-        headers[WARNINGS_HEADER] = ", ".join(dict.fromkeys(notice.code for notice in performance.notices))
-    return Response(content, media_type=media_type, headers=headers)
+    return Response(content, media_type=media_type, headers=_headers(performance.notices))
 
 
-def _json(answer: FunctionsAnswer | CharactersAnswer | RulesAnswer) -> Response:
+def _json(answer: Answer) -> Response:
     return Response(answer.to_json(), media_type=JSON)

@@ -9,10 +9,13 @@ from app import __version__
 from app.errors import InputError
 from app.model import Hand, Level, Mode
 from app.performance import DialectName, TimeForm
+from app.realization import DEFAULT_SKELETON
+from app.realizer.motion import FRAME_RATES_HZ
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
 """Adds a command, given its name and what it does."""
 
+MOTION_HELP = ".bvh, .glb, .vrma, .json, .csv (ARKit), .visemes.txt, .png (contact sheet) or .speed.png (wrist speeds)"
 AUDIO_HELP = "WAV, FLAC or OGG file; - for standard input"
 
 
@@ -34,6 +37,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=__version__)
     add = partial(_add, parser.add_subparsers(dest="command", metavar="COMMAND", required=True).add_parser)
     _add_perform(add)
+    _add_realize(add)
     _add_analyses(add)
     _add_rules(add)
     _add_gestures(add)
@@ -75,6 +79,31 @@ def _add_perform(add: Adding) -> None:
     )
     _add_form(parser)
     parser.add_argument("--trace", metavar="FILE", help="write the whole performance as JSON: every reason")
+    parser.add_argument(
+        "--realize", metavar="FILE", action="append", default=[], help=f"the motion itself: {MOTION_HELP}; repeatable"
+    )
+    _add_motion(parser)
+
+
+def _add_realize(add: Adding) -> None:
+    parser = add("realize", "BML in, motion out")
+    parser.add_argument("bml", metavar="FILE.bml", help="BML 1.0 core or SmartBody's; - for standard input")
+    parser.add_argument("--audio", metavar="AUDIO", help="the recording of its speech, for lips and words")
+    parser.add_argument(
+        "-o", "--output", metavar="OUT", action="append", required=True, help=f"{MOTION_HELP}; repeatable"
+    )
+    parser.add_argument("--character", metavar="NAME", help="who moves (default: whom the BML names)")
+    _add_agitation(parser)
+    parser.add_argument("--seed", type=int, default=0, help="another number chooses other variants (default 0)")
+    _add_motion(parser)
+
+
+def _add_motion(parser: argparse.ArgumentParser) -> None:
+    rates = FRAME_RATES_HZ
+    parser.add_argument("--fps", type=int, choices=rates, default=max(rates), help="frames a second of the motion")
+    parser.add_argument(
+        "--skeleton", metavar="NAME", default=DEFAULT_SKELETON, help="whose names joints go by in BVH (default mixamo)"
+    )
 
 
 def _add_form(parser: argparse.ArgumentParser) -> None:

@@ -9,6 +9,9 @@ from dataclasses import dataclass
 
 from app.model import FloatArray, Notice, SyncPoints
 
+FRAME_RATES_HZ = (30, 60)
+"""The rates at which motion is made."""
+
 SHAPES: tuple[str, ...] = (
     "browDownLeft",
     "browDownRight",

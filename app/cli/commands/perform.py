@@ -9,6 +9,7 @@ from app.cli.files import STANDARD, require_writable, write
 from app.cli.hearing import speaker_reference
 from app.cli.lines import read_line
 from app.cli.log import Log
+from app.cli.motions import require_motions, write_motions
 from app.cli.summary import summary
 from app.errors import InputError
 from app.model import Level, Mode
@@ -24,6 +25,7 @@ from app.performance import (
     write_listener,
 )
 from app.questions import listener_names
+from app.realization import Staged, schedule_of
 from app.settings import read_settings
 
 
@@ -42,6 +44,9 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     with Understudy.load(settings) as understudy:
         options = replace(options, reference=speaker_reference(understudy.ears, arguments.reference, log))
         performance = perform(understudy, line, options, log.stage)
+        if arguments.realize:
+            staged = Staged(schedule_of(performance), performance.notices)
+            write_motions(arguments.realize, understudy, staged, arguments, log)
     if arguments.trace:
         write(arguments.trace, PerformanceAnswer.of_performance(performance).to_json(indent=2) + b"\n")
     written = write_bml_json if (arguments.output or "").lower().endswith(".json") else write_bml
@@ -72,5 +77,6 @@ def _check_targets(arguments: argparse.Namespace) -> None:
     if arguments.listener and output == STANDARD:
         raise InputError("usage", "a listener's BML goes beside the speaker's; say where with -o OUT.bml")
     require_writable(output, field="output")
+    require_motions(arguments.realize, field="realize")
     if arguments.trace:
         require_writable(arguments.trace, field="trace")

@@ -1,0 +1,31 @@
+"""`understudy realize`: BML in, motion out, in the format that each output's name ends in."""
+
+import argparse
+from pathlib import Path
+
+from app.cli.files import STANDARD, read_bytes
+from app.cli.log import Log
+from app.cli.motions import require_motions, write_motions
+from app.errors import InputError
+from app.model import Level
+from app.performance import Understudy
+from app.realization import Sheet, stage
+from app.settings import read_settings
+
+
+def run(arguments: argparse.Namespace, log: Log) -> int:
+    settings = read_settings()
+    require_motions(arguments.output, field="output")
+    if arguments.bml == STANDARD and arguments.audio == STANDARD:
+        raise InputError("usage", "only one of BML and audio can come from standard input (-)")
+    audio = None
+    if arguments.audio:
+        audio = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
+    bml = read_bytes(arguments.bml, limit=settings.max_body_bytes, field="bml")
+    sheet = Sheet(bml, Path("standard input" if arguments.bml == STANDARD else arguments.bml), audio)
+    level = arguments.agitation and Level(arguments.agitation)
+    with Understudy.load(settings) as understudy:
+        staged = stage(understudy.ears, sheet, agitation=level, character=arguments.character, progress=log.stage)
+        log.warnings(staged.notices)
+        write_motions(arguments.output, understudy, staged, arguments, log)
+    return 0

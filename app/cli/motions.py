@@ -1,0 +1,45 @@
+"""Motion as files, in the format that each name ends in."""
+
+import argparse
+from collections.abc import Sequence
+from dataclasses import replace
+
+from app.cli.files import require_writable, write
+from app.cli.log import Log
+from app.cli.plot import require_plot
+from app.errors import InputError
+from app.performance import Understudy
+from app.realization import PICTURES, Realized, Staged, format_of, realize, write_motion
+from app.realizer.motion import Decision
+
+
+def require_motions(names: Sequence[str], *, field: str) -> None:
+    """Raises InputError for a name that could not be written, before the work is done; ServiceError for a picture when
+    matplotlib is not there."""
+    for name in names:
+        if format_of(name) in PICTURES:
+            require_plot(name)
+        require_writable(name, field=field)
+    if len(set(names)) < len(names):
+        raise InputError("usage", "the same file is named twice", field=field)
+
+
+def write_motions(
+    names: Sequence[str], understudy: Understudy, staged: Staged, arguments: argparse.Namespace, log: Log
+) -> None:
+    """Realizes the schedule once and writes it to every name; decisions are told."""
+    if not names:
+        return
+    realizer, rig = understudy.realizer, understudy.realizer.rig(arguments.skeleton)
+    log.stage("realize")
+    motion = realize(realizer, staged.schedule, frame_rate_hz=arguments.fps, seed=arguments.seed)
+    realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
+    log.stage("export")
+    for name in names:
+        write(name, write_motion(realized, realizer, format_of(name), rig))
+    if motion.decisions:
+        log.note("\n".join(_told(decision) for decision in motion.decisions))
+
+
+def _told(decision: Decision) -> str:
+    return f"{decision.behavior} {decision.action}: {decision.reason}"

@@ -1,0 +1,197 @@
+"""From a schedule to motion and its files (paper §3.8): ours straight from a performance, anybody's from BML.
+
+BML of the core says no words' times, no phones and no agitation: with the recording these are heard; without it the
+lips stay shut, and a Notice says so.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from pathlib import Path
+
+from app.bml.delivery import emphases_s, phrases
+from app.bml.reader import read_bml
+from app.bml.resolving import Resolved, resolve
+from app.bml.speech import speech_of
+from app.bml.visemes import visemes
+from app.errors import InputError
+from app.model import Behavior, Level, Notice, Performance, Schedule, Word
+from app.performance import Ears, Heard, Progress, hear, hear_words, unheard
+from app.realizer.exporting.arkit_csv import to_arkit_csv
+from app.realizer.exporting.bvh import to_bvh
+from app.realizer.exporting.clip_json import to_clip_json
+from app.realizer.exporting.glb import to_glb
+from app.realizer.exporting.retargeting import Rig
+from app.realizer.exporting.viseme_list import to_viseme_text
+from app.realizer.exporting.vrma import to_vrma
+from app.realizer.motion import Motion
+from app.realizer.realizing import Realizer, realize
+from app.realizer.sheet import draw_sheet, moments_of
+from app.realizer.speed_plot import draw_speeds
+from app.transcript import read_transcript
+
+__all__ = [
+    "MotionFormat",
+    "Realized",
+    "Realizer",
+    "Rig",
+    "Sheet",
+    "Staged",
+    "format_of",
+    "realize",
+    "schedule_of",
+    "stage",
+    "write_motion",
+]
+
+DEFAULT_CHARACTER = "default"
+DEFAULT_SKELETON = "mixamo"
+
+
+class MotionFormat(StrEnum):
+    """What motion is written as, by what the names of its files end in."""
+
+    BVH = ".bvh"
+    GLB = ".glb"
+    VRMA = ".vrma"
+    JSON = ".json"
+    CSV = ".csv"
+    VISEMES = ".visemes.txt"
+    SHEET = ".png"
+    SPEEDS = ".speed.png"
+
+
+PICTURES = frozenset({MotionFormat.SHEET, MotionFormat.SPEEDS})
+"""Formats that matplotlib draws."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Realized:
+    """A schedule and its motion."""
+
+    schedule: Schedule
+    motion: Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """A BML file that is to be played: its content, its name in messages, and the recording of its speech."""
+
+    bml: bytes
+    name: Path
+    audio: bytes | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Staged:
+    """A schedule ready for the realizer, and what was guessed or left out on the way."""
+
+    schedule: Schedule
+    notices: tuple[Notice, ...]
+
+
+def schedule_of(performance: Performance) -> Schedule:
+    """What a performance has the body do."""
+    utterance = performance.utterance
+    behaviors = tuple(behavior for behavior in performance.behaviors if behavior.kept)
+    return Schedule(
+        behaviors=behaviors,
+        duration_s=utterance.duration_s or _last_s(behaviors),
+        words=utterance.words,
+        visemes=performance.visemes,
+        phrases=phrases(utterance.words),
+        emphases_s=emphases_s(utterance.words),
+        agitation=utterance.agitation.level if utterance.agitation else Level.MEDIUM,
+        character=performance.character,
+    )
+
+
+def stage(
+    ears: Ears,
+    sheet: Sheet,
+    *,
+    agitation: Level | None = None,
+    character: str | None = None,
+    progress: Progress = unheard,
+) -> Staged:
+    """What a BML file has the body do, in the time of its recording.
+
+    `agitation` overrides what the voice says, and `character` who is named in the file. Raises WrongBmlError,
+    TooLargeError, and InputError for audio or words that cannot be used.
+    """
+    document, notices = read_bml(sheet.bml, sheet.name)
+    speech = speech_of(document)
+    heard = None if sheet.audio is None else hear(ears, sheet.audio, progress)
+    words, word_notices = _words(ears, heard, speech.text if speech else "", progress)
+    progress("resolve")
+    resolved = resolve(document, words)
+    level = agitation or resolved.agitation or (heard.agitation.level if heard else Level.MEDIUM)
+    schedule, lip_notices = _schedule(resolved, heard, level)
+    named = replace(schedule, character=character or resolved.character or DEFAULT_CHARACTER)
+    unheard_lips = _lips_unheard() if speech and not heard and not schedule.visemes else ()
+    heard_notices = heard.notices if heard else ()
+    return Staged(named, (*notices, *heard_notices, *word_notices, *resolved.notices, *lip_notices, *unheard_lips))
+
+
+def _words(
+    ears: Ears, heard: Heard | None, text: str, progress: Progress
+) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
+    """The words of the speech where the recording has them."""
+    if heard is None:
+        return (), ()
+    if not text:
+        message = "the BML says no words to look for in the recording; give its <speech> a <text>"
+        return (), (Notice("speech_missing", message),)
+    transcript = read_transcript(text, max_characters=ears.settings.max_text_characters)
+    timed, _thresholds = hear_words(ears, heard, transcript, None, progress)
+    return timed.words, timed.notices
+
+
+def _schedule(resolved: Resolved, heard: Heard | None, level: Level) -> tuple[Schedule, tuple[Notice, ...]]:
+    spoken_s = [word.interval.end_s for word in resolved.words if word.interval]
+    heard_s = heard.audio.duration_s if heard else 0.0
+    lips, notices = visemes(resolved.words, heard_s) if heard else ((), ())
+    schedule = Schedule(
+        behaviors=resolved.behaviors,
+        duration_s=max([_last_s(resolved.behaviors), *spoken_s, heard_s]),
+        words=resolved.words,
+        visemes=resolved.visemes or lips,
+        phrases=phrases(resolved.words),
+        emphases_s=emphases_s(resolved.words),
+        agitation=level,
+    )
+    return schedule, notices
+
+
+def _last_s(behaviors: tuple[Behavior, ...]) -> float:
+    return max((behavior.sync.end for behavior in behaviors), default=0.0)
+
+
+def _lips_unheard() -> tuple[Notice, ...]:
+    return (Notice("lips_unheard", "there is no recording to take the lips from; send the audio with the BML"),)
+
+
+def format_of(name: str) -> MotionFormat:
+    """The format of a file's name; raises InputError `motion_format`."""
+    lower = name.lower()
+    fitting = [each for each in MotionFormat if lower.endswith(each.value)]
+    if not fitting:
+        known = ", ".join(each.value for each in MotionFormat)
+        raise InputError("motion_format", f"{name}: motion is written as {known}; end the name in one of them")
+    return max(fitting, key=lambda each: len(each.value))
+
+
+def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, rig: Rig) -> bytes:
+    """The motion in a format; `rig` names the joints of BVH and of the clip."""
+    motion, skeleton, schedule = realized.motion, realizer.skeleton, realized.schedule
+    writers: Mapping[MotionFormat, Callable[[], bytes]] = {
+        MotionFormat.BVH: lambda: to_bvh(motion, skeleton, rig),
+        MotionFormat.GLB: lambda: to_glb(motion, skeleton),
+        MotionFormat.VRMA: lambda: to_vrma(motion, skeleton),
+        MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig),
+        MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
+        MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
+        MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule.words)),
+        MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),
+    }
+    return writers[form]()

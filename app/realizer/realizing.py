@@ -1,0 +1,83 @@
+"""BML in, motion out, in the order of the paper's controllers (§3.8): the whole body first, the eyelids last.
+
+Each controller takes the body's motion so far and gives it back changed: gestures and gaze override the joints that
+they move, head movements are added to what is there, and what would go through the body is moved out of it at the end.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from app.model import Behavior, Channel, FloatArray, Schedule, SyncPoints
+from app.realizer.collisions import clear
+from app.realizer.exporting.retargeting import Rig, find_rig, load_rigs
+from app.realizer.face import face
+from app.realizer.face_tables import FaceTables
+from app.realizer.gaze import gaze
+from app.realizer.gesture_plan import GesturePlan
+from app.realizer.gesturing import gesture
+from app.realizer.head import head
+from app.realizer.idle import idle
+from app.realizer.library import Library
+from app.realizer.motion import Motion
+from app.realizer.planning import plan_gestures
+from app.realizer.skeleton import Skeleton
+from app.realizer.unplayed import unplayed
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Realizer:
+    """What realizing needs, loaded once: the body, its gestures and its face."""
+
+    skeleton: Skeleton
+    library: Library
+    face: FaceTables
+    rigs: Mapping[str, Rig]
+
+    @classmethod
+    def load(cls, lexicon: Path) -> "Realizer":
+        """From a lexicon folder. Raises AuthoringError with every mistake in the first kind of file that has any."""
+        skeleton = Skeleton.standing()
+        return cls(
+            skeleton=skeleton,
+            library=Library.load(lexicon / "gestures"),
+            face=FaceTables.load(lexicon / "face.yaml"),
+            rigs=load_rigs(lexicon / "retarget", skeleton),
+        )
+
+    def rig(self, name: str) -> Rig:
+        """The joints' names in a rig; raises InputError `unknown_skeleton`."""
+        return find_rig(self.rigs, name)
+
+
+def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, seed: int = 0) -> Motion:
+    """The motion of a schedule, from 0 until it is over and the hands are at rest."""
+    plan = plan_gestures(realizer.library, schedule, seed=seed)
+    times_s = frame_times_s(max(schedule.duration_s, plan.end_s), frame_rate_hz)
+    skeleton = realizer.skeleton
+    body = idle(skeleton, times_s, schedule, seed=seed)
+    body = gesture(skeleton, body, plan, seed=seed)
+    body = gaze(skeleton, body, schedule, seed=seed)
+    body = head(skeleton, body, schedule, seed=seed)
+    body, moved = clear(skeleton, body)
+    shapes = face(realizer.face, schedule, body, skeleton, seed=seed)
+    return Motion(
+        frame_rate_hz=frame_rate_hz,
+        body=body,
+        shapes=shapes,
+        realized=_realized(schedule.behaviors, plan),
+        decisions=(*plan.decisions, *unplayed(schedule), *moved),
+    )
+
+
+def frame_times_s(end_s: float, frame_rate_hz: int) -> FloatArray:
+    """The times of the frames, two at least, until the first that is not before `end_s`."""
+    return np.arange(max(2, int(np.ceil(end_s * frame_rate_hz)) + 1)) / frame_rate_hz
+
+
+def _realized(behaviors: tuple[Behavior, ...], plan: GesturePlan) -> dict[str, SyncPoints]:
+    """When everything really happens: gestures as planned, all else as scheduled."""
+    others = {each.id: each.sync for each in behaviors if each.kind is not Channel.GESTURE}
+    return {**others, **plan.realized}
