@@ -57,6 +57,8 @@ def test_derived_levels_stay_in_range(level: Level, edge: int) -> None:
         ("CATEGORY me", 4, 10, "a category is a BML lexeme in capitals: ME"),
         ("CATEGORY ME ME", 4, 13, "ME stands here a second time"),
         ("LEVELS hihg", 4, 8, "'hihg' is not a level of agitation; did you mean high?"),
+        ("LEVELS low low", 4, 12, "low stands here a second time"),
+        ("LEVELS lo\nEXPRESSIVITY high tempo 1", 4, 8, "'lo' is not a level of agitation"),
         ("LEVELS low\nEXPRESSIVITY high tempo 1", 5, 14, "high is not among the LEVELS of this gesture"),
         ("EXPRESSIVITY high speed 1", 4, 19, "'speed' is none of amplitude, tempo, fluidity, power, repetition"),
         ("EXPRESSIVITY high tempo 1 tempo 2", 4, 27, "tempo stands here a second time"),
@@ -78,6 +80,9 @@ def test_what_a_header_must_have(tmp_path: Path, line: str) -> None:
 
 
 def test_a_line_that_could_not_be_read_is_not_missed(tmp_path: Path) -> None:
+    """Nor is what it says of the rest: whether the gesture is one of both arms."""
+    both = gesture("ARMS both", first="FRAMETYPE stroke_start\nARM XC YCC ZNear\nOTHER HAND form_fist")
+    assert len(mistakes_in(tmp_path, both.replace("DURATION 2", "DURATION"))) == 1
     assert len(mistakes_in(tmp_path, gesture().replace("DURATION 2", "DURATION"))) == 1
     assert len(mistakes_in(tmp_path, gesture(last="FRAMETYPE"))) == 1
 

@@ -171,7 +171,7 @@ def _add_rules(add: Adding) -> None:
     actions = add("rules", "the rules, words, mappings and table entries").add_subparsers(
         dest="action", metavar="ACTION", required=True
     )
-    check = _add(actions.add_parser, "check", "tell every mistake in rules, words, characters and tables")
+    check = _add(actions.add_parser, "check", "tell every mistake in rules, words, characters, gestures and tables")
     check.add_argument("paths", metavar="PATH", nargs="*", help="files or folders (default: those that are in use)")
     check.add_argument("--watch", action="store_true", help="check again whenever they are saved, until interrupted")
     listing = _add(actions.add_parser, "list", "list them")

@@ -24,11 +24,12 @@ _PARTS = frozenset({"FINGER", "JOINT", "EXPRESSIVITY"})
 
 @dataclass(frozen=True, slots=True)
 class TimedFrame:
-    """A frame as understood; None where its file is wrong."""
+    """A frame as understood; None where its file is wrong. `type_at` is where its type stands."""
 
     tree: FrameTree
     time: float | None
     type: FrameType | None
+    type_at: Word
     leading: ArmKey
     other: ArmKey | None
     noise: bool
@@ -91,11 +92,12 @@ def _phase_mistakes(frames: Sequence[TimedFrame]) -> Iterator[Located]:
     for before, after in pairwise(frame for frame in frames if frame.type is not None):
         assert before.type is not None
         assert after.type is not None
-        at = next(word for word in after.tree.statements if word.keyword.text == "FRAMETYPE").words[0]
         if after.type is before.type and after.type not in REPEATED:
-            yield Located(at, f"a gesture has one {after.type}; the frame before is that already")
+            yield Located(after.type_at, f"a gesture has one {after.type}; the frame before is that already")
         elif IN_ORDER.index(after.type) < IN_ORDER.index(before.type):
-            yield Located(at, f"{after.type} cannot follow {before.type}; the order is {', '.join(IN_ORDER)}")
+            yield Located(
+                after.type_at, f"{after.type} cannot follow {before.type}; the order is {', '.join(IN_ORDER)}"
+            )
 
 
 def _stroke_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[Located]:

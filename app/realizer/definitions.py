@@ -5,7 +5,7 @@ faster and sharper. What OTHER does not say in a frame that has it, the other ar
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -14,7 +14,7 @@ from app.model import Hand, Level
 from app.realizer.checking import TimedFrame, frame_mistakes, said_twice
 from app.realizer.gesture import ArmKey, Definition, Expressivity, Frame, FrameType
 from app.realizer.specifiers import arm_key, number, one_of
-from app.realizer.statements import FrameTree, GestureTree, Located, Statement
+from app.realizer.statements import FrameTree, GestureTree, Located, Statement, Word
 
 MEDIUM = Expressivity()
 FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(
@@ -34,7 +34,8 @@ RANGES: Mapping[str, tuple[float, float]] = MappingProxyType(
         "repetition": (0.0, 1.0),
     }
 )
-MAX_DURATION_S = 10.0
+MIN_DURATION_S, MAX_DURATION_S = 0.1, 10.0
+NEEDED = frozenset({"GESTURECLASS", "GESTUREINSTANCE", "DURATION"})
 
 _LEXEME = re.compile(r"[A-Z][A-Z0-9_]*")
 
@@ -54,8 +55,8 @@ def definition(tree: GestureTree, path: Path | None, wrong: list[Located]) -> De
     """The gesture that `tree` defines; None when anything in it is wrong, and each mistake in `wrong`."""
     found: list[Located] = []
     header = _header(tree, found)
-    hand = header.hand if header else None
-    timed = [_timed(frame, hand, found) for frame in tree.frames]
+    both = header is None or header.hand is Hand.BOTH
+    timed = [_timed(frame, found, both=both) for frame in tree.frames]
     found += frame_mistakes(tree, timed)
     wrong += found
     if found or header is None or not tree.all_sound():
@@ -93,48 +94,59 @@ def _within(value: float, least: float, most: float) -> float:
 
 
 def _header(tree: GestureTree, wrong: list[Located]) -> _Header | None:
-    """None when a statement that is needed is missing or wrong; without a mistake of its own, when a line is unread."""
-    wrong += said_twice(tree.header)
-    sound = {statement.keyword.text: statement for statement in tree.header if statement.sound}
+    """None when a statement that it needs is missing, wrong or could not be read."""
+    wrong += (*said_twice(tree.header), *_missing(tree))
+    said = {statement.keyword.text: statement for statement in tree.header if statement.sound}
+    hand = one_of(Hand, said["ARMS"].words[0], "an arm, nor both", wrong) if "ARMS" in said else None
+    categories = _categories(said["CATEGORY"].words, wrong) if "CATEGORY" in said else ()
     levels = _levels(tree.header, wrong)
-    hand = one_of(Hand, sound["ARMS"].words[0], "an arm, nor both", wrong) if "ARMS" in sound else None
-    duration = sound.get("DURATION")
-    duration_s = number(duration.numbers[0], 0.1, MAX_DURATION_S, wrong, unit=" s") if duration else None
-    categories = _categories(sound.get("CATEGORY"), wrong)
-    missing = {"GESTUREINSTANCE": "its name", "DURATION": "its length in seconds"}.keys() - {
-        statement.keyword.text for statement in tree.header
-    }
-    if missing and all(statement.sound for statement in tree.header):
-        wrong += [Located(tree.start, f"this gesture has no {name}") for name in sorted(missing)]
-    if "GESTUREINSTANCE" not in sound or "GESTURECLASS" not in sound or duration_s is None:
+    duration_s = (
+        number(said["DURATION"].numbers[0], MIN_DURATION_S, MAX_DURATION_S, wrong, unit=" s")
+        if "DURATION" in said
+        else None
+    )
+    if not said.keys() >= NEEDED or duration_s is None:
         return None
-    name = sound["GESTUREINSTANCE"].words[0].text
+    name = said["GESTUREINSTANCE"].words[0].text
     return _Header(
-        gesture_class=sound["GESTURECLASS"].words[0].text,
+        gesture_class=said["GESTURECLASS"].words[0].text,
         name=name,
         duration_s=duration_s,
         categories=categories or (name.upper(),),
         levels=levels,
         hand=hand,
-        aimed="AIMED" in sound,
+        aimed="AIMED" in said,
     )
 
 
-def _categories(statement: Statement | None, wrong: list[Located]) -> tuple[str, ...]:
-    words = statement.words if statement else ()
-    for position, word in enumerate(words):
+def _missing(tree: GestureTree) -> Iterator[Located]:
+    """What a header lacks; nothing when a line could not be read, which may be the one."""
+    if all(statement.sound for statement in tree.header):
+        for keyword in sorted(NEEDED - {statement.keyword.text for statement in tree.header}):
+            yield Located(tree.start, f"this gesture has no {keyword}")
+
+
+def _categories(words: Sequence[Word], wrong: list[Located]) -> tuple[str, ...]:
+    wrong += _repeated(words)
+    for word in words:
         if not _LEXEME.fullmatch(word.text):
             wrong.append(Located(word, f"a category is a BML lexeme in capitals: {word.text.upper()}"))
-        if word.text in {before.text for before in words[:position]}:
-            wrong.append(Located(word, f"{word.text} stands here a second time"))
     return tuple(word.text for word in words)
+
+
+def _repeated(words: Sequence[Word]) -> Iterator[Located]:
+    for position, word in enumerate(words):
+        if word.text in {before.text for before in words[:position]}:
+            yield Located(word, f"{word.text} stands here a second time")
 
 
 def _levels(header: Iterable[Statement], wrong: list[Located]) -> Mapping[Level, Expressivity]:
     """How the gesture is made at each level that it is fit for."""
     sound = [statement for statement in header if statement.sound]
     listed = next((statement.words for statement in sound if statement.keyword.text == "LEVELS"), ())
-    fit = [one_of(Level, word, "a level of agitation", wrong) for word in listed] or list(Level)
+    wrong += _repeated(listed)
+    found = [one_of(Level, word, "a level of agitation", wrong) for word in listed]
+    fit = list(Level) if None in found or not found else found
     said: dict[Level, dict[str, float]] = {}
     for statement in sound:
         if statement.keyword.text == "EXPRESSIVITY":
@@ -153,11 +165,10 @@ def _levels(header: Iterable[Statement], wrong: list[Located]) -> Mapping[Level,
 def _factors(statement: Statement, wrong: list[Located]) -> dict[str, float]:
     """Of one EXPRESSIVITY line: what it says of amplitude, tempo and the rest."""
     found: dict[str, float] = {}
+    wrong += _repeated(statement.words[1:])
     for name, value in zip(statement.words[1:], statement.numbers, strict=True):
         if name.text not in RANGES:
             wrong.append(Located(name, f"{name.text!r} is none of {', '.join(RANGES)}"))
-        elif name.text in found:
-            wrong.append(Located(name, f"{name.text} stands here a second time"))
         else:
             least, most = RANGES[name.text]
             in_range = number(value, least, most, wrong)
@@ -165,12 +176,12 @@ def _factors(statement: Statement, wrong: list[Located]) -> dict[str, float]:
     return found
 
 
-def _timed(tree: FrameTree, hand: Hand | None, wrong: list[Located]) -> TimedFrame:
+def _timed(tree: FrameTree, wrong: list[Located], *, both: bool) -> TimedFrame:
     wrong += said_twice(tree.statements)
     sound = [statement for statement in tree.statements if statement.sound]
     types = [statement.words[0] for statement in sound if statement.keyword.text == "FRAMETYPE"]
     others = [statement for statement in sound if statement.other]
-    if others and hand is not Hand.BOTH:
+    if others and not both:
         wrong.append(Located(others[0].keyword, "OTHER needs a gesture of both arms: write ARMS both in its header"))
     own = [statement for statement in sound if not statement.other]
     leading = arm_key(own, wrong)
@@ -178,6 +189,7 @@ def _timed(tree: FrameTree, hand: Hand | None, wrong: list[Located]) -> TimedFra
         tree=tree,
         time=number(tree.start.numbers[0], 0, 1, wrong) if tree.start.sound else None,
         type=one_of(FrameType, types[0], "a frame's type", wrong) if types else None,
+        type_at=types[0] if types else tree.start.keyword,
         leading=leading,
         other=mirrored_where_silent(arm_key(others, wrong), leading) if others else None,
         noise=any(statement.keyword.text == "ADDNOISE" for statement in sound),

@@ -4,7 +4,8 @@ The language is a statement a line. Each line is parsed by itself, then lines ar
 gesture, STARTFRAME … ENDFRAME hold a frame. What the words mean is for `definitions.py`.
 """
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import cache, lru_cache
@@ -83,24 +84,21 @@ def _grammar() -> Lark:
 
 
 @lru_cache(maxsize=2048)
-def _parsed(line: str) -> Tree[Token]:
-    """Gestures repeat their lines; a third of a library's are new."""
-    return _grammar().parse(line)
+def _parsed(code: str) -> Tree[Token]:
+    """Kept, for gestures repeat their lines: in a library one in six is new."""
+    return _grammar().parse(code)
 
 
 def _statements(lines: tuple[str, ...], wrong: list[Located]) -> Iterator[Statement]:
     """Each line that says something; one that could not be read counts as what it most likely is."""
     for number, line in enumerate(lines, start=1):
-        said = line.split("#")[0].split()
-        if not said:
+        code = line.split("#", maxsplit=1)[0].rstrip()
+        if not code.strip():
             continue
         try:
-            yield _statement(_parsed(line), number)
+            yield _statement(_parsed(code), number)
         except UnexpectedInput as error:
-            column = min(_column(error, line), len(line.rstrip()) + 1)
-            statement, message = _unread(said, Word(line[column - 1 :].split("#")[0].strip(), number, column), line)
-            wrong.append(Located(message[0], message[1]))
-            yield statement
+            yield _unread(_words(code, number), _column(error, code), wrong)
 
 
 def _statement(tree: Tree[Token], line: int) -> Statement:
@@ -114,31 +112,39 @@ def _statement(tree: Tree[Token], line: int) -> Statement:
     return Statement(keyword, words, numbers, other=bool(other))
 
 
-def _column(error: UnexpectedInput, line: str) -> int:
-    if isinstance(error, UnexpectedToken) and error.token.type == "$END":
-        return len(line.split("#", maxsplit=1)[0].rstrip()) + 1
-    return int(error.column)
+def _words(code: str, line: int) -> list[Word]:
+    """The words of a line that could not be read; an empty one after them stands for its end."""
+    words = [Word(found.group(), line, found.start() + 1) for found in re.finditer(r"\S+", code)]
+    return [*words, Word("", line, len(code) + 1)]
 
 
-def _unread(said: list[str], at: Word, line: str) -> tuple[Statement, tuple[Word, str]]:
-    """The statement that a line was meant to be, and what is wrong with it; `at` is the text from the mistake on."""
-    other = said[0] == OTHER and len(said) > 1
-    written = said[1] if other else said[0]
+def _column(error: UnexpectedInput, code: str) -> int:
+    at_end = isinstance(error, UnexpectedToken) and error.token.type == "$END"
+    return len(code) + 1 if at_end else int(error.column)
+
+
+def _unread(words: list[Word], column: int, wrong: list[Located]) -> Statement:
+    """What a line was meant to be that cannot be read from `column` on; what is wrong with it goes to `wrong`."""
+    other = words[0].text == OTHER and len(words) > 2
+    keyword = words[1] if other else words[0]
     known = {**HEADER, **FRAME}
-    first = Word(written, at.line, line.index(written) + 1)
-    guessed = written if written in known else _nearest(written, [*known])
-    statement = Statement(Word(guessed or "", first.line, first.column), other=other, sound=False)
-    if written not in known:
-        meant = f"; did you mean {guessed}?" if guessed else f"; lines of a gesture file begin with {', '.join(known)}"
-        return statement, (first, f"no line begins with {written!r}{meant}")
-    if other and written not in OF_AN_ARM:
-        return statement, (first, f"OTHER speaks of the other arm's {', '.join(sorted(OF_AN_ARM))}, not of {written}")
-    found = f"found {at.text.split()[0]!r}" if at.text else "the line ends too soon"
-    return statement, (at, f"{found}; {written} is written as in: {known[written]}")
+    guessed = keyword.text if keyword.text in known else _nearest(keyword.text, known)
+    if keyword.text not in known:
+        meant = f"did you mean {guessed}?" if guessed else f"lines of a gesture file begin with {', '.join(known)}"
+        wrong.append(Located(keyword, f"no line begins with {keyword.text!r}; {meant}"))
+    elif other and keyword.text not in OF_AN_ARM:
+        told = f"OTHER speaks of the other arm's {', '.join(sorted(OF_AN_ARM))}, not of {keyword.text}"
+        wrong.append(Located(keyword, told))
+    else:
+        at = next(word for word in words if word.column + len(word.text) > column or not word.text)
+        found = f"found {at.text!r}" if at.text else "the line ends too soon"
+        told = f"{found}; {keyword.text} is written as in: {known[keyword.text]}"
+        wrong.append(Located(replace(at, column=max(at.column, column)), told))
+    return Statement(replace(keyword, text=guessed or ""), other=other, sound=False)
 
 
-def _nearest(word: str, known: list[str]) -> str | None:
-    return next(iter(get_close_matches(word.upper(), known, n=1)), None)
+def _nearest(word: str, known: Iterable[str]) -> str | None:
+    return next(iter(get_close_matches(word.upper(), list(known), n=1)), None)
 
 
 class _Assembly:

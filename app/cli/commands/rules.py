@@ -41,7 +41,7 @@ def _check_once(paths: Sequence[Path], log: Log) -> None:
         log.note(f"no mistake in {check_files(paths)} files")
     else:
         check_files_in_use()
-        log.note("no mistake in rules, words, characters and tables")
+        log.note("no mistake in rules, words, characters, gestures and tables")
 
 
 def _watch(paths: Sequence[Path], log: Log) -> None:
