@@ -6,7 +6,7 @@ import pytest
 from app.model import FloatArray, Hand
 from app.realizer.arms import ArmTrack, TimedPose, arm_motion
 from app.realizer.collisions import clear
-from app.realizer.contacts import PAIRS, contacts, penetrations_m
+from app.realizer.contacts import PAIRS, Posed, contacts, penetrations_m
 from app.realizer.gesture import ArmKey, Depth, Direction, HandForm, HandShape, Height, Place, Sideways, Wrist
 from app.realizer.limits import violations
 from app.realizer.motion import BodyMotion
@@ -100,7 +100,7 @@ def test_contacts_tell_how_deep_and_which_way_out() -> None:
     rotations[0, joints] = rest_pose(BODY, Hand.LEFT, "open").rotations
     rotations[0, joints[:2]] = pose.parts[:2]
     rotations[0, joints[2]] = pose.parts[2]
-    found = contacts(BODY, rotations, np.zeros((1, 3)))
+    found = contacts(BODY, Posed.of(BODY, rotations, np.zeros((1, 3))))
     column = int(found.depth_m[0].argmax())
     assert found.depth_m[0, column] > 0.01
     assert found.out[0, column, 2] > 0.5

@@ -14,7 +14,7 @@ from app.model import FloatArray, Hand
 from app.realizer.noise import perlin
 from app.realizer.posing import PARTS, PartialPose, arm_rotations
 from app.realizer.rotations import from_rotation_vector, multiply, of_one_sign
-from app.realizer.splines import Shape, spline
+from app.realizer.splines import Curve, splines
 
 FOLLOW_THROUGH_S = 0.3
 """The most that fingertips come after the collarbone: 9 frames at 30 a second (Gesture Engine §5.1)."""
@@ -66,22 +66,12 @@ class ArmTrack:
 def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int) -> FloatArray:
     """The arm's rotations (T, 19, 4) at `times_s` (T,), neighbours of one sign."""
     said = np.stack([key.pose.said for key in track.keys])
-    key_times_s = _shifted(track)
     keys = np.stack([key.pose.parts for key in track.keys])
-    found = np.empty((len(times_s), len(PARTS), 4))
-    for rows in _alike(said, key_times_s):
-        through = said[:, rows[0]]
-        shape = Shape(*np.array([(key.tension, key.continuity, key.bias) for key in track.keys])[through].T)
-        found[:, rows] = spline(key_times_s[through, rows[0]], keys[through][:, rows], shape, times_s)
-    return of_one_sign(arm_rotations(_stirred(track, found, times_s, seed)))
-
-
-def _alike(said: FloatArray, key_times_s: FloatArray) -> list[list[int]]:
-    """Rows that go through the same keys at the same times, together."""
-    groups: dict[bytes, list[int]] = {}
-    for row in range(len(PARTS)):
-        groups.setdefault(said[:, row].tobytes() + key_times_s[:, row].tobytes(), []).append(row)
-    return list(groups.values())
+    shapes = np.array([(key.tension, key.continuity, key.bias) for key in track.keys])
+    key_times_s = _shifted(track)
+    through = [(row, said[:, row]) for row in range(len(PARTS))]
+    curves = [Curve(key_times_s[keyed, row], keys[keyed, row], shapes[keyed]) for row, keyed in through]
+    return of_one_sign(arm_rotations(_stirred(track, splines(curves, times_s), times_s, seed)))
 
 
 def _shifted(track: ArmTrack) -> FloatArray:

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from app.model import FloatArray, Hand
 from app.realizer.arm_reach import ArmBones, reach_by_elbow, towards_elbow
 from app.realizer.build import BUILD
-from app.realizer.contacts import LIMBS, PAIRS, RADII_M, Contacts, contacts
+from app.realizer.contacts import LIMBS, PAIRS, RADII_M, Contacts, Posed, contacts
 from app.realizer.limits import MIRROR, clamped, parted_deg
 from app.realizer.motion import BodyMotion, Decision
 from app.realizer.rotations import about, dot, inverse, length, multiply, nearest_sign, rotate
-from app.realizer.skeleton import SIDES, Skeleton, forward
+from app.realizer.skeleton import SIDES, Skeleton
 from app.realizer.wrist_turns import kept
 
 _CLEARANCE_M = 0.004
@@ -40,8 +40,8 @@ class _Push:
         wrist_m, elbow_m = self.wrist_m + other.wrist_m, self.elbow_m + other.elbow_m
         return _Push(_at_most(wrist_m, _FARTHEST_M), _at_most(elbow_m, _FARTHEST_M))
 
-    def swelling(self, reach_frames: int) -> "_Push":
-        return _Push(_swelling(self.wrist_m, reach_frames), _swelling(self.elbow_m, reach_frames))
+    def swelling(self, swell: int) -> "_Push":
+        return _Push(_swelling(self.wrist_m, swell), _swelling(self.elbow_m, swell))
 
 
 def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
@@ -50,22 +50,36 @@ def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decis
 
     What is still inside after a round is added to the push, and the arms are solved again from where they were; so
     the push is smooth in time however many rounds it takes."""
-    rotations = clamped(skeleton, body.rotations)
-    start = replace(body, rotations=rotations)
-    found = contacts(skeleton, rotations, body.hips_m)
+    body = replace(body, rotations=clamped(skeleton, body.rotations))
+    posed = Posed.of(skeleton, body.rotations, body.hips_m)
+    found = contacts(skeleton, posed)
     decisions = _decisions(found, body.times_s)
-    nothing = np.zeros((len(body.times_s), 3))
+    if not decisions:
+        return body, ()
+    swell = _swell_frames(body.times_s)
+    rotations = body.rotations.copy()
+    for first, past in _stretches(_around(found.depth_m.max(axis=1) > 0, 2 * swell)):
+        there = slice(first, past)
+        rotations[there] = _cleared(skeleton, posed.frames(there), swell)
+    return replace(body, rotations=rotations), decisions
+
+
+def _cleared(skeleton: Skeleton, start: Posed, swell: int) -> FloatArray:
+    """The local rotations of a stretch of frames that ends clear of everything; a push swells over so many frames."""
+    body, found = start, contacts(skeleton, start)
+    nothing = np.zeros((len(start.rotations), 3))
     pushes = dict.fromkeys(SIDES, _Push(nothing, nothing))
     way_out = np.zeros_like(found.out)
     for _round in range(_ROUNDS):
-        if found.depth_m.max() <= 0:
-            break
         way_out = _way_out(found, way_out)
         one_way = _one_way(found, way_out)
         pushes = {side: push.and_then(_push(one_way, side)) for side, push in pushes.items()}
-        rotations = _moved(skeleton, start, pushes)
-        found = contacts(skeleton, rotations, body.hips_m)
-    return replace(body, rotations=rotations), decisions
+        swelling = {side: push.swelling(swell) for side, push in pushes.items()}
+        body = start.with_arms(skeleton, _moved(skeleton, start, swelling))
+        found = contacts(skeleton, body)
+        if found.depth_m.max() <= 0:
+            break
+    return body.rotations
 
 
 def _way_out(found: Contacts, known: FloatArray) -> FloatArray:
@@ -90,17 +104,15 @@ def _one_way(found: Contacts, way_out: FloatArray) -> Contacts:
     )
 
 
-def _moved(skeleton: Skeleton, body: BodyMotion, pushes: Mapping[str, _Push]) -> FloatArray:
-    """The local rotations with both arms pushed, around the frames where something is inside."""
-    rate_hz = (len(body.times_s) - 1) / max(body.times_s[-1] - body.times_s[0], 1e-9)
+def _moved(skeleton: Skeleton, body: Posed, pushes: Mapping[str, _Push]) -> FloatArray:
+    """The local rotations with both arms pushed, in the frames where they are."""
     rotations = body.rotations.copy()
-    for side, asked in pushes.items():
-        push = asked.swelling(max(1, round(_SWELL_S * rate_hz)))
+    for side, push in pushes.items():
         frames = np.nonzero((length(push.wrist_m) + length(push.elbow_m))[:, 0] > 1e-6)[0]
         if len(frames):
-            there = BodyMotion(body.times_s[frames], rotations[frames], body.hips_m[frames])
             pushed = _Push(push.wrist_m[frames], push.elbow_m[frames])
-            rotations[frames] = _solved_again(skeleton, there, Hand(side), pushed)
+            joints = skeleton.chain(*(side + name for name in ("UpperArm", "LowerArm", "Hand")))
+            rotations[frames[:, None], joints] = _solved_again(skeleton, body.frames(frames), Hand(side), pushed)
     return rotations
 
 
@@ -136,7 +148,7 @@ def _at_most(push_m: FloatArray, farthest_m: float) -> FloatArray:
     return np.asarray(push_m * np.minimum(1.0, farthest_m / np.maximum(length(push_m), 1e-12)))
 
 
-def _swelling(push_m: FloatArray, reach_frames: int) -> FloatArray:
+def _swelling(push_m: FloatArray, swell: int) -> FloatArray:
     """A push (T, 3) spread over the frames around it: hardly less than asked for, and smooth in size and direction.
 
     The largest size within reach, averaged within reach, covers every frame's own; directions are averaged twice as
@@ -144,51 +156,53 @@ def _swelling(push_m: FloatArray, reach_frames: int) -> FloatArray:
     size_m = length(push_m)[:, 0]
     if not size_m.any():
         return push_m
-    padded = np.pad(size_m, reach_frames, mode="constant")
-    largest = np.lib.stride_tricks.sliding_window_view(padded, 2 * reach_frames + 1).max(axis=1)
-    bell = np.hanning(2 * reach_frames + 3)[1:-1]
-    size_m = np.convolve(np.pad(largest, reach_frames, mode="edge"), bell / bell.sum(), mode="valid")
-    wide = np.hanning(4 * reach_frames + 3)[1:-1]
-    middle = slice(2 * reach_frames, 2 * reach_frames + len(push_m))
+    padded = np.pad(size_m, swell, mode="constant")
+    largest = np.lib.stride_tricks.sliding_window_view(padded, 2 * swell + 1).max(axis=1)
+    bell = np.hanning(2 * swell + 3)[1:-1]
+    size_m = np.convolve(np.pad(largest, swell, mode="edge"), bell / bell.sum(), mode="valid")
+    wide = np.hanning(4 * swell + 3)[1:-1]
+    middle = slice(2 * swell, 2 * swell + len(push_m))
     towards = np.stack([np.convolve(part, wide)[middle] for part in push_m.T], axis=-1)
     agreed = np.convolve(length(push_m)[:, 0], wide)[middle]
     return np.asarray(towards / np.maximum(agreed, 1e-12)[:, None] * size_m[:, None])
 
 
-def _solved_again(skeleton: Skeleton, body: BodyMotion, side: Hand, push: _Push) -> FloatArray:
-    """Local rotations with the arm `side` solved for its wrist where it is pushed to and its elbow swung aside."""
+def _solved_again(skeleton: Skeleton, body: Posed, side: Hand, push: _Push) -> FloatArray:
+    """Upper arm, lower arm and hand (T, 3, 4) of the arm `side`, solved for its wrist where it is pushed to and its
+    elbow swung aside."""
     names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
     chest, *joints = skeleton.chain("upperChest", *(side.value + name for name in names))
-    at, turned = forward(skeleton, body.rotations, body.hips_m, _above(skeleton, joints[-1]))
     bones = ArmBones.of(skeleton)
+    at_m, turned = body.positions_m, body.orientations
     back = inverse(turned[:, chest])
     mirror, across = (np.ones(4), np.ones(3)) if side is Hand.LEFT else (MIRROR, _MIRRORED)
     root_m = bones.root_m - skeleton.offsets_m[skeleton.index["leftShoulder"]]
     wrist_m, elbow_push_m = (
-        rotate(back, vector) * across for vector in (at[:, joints[-1]] + push.wrist_m - at[:, chest], push.elbow_m)
+        rotate(back, vector) * across for vector in (at_m[:, joints[-1]] + push.wrist_m - at_m[:, chest], push.elbow_m)
     )
-    collarbone, upper_arm, lower_arm, _hand = (body.rotations[:, joint] * mirror for joint in joints)
+    before = body.rotations[:, joints]
+    collarbone, upper_arm, lower_arm = (before[:, joint] * mirror for joint in range(3))
     elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
     elbow = elbow + (elbow_push_m - dot(elbow_push_m, elbow) * elbow) / _ELBOW_AT_LEAST_M
     arm = reach_by_elbow(bones, collarbone, wrist_m + root_m, elbow)
     turn = kept(arm.forearm, multiply(back, turned[:, joints[-1]]) * mirror).clamped()
-    rotations = body.rotations.copy()
-    new = (arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand)
-    for joint, rotation in zip(joints[1:], new, strict=True):
-        rotations[:, joint] = nearest_sign(rotation * mirror, rotations[:, joint])
-    return rotations
+    after = np.stack((arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand), axis=1)
+    return nearest_sign(after * mirror, before[:, 1:])
 
 
 def _without_twist(lower_arm: FloatArray) -> FloatArray:
     return multiply(lower_arm, about((-1.0, 0.0, 0.0), np.radians(parted_deg(lower_arm, 0)[..., 0])))
 
 
-def _above(skeleton: Skeleton, joint: int) -> frozenset[int]:
-    """A joint and all that carry it."""
-    found = [joint]
-    while skeleton.parents[found[-1]] >= 0:
-        found.append(skeleton.parents[found[-1]])
-    return frozenset(found)
+def _swell_frames(times_s: FloatArray) -> int:
+    """How many frames a push takes to swell."""
+    rate_hz = (len(times_s) - 1) / max(times_s[-1] - times_s[0], 1e-9)
+    return max(1, round(_SWELL_S * float(rate_hz)))
+
+
+def _around(inside: NDArray[np.bool_], frames: int) -> NDArray[np.bool_]:
+    """Frames no further than so many from one that is inside."""
+    return np.convolve(inside, np.ones(2 * frames + 1), mode="full")[frames : frames + len(inside)] > 0
 
 
 def _stretches(inside: NDArray[np.bool_]) -> NDArray[np.intp]:

@@ -4,15 +4,17 @@ Conventions: depths in metres, positive inside; arrays (T, P) have a column for 
 compared with the trunk, the head, the upper legs and the other arm's forearm and hand (`build`).
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.model import FloatArray
 from app.realizer.build import BUILD, TRUNK
 from app.realizer.rotations import cross, rotate
-from app.realizer.skeleton import SIDES, Skeleton, forward
+from app.realizer.skeleton import SIDES, Skeleton, forward, forward_again
 
 LIMBS = frozenset({"forearm", "hand"})
 """The parts that are kept out of the others."""
@@ -41,8 +43,8 @@ _CENTRAL_M = 0.01
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Contacts:
-    """For each pair: how deep it is `depth_m` (T, P), the way out for the limb `out` (T, P, 3), in the world, and
-    where on the limb and on the other the two are nearest: shares of their lengths (T, P).
+    """For each pair: how deep it is `depth_m` (T, P); and where it is inside, else zero, the way out for the limb
+    `out` (T, P, 3), in the world, and where on the limb and on the other it is: shares of their lengths (T, P).
 
     The way out is the shortest. Where the two lines meet, and there is none, it is back to where the limb begins, but
     for arms that cross: there the left one goes over the other."""
@@ -53,43 +55,71 @@ class Contacts:
     on_other: FloatArray
 
 
-def contacts(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Contacts:
-    """The pairs of a body with local rotations (T, J, 4) and hips (T, 3)."""
-    starts, ends = _lines(skeleton, rotations, hips_m)
-    start, end = starts[_LIMB_COLUMN], ends[_LIMB_COLUMN]
-    other_start, other_end = starts[_OTHER_COLUMN], ends[_OTHER_COLUMN]
-    on_limb, on_other = _nearest(end - start, other_end - other_start, start - other_start)
-    apart = start + on_limb[..., None] * (end - start) - other_start - on_other[..., None] * (other_end - other_start)
-    distance_m = np.sqrt(_dot(apart, apart))
-    aside = _aside(end - start, other_end - other_start, start - (other_start + other_end) / 2)
-    out = _of_length_1(apart + aside * (_CENTRAL_M * np.exp(-distance_m / _CENTRAL_M))[..., None])
-    depth_m = RADII_M[:, None] - distance_m
+@dataclass(frozen=True, slots=True, eq=False)
+class Posed:
+    """Frames of a body: local rotations (T, J, 4), and positions and orientations of the joints that carry a part that
+    is compared."""
+
+    rotations: FloatArray
+    positions_m: FloatArray
+    orientations: FloatArray
+
+    @classmethod
+    def of(cls, skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> "Posed":
+        joints = {skeleton.index[BUILD[number].joint] for number in _USED}
+        return cls(rotations, *forward(skeleton, rotations, hips_m, _with_parents(skeleton, joints)))
+
+    def frames(self, which: slice | NDArray[np.intp]) -> "Posed":
+        return Posed(self.rotations[which], self.positions_m[which], self.orientations[which])
+
+    def with_arms(self, skeleton: Skeleton, rotations: FloatArray) -> "Posed":
+        """The same frames, but for the arms."""
+        arms = frozenset(
+            skeleton.chain(*(side + joint for side in SIDES for joint in ("UpperArm", "LowerArm", "Hand")))
+        )
+        return Posed(rotations, *forward_again(skeleton, rotations, self.positions_m, self.orientations, arms))
+
+
+def contacts(skeleton: Skeleton, body: Posed) -> Contacts:
+    """Every pair in every frame."""
+    starts, ends = _lines(skeleton, body)
+    start, other_start = starts[_LIMB_COLUMN], starts[_OTHER_COLUMN]
+    along, other = (ends - starts)[_LIMB_COLUMN], (ends - starts)[_OTHER_COLUMN]
+    on_limb, on_other = _nearest(along, other, start - other_start)
+    apart = start - other_start + on_limb[..., None] * along - on_other[..., None] * other
+    depth_m = RADII_M[:, None] - np.sqrt(_dot(apart, apart))
+    out, inside = np.zeros_like(apart), np.nonzero(depth_m > 0)
+    if len(inside[0]):
+        aside = _aside(along[inside], other[inside], (start - other_start - other / 2)[inside], _CROSSING[inside[0]])
+        distance_m = (RADII_M[:, None] - depth_m)[inside][:, None]
+        out[inside] = _of_length_1(apart[inside] + aside * _CENTRAL_M * np.exp(-distance_m / _CENTRAL_M))
     return Contacts(depth_m.T, out.swapaxes(0, 1), on_limb.T, on_other.T)
 
 
 def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FloatArray:
     """How deep the deepest forearm or hand is in the body or the other arm in each frame: (T,), 0 where none is."""
-    return np.asarray(np.maximum(contacts(skeleton, rotations, hips_m).depth_m.max(axis=1), 0.0))
+    found = contacts(skeleton, Posed.of(skeleton, rotations, hips_m))
+    return np.asarray(np.maximum(found.depth_m.max(axis=1), 0.0))
 
 
-def _lines(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _lines(skeleton: Skeleton, body: Posed) -> tuple[FloatArray, FloatArray]:
     """Both ends (parts, T, 3) of the lines of the parts that are compared, in the world."""
     joints = [skeleton.index[BUILD[number].joint] for number in _USED]
-    positions, orientations = forward(skeleton, rotations, hips_m, frozenset(_with_parents(skeleton, joints)))
-    at, turned = positions[:, joints], orientations[:, joints]
+    at = np.moveaxis(body.positions_m, 1, 0)[joints]
+    turned = np.moveaxis(body.orientations, 1, 0)[joints]
     ends = [[getattr(BUILD[number], end) for number in _USED] for end in ("start_m", "end_m")]
-    starts, stops = (at + rotate(turned, np.array(end)) for end in ends)
-    return np.ascontiguousarray(starts.swapaxes(0, 1)), np.ascontiguousarray(stops.swapaxes(0, 1))
+    starts, stops = (at + rotate(turned, np.array(end)[:, None]) for end in ends)
+    return starts, stops
 
 
-def _with_parents(skeleton: Skeleton, joints: list[int]) -> set[int]:
+def _with_parents(skeleton: Skeleton, joints: Iterable[int]) -> frozenset[int]:
     found: set[int] = set()
     for joint in joints:
         above = joint
         while above >= 0 and above not in found:
             found.add(above)
             above = skeleton.parents[above]
-    return found
+    return frozenset(found)
 
 
 def _nearest(along: FloatArray, other: FloatArray, apart: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -103,9 +133,9 @@ def _nearest(along: FloatArray, other: FloatArray, apart: FloatArray) -> tuple[F
     return np.clip((b * on_other - c) / a, 0.0, 1.0), on_other
 
 
-def _aside(along: FloatArray, other: FloatArray, back: FloatArray) -> FloatArray:
-    """The way out (P, T, 3) for limbs whose line meets the other's."""
-    over = cross(_of_length_1(along), _of_length_1(other)) * _CROSSING[:, None, None]
+def _aside(along: FloatArray, other: FloatArray, back: FloatArray, arms: FloatArray) -> FloatArray:
+    """The way out (…, 3) for limbs whose line meets the other's; `arms` (…) is 1 where both are arms, else 0."""
+    over = cross(_of_length_1(along), _of_length_1(other)) * arms[..., None]
     over = over * np.where(_dot(over, np.array([0.0, 1.0, 1.0])) < 0, -1.0, 1.0)[..., None]
     crossing = np.sqrt(_dot(over, over))[..., None]
     return np.asarray(over + (1 - crossing) * _of_length_1(back))

@@ -13,13 +13,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.model import FloatArray
-from app.realizer.rotations import about, from_rotation_vector, inverse, multiply, nearest_sign, to_rotation_vector
+from app.realizer.rotations import about, from_rotation_vector, inverse, multiply, nearest_sign
 from app.realizer.skeleton import FINGERS, SIDES, Skeleton
 
 Degrees = tuple[float, float, float]
 
 _HANGING = about((0.0, 0.0, 1.0), np.array(-np.pi / 2))
 _TOLERATED_DEG = 1e-3
+_NEAR_ZERO = 1e-12
 MIRROR: FloatArray = np.array([1.0, -1.0, -1.0, 1.0])
 """Times a rotation: its mirror image on the body's other side."""
 
@@ -105,10 +106,18 @@ def _brought_back(skeleton: Skeleton, limit: Limit, rotations: FloatArray, angle
 def parted_deg(rotation: FloatArray, bone: int) -> FloatArray:
     """Rotations (…, 4) as three angles in degrees: the twist on the axis `bone`, the bend's rotation vector on the
     others."""
-    twist = 2 * np.arctan2(rotation[..., bone], rotation[..., 3])
-    twist = np.where(np.abs(twist) > np.pi, twist - 2 * np.pi * np.sign(twist), twist)
-    angles = to_rotation_vector(multiply(rotation, _about_bone(bone, -twist)))
-    angles[..., bone] = twist
+    one, other = (bone + 1) % 3, (bone + 2) % 3
+    w, along, a, b = rotation[..., 3], rotation[..., bone], rotation[..., one], rotation[..., other]
+    size = np.hypot(w, along)
+    cosine, sine = (
+        np.where(size > _NEAR_ZERO, part / np.maximum(size, _NEAR_ZERO), to) for part, to in ((w, 1), (along, 0))
+    )
+    bend_a, bend_b = a * cosine - b * sine, b * cosine + a * sine
+    bent = np.hypot(bend_a, bend_b)
+    scale = np.where(bent > _NEAR_ZERO, 2 * np.arctan2(bent, size) / np.maximum(bent, _NEAR_ZERO), 2.0)
+    angles = np.empty((*rotation.shape[:-1], 3))
+    angles[..., bone] = 2 * np.arctan2(along * np.where(w < 0, -1.0, 1.0), np.abs(w))
+    angles[..., one], angles[..., other] = bend_a * scale, bend_b * scale
     return np.asarray(np.degrees(angles))
 
 

@@ -18,8 +18,9 @@ def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
     """The rotation by `b`, then by `a`."""
     ax, ay, az, aw = a[..., 0], a[..., 1], a[..., 2], a[..., 3]
     bx, by, bz, bw = b[..., 0], b[..., 1], b[..., 2], b[..., 3]
-    product = np.empty((*np.broadcast_shapes(ax.shape, bx.shape), 4))
-    product[..., 0] = aw * bx + ax * bw + ay * bz - az * by
+    x = aw * bx + ax * bw + ay * bz - az * by
+    product = np.empty((*x.shape, 4))
+    product[..., 0] = x
     product[..., 1] = aw * by - ax * bz + ay * bw + az * bx
     product[..., 2] = aw * bz + ax * by - ay * bx + az * bw
     product[..., 3] = aw * bw - ax * bx - ay * by - az * bz
@@ -42,8 +43,9 @@ def cross(a: FloatArray, b: FloatArray) -> FloatArray:
     """The vectors at right angles to both (…, 3): `np.cross`, several times as fast."""
     ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
     bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
-    product = np.empty((*np.broadcast_shapes(ax.shape, bx.shape), 3))
-    product[..., 0] = ay * bz - az * by
+    x = ay * bz - az * by
+    product = np.empty((*x.shape, 3))
+    product[..., 0] = x
     product[..., 1] = az * bx - ax * bz
     product[..., 2] = ax * by - ay * bx
     return product

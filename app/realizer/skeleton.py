@@ -98,13 +98,45 @@ def forward(
     """
     positions = np.zeros((*rotations.shape[:-1], 3))
     orientations = np.zeros(rotations.shape)
-    for joint, parent in enumerate(skeleton.parents):
-        if only is not None and joint not in only:
-            continue
-        if parent < 0:
-            positions[..., joint, :], orientations[..., joint, :] = hips_m, rotations[..., joint, :]
-            continue
-        above = orientations[..., parent, :]
-        positions[..., joint, :] = positions[..., parent, :] + rotate(above, skeleton.offsets_m[joint])
-        orientations[..., joint, :] = multiply(above, rotations[..., joint, :])
+    positions[..., 0, :], orientations[..., 0, :] = hips_m, rotations[..., 0, :]
+    _place(skeleton, rotations, positions, orientations, only)
     return positions, orientations
+
+
+def forward_again(
+    skeleton: Skeleton, rotations: FloatArray, positions: FloatArray, orientations: FloatArray, turned: frozenset[int]
+) -> tuple[FloatArray, FloatArray]:
+    """`forward` where only the joints `turned` (not the hips) have new rotations, and those below them do not matter:
+    the positions and orientations of before, with theirs anew."""
+    positions, orientations = positions.copy(), orientations.copy()
+    _place(skeleton, rotations, positions, orientations, turned)
+    return positions, orientations
+
+
+def _place(
+    skeleton: Skeleton,
+    rotations: FloatArray,
+    positions: FloatArray,
+    orientations: FloatArray,
+    only: frozenset[int] | None,
+) -> None:
+    """Fills in the joints' positions and orientations, their parents' being there."""
+    for joints, parents in _generations(skeleton, only):
+        above = orientations[..., parents, :]
+        positions[..., joints, :] = positions[..., parents, :] + rotate(above, skeleton.offsets_m[joints])
+        orientations[..., joints, :] = multiply(above, rotations[..., joints, :])
+
+
+def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[list[int], list[int]]]:
+    """Joints, and their parents, that are equally far from the hips: all that can be placed at once."""
+    depth = [0] * len(skeleton.parents)
+    found: list[tuple[list[int], list[int]]] = []
+    for joint, parent in enumerate(skeleton.parents):
+        if parent >= 0:
+            depth[joint] = depth[parent] + 1
+            if only is None or joint in only:
+                found += [([], []) for _ in range(depth[joint] - len(found))]
+                joints, parents = found[depth[joint] - 1]
+                joints.append(joint)
+                parents.append(parent)
+    return [generation for generation in found if generation[0]]
