@@ -116,7 +116,14 @@ def nods_late_ms(schedule: Schedule, gazing: BodyMotion, body: BodyMotion) -> It
             continue
         during = (body.times_s >= behavior.sync.start) & (body.times_s <= behavior.sync.end)
         if during.any():
-            yield 1000 * float(body.times_s[during][np.argmax(added[during])] - stroke_s)
+            yield 1000 * (peak_s(body.times_s[during], added[during]) - stroke_s)
+
+
+def peak_s(times_s: FloatArray, course: FloatArray) -> float:
+    """When the course is highest, between the frames: at the top of the parabola through three of them."""
+    top = int(np.clip(np.argmax(course), 1, len(course) - 2))
+    before, at, after = course[top - 1 : top + 2]
+    return float(times_s[top] + (times_s[1] - times_s[0]) * (before - after) / (2 * (before - 2 * at + after)))
 
 
 def main() -> None:

@@ -9,7 +9,7 @@ looked.
 Conventions: degrees in the tables, else radians; pitch down, yaw left, roll to the right shoulder; seconds.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -70,6 +70,9 @@ _IDLE_DEGREES, _IDLE_HZ = (3.0, 4.0, 2.6), 0.5
 _TREMBLE_DEGREES, _TREMBLE_HZ = 0.25, 2.3
 """Noise of the head between its movements; the usual distance from the middle is a quarter of it."""
 
+_CALMED = 0.75
+"""How much of it is left out in the middle of a movement."""
+
 _EMPHASIS_DEGREES, _EMPHASIS_S = 1.6, 0.18
 """Stress shows in the head a little even where nothing is scheduled: down with it, this long there and back."""
 
@@ -77,10 +80,15 @@ _EMPHASIS_DEGREES, _EMPHASIS_S = 1.6, 0.18
 def head(skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int) -> BodyMotion:
     """`body` with the schedule's head movements, and a little life between them, on neck and head."""
     times_s = body.times_s
+    movements = [
+        each for each in schedule.behaviors if each.kept and each.kind is Channel.HEAD and each.lexeme in MOVEMENTS
+    ]
     neck_turn, head_turn = _still_moving(times_s, schedule, seed)
-    for movement in schedule.behaviors:
-        if movement.kept and movement.kind is Channel.HEAD and movement.lexeme in MOVEMENTS:
-            _add(times_s, movement, neck_turn, head_turn)
+    calm = _calm(times_s, movements)[:, None]
+    neck_turn *= calm
+    head_turn *= calm
+    for movement in movements:
+        _add(times_s, movement, neck_turn, head_turn)
     neck, skull = (body.rotations[:, joint] for joint in skeleton.chain("neck", "head"))
     eyes = skeleton.chain(*EYES)
     carrying = chest(skeleton, body.rotations, body.hips_m)
@@ -149,6 +157,20 @@ def _holding(times_s: FloatArray, behavior: Behavior) -> FloatArray:
     sync, stroke_s = behavior.sync, _stroke_s(behavior)
     relax_s = stroke_s if sync.relax is None else max(sync.relax, stroke_s)
     return plateau(times_s, sync.start, stroke_s, min(relax_s, sync.end - SHORTEST_S), sync.end)
+
+
+def _calm(times_s: FloatArray, movements: Sequence[Behavior]) -> FloatArray:
+    """How much (T,) the head does by itself: less while it nods or shakes, so that its extremes are in time."""
+    busy = np.zeros(len(times_s))
+    for movement in movements:
+        sync, kind = movement.sync, MOVEMENTS[movement.lexeme]
+        if not any((*kind.nods, *kind.swings)):
+            continue
+        during = slice(*np.searchsorted(times_s, [sync.start, sync.end]))
+        edge_s = (sync.end - sync.start) / 4
+        around = plateau(times_s[during], sync.start, sync.start + edge_s, sync.end - edge_s, sync.end)
+        busy[during] = np.maximum(busy[during], around)
+    return np.asarray(1.0 - _CALMED * busy)
 
 
 def _still_moving(times_s: FloatArray, schedule: Schedule, seed: int) -> tuple[FloatArray, FloatArray]:

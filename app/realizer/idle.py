@@ -6,6 +6,7 @@ sizes are ours, seen to be enough to be alive and too little to draw the eye.
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
 from types import MappingProxyType
 
@@ -27,7 +28,8 @@ Degrees = tuple[float, float, float]
 """Pitch, yaw and roll; the left side's, the right's has the other yaw and roll."""
 
 UNEVEN_WEIGHT = 0.4
-"""Nobody stands on both legs alike; on which leg more is chance."""
+_WANDERING_WEIGHT, _WANDERING_HZ = 0.5, 0.06
+"""Nobody stands on both legs alike; on which leg more is chance, and does not stay."""
 
 _HIPS_OVER_LEG_M = 0.05
 """How far to the side the hips are when one leg bears all the weight, and then how much higher its hip is."""
@@ -67,6 +69,8 @@ def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: i
     """
     generator = np.random.default_rng(seed)
     held = postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
+    wandering = _WANDERING_WEIGHT * perlin(times_s, frequency_hz=_WANDERING_HZ, seed=seed + 2)[:, 0]
+    held = replace(held, weight=held.weight + wandering)
     breath = lungs(times_s, schedule.phrases, generator)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
     sway = perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14)
