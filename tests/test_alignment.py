@@ -133,6 +133,21 @@ def test_a_filler_that_the_text_lacks_is_heard_between_the_words(aligner: Aligne
     assert heard.interval.duration_s == pytest.approx(len(filler) / SAMPLE_RATE_HZ, abs=0.1)
 
 
+def test_words_after_music_lie_where_they_were_spoken_and_the_music_is_told(aligner: Aligner) -> None:
+    audio, transcript = _line("figure8")
+    times_s = np.arange(2 * SAMPLE_RATE_HZ) / SAMPLE_RATE_HZ
+    music = sum(0.1 * np.sin(2 * np.pi * hertz * times_s) for hertz in (220.0, 277.2, 329.6, 440.0, 659.3))
+    alignment = aligner.listen(Audio(np.concatenate([music, audio.samples])), transcript)
+    for before, after in zip(aligner.align(audio, transcript)[0], alignment.words, strict=True):
+        assert before.interval is not None
+        assert after.interval is not None
+        assert after.interval.start_s - 2.0 == pytest.approx(before.interval.start_s, abs=0.08)
+    assert alignment.fillers == ()
+    (notice,) = alignment.notices
+    assert notice.code == "transcript_suspect"
+    assert "before word 0 (I)" in notice.message
+
+
 def test_another_text_is_refused(aligner: Aligner) -> None:
     audio, _ = _line("figure8")
     with pytest.raises(InputError) as caught:

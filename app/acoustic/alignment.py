@@ -13,15 +13,17 @@ from typing import Self
 from pocketsphinx import get_model_path
 
 from app.acoustic.boundaries import BoundaryModel
-from app.acoustic.decoder_process import DecodedPhone, DecoderProcess
+from app.acoustic.decoder_process import Decoded, DecodedPhone, DecoderProcess
 from app.acoustic.fit import check_fit
 from app.acoustic.normalisation import Normaliser
 from app.acoustic.pieces import FRAMES_PER_S, decode_in_pieces
 from app.acoustic.pronunciation import Pronouncer, Pronunciation
 from app.acoustic.spreading import spread
+from app.acoustic.sustained import fits_better, silenced
 from app.errors import InputError
-from app.model import Audio, Filler, Interval, Notice, Phone, Word
+from app.model import Audio, Filler, FloatArray, Interval, Notice, Phone, Word
 
+MOST_SILENCINGS = 2
 WINDOW_DELAY_S = 0.0085
 """A phone begins this much after the start of its first frame: the analysis window is that much longer than a step."""
 
@@ -86,11 +88,7 @@ class Aligner:
         audio's), ServiceError `aligner_crashed`.
         """
         spoken, notices = self._pronounced(words)
-        decoded = decode_in_pieces(
-            self._process,
-            audio.samples,
-            [[" ".join(phones) for phones in each.variants] for word in spoken for each in word.pronunciations],
-        )
+        decoded = self._decoded(audio.samples, spoken)
         if decoded is None:
             timed, fit_notices = spread(audio, _expected(spoken))
             fillers: tuple[Filler, ...] = ()
@@ -101,6 +99,20 @@ class Aligner:
             fillers = tuple(Filler(each.label, _interval(each, audio.duration_s)) for each in decoded.fillers)
         in_time = {word.index: word for word in timed}
         return Alignment(tuple(in_time.get(word.index, word) for word in words), notices + fit_notices, fillers)
+
+    def _decoded(self, samples: FloatArray, spoken: list[_Spoken]) -> Decoded | None:
+        """The phones of the words, none of them stretched over music; None when the decoder finds no path."""
+        words = [[" ".join(phones) for phones in each.variants] for word in spoken for each in word.pronunciations]
+        decoded = decode_in_pieces(self._process, samples, words)
+        for _ in range(MOST_SILENCINGS):
+            rest = silenced(samples, decoded) if decoded else None
+            if rest is None or decoded is None:
+                break
+            again = decode_in_pieces(self._process, rest, words)
+            if again is None or not fits_better(again, decoded):
+                break
+            samples, decoded = rest, again
+        return decoded
 
     def _pronounced(self, words: tuple[Word, ...]) -> tuple[list[_Spoken], tuple[Notice, ...]]:
         spoken, unreadable, guessed = [], [], []
