@@ -98,3 +98,20 @@ def test_the_page_that_says_so_says_so() -> None:
         pytest.skip("needs ../shared")
     line = page.read_text().split("ARPABET: ")[1].split(".")[0]
     assert line == "; ".join(" ".join((shape, *phones)) for shape, phones in PHONES.items())
+
+
+def test_the_breath_of_a_p_has_the_shape_of_what_follows() -> None:
+    """The aligner's P ends with its breath; the lips have parted at its burst."""
+    _, lips, vowel, _ = shapes(word("P AA"))
+    assert lips.interval == Interval(0.5, 0.567)
+    assert vowel.interval == Interval(0.567, 0.7)
+
+
+@pytest.mark.parametrize("phones", ["B AA", "M AA"])
+def test_lips_part_at_the_end_of_what_has_no_breath(phones: str) -> None:
+    _, lips, _, _ = shapes(word(phones))
+    assert lips.interval == Interval(0.5, 0.6)
+
+
+def test_a_p_that_ends_its_word_is_shut_to_its_end() -> None:
+    assert shapes(word("AA P"))[2].interval == Interval(0.6, 0.7)

@@ -7,6 +7,10 @@ of the single phones, with their times, for the character's own rig to blend. Sh
 The paper has "the word stress value drive the open-mouth shape" without a figure: here the vowels of a word of which
 no frame is stressed reach `LEAST_ARTICULATION` of their shape, those of one stressed for `FULL_RATIO` of its frames or
 more all of it. Consonants always reach theirs, since lips that do not close are no P.
+
+A P that something follows has its lips shut for its first two thirds: what comes after the burst is breath (58 ms in
+stressed syllables, Lisker & Abramson 1964), in which the mouth has the next sound's shape already. Aligners count it to
+the P; of TIMIT's, whose closures and bursts are labelled apart, a third is burst and breath.
 """
 
 from collections.abc import Iterator, Mapping
@@ -20,6 +24,8 @@ SILENCE = "sil"
 
 LEAST_ARTICULATION = 0.6
 FULL_RATIO = 0.5
+ASPIRATION = 1 / 3
+"""The part of a P behind its burst."""
 
 PHONES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -75,10 +81,21 @@ def visemes(words: tuple[Word, ...], duration_s: float) -> tuple[tuple[Viseme, .
 
 def _of_word(word: Word) -> Iterator[Viseme]:
     scale = _articulation(word.stressed_ratio or 0.0)
-    for phone, label in zip(word.phones, _labels(word.phones), strict=True):
-        if phone.interval.duration_s > 0:
+    for interval, label in zip(_intervals(word.phones), _labels(word.phones), strict=True):
+        if interval.duration_s > 0:
             articulation = scale if label in _VOWELS else 1.0
-            yield Viseme(label, phone.interval, articulation, OPENINGS[label] * articulation)
+            yield Viseme(label, interval, articulation, OPENINGS[label] * articulation)
+
+
+def _intervals(phones: tuple[Phone, ...]) -> list[Interval]:
+    """When each phone has its shape; the breath of a P has that of the phone behind it."""
+    intervals = [phone.interval for phone in phones]
+    for index, phone in enumerate(phones[:-1]):
+        if phone.label == "P":
+            burst_s = round(phone.interval.end_s - ASPIRATION * phone.interval.duration_s, 3)
+            intervals[index] = replace(phone.interval, end_s=burst_s)
+            intervals[index + 1] = replace(intervals[index + 1], start_s=burst_s)
+    return intervals
 
 
 def _articulation(stressed_ratio: float) -> float:
