@@ -17,6 +17,13 @@ def test_noise_is_zero_at_lattice_points_and_moves_between_them() -> None:
     assert np.all(noise.std(axis=0) > 0.15)
 
 
+def test_channels_out_of_step_are_never_all_at_zero() -> None:
+    together, apart = (perlin(TIMES_S, frequency_hz=2.0, seed=1, channels=4, in_step=step) for step in (True, False))
+    assert np.abs(together).max(axis=1).min() < 1e-9
+    assert np.abs(apart).max(axis=1).min() > 0.01
+    assert np.array_equal(apart[:, 0], together[:, 0])
+
+
 def test_noise_has_no_step_in_place_speed_or_acceleration() -> None:
     """Steps would grow relative to the next difference as the sampling gets finer; here each shrinks with it."""
     noise = perlin(TIMES_S, frequency_hz=1.0, seed=7)[:, 0]

@@ -175,8 +175,10 @@ def _calm(times_s: FloatArray, movements: Sequence[Behavior]) -> FloatArray:
 
 def _still_moving(times_s: FloatArray, schedule: Schedule, seed: int) -> tuple[FloatArray, FloatArray]:
     """Pitch, yaw and roll (T, 3) of neck and head where no movement is asked for: noise, and a dip at each emphasis."""
-    slow = np.radians(np.array(_IDLE_DEGREES) / 2) * perlin(times_s, frequency_hz=_IDLE_HZ, seed=seed, channels=3)
-    tremble = perlin(times_s, frequency_hz=_TREMBLE_HZ, seed=seed + 1, channels=6) * np.radians(_TREMBLE_DEGREES)
+    slow = perlin(times_s, frequency_hz=_IDLE_HZ, seed=seed, channels=3, in_step=False)
+    slow *= np.radians(_IDLE_DEGREES) / 2
+    tremble = perlin(times_s, frequency_hz=_TREMBLE_HZ, seed=seed + 1, channels=6, in_step=False)
+    tremble *= np.radians(_TREMBLE_DEGREES)
     for emphasis_s in schedule.emphases_s:
         dip = plateau(times_s, emphasis_s - _EMPHASIS_S, emphasis_s, emphasis_s, emphasis_s + 2 * _EMPHASIS_S)
         slow[:, 0] += np.radians(_EMPHASIS_DEGREES / 2) * dip

@@ -73,9 +73,9 @@ def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: i
     held = replace(held, weight=held.weight + wandering)
     breath = lungs(times_s, schedule.phrases, generator)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
-    sway = perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14)
+    sway = perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14, in_step=False)
     _hold_trunk(skeleton, rotations, held, breath, sway[:, :12])
-    stirring = perlin(times_s, frequency_hz=_STIRRING_HZ, seed=seed + 1, channels=2 * len(_STIRRED))
+    stirring = perlin(times_s, frequency_hz=_STIRRING_HZ, seed=seed + 1, channels=2 * len(_STIRRED), in_step=False)
     _stir_arms(skeleton, rotations, breath, stirring)
     hips_m = np.zeros((len(times_s), 3))
     hips_m[:, 0] = _HIPS_OVER_LEG_M * held.weight + _SWAY_M * sway[:, 12]

@@ -12,23 +12,30 @@ from app.model import FloatArray
 from app.realizer.easing import minimum_jerk
 
 _LARGEST = 2.0**64
+_GOLDEN = 0.618033988749895
+"""Multiples of it spread evenly over [0, 1), however many there are."""
 
 
-def perlin(times_s: FloatArray, *, frequency_hz: float, seed: int, channels: int = 1) -> FloatArray:
+def perlin(
+    times_s: FloatArray, *, frequency_hz: float, seed: int, channels: int = 1, in_step: bool = True
+) -> FloatArray:
     """Smooth noise (T, channels) with `frequency_hz` lattice points a second.
 
     Between lattice points slopes give way to each other by 6t⁵ - 15t⁴ + 10t³ (Perlin 2002), so the second derivative
-    has no steps. Perlin picks slopes from a short
-    list by a permuted table; here they are drawn evenly from [-2, 2] by a hash of integers, which repeats nowhere.
+    has no steps. Perlin picks slopes from a short list by a permuted table; here they are drawn evenly from [-2, 2] by
+    a hash of integers, which repeats nowhere. Channels that are not `in_step` have lattices of their own, evenly
+    shifted, and are not zero all at once.
     """
-    at = np.asarray(times_s, dtype=np.float64) * frequency_hz
+    at = np.asarray(times_s, dtype=np.float64)[:, None] * frequency_hz
+    if not in_step:
+        at = at + np.arange(channels) * _GOLDEN % 1.0
     below = np.floor(at)
     first = int(below.min(initial=0))
     last = int(below.max(initial=0)) + 1
     slopes = _slopes(np.arange(first, last + 1), seed, channels)
-    share = (at - below)[:, None]
-    index = (below - first).astype(np.int64)
-    left, right = slopes[index] * share, slopes[index + 1] * (share - 1.0)
+    share = at - below
+    index = (below - first).astype(np.int64), np.arange(channels)
+    left, right = slopes[index] * share, slopes[1:][index] * (share - 1.0)
     return np.asarray(left + minimum_jerk(share) * (right - left))
 
 
