@@ -16,7 +16,7 @@ from app.realizer.aliases import ALIASES, read_aliases
 from app.realizer.exporting.retargeting import load_rigs
 from app.realizer.face_tables import FaceTables
 from app.realizer.gesture import Definition
-from app.realizer.library import SUFFIX, Library, read_definitions
+from app.realizer.library import SUFFIX, Library, gesture_files, read_definitions
 from app.realizer.skeleton import Skeleton
 from app.resources import resource_folder
 from app.rules.conflicts import Conflicts
@@ -153,7 +153,7 @@ def _load_characters(lexicon: Path) -> None:
 
 
 def _definitions_beside(aliases: Path) -> tuple[Definition, ...]:
-    return read_definitions(sorted(aliases.parent.rglob(f"*{SUFFIX}")))
+    return read_definitions(gesture_files([aliases.parent]))
 
 
 def _load_words(folder: Path) -> None:

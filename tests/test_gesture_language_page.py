@@ -61,7 +61,7 @@ def test_the_mistakes_on_the_page_are_told_so(tmp_path: Path) -> None:
         "  ARM XC YCC ZNear\nENDFRAME\n\nSTARTFRAME 0.4\n  FRAMETYPE stroke_end\nENDFRAME\n"
     )
     told = {f"own.gesture:{one.line}:{one.column}: {one.message}" for one in mistakes_in(tmp_path, text)}
-    (shown,) = re.findall(r"```console\n(.*?)```", PAGE, flags=re.DOTALL)
+    shown, _ = re.findall(r"```console\n(.*?)```", PAGE, flags=re.DOTALL)
     assert set(shown.splitlines()) <= told
 
 

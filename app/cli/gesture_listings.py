@@ -17,7 +17,7 @@ def headline(definition: Definition) -> str:
     arms = definition.hand or "one"
     levels = "" if len(definition.levels) == len(Level) else f" ({', '.join(definition.levels)})"
     shows = ", ".join(definition.categories) + (" at a target" if definition.aimed else "") + levels
-    return f"{definition.name:32s} {definition.gesture_class:11s} {arms:6s} {shows:40s} {_place(definition)}"
+    return f"{definition.name:32s} {definition.gesture_class:11s} {arms:6s} {shows:40s} {place(definition)}"
 
 
 def counts(library: Library) -> Iterator[str]:
@@ -31,7 +31,7 @@ def counts(library: Library) -> Iterator[str]:
 
 def explanation(definition: Definition) -> Iterator[str]:
     """A gesture as its file has it, and what comes of it."""
-    yield f"{definition.name}: {_place(definition)}"
+    yield f"{definition.name}: {place(definition)}"
     yield from (f"    {line}" for line in _source(definition))
     yield f"  {'':8s}" + "".join(f"{name:>13s}" for name in (*_FACTORS, "stroke m/s"))
     clips = [clip(definition, level, definition.hand or Hand.RIGHT, definition.name) for level in definition.levels]
@@ -47,7 +47,8 @@ def _numbers(values: Iterable[float]) -> str:
     return "".join(f"{value:13.2f}" for value in values)
 
 
-def _place(definition: Definition) -> str:
+def place(definition: Definition) -> str:
+    """Its file and line."""
     return f"{shown_path(definition.path)}:{definition.line}" if definition.path else ""
 
 

@@ -38,7 +38,7 @@ class Library:
     @classmethod
     def load(cls, folder: Path) -> "Library":
         """Everything under `folder`; raises AuthoringError with every mistake in all of it."""
-        definitions = read_definitions(sorted(folder.rglob(f"*{SUFFIX}")))
+        definitions = read_definitions(gesture_files([folder]))
         library = cls.of(definitions)
         path = folder / ALIASES
         return cls.of(definitions, read_aliases(path, library.categories)) if path.is_file() else library
@@ -89,6 +89,12 @@ class Library:
             if category in self.by_category:
                 return category
         return None
+
+
+def gesture_files(paths: Iterable[Path]) -> tuple[Path, ...]:
+    """The gesture files among these and in these folders, in the order of their names within a folder."""
+    inside = (sorted(path.rglob(f"*{SUFFIX}")) if path.is_dir() else [path] for path in paths)
+    return tuple(file for files in inside for file in files if file.suffix == SUFFIX)
 
 
 def read_definitions(paths: Sequence[Path]) -> tuple[Definition, ...]:

@@ -7,16 +7,17 @@ from pathlib import Path
 from app.answers import GesturesAnswer
 from app.catalogue import load_gestures
 from app.cli.files import require_writable, write, write_standard
-from app.cli.gesture_listings import counts, explanation, headline
+from app.cli.gesture_listings import counts, explanation, headline, place
 from app.cli.log import Log
 from app.cli.plot import require_plot
 from app.errors import InputError
-from app.model import Hand, Level
+from app.model import Hand, Level, Notice
 from app.proofreading import check_files
 from app.realizer.clips import clip as clip_of
 from app.realizer.gesture import Clip, Definition
 from app.realizer.key_poses import key_poses
-from app.realizer.library import SUFFIX, read_definitions
+from app.realizer.library import SUFFIX, gesture_files, read_definitions
+from app.realizer.plausibility import doubts
 from app.realizer.sheet import Still, draw_stills
 from app.realizer.skeleton import Skeleton
 
@@ -28,12 +29,24 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 
 def _check(arguments: argparse.Namespace, log: Log) -> None:
-    """Every mistake is raised; without one, one line on standard error says what was checked."""
-    if arguments.paths:
-        log.note(f"no mistake in {check_files([Path(path) for path in arguments.paths])} files")
+    """Every mistake is raised; without one, poses that the body cannot take are told, and what was checked."""
+    paths = [Path(path) for path in arguments.paths]
+    if paths:
+        files = check_files(paths)
+        _tell_doubts(read_definitions(gesture_files(paths)), log)
+        log.note(f"no mistake in {files} files")
     else:
         library = load_gestures()
+        _tell_doubts(library.definitions, log)
         log.note(f"no mistake in {len(library.definitions)} gestures of {len(library.categories)} categories")
+
+
+def _tell_doubts(definitions: Iterable[Definition], log: Log) -> None:
+    skeleton = Skeleton.standing()
+    for definition in definitions:
+        for doubt in doubts(skeleton, definition):
+            where = f"{place(definition)}: {definition.name}, frame {doubt.time:g}, {doubt.level} agitation"
+            log.warnings([Notice("pose_out_of_reach", doubt.message)], of=where)
 
 
 def _list(arguments: argparse.Namespace, _log: Log) -> None:
