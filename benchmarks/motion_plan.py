@@ -2,34 +2,28 @@
 
     python -m benchmarks.motion_plan [--sentences N] [--recordings FOLDER] [--character NAME] [--seed N]
 
-The first N spoken sentences of GUM (../shared/data/treebanks) get made-up times as in benchmarks/schedule.py; in FOLDER
-(default: ../shared/data/speech/lines) each recording NAME.flac with its words in NAME.txt is performed by the service.
+The lines are those of benchmarks/motion.py: N spoken sentences of GUM with made-up times, and in FOLDER (default:
+../shared/data/speech/lines) each recording NAME.flac with its words in NAME.txt.
 Phases are those of arms; of two that do the same one counts. The figures beside ours are people's (shared/motion.md):
 storytelling, labelled by hand.
 """
 
 import argparse
-import random
 import statistics
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
 
 from app.bml.candidates import stressed_vowel_s
-from app.bml.delivery import emphases_s, phrases
-from app.model import Channel, Level, Schedule
-from app.performance import Line, Options, Understudy, perform
+from app.model import Channel, Performance, Schedule
+from app.realization import schedule_of
 from app.realizer.gesture_plan import ArmGesture, GesturePlan
 from app.realizer.library import Library
 from app.realizer.planning import plan_gestures
 from app.resources import resource_folder
-from app.settings import Settings
-from app.transcript import read_transcript
-from benchmarks.schedule import Stages, outcome, spoken_sentences, timed
-
-RECORDINGS = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech" / "lines"
+from benchmarks.motion import LINES, of_lines, of_sentences
 
 PEOPLE = {
     "preparation": (0.53, 0.30, 1.05),
@@ -52,33 +46,14 @@ class Planned:
     plan: GesturePlan
 
 
-def of_sentences(library: Library, stages: Stages, count: int, seed: int) -> Iterator[Planned]:
-    """Sentences with made-up times; one word in eight is an emphasis."""
-    for text in islice(spoken_sentences(), count):
-        found = outcome(stages, text, seed)
-        words = tuple(timed(read_transcript(text, max_characters=20_000), random.Random(text)))
-        stressed = tuple(stressed_vowel_s(word) for word in words if word.stressed_ratio)
-        schedule = Schedule(
-            found.behaviors, found.duration_s, words, phrases=phrases(words), emphases_s=stressed, character="default"
-        )
-        yield Planned(schedule, plan_gestures(library, schedule, seed=seed))
-
-
-def of_recordings(library: Library, folder: Path, character: str, seed: int) -> Iterator[Planned]:
-    with Understudy.load(Settings()) as understudy:
-        for path in sorted(folder.glob("*.flac")):
-            line = Line(path.read_bytes(), path.with_suffix(".txt").read_text(encoding="utf-8"))
-            performance = perform(understudy, line, Options(character=character, seed=seed))
-            heard = performance.utterance
-            schedule = Schedule(
-                performance.behaviors,
-                heard.duration_s or 0.0,
-                heard.words,
-                phrases=phrases(heard.words),
-                emphases_s=emphases_s(heard.words),
-                agitation=heard.agitation.level if heard.agitation else Level.MEDIUM,
-            )
-            yield Planned(schedule, plan_gestures(library, schedule, seed=seed))
+def planned(library: Library, performance: Performance, seed: int) -> Planned:
+    """The line's plan. Where prominence is not known, as in sentences with made-up times, the one word in eight that
+    is stressed is an emphasis."""
+    schedule = schedule_of(performance)
+    if not schedule.emphases_s:
+        stressed = (word for word in schedule.words if word.interval and word.stressed_ratio)
+        schedule = replace(schedule, emphases_s=tuple(stressed_vowel_s(word) for word in stressed))
+    return Planned(schedule, plan_gestures(library, schedule, seed=seed))
 
 
 def phase_durations_s(plans: Sequence[GesturePlan]) -> dict[str, list[float]]:
@@ -150,14 +125,16 @@ def _percent(count: int, whole: int) -> str:
 def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--sentences", type=int, default=300)
-    arguments.add_argument("--recordings", type=Path, default=RECORDINGS)
+    arguments.add_argument("--recordings", type=Path, default=LINES)
     arguments.add_argument("--character", default="default")
     arguments.add_argument("--seed", type=int, default=0)
     options = arguments.parse_args()
     library = Library.load(resource_folder("lexicon") / "gestures")
-    report(list(of_sentences(library, Stages.load(options.character), options.sentences, options.seed)))
+    report(
+        [planned(library, each, options.seed) for each in islice(of_sentences(options.character), options.sentences)]
+    )
     if options.recordings.is_dir():
-        report(list(of_recordings(library, options.recordings, options.character, options.seed)))
+        report([planned(library, each, options.seed) for each in of_lines(options.recordings, options.character)])
 
 
 if __name__ == "__main__":

@@ -8,14 +8,14 @@ stops it short and lets it overshoot (Hartmann, Mancini & Pelachaud 2005).
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from functools import reduce
+from functools import lru_cache, reduce
 
 import numpy as np
 
 from app.model import Hand
 from app.realizer.arms import ArmTrack, TimedPose
-from app.realizer.gesture import ClipKey, Expressivity, FrameType
-from app.realizer.gesture_plan import ArmGesture, ArmRest, GesturePlan, Repeat
+from app.realizer.gesture import ArmKey, ClipKey, Expressivity, FrameType
+from app.realizer.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, Repeat
 from app.realizer.posing import PartialPose, pose_arm
 from app.realizer.rest_poses import rest_pose
 from app.realizer.rotations import slerp
@@ -64,7 +64,7 @@ def _apart(keys: Iterable[TimedPose]) -> Iterator[TimedPose]:
 
 
 def _rest_keys(skeleton: Skeleton, rest: ArmRest) -> Iterator[TimedPose]:
-    pose = rest_pose(skeleton, rest.side, rest.pose).as_partial()
+    pose = _resting(skeleton, rest.side, rest.pose)
     yield TimedPose(rest.start_s, pose, noise=REST_NOISE)
     yield TimedPose(rest.end_s, pose, noise=REST_NOISE)
 
@@ -91,15 +91,24 @@ def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose
 
 
 def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
-    size, aim_m = amplitude(gesture.placed), gesture.placed.aim_m
-    from_hips_m = None if aim_m is None else np.array(aim_m) - skeleton.offsets_m[0]
+    size = amplitude(gesture.placed)
     for key in gesture.placed.clip.keys:
         said = arm_key(key, gesture.side)
-        if said is None or not _is_played(gesture, key):
-            continue
-        at_m = from_hips_m if said.place is not None else None
-        pose = pose_arm(skeleton, gesture.side, said, amplitude=size, aim_m=at_m)
-        yield _Posed(_on_the_clock(gesture, key.time_s), key, pose)
+        if said is not None and _is_played(gesture, key):
+            aim_m = gesture.placed.aim_m if said.place is not None else None
+            yield _Posed(_on_the_clock(gesture, key.time_s), key, _pose(skeleton, gesture.side, said, size, aim_m))
+
+
+@lru_cache(maxsize=4096)
+def _pose(skeleton: Skeleton, side: Hand, said: ArmKey, size: float, aim_m: Position | None) -> PartialPose:
+    """Lines use the same keys again and again, and a pose takes a search for its elbow. Poses are never written to."""
+    from_hips_m = None if aim_m is None else np.array(aim_m) - skeleton.offsets_m[0]
+    return pose_arm(skeleton, side, said, amplitude=size, aim_m=from_hips_m)
+
+
+@lru_cache(maxsize=64)
+def _resting(skeleton: Skeleton, side: Hand, name: str) -> PartialPose:
+    return rest_pose(skeleton, side, name).as_partial()
 
 
 def _is_played(gesture: ArmGesture, key: ClipKey) -> bool:
