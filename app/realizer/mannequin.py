@@ -12,7 +12,7 @@ import numpy as np
 
 from app.model import FloatArray
 from app.realizer import mannequin_head
-from app.realizer.mannequin_body import GARMENTS, capsules, t_pose_m
+from app.realizer.mannequin_body import GARMENTS, carrying, drawn, t_pose_m
 from app.realizer.mannequin_eyes import ball, brow, lids
 from app.realizer.mannequin_face import displacements_m
 from app.realizer.mannequin_mouth import teeth, tongue
@@ -28,12 +28,12 @@ SOFTNESS_M = 0.009
 
 COLOURS: Mapping[str, tuple[float, float, float]] = MappingProxyType(
     {
-        "skin": (0.62, 0.40, 0.29),
+        "skin": (0.56, 0.345, 0.245),
         "jumper": (0.10, 0.20, 0.27),
         "trousers": (0.055, 0.065, 0.085),
         "shoes": (0.03, 0.03, 0.035),
         "hair": (0.045, 0.03, 0.022),
-        "lips": (0.50, 0.235, 0.19),
+        "lips": (0.44, 0.19, 0.155),
         "mouth": (0.10, 0.02, 0.02),
         "teeth": (0.80, 0.77, 0.70),
         "tongue": (0.45, 0.14, 0.13),
@@ -66,11 +66,10 @@ class Mannequin:
     @classmethod
     def around(cls, skeleton: Skeleton) -> "Mannequin":
         """The mannequin that we ship, about this skeleton."""
-        made = {garment: capsules(garment, skeleton) for garment in GARMENTS}
-        bones = tuple(capsule for each in made.values() for capsule in each)
+        bones = tuple(capsule for garment in GARMENTS for capsule in carrying(garment, skeleton))
         parts = []
-        for garment, its in made.items():
-            surface = mesh(its, melt_m=garment.melt_m, grid_m=garment.grid_m)
+        for garment in GARMENTS:
+            surface = mesh(drawn(garment, skeleton), melt_m=garment.melt_m, grid_m=garment.grid_m)
             parts.append(Part(garment.material, surface, *_skinned(surface.positions_m, bones, skeleton)))
         return cls(skeleton, (*parts, *_head_parts(skeleton)))
 

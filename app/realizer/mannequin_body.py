@@ -6,6 +6,7 @@ the body.
 """
 
 from dataclasses import dataclass
+from enum import Enum, auto
 
 import numpy as np
 
@@ -14,6 +15,15 @@ from app.realizer.mannequin_surface import Capsule
 from app.realizer.skeleton import FINGERS, Offset, Skeleton
 
 HERE: Offset = (0.0, 0.0, 0.0)
+
+
+class Use(Enum):
+    """What a bone is for: a long surface over several joints is drawn by one bone and carried by others, for where two
+    that are drawn overlap the skin swells."""
+
+    DRAWN_AND_CARRIES = auto()
+    DRAWN = auto()
+    CARRIES = auto()
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +37,7 @@ class Bone:
     start_m: Offset = HERE
     end_m: Offset = HERE
     stretch: Offset = (1.0, 1.0, 1.0)
+    use: Use = Use.DRAWN_AND_CARRIES
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,10 +56,11 @@ JUMPER = Garment(
     melt_m=0.012,
     grid_m=0.016,
     middle=(
-        Bone("hips", "spine", 0.106, 0.100, (0, -0.01, 0.004), (0, 0.02, 0.006), (1.42, 0.75, 0.98)),
-        Bone("spine", "chest", 0.098, 0.100, (0, 0.02, 0.006), HERE, (1.34, 1.0, 1.0)),
-        Bone("chest", "upperChest", 0.102, 0.106, (0, 0.02, 0.004), (0, 0.0, 0.012), (1.50, 1.0, 1.02)),
-        Bone("upperChest", "neck", 0.104, 0.052, (0, 0.02, 0.008), (0, -0.028, -0.004), (1.46, 1.0, 1.0)),
+        Bone("hips", "upperChest", 0.1045, 0.1065, (0, -0.03, 0.0), (0, 0.02, 0.008), (1.45, 0.9, 1.03), Use.DRAWN),
+        Bone("hips", "spine", 0.106, 0.100, (0, -0.01, 0.004), (0, 0.02, 0.006), (1.42, 0.75, 0.98), Use.CARRIES),
+        Bone("spine", "chest", 0.098, 0.100, (0, 0.02, 0.006), HERE, (1.34, 1.0, 1.0), Use.CARRIES),
+        Bone("chest", "upperChest", 0.102, 0.106, (0, 0.02, 0.004), (0, 0.0, 0.012), (1.50, 1.0, 1.02), Use.CARRIES),
+        Bone("upperChest", "neck", 0.104, 0.052, (0, 0.02, 0.008), (0, -0.020, -0.002), (1.46, 1.0, 1.0)),
     ),
     left=(
         Bone("leftShoulder", "leftUpperArm", 0.048, 0.052, (0.02, -0.028, -0.01), (-0.01, -0.012, 0), (1, 1, 1.15)),
@@ -63,8 +75,8 @@ TROUSERS = Garment(
     grid_m=0.018,
     middle=(Bone("hips", "hips", 0.102, 0.100, (0, 0.01, 0.0), (0, -0.06, -0.008), (1.42, 0.8, 1.02)),),
     left=(
-        Bone("leftUpperLeg", "leftLowerLeg", 0.082, 0.056, (0.003, -0.03, -0.004), (0, 0, 0.0)),
-        Bone("leftLowerLeg", "leftFoot", 0.056, 0.045, (0, 0, 0), (0, 0.03, 0.004)),
+        Bone("leftUpperLeg", "leftLowerLeg", 0.080, 0.054, (-0.006, -0.065, -0.004), (0, 0, 0.0)),
+        Bone("leftLowerLeg", "leftFoot", 0.053, 0.046, (0, 0, 0), (0, 0.03, 0.004)),
     ),
 )
 
@@ -132,11 +144,20 @@ NECK = Garment(
 GARMENTS: tuple[Garment, ...] = (JUMPER, TROUSERS, SHOES, HANDS, NECK)
 
 
-def capsules(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
-    """The garment's capsules around this skeleton, middle, left, right."""
+def drawn(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+    """The capsules around this skeleton that make the garment's surface: middle, left, right."""
+    return _capsules(garment, skeleton, besides=Use.CARRIES)
+
+
+def carrying(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+    """The capsules whose joints the garment's surface follows."""
+    return _capsules(garment, skeleton, besides=Use.DRAWN)
+
+
+def _capsules(garment: Garment, skeleton: Skeleton, *, besides: Use) -> tuple[Capsule, ...]:
     places_m = t_pose_m(skeleton)
-    middle = [_capsule(bone, skeleton, places_m) for bone in garment.middle]
-    left = [_capsule(bone, skeleton, places_m) for bone in garment.left]
+    middle = [_capsule(bone, skeleton, places_m) for bone in garment.middle if bone.use is not besides]
+    left = [_capsule(bone, skeleton, places_m) for bone in garment.left if bone.use is not besides]
     return (*middle, *left, *(_mirrored(capsule) for capsule in left))
 
 

@@ -17,9 +17,9 @@ from app.realizer.mannequin_head import on_skin_m
 from app.realizer.mannequin_surface import Capsule, IntArray, Surface, mesh
 
 BALL_M = 0.0152
-LID_M = 0.0170
-LASH_M = 0.0174
-EDGE_THICKNESS_M = 0.0014
+LID_M = 0.0166
+LASH_M = 0.0169
+EDGE_THICKNESS_M = 0.0007
 
 PUPIL_DEGREES, IRIS_DEGREES, BALL_DEGREES = 11.0, 27.0, 105.0
 AZIMUTHS = np.linspace(-96, 96, 25)
@@ -39,16 +39,16 @@ class Opening:
     lower: float
 
 
-OPEN = Opening(27.0, -23.0)
+OPEN = Opening(23.0, -21.0)
 CLOSED_AT = -9.0
 OPENINGS: Mapping[str, Opening] = MappingProxyType(
     {
         "eyeBlink": Opening(CLOSED_AT, CLOSED_AT),
-        "eyeSquint": Opening(16.0, -11.0),
-        "eyeWide": Opening(38.0, -29.0),
-        "eyeLookDown": Opening(11.0, -27.0),
-        "eyeLookUp": Opening(35.0, -19.0),
-        "cheekSquint": Opening(26.0, -15.0),
+        "eyeSquint": Opening(14.0, -10.0),
+        "eyeWide": Opening(35.0, -27.0),
+        "eyeLookDown": Opening(9.0, -25.0),
+        "eyeLookUp": Opening(31.0, -17.0),
+        "cheekSquint": Opening(22.0, -14.0),
     }
 )
 """What the lids do in the shapes that move them."""
@@ -92,7 +92,7 @@ def brow(side: str) -> tuple[Surface, Tissue]:
         Capsule("head", first, second, BROW[number][2], BROW[number + 1][2])
         for number, (first, second) in enumerate(pairwise(ends))
     )
-    surface = mesh(rods, melt_m=0.0008, grid_m=0.0026)
+    surface = mesh(rods, melt_m=0.0008, grid_m=0.0021)
     nothing = np.zeros(len(surface.positions_m))
     return surface, Tissue(surface.positions_m, nothing, nothing, nothing)
 
@@ -163,7 +163,8 @@ def _lid_m(eye_m: FloatArray, side: str, opening: Opening, *, upper: bool, sidew
 
 def _lash_m(eye_m: FloatArray, opening: Opening) -> FloatArray:
     edge = _edge(opening.upper)
-    return np.concatenate([_sphere(eye_m, LASH_M, edge + width, AZIMUTHS) for width in (-1.0, 4.5)])
+    inside = np.clip(AZIMUTHS, -CORNER_AZIMUTH, CORNER_AZIMUTH)
+    return np.concatenate([_sphere(eye_m, LASH_M, edge + width, inside) for width in (-1.0, 4.0)])
 
 
 def _edge(middle: float) -> FloatArray:

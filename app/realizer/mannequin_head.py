@@ -36,16 +36,17 @@ SKULL: tuple[Capsule, ...] = (
     _rod((0, 0.112, -0.014), (0, 0.112, 0.010), 0.076, 0.078),
     _rod((0, 0.055, 0.035), (0, 0.010, 0.050), 0.058, 0.038),
     _rod((0, -0.004, 0.064), (0, -0.004, 0.066), 0.022, 0.022),
-    *_pair(_rod((0.047, 0.034, 0.010), (0.016, -0.006, 0.060), 0.019, 0.019)),
-    *_pair(_rod((0.030, 0.046, 0.062), (0.034, 0.044, 0.056), 0.024, 0.024)),
-    *_pair(_rod((0.004, 0.100, 0.082), (0.036, 0.101, 0.066), 0.016, 0.014)),
+    *_pair(_rod((0.044, 0.036, 0.010), (0.016, -0.006, 0.060), 0.019, 0.019)),
+    *_pair(_rod((0.029, 0.047, 0.064), (0.034, 0.045, 0.058), 0.024, 0.024)),
+    *_pair(_rod((0.022, 0.059, 0.0815), (0.045, 0.062, 0.070), 0.011, 0.010)),
+    *_pair(_rod((0.004, 0.100, 0.082), (0.040, 0.099, 0.069), 0.016, 0.014)),
     _rod((0, 0.088, 0.093), (0, 0.052, 0.113), 0.0055, 0.0080),
     *_pair(_rod((0.007, 0.047, 0.103), (0.008, 0.046, 0.098), 0.0058, 0.0058)),
     _rod((-0.014, 0.018, 0.076), (0.014, 0.018, 0.076), 0.021, 0.021),
 )
 
 EARS: tuple[Capsule, ...] = _pair(
-    Capsule("head", (0.079, 0.080, -0.010), (0.074, 0.056, -0.004), 0.016, 0.011, (0.40, 1.0, 1.0))
+    Capsule("head", (0.079, 0.080, -0.010), (0.077, 0.058, -0.004), 0.016, 0.010, (0.40, 1.0, 1.0))
 )
 HAIR: tuple[Capsule, ...] = (
     _rod((0, 0.118, -0.020), (0, 0.128, 0.000), 0.080, 0.077),
@@ -90,9 +91,10 @@ FIRST_OUTSIDE = len(_INSIDE)
 def skin() -> tuple[tuple[str, Surface, Tissue], ...]:
     """The skin, the lips and the inside of the mouth: material, surface, and how each moves."""
     angles = np.arange(COLUMNS) * 2 * np.pi / COLUMNS
-    rings = np.stack([_ring_m(ring, angles, inside=number < FIRST_OUTSIDE) for number, ring in enumerate(RINGS)])
+    middle = _on_skin(np.zeros((1, 2)))[0]
+    inside = np.stack([_inside_m(ring, angles, middle) for ring in RINGS[:FIRST_OUTSIDE]])
     back = _on_skin(np.array([[0.0, np.pi * _mouth_distance_m() - 1e-6]]))
-    points = np.concatenate([rings.reshape(-1, 3), back])
+    points = np.concatenate([inside.reshape(-1, 3), _outside_m(angles).reshape(-1, 3), back])
     triangles: dict[str, list[IntArray]] = {ring.material: [] for ring in RINGS}
     for number, ring in enumerate(RINGS[:-1]):
         triangles[ring.material].append(_band(number))
@@ -112,7 +114,7 @@ def ears() -> Surface:
 
 def hair() -> Surface:
     """A cap of short hair, whose edge is where it meets the skin."""
-    return mesh(HAIR, melt_m=0.012, grid_m=0.013)
+    return mesh(HAIR, melt_m=0.012, grid_m=0.010)
 
 
 def on_skin_m(points: FloatArray) -> FloatArray:
@@ -125,23 +127,34 @@ def _mouth_distance_m() -> float:
     return float(np.linalg.norm(MOUTH_M - CENTRE_M))
 
 
-def _ring_m(ring: Ring, angles: FloatArray, *, inside: bool) -> FloatArray:
-    """A ring's points (COLUMNS, 3)."""
+def _inside_m(ring: Ring, angles: FloatArray, middle: FloatArray) -> FloatArray:
+    """The points (COLUMNS, 3) of a ring inside the mouth, behind the lips' `middle`."""
     across, up = ring.half_m[0] * np.cos(angles), ring.half_m[1] * np.sin(angles)
+    outwards, upwards = _axes()
+    depth = ring.out_m - 0.35 * np.abs(across)
+    return np.asarray(middle + np.outer(across, [1, 0, 0]) + np.outer(up, upwards) + np.outer(depth, outwards))
+
+
+def _outside_m(angles: FloatArray) -> FloatArray:
+    """The points (R, COLUMNS, 3) of all rings on the face; lips are full in the middle and thin at the corners."""
+    rings = RINGS[FIRST_OUTSIDE:]
+    halves = np.array([ring.half_m for ring in rings])
+    places = halves[:, None, :] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    skin_m = _on_skin(places.reshape(-1, 2)).reshape(len(rings), COLUMNS, 3)
+    fullness = np.where(halves[:, 1:] > 0, np.abs(np.sin(angles)) ** 0.7, 1.0)
+    out_m = np.array([ring.out_m for ring in rings])[:, None] * fullness
+    return np.asarray(skin_m + out_m[..., None] * _axes()[0])
+
+
+def _axes() -> tuple[FloatArray, FloatArray]:
+    """Out of the mouth, and up along the face."""
     outwards = (MOUTH_M - CENTRE_M) / _mouth_distance_m()
-    if inside:
-        middle = _on_skin(np.zeros((1, 2)))[0]
-        curved = ring.out_m - 0.35 * np.abs(across)
-        upwards = np.array([0.0, outwards[2], -outwards[1]])
-        return np.asarray(middle + np.outer(across, [1, 0, 0]) + np.outer(up, upwards) + np.outer(curved, outwards))
-    fullness = np.abs(np.sin(angles)) ** 0.7 if ring.half_m[1] else np.ones(COLUMNS)
-    return _on_skin(np.stack([across, up], axis=1)) + np.outer(ring.out_m * fullness, outwards)
+    return outwards, np.array([0.0, outwards[2], -outwards[1]])
 
 
 def _on_skin(places: FloatArray) -> FloatArray:
     """Points on the skin (N, 3) at places (N, 2) about the mouth: how far along the skin, nearly, across and up."""
-    outwards = (MOUTH_M - CENTRE_M) / _mouth_distance_m()
-    upwards = np.array([0.0, outwards[2], -outwards[1]])
+    outwards, upwards = _axes()
     distance = np.linalg.norm(places, axis=1, keepdims=True)
     angle = distance / _mouth_distance_m()
     ways = places / np.maximum(distance, 1e-12)

@@ -9,7 +9,7 @@ from app.realizer.mannequin_face import MOUTH_Y_M, Tissue
 from app.realizer.mannequin_surface import Capsule, IntArray, Surface, mesh
 
 TEETH_HALF_M = 0.0185
-TEETH_FRONT_Z_M = 0.0965
+TEETH_FRONT_Z_M = 0.0940
 TEETH_DEPTH_M = 0.020
 UPPER_TEETH_Y_M = (MOUTH_Y_M + 0.0095, MOUTH_Y_M + 0.0005)
 LOWER_TEETH_Y_M = (MOUTH_Y_M - 0.0010, MOUTH_Y_M - 0.0090)
