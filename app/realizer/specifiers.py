@@ -4,12 +4,13 @@ Each function turns a sound statement into its value, or into None with what is 
 """
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from difflib import get_close_matches
 from enum import StrEnum
 from itertools import product
 from typing import TypeVar
 
+from app.model import Hand
 from app.realizer.gesture import (
     ArmKey,
     Bend,
@@ -24,7 +25,7 @@ from app.realizer.gesture import (
     Thumb,
     Wrist,
 )
-from app.realizer.skeleton import Skeleton
+from app.realizer.posing import DIRECTIONS, arm_joints
 from app.realizer.statements import Located, Statement, Word
 
 Named = TypeVar("Named", bound=StrEnum)
@@ -45,14 +46,6 @@ THUMB_IN_FORM = frozenset(
 )
 """The forms that the thumb makes together with the fingers, so that it cannot stand otherwise."""
 
-_AXES = {
-    Direction.UP: (0, 1, 0),
-    Direction.DOWN: (0, -1, 0),
-    Direction.OUTWARDS: (1, 0, 0),
-    Direction.INWARDS: (-1, 0, 0),
-    Direction.AWAY: (0, 0, 1),
-    Direction.TOWARDS: (0, 0, -1),
-}
 _DIRECTIONS = re.compile("|".join(Direction))
 
 
@@ -114,7 +107,7 @@ def wrist(statement: Statement, wrong: list[Located]) -> Wrist | None:
     if base is None or palm is None:
         return None
     if not orthogonal(base, palm):
-        left = [f"Palm{word}" for word, one in _single_directions() if orthogonal(base, one)]
+        left = [f"{PALM}{one}" for one in Direction if orthogonal(base, {one})]
         right_would_be = f"right would be {', '.join(left)}" if left else "no single direction of the palm fits it"
         told = f"the palm must face at a right angle to {base_word.text}; {right_would_be}, or a sum of these"
         wrong.append(Located(palm_word, told))
@@ -123,7 +116,7 @@ def wrist(statement: Statement, wrong: list[Located]) -> Wrist | None:
 
 
 def orthogonal(finger_base: Iterable[Direction], palm: Iterable[Direction]) -> bool:
-    """Whether the two sums of directions are at a right angle: exactly, in whole numbers. True of an empty one."""
+    """Whether the two sums of directions are at a right angle, exactly: the sums are whole. True of an empty one."""
     return sum(_dot(one, other) for one, other in product(finger_base, tuple(palm))) == 0
 
 
@@ -187,30 +180,13 @@ def _directions(prefix: str, word: Word, wrong: list[Located]) -> frozenset[Dire
     return frozenset(found)
 
 
-def _dot(one: Direction, other: Direction) -> int:
-    return sum(a * b for a, b in zip(_AXES[one], _AXES[other], strict=True))
+def _dot(one: Direction, other: Direction) -> float:
+    return sum(a * b for a, b in zip(DIRECTIONS[one], DIRECTIONS[other], strict=True))
 
 
-def _single_directions() -> Sequence[tuple[str, frozenset[Direction]]]:
-    return [(direction.value, frozenset({direction})) for direction in Direction]
-
-
-def _hand_shapes() -> dict[str, HandShape]:
-    shapes = {f"{form}_{thumb}": HandShape(form, thumb) for form, thumb in product(HandForm, Thumb)}
-    return {str(form): HandShape(form) for form in HandForm} | {
-        name: shape for name, shape in shapes.items() if shape.thumb is not Thumb.DEFAULT
-    }
-
-
-def _arm_joints() -> tuple[str, ...]:
-    """The joints from the collarbone down, without their side."""
-    skeleton = Skeleton.standing()
-    found: list[str] = ["leftShoulder"]
-    for name, parent in zip(skeleton.names, skeleton.parents, strict=True):
-        if parent >= 0 and skeleton.names[parent] in found:
-            found.append(name)
-    return tuple(name.removeprefix("left") for name in found)
-
-
-_SHAPES = _hand_shapes()
-ARM_JOINTS = _arm_joints()
+_SHAPES = {
+    str(form) if thumb is Thumb.DEFAULT else f"{form}_{thumb}": HandShape(form, thumb)
+    for form, thumb in product(HandForm, Thumb)
+}
+ARM_JOINTS: tuple[str, ...] = tuple(name.removeprefix(Hand.LEFT) for name in arm_joints(Hand.LEFT))
+"""From the collarbone down, without their side."""
