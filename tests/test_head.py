@@ -8,7 +8,8 @@ import pytest
 from app.model import Behavior, Channel, FloatArray, Schedule
 from app.realizer.angles import angles
 from app.realizer.gaze import gaze
-from app.realizer.head import MOVEMENTS, head
+from app.realizer.head import head
+from app.realizer.head_movements import MOVEMENTS
 from app.realizer.idle import idle
 from app.realizer.limits import violations
 from app.realizer.motion import BodyMotion
@@ -65,6 +66,21 @@ def test_every_movement_starts_and_ends_at_nothing_without_a_jump(lexeme: str) -
     assert np.abs(course[(TIMES_S <= 1.0) | (TIMES_S >= 2.8)]).max() < 1e-9
     assert np.abs(course).max() > 10
     assert np.abs(np.diff(course, axis=0)).max() < np.degrees(20 / 60) / 2
+
+
+@pytest.mark.parametrize(
+    "hurried",
+    [
+        movement("NOD", 1.0, 1.01, amount=1.0),
+        movement("SHAKE", 1.0, 1.3, amount=1.0, repetitions=40),
+        movement("TILT_LEFT", 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, amount=1.0),
+    ],
+    ids=["a nod of no time", "many shakes in little time", "a tilt of no time at all"],
+)
+def test_what_is_asked_for_too_fast_is_smaller(hurried: Behavior) -> None:
+    body = head(BODY, CALM, schedule(hurried), seed=3)
+    neck = BODY.chain("neck", "head")
+    assert angle_between(body.rotations[1:, neck], body.rotations[:-1, neck]).max() * 60 < 4
 
 
 @pytest.mark.parametrize(

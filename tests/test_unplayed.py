@@ -33,5 +33,17 @@ def test_every_movement_of_our_own_table_is_played() -> None:
     assert unplayed(schedule(*ours)) == ()
 
 
+def test_a_shift_of_too_little_time_is_told() -> None:
+    (told,) = unplayed(schedule(behavior(Channel.POSTURE, "LEAN_LEFT", 1.0, 1.3)))
+    assert (told.action, told.reason) == ("prolonged", "a shift of the body takes 0.6 s, not 0.30 s")
+
+
+def test_repetitions_that_there_is_no_time_for_are_told() -> None:
+    hurried = behavior(Channel.HEAD, "NOD", 1.0, 1.5, repetitions=6)
+    assert [(each.action, each.reason) for each in unplayed(schedule(hurried))] == [
+        ("shortened", "there is time for 2 of 6 repetitions")
+    ]
+
+
 def test_what_lost_is_not_told() -> None:
     assert unplayed(schedule(behavior(Channel.HEAD, "ROLL_EYES", 1.0, 2.0, kept=False))) == ()

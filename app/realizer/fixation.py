@@ -35,6 +35,6 @@ def fixating(times_s: FloatArray, *, seed: int) -> FloatArray:
     steps = where.integers(1, len(PARTS), count + 1)
     parts = PARTS[np.cumsum(steps) % len(PARTS)]
     by = np.diff(parts, axis=0)
-    drift = perlin(times_s, frequency_hz=DRIFT_HZ, seed=seed, channels=2, in_step=False)
+    drift = perlin(times_s, frequency_hz=DRIFT_HZ, seed=seed + 5, channels=2, in_step=False)
     jumps = changes(times_s, starts_s, saccade_s(np.linalg.norm(by, axis=-1)), by)
     return np.asarray(parts[0] + jumps + np.radians(DRIFT_DEGREES) * drift)
