@@ -1,4 +1,4 @@
-"""What no controller can play as it was asked for: there is no movement of that name, or too little time. Each is told."""
+"""What no controller can play as it is asked to: there is no such movement, or too little time. Each is told."""
 
 from app.model import Behavior, Channel, Schedule
 from app.realizer.head_movements import MOVEMENTS, waves_of
