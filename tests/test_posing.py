@@ -32,6 +32,7 @@ from app.realizer.posing import (
     arm_rotations,
     parts_of,
     pose_arm,
+    pose_arms,
     wrist_of,
 )
 from app.realizer.rest_poses import RESTS, rest_pose
@@ -42,6 +43,7 @@ BODY = Skeleton.standing()
 SECTORS = [Place(*sector) for sector in product(Sideways, Height, Depth)]
 LOW = (Height.LOWER_P, Height.LOWER_EP)
 FORWARD = Place(Sideways.C, Height.UPPER_C, Depth.FAR)
+POINTING = Place(Sideways.C, Height.UPPER_P, Depth.FAR, (0.0, 0.0, 0.2))
 STOP = Wrist(frozenset({Direction.UP}), frozenset({Direction.AWAY}))
 
 
@@ -142,10 +144,25 @@ def test_fixed_joints_go_over_what_else_is_said_and_mirror() -> None:
     assert np.allclose(arm_rotations(parts_of(left)), left)
 
 
+def test_keys_together_say_what_each_says_alone() -> None:
+    up = frozenset({Direction.UP})
+    keys = [
+        ArmKey(FORWARD, wrist=STOP),
+        ArmKey(hand=HandShape(HandForm.FIST)),
+        ArmKey(FORWARD, wrist=Wrist(palm=up), shoulder=1.0),
+        ArmKey(wrist=Wrist(finger_base=up)),
+        ArmKey(Place(Sideways.OPP_C, Height.CC, Depth.NEAR), joints=(("Hand", (0.0, 0.0, 5.0)),)),
+    ]
+    for key, together in zip(keys, pose_arms(BODY, Hand.RIGHT, keys, amplitude=1.1), strict=True):
+        alone = pose_arm(BODY, Hand.RIGHT, key, amplitude=1.1)
+        assert np.allclose(alone.parts, together.parts, equal_nan=True)
+        assert (alone.wrist_m is None) == (together.wrist_m is None)
+
+
 @pytest.mark.parametrize("aim_m", [(0.5, 0.4, 2.0), (-1.0, 0.2, 1.5), (1.5, 1.0, 0.5)])
 def test_a_pointing_hand_is_on_the_line_to_its_target(aim_m: tuple[float, float, float]) -> None:
     target = np.array(aim_m)
-    arm = complete(ArmKey(hand=HandShape(HandForm.INDEX)), aim_m=target)
+    arm = complete(ArmKey(POINTING, HandShape(HandForm.INDEX)), aim_m=target)
     at, orientation = placed(arm)
     wrist_m = at[BODY.index["leftHand"]]
     along = rotate(orientation[BODY.index["leftHand"]], np.array([1.0, 0.0, 0.0]))

@@ -35,10 +35,9 @@ class ArmBones:
     @classmethod
     def of(cls, skeleton: Skeleton) -> "ArmBones":
         """The left arm's."""
-        offset = {name: skeleton.offsets_m[joint] for name, joint in skeleton.index.items()}
-        root = offset["spine"] + offset["chest"] + offset["upperChest"] + offset["leftShoulder"]
-        lengths = [float(np.linalg.norm(offset[name])) for name in ("leftLowerArm", "leftHand")]
-        return cls(root, offset["leftUpperArm"], *lengths)
+        names = ("spine", "chest", "upperChest", "leftShoulder", "leftUpperArm", "leftLowerArm", "leftHand")
+        *trunk_m, shoulder_m, elbow_m, wrist_m = skeleton.offsets_m[skeleton.chain(*names)]
+        return cls(np.sum(trunk_m, axis=0), shoulder_m, float(length(elbow_m)[0]), float(length(wrist_m)[0]))
 
     @property
     def length_m(self) -> float:
@@ -64,13 +63,13 @@ class Reach:
     wrist_m: FloatArray
 
 
-def reach(bones: ArmBones, wrist_m: FloatArray, *, swivel_rad: FloatArray, raised: float = 0.0) -> Reach:
+def reach(bones: ArmBones, wrist_m: FloatArray, *, swivel_rad: FloatArray, raised: FloatArray | float = 0.0) -> Reach:
     """The arm whose wrist is at `wrist_m` (…, 3), or as near as it can be.
 
     What is too far or too near is pulled in smoothly, never stretched: the elbow keeps to `ELBOW_FLEXION_DEG`, and the
     shoulder to its limits.
     `swivel_rad` (…) turns the elbow about the line from shoulder to wrist, from its natural place outwards and up.
-    `raised` in [-1, 1] is a shrug or a slump on top of what the collarbone does by itself.
+    `raised` (…) in [-1, 1] is a shrug or a slump on top of what the collarbone does by itself.
     """
     collarbone = collarbone_for(bones, wrist_m, raised)
     shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
@@ -99,15 +98,14 @@ def towards_elbow(upper_arm: FloatArray, elbow: FloatArray, bones: ArmBones) -> 
     return rotate(upper_arm, aside / length(aside))
 
 
-def collarbone_for(bones: ArmBones, wrist_m: FloatArray, raised: float = 0.0) -> FloatArray:
+def collarbone_for(bones: ArmBones, wrist_m: FloatArray, raised: FloatArray | float = 0.0) -> FloatArray:
     """The collarbone's rotation for a hand at `wrist_m`: up with a high hand, forward with a far one, back with one
     behind (towards-natural §3.4 adjusts it by the hands' height; the angles are ours, after the third of the arm's
     elevation that the shoulder girdle takes)."""
     ahead = (wrist_m - bones.shoulder_m) / bones.length_m
     outwards, up, away = ahead[..., 0], ahead[..., 1], ahead[..., 2]
     far = np.hypot(np.maximum(away, 0.0), np.maximum(-outwards, 0.0))
-    shrug = raised * (_SHRUG_DEG if raised > 0 else _SLUMP_DEG)
-    up_deg = _RAISED_DEG * _ease(up + 0.1) + shrug
+    up_deg = _RAISED_DEG * _ease(up + 0.1) + np.where(np.asarray(raised) > 0, _SHRUG_DEG, _SLUMP_DEG) * raised
     forward_deg = _PROTRACTED_DEG * _ease((far - 0.5) / 0.5) - _RETRACTED_DEG * _ease(-away / 0.5)
     forward = about((0.0, -1.0, 0.0), np.radians(forward_deg))
     return multiply(forward, about((0.0, 0.0, 1.0), np.radians(up_deg)))

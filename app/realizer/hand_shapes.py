@@ -7,6 +7,7 @@ of the pinching and C-shaped hands so that the fingertips meet or face each othe
 """
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from types import MappingProxyType
 
 import numpy as np
@@ -122,8 +123,11 @@ _THUMB_HINGE: FloatArray = np.array([0.513, 0.643, -0.570])
 _ORDER = tuple(Finger)
 
 
-def hand_shape(shape: HandShape, fingers: Sequence[tuple[Finger, Bend]] = ()) -> FloatArray:
-    """The finger joints' local rotations (15, 4) of a form, with the bends of single fingers on top of it."""
+@lru_cache(maxsize=256)
+def hand_shape(shape: HandShape, fingers: tuple[tuple[Finger, Bend], ...] = ()) -> FloatArray:
+    """The finger joints' local rotations (15, 4) of a form, with the bends of single fingers on top of it.
+
+    Gestures use few: what was worked out once is kept, and cannot be written to."""
     thumb = _OWN_THUMBS[shape.form] if shape.thumb is Thumb.DEFAULT else _THUMBS[shape.thumb]
     others = list(_FINGERS[shape.form])
     for finger, bend in fingers:
@@ -132,7 +136,9 @@ def hand_shape(shape: HandShape, fingers: Sequence[tuple[Finger, Bend]] = ()) ->
         else:
             number = _ORDER.index(finger) - 1
             others[number] = (*_BENDS[bend], others[number][3])
-    return _rotations(thumb, others)
+    rotations = _rotations(thumb, others)
+    rotations.setflags(write=False)
+    return rotations
 
 
 def finger_rows(finger: Finger) -> slice:

@@ -6,19 +6,19 @@ left arm; the right's is its mirror image. A `PartialPose` has a row for each pa
 key leaves open can be interpolated between the keys that say it.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
 import numpy as np
 
 from app.model import FloatArray, Hand
-from app.realizer.arm_reach import ArmBones, Reach, reach
+from app.realizer.arm_reach import ArmBones, Reach, collarbone_for, reach
 from app.realizer.gesture import ArmKey, Depth, Direction, HandForm, HandShape, Height, Place, Sideways, Wrist
 from app.realizer.gesture_space import sector_m
 from app.realizer.hand_shapes import finger_rows, hand_shape
 from app.realizer.limits import MIRROR, parted_deg
-from app.realizer.rotations import about, from_rotation_vector, inverse, multiply, rotate
+from app.realizer.rotations import about, from_rotation_vector, inverse, length, multiply, rotate
 from app.realizer.skeleton import FINGERS, Skeleton
 from app.realizer.wrist_turns import Turn, turned
 
@@ -48,7 +48,6 @@ CENTRE = Place(Sideways.C, Height.CC, Depth.MIDDLE)
 
 _SWIVELS: FloatArray = np.radians(np.arange(-60.0, 76.0, 7.5))
 _AT_EASE_DEG: FloatArray = np.array([55.0, 14.0, 45.0])
-_POINTING_STRETCH = 1.05
 _POINTING_PALM: FloatArray = np.array([-0.4, -1.0, 0.0])
 
 
@@ -91,29 +90,40 @@ class ArmPose:
 def pose_arm(
     skeleton: Skeleton, side: Hand, key: ArmKey, *, amplitude: float = 1.0, aim_m: FloatArray | None = None
 ) -> PartialPose:
-    """What a key says of the arm `side`.
+    """What a key says of the arm `side`; `pose_arms` of one."""
+    return pose_arms(skeleton, side, [key], amplitude=amplitude, aim_m=aim_m)[0]
+
+
+def pose_arms(
+    skeleton: Skeleton, side: Hand, keys: Sequence[ArmKey], *, amplitude: float = 1.0, aim_m: FloatArray | None = None
+) -> tuple[PartialPose, ...]:
+    """What each key says of the arm `side`; several take hardly longer than one.
 
     `amplitude` stretches places from the middle of gesture space. `aim_m` is a target in the hips' space of the
-    upright body (x to the character's left): the arm is put on the line from the shoulder to it, and the fingers point
-    along that line. A wrist without a place is turned as if the arm were before the body's middle. A wrist's direction
-    that the joints cannot reach, the elbow helping by its swivel, is approached as far as their limits let it.
+    upright body (x to the character's left): the arm of a key that has a place is put on the line from the shoulder to
+    it, as far out as its place is, and the fingers point along that line. A wrist without a place is turned as if the
+    arm were before the body's middle. A wrist's direction that the joints cannot reach, the elbow helping by its
+    swivel, is approached as far as their limits let it.
     """
     bones = ArmBones.of(skeleton)
-    parts = np.full((len(PARTS), 4), np.nan)
-    if aim_m is not None:
-        aim_m = np.asarray(aim_m) * _seen_from(side)
-    if key.place is not None or aim_m is not None or key.wrist is not None:
-        arm, turn = _solved(bones, key, amplitude, aim_m)
-        if key.place is not None or aim_m is not None:
-            parts[ARM_ROWS] = arm.collarbone, arm.upper_arm, arm.elbow
-        if key.wrist is not None or aim_m is not None:
-            parts[WRIST_ROWS] = turn.forearm, turn.hand
-    elif key.shoulder is not None:
-        parts[0] = reach(bones, _hanging_m(bones), swivel_rad=np.zeros(()), raised=key.shoulder).collarbone
-    _add_hand(parts, key)
-    _add_joints(parts, key)
-    wrist_m = None if np.isnan(parts[ARM_ROWS]).any() else _wrist_of_left(bones, parts[:3])
-    return PartialPose(parts if side is Hand.LEFT else parts * MIRROR, wrist_m)
+    aim_m = None if aim_m is None else np.asarray(aim_m) * _seen_from(side)
+    parts = np.full((len(keys), len(PARTS), 4), np.nan)
+    solving = [number for number, key in enumerate(keys) if key.place is not None or key.wrist is not None]
+    if solving:
+        asked = [_asked(bones, keys[number], amplitude, aim_m) for number in solving]
+        for number, solved in zip(solving, _solved(bones, asked), strict=True):
+            _add_arm(parts[number], keys[number], solved, aimed=aim_m is not None)
+    for row, key in zip(parts, keys, strict=True):
+        if key.place is None and key.shoulder is not None:
+            row[0] = collarbone_for(bones, _hanging_m(bones), np.array(key.shoulder))
+        _add_hand(row, key)
+        _add_joints(row, key)
+    wrists_m = _wrist_of_left(bones, parts)
+    mirrored = parts if side is Hand.LEFT else parts * MIRROR
+    return tuple(
+        PartialPose(part, None if np.isnan(wrist_m).any() else wrist_m)
+        for part, wrist_m in zip(mirrored, wrists_m, strict=True)
+    )
 
 
 def held(
@@ -164,31 +174,69 @@ def _wrist_of_left(bones: ArmBones, parts: FloatArray) -> FloatArray:
     return np.asarray(elbow_m + rotate(multiply(upper, elbow), bones.lower_m * along))
 
 
-def _solved(bones: ArmBones, key: ArmKey, amplitude: float, aim_m: FloatArray | None) -> tuple[Reach, Turn]:
-    """The arm at the swivel that suits the wrist best."""
+@dataclass(frozen=True, slots=True, eq=False)
+class _Asked:
+    """Where a key wants the wrist, where fingers and palm are to point, and the collarbone's own raising."""
+
+    wrist_m: FloatArray
+    finger_base: FloatArray | None
+    palm: FloatArray | None
+    raised: float
+
+
+def _asked(bones: ArmBones, key: ArmKey, amplitude: float, aim_m: FloatArray | None) -> _Asked:
     wrist_m = sector_m(key.place or CENTRE, amplitude)
     finger_base, palm = _directions(key.wrist or Wrist())
-    if aim_m is not None:
-        wrist_m, finger_base = _on_the_line(bones, aim_m, wrist_m, key.place)
+    if aim_m is not None and key.place is not None:
+        wrist_m, finger_base = _on_the_line(bones, aim_m, wrist_m)
         palm = _POINTING_PALM if palm is None else palm
-    wrists_m = np.broadcast_to(wrist_m, (*_SWIVELS.shape, 3))
-    arms = reach(bones, wrists_m, swivel_rad=_SWIVELS, raised=key.shoulder or 0.0)
-    turns = turned(arms.forearm, finger_base, palm)
-    best = int(np.argmin(_discomfort(arms, turns, wrist_m)))
-    arm = Reach(*(getattr(arms, name)[best] for name in Reach.__slots__))
-    return arm, Turn(turns.clamped().angles[best])
+    return _Asked(wrist_m, finger_base, palm, key.shoulder or 0.0)
 
 
-def _discomfort(arms: Reach, turns: Turn, wrist_m: FloatArray) -> FloatArray:
+def _solved(bones: ArmBones, asked: Sequence[_Asked]) -> FloatArray:
+    """The first five parts (K, 5, 4) of each arm, at the swivel that suits the wrist best."""
+    wrists_m = np.stack([each.wrist_m for each in asked])[:, None]
+    raised = np.array([each.raised for each in asked])[:, None]
+    arms = reach(bones, np.repeat(wrists_m, len(_SWIVELS), axis=1), swivel_rad=_SWIVELS, raised=raised)
+    turns = _turned(arms.forearm, asked)
+    best = np.arange(len(asked)), np.argmin(_discomfort(arms, turns, wrists_m), axis=1)
+    turn = Turn(turns.angles[best]).clamped()
+    return np.stack(
+        (*(part[best] for part in (arms.collarbone, arms.upper_arm, arms.elbow)), turn.forearm, turn.hand), 1
+    )
+
+
+def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> Turn:
+    """The wrists' turns (K, swivels), those that say the same parts together."""
+    angles = np.zeros((*forearm.shape[:-1], 3))
+    said = [(each.finger_base is not None, each.palm is not None) for each in asked]
+    for kind in set(said):
+        rows = [row for row, other in enumerate(said) if other == kind]
+        finger_base, palm = (
+            np.array([getattr(asked[row], name) for row in rows])[:, None] if known else None
+            for name, known in zip(("finger_base", "palm"), kind, strict=True)
+        )
+        angles[rows] = turned(forearm[rows], finger_base, palm).angles
+    return Turn(angles)
+
+
+def _discomfort(arms: Reach, turns: Turn, wrists_m: FloatArray) -> FloatArray:
     """What speaks against each swivel: wrist and forearm near or past their limits, a place that the shoulder's limits
     do not let the wrist reach, the elbow in the flank, and the swivel itself, for an elbow hangs as long as nothing
     asks it to do otherwise."""
     strained = np.maximum(np.abs(np.degrees(turns.angles)) - _AT_EASE_DEG, 0.0) / 30.0
     impossible = np.degrees(turns.excess) / 10.0
-    missed = np.linalg.norm(arms.wrist_m - wrist_m, axis=-1) / 0.01
+    missed = length(arms.wrist_m - wrists_m)[..., 0] / 0.01
     flank = np.where(np.abs(arms.elbow_m[..., 2]) < 0.14, np.maximum(0.20 - arms.elbow_m[..., 0], 0.0) / 0.05, 0.0)
-    cost = np.sum(strained**2 + impossible**2, axis=-1) + (missed - missed.min()) ** 2 + flank**2
+    cost = np.sum(strained**2 + impossible**2, axis=-1) + (missed - missed.min(axis=-1, keepdims=True)) ** 2 + flank**2
     return np.asarray(cost + (_SWIVELS / np.radians(40.0)) ** 2)
+
+
+def _add_arm(parts: FloatArray, key: ArmKey, solved: FloatArray, *, aimed: bool) -> None:
+    if key.place is not None:
+        parts[ARM_ROWS] = solved[ARM_ROWS]
+    if key.wrist is not None or (aimed and key.place is not None):
+        parts[WRIST_ROWS] = solved[WRIST_ROWS]
 
 
 def _directions(wrist: Wrist) -> tuple[FloatArray | None, FloatArray | None]:
@@ -197,19 +245,16 @@ def _directions(wrist: Wrist) -> tuple[FloatArray | None, FloatArray | None]:
     return finger_base, palm
 
 
-def _on_the_line(
-    bones: ArmBones, aim_m: FloatArray, wrist_m: FloatArray, place: Place | None
-) -> tuple[FloatArray, FloatArray]:
-    """A wrist on the way from the shoulder to the target, as far out as its place is, or nearly stretched without
-    one; and the way itself."""
+def _on_the_line(bones: ArmBones, aim_m: FloatArray, wrist_m: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """A wrist on the way from the shoulder to the target, as far out as its place is; and the way itself."""
     way = aim_m - bones.shoulder_m
     way = way / max(float(np.linalg.norm(way)), 1e-6)
-    stretched_m = _POINTING_STRETCH * bones.length_m
-    out_m = stretched_m if place is None else min(float(np.linalg.norm(wrist_m - bones.shoulder_m)), stretched_m)
-    return bones.shoulder_m + out_m * way, way
+    return bones.shoulder_m + float(np.linalg.norm(wrist_m - bones.shoulder_m)) * way, way
 
 
 def _add_hand(parts: FloatArray, key: ArmKey) -> None:
+    if key.hand is None and not key.fingers:
+        return
     rotations = hand_shape(key.hand or HandShape(HandForm.DEFAULT), key.fingers)
     if key.hand is not None:
         parts[HAND_ROWS] = rotations

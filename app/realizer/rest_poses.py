@@ -7,6 +7,7 @@ keep forearms and hands out of the body and of each other, as thick as `build` h
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from types import MappingProxyType
 
 import numpy as np
@@ -66,10 +67,13 @@ RESTS: Mapping[str, tuple[Rest, Rest]] = MappingProxyType(
 """By name, the left hand's and the right's."""
 
 
+@lru_cache(maxsize=64)
 def rest_pose(skeleton: Skeleton, side: Hand, name: str) -> ArmPose:
-    """The arm `side` at rest; `name` is one of `RESTS`."""
+    """The arm `side` at rest; `name` is one of `RESTS`. A skeleton's poses are worked out once and kept."""
     rest = RESTS[name][0 if side is Hand.LEFT else 1]
     wrist_m, finger_base, palm = np.array([rest.wrist_m, rest.finger_base, rest.palm])
     arm = held(ArmBones.of(skeleton), wrist_m, finger_base, palm, rest.swivel_deg)
     rotations = arm_rotations(np.concatenate([arm, hand_shape(rest.hand, rest.fingers)]))
-    return ArmPose(rotations if side is Hand.LEFT else rotations * MIRROR, wrist_m)
+    rotations = rotations if side is Hand.LEFT else rotations * MIRROR
+    rotations.setflags(write=False)
+    return ArmPose(rotations, wrist_m)

@@ -95,23 +95,26 @@ def between(a: FloatArray, b: FloatArray) -> FloatArray:
 
 def from_axes(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
     """The rotation that takes the base axes to `x`, `y` and `z` (…, 3), which are orthonormal and right-handed."""
+    w = 1 + x[..., 0] + y[..., 1] + z[..., 2]
+    yz, zx, xy = y[..., 2] - z[..., 1], z[..., 0] - x[..., 2], x[..., 1] - y[..., 0]
+    if w.min(initial=1.0) > 0.1:
+        return normalized(np.stack((yz, zx, xy, w), axis=-1))
+    return normalized(_largest_first(x, y, z, (yz, zx, xy, w)))
+
+
+def _largest_first(x: FloatArray, y: FloatArray, z: FloatArray, by_w: tuple[FloatArray, ...]) -> FloatArray:
+    """From axes, by whichever of the four components is the largest; by the smallest, digits are lost."""
+    yz, zx, xy, w = by_w
     weights = [
-        1 + x[..., 0] + y[..., 1] + z[..., 2],
         1 + x[..., 0] - y[..., 1] - z[..., 2],
         1 - x[..., 0] + y[..., 1] - z[..., 2],
         1 - x[..., 0] - y[..., 1] + z[..., 2],
     ]
-    yz, zx, xy = y[..., 2] - z[..., 1], z[..., 0] - x[..., 2], x[..., 1] - y[..., 0]
     sxy, sxz, syz = y[..., 0] + x[..., 1], z[..., 0] + x[..., 2], z[..., 1] + y[..., 2]
-    choices = (
-        (yz, zx, xy, weights[0]),
-        (weights[1], sxy, sxz, yz),
-        (sxy, weights[2], syz, zx),
-        (sxz, syz, weights[3], xy),
-    )
+    choices = (by_w, (weights[0], sxy, sxz, yz), (sxy, weights[1], syz, zx), (sxz, syz, weights[2], xy))
     candidates = np.stack([np.stack(choice, axis=-1) for choice in choices])
-    best = np.argmax(np.stack(weights), axis=0)[None, ..., None]
-    return normalized(np.take_along_axis(candidates, best, axis=0)[0])
+    best = np.argmax(np.stack([w, *weights]), axis=0)[None, ..., None]
+    return np.asarray(np.take_along_axis(candidates, best, axis=0)[0])
 
 
 def normalized(q: FloatArray) -> FloatArray:
