@@ -16,7 +16,7 @@ from app.model import Hand
 from app.realizer.arms import ArmTrack, TimedPose
 from app.realizer.gesture import ArmKey, ClipKey, Expressivity, FrameType
 from app.realizer.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, Repeat
-from app.realizer.posing import PartialPose, pose_arm
+from app.realizer.posing import PartialPose, pose_arms
 from app.realizer.rest_poses import rest_pose
 from app.realizer.rotations import slerp
 from app.realizer.skeleton import Skeleton
@@ -91,19 +91,21 @@ def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose
 
 
 def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
-    size = amplitude(gesture.placed)
-    for key in gesture.placed.clip.keys:
-        said = arm_key(key, gesture.side)
-        if said is not None and _is_played(gesture, key):
-            aim_m = gesture.placed.aim_m if said.place is not None else None
-            yield _Posed(_on_the_clock(gesture, key.time_s), key, _pose(skeleton, gesture.side, said, size, aim_m))
+    said = [(key, arm_key(key, gesture.side)) for key in gesture.placed.clip.keys if _is_played(gesture, key)]
+    played = [(key, of_arm) for key, of_arm in said if of_arm is not None]
+    asked, placed = tuple(of_arm for _key, of_arm in played), gesture.placed
+    poses = _poses(skeleton, gesture.side, asked, amplitude(placed), placed.aim_m)
+    for (key, _of_arm), pose in zip(played, poses, strict=True):
+        yield _Posed(_on_the_clock(gesture, key.time_s), key, pose)
 
 
-@lru_cache(maxsize=4096)
-def _pose(skeleton: Skeleton, side: Hand, said: ArmKey, size: float, aim_m: Position | None) -> PartialPose:
-    """Lines use the same keys again and again, and a pose takes a search for its elbow. Poses are never written to."""
+@lru_cache(maxsize=1024)
+def _poses(
+    skeleton: Skeleton, side: Hand, asked: tuple[ArmKey, ...], size: float, aim_m: Position | None
+) -> tuple[PartialPose, ...]:
+    """Lines use the same keys again and again, and poses take a search for the elbow. They are never written to."""
     from_hips_m = None if aim_m is None else np.array(aim_m) - skeleton.offsets_m[0]
-    return pose_arm(skeleton, side, said, amplitude=size, aim_m=from_hips_m)
+    return pose_arms(skeleton, side, asked, amplitude=size, aim_m=from_hips_m)
 
 
 @lru_cache(maxsize=64)

@@ -2,7 +2,7 @@
 
 Conventions: as `posing`: places seen from the own side, metres from the hips, x outwards, y up, z away; swivels in
 degrees, elbow outwards. Where one hand lies on the other or one arm over the other, the left is the upper. The places
-keep forearms and hands out of the body and of each other, as thick as `build` has them.
+keep forearms and hands 15 mm from the body and each other, as thick as `build` has them, for hands stir at rest.
 """
 
 from collections.abc import Mapping
@@ -48,15 +48,15 @@ RESTS: Mapping[str, tuple[Rest, Rest]] = MappingProxyType(
     {
         "at_side": (_AT_SIDE, _AT_SIDE),
         "clasped": (
-            Rest((0.085, 0.065, 0.225), (-0.90, -0.40, 0.10), (-0.1, -0.3, -1.0), 8.0, _EASY, _CURVED),
-            Rest((0.108, 0.050, 0.160), (-0.90, -0.40, 0.05), (-0.1, 0.1, -1.0), 8.0, _EASY, _CURVED),
+            Rest((0.123, 0.067, 0.225), (-0.90, -0.40, 0.10), (-0.1, -0.3, -1.0), 8.0, _EASY, _CURVED),
+            Rest((0.129, 0.050, 0.160), (-0.90, -0.40, 0.05), (-0.1, 0.1, -1.0), 8.0, _EASY, _CURVED),
         ),
         "folded": (
             Rest((0.010, 0.255, 0.235), (-1.0, 0.15, -0.30), (0.3, -0.4, -1.0), 22.0),
-            Rest((0.072, 0.146, 0.170), (-1.0, -0.10, 0.05), (0.0, -0.3, -1.0), 14.0),
+            Rest((0.100, 0.147, 0.170), (-1.0, -0.10, 0.05), (0.0, -0.3, -1.0), 14.0),
         ),
         "behind_back": (
-            Rest((0.137, 0.040, -0.175), (-1.0, -0.35, -0.1), (-0.1, 0.0, -1.0), 0.0, _EASY, _CURVED),
+            Rest((0.159, 0.040, -0.175), (-1.0, -0.35, -0.1), (-0.1, 0.0, -1.0), 0.0, _EASY, _CURVED),
             Rest((0.080, -0.010, -0.215), (-1.0, -0.30, -0.1), (-0.1, 0.0, -1.0), 0.0, _EASY, _CURVED),
         ),
         "in_pockets": (_IN_POCKETS, _IN_POCKETS),
