@@ -56,7 +56,7 @@ def labelled(sentence: Sentence) -> Iterator[tuple[str, Interval]]:
 def compare(tables: FaceTables, sentence: Sentence, words: tuple[Word, ...], rate_hz: int) -> Iterator[Compared]:
     spoken, _ = visemes(words, sentence.audio.duration_s)
     body, skeleton = still_body(sentence.audio.duration_s, rate_hz)
-    shapes = face(tables, Schedule((), sentence.audio.duration_s, visemes=spoken), body, skeleton, seed=0)
+    shapes = face(tables, Schedule((), sentence.audio.duration_s, words, spoken), body, skeleton, seed=0)
     closures = lip_closures(spoken, shapes, body.times_s)
     phones = [phone for word in words for phone in word.phones]
     for name, interval in labelled(sentence):

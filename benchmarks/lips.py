@@ -24,7 +24,7 @@ from pathlib import Path
 import numpy as np
 
 from app.bml.visemes import visemes
-from app.model import FRAME_SHIFT_S, FloatArray, Schedule, Viseme
+from app.model import FRAME_SHIFT_S, FloatArray, Schedule, Viseme, Word
 from app.performance import Line, Understudy, hear, hear_words
 from app.realizer.face import face
 from app.realizer.face_tables import FaceTables
@@ -49,6 +49,7 @@ REPEATS = 5
 class Spoken:
     """A line: what its mouth is to do, and how loud it is in each frame of the analysis."""
 
+    words: tuple[Word, ...]
     visemes: tuple[Viseme, ...]
     duration_s: float
     energy_db: FloatArray
@@ -63,7 +64,7 @@ def hear_lines(folders: Sequence[Path]) -> Iterator[Spoken]:
             transcript = read_transcript(line.text, max_characters=settings.max_text_characters)
             alignment, _ = hear_words(understudy.ears, heard, transcript)
             shapes, _ = visemes(alignment.words, heard.audio.duration_s)
-            yield Spoken(shapes, heard.audio.duration_s, heard.contours.energy_db)
+            yield Spoken(alignment.words, shapes, heard.audio.duration_s, heard.contours.energy_db)
 
 
 def still_body(duration_s: float, rate_hz: int) -> tuple[BodyMotion, Skeleton]:
@@ -135,7 +136,7 @@ class Measured:
 
 def measure(tables: FaceTables, spoken: Spoken, rate_hz: int) -> Measured:
     body, skeleton = still_body(spoken.duration_s, rate_hz)
-    schedule = Schedule((), spoken.duration_s, visemes=spoken.visemes)
+    schedule = Schedule((), spoken.duration_s, spoken.words, spoken.visemes)
     began = time.process_time()
     for _ in range(REPEATS):
         shapes = face(tables, schedule, body, skeleton, seed=0)

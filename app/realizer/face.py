@@ -12,6 +12,7 @@ from types import MappingProxyType
 import numpy as np
 
 from app.model import FloatArray, Schedule
+from app.realizer.diphthongs import with_glides
 from app.realizer.expressions import expressions
 from app.realizer.face_tables import COLUMNS, FaceTables
 from app.realizer.lids import looks, with_lids
@@ -59,13 +60,14 @@ def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Ske
     """
     times_s = body.times_s
     frame_s = float(times_s[1] - times_s[0]) if len(times_s) > 1 else 0.0
+    spoken = with_glides(schedule.visemes, schedule.words)
     shapes = np.empty((len(times_s), len(SHAPES)))
     for first in range(0, len(times_s), _FRAMES_AT_ONCE):
         frames = slice(first, first + _FRAMES_AT_ONCE)
         part = BodyMotion(times_s[frames], body.rotations[frames], body.hips_m[frames])
         at_rest = _together(looks(tables.eyes, part, skeleton), micro_movement(part.times_s, seed))
         shown = expressions(tables.words, schedule.behaviors, part.times_s, frame_s) * _sides(part.times_s, seed)
-        speech = speak(tables.visemes, schedule.visemes, part.times_s)
+        speech = speak(tables.visemes, spoken, part.times_s)
         beside = _beside_speech(_together(shown, at_rest), speech)
         shapes[frames] = with_lids(tables.eyes, _together(speech.shapes, beside))
     return shapes
