@@ -42,10 +42,10 @@ def main() -> None:
     total_s = sum(sentence.audio.duration_s for sentence in sentences)
     print(f"{len(sentences)} of {count} sentences, {total_s:.0f} s")
     with Aligner(ROOT / "models", ROOT / "lexicon" / "en") as aligner:
-        began_s = _processor_s()
+        began_s = processor_s()
         pairs = [(sentence, aligned_words(aligner, sentence.audio, sentence.text)) for sentence in sentences]
         aligner.close()
-        print(f"{'× real time':24}{(_processor_s() - began_s) / total_s:.3f}")
+        print(f"{'× real time':24}{(processor_s() - began_s) / total_s:.3f}")
         for name, part in {"test half": pairs[1::2], "training half": pairs[::2], "all": pairs}.items():
             print_errors(f"words, {name}", [error for pair in part for error in word_errors(*pair)])
             print_errors(f"phones, {name}", [error for pair in part for error in phone_errors(*pair)])
@@ -126,7 +126,7 @@ def outcome(aligner: Aligner, audio: Audio, text: str) -> str:
     return "warned" if FLAGS & {notice.code for notice in notices} else "passed"
 
 
-def _processor_s() -> float:
+def processor_s() -> float:
     """Processor time so far, ours and that of the processes that have ended."""
     ended = resource.getrusage(resource.RUSAGE_CHILDREN)
     return time.process_time() + ended.ru_utime + ended.ru_stime

@@ -26,6 +26,7 @@ from app.errors import ServiceError
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Interval, Phone, Word
 
 STEP_S = 0.005
+STEP_SAMPLES = round(STEP_S * SAMPLE_RATE_HZ)
 WINDOW_SAMPLES = 256
 TRANSFORM_SAMPLES = 512
 FRAMES_AT_ONCE = 2000
@@ -149,12 +150,20 @@ def kernel(one: FloatArray, other: FloatArray) -> FloatArray:
 def _mel_levels(samples: FloatArray) -> FloatArray:
     """Log Mel energies every `STEP_S`, relative to each band's loud frames (95th percentile); shape (steps, bands)."""
     peak = max(samples.max(initial=0.0), -samples.min(initial=0.0)) or 1.0
-    frames = sliding_window_view(np.pad(samples, WINDOW_SAMPLES // 2), WINDOW_SAMPLES)[
-        :: round(STEP_S * SAMPLE_RATE_HZ)
-    ]
-    blocks = [frames[first : first + FRAMES_AT_ONCE] for first in range(0, len(frames), FRAMES_AT_ONCE)]
+    count = len(samples) // STEP_SAMPLES + 1
+    firsts = range(0, count, FRAMES_AT_ONCE)
+    blocks = [_frames(samples, first, min(first + FRAMES_AT_ONCE, count)) for first in firsts]
     levels = np.vstack([_log_mel(block / peak) for block in blocks])
     return levels - np.percentile(levels, 95, axis=0)
+
+
+def _frames(samples: FloatArray, first: int, end: int) -> FloatArray:
+    """The samples around the steps from `first` to before `end`, zeros beyond both ends; shape (steps, window)."""
+    start, stop = first * STEP_SAMPLES - WINDOW_SAMPLES // 2, (end - 1) * STEP_SAMPLES + WINDOW_SAMPLES // 2
+    piece = samples[max(start, 0) : stop]
+    before = max(-start, 0)
+    padded = np.pad(piece, (before, stop - start - before - len(piece)))
+    return sliding_window_view(padded, WINDOW_SAMPLES)[::STEP_SAMPLES]
 
 
 def _log_mel(frames: FloatArray) -> FloatArray:

@@ -13,7 +13,7 @@ def frame_power(audio: Audio) -> FloatArray:
     Audio shorter than one stretch counts as one.
     """
     length = round(FRAME_S * SAMPLE_RATE_HZ)
-    count = max(len(audio.samples) // length, 1)
-    frames = np.resize(audio.samples, count * length).reshape(count, length)
-    power: FloatArray = np.mean(frames**2, axis=1)
+    samples = audio.samples if len(audio.samples) >= length else np.resize(audio.samples, length)
+    frames = samples[: len(samples) // length * length].reshape(-1, length)
+    power: FloatArray = np.einsum("ij,ij->i", frames, frames) / length  # without a copy of an hour's samples
     return power
