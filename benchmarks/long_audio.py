@@ -3,8 +3,8 @@
     python -m benchmarks.long_audio [--minutes 30] [--lines FOLDER]
 
 Joins the lines of FOLDER (pairs NAME.flac and NAME.txt) over and over, a third of a second of silence between them, to
-the length asked, and aligns that. Prints wall and processor time, the most memory resident at once (ours and the decoder
-process's), and how far each word's start and end lie from where they lie when its line is aligned alone.
+the length asked, and aligns that. Prints wall and processor time, the most memory resident at once (ours, and that of
+the decoder's process), and how far each word's start and end lie from where they lie when its line is aligned alone.
 """
 
 import argparse

@@ -9,6 +9,7 @@ from app.acoustic.fit import (
     SUSPECT_SCORE,
     alignment_score,
     check_fit,
+    is_telephone,
     power_outside,
     signal_to_noise_db,
 )
@@ -74,3 +75,10 @@ def test_a_word_stretched_beyond_speech_is_suspect() -> None:
 
 def test_silence_has_no_sound_outside() -> None:
     assert power_outside(Audio(np.zeros(SAMPLE_RATE_HZ)), (_word(),)) == 0.0
+
+
+def test_a_narrow_band_lowers_the_limit_of_suspicion() -> None:
+    wide, narrow = _audio(noise=1e-2), _audio(noise=1e-5)
+    assert (is_telephone(wide), is_telephone(narrow)) == (False, True)
+    assert check_fit(narrow, (_word(),), _scored(SUSPECT_SCORE - 7)) == ()
+    assert check_fit(wide, (_word(),), _scored(SUSPECT_SCORE - 7)) != ()

@@ -32,8 +32,8 @@ BEAM = 1e-200
 
 FILLERS = {"um": ["AH M"], "uh": ["AH"]}
 FILLER_PROBABILITY = 1e-20
-SHORTEST_FILLER_FRAMES = 15
-LOWEST_FILLER_SCORE = -36.0
+SHORTEST_FILLER_FRAMES = 22
+LOWEST_FILLER_SCORE = -42.0
 """A frame, on average: what fits worse is a breath, a click, or part of a word."""
 
 UNSURE_FRAMES = 2 * FRAMES_PER_S

@@ -1,10 +1,10 @@
 """Does the text fit the audio? With wide beams the aligner nearly always finds a path, so its scores must tell.
 
 The score of an alignment is the log likelihood of its phones per frame: about −12 in read and −15 in acted speech where
-the text is what was said, −60 where it is another. Noise lowers it by about one a decibel under 20 dB, and so the
-limits of suspicion are lowered with it. A text is refused only where no acted, shouted or whispered line was (−44 the
-worst of 150 of RAVDESS; at −36 a fortieth of them was): what lies between is a warning. `benchmarks/alignment.py`
-prints how often each kind of wrong text is noticed.
+the text is what was said, −60 where it is another. Noise lowers it by about one a decibel under 20 dB, the narrow band
+of a telephone by eight, and so the limits of suspicion are lowered with them. A text is refused only where no acted,
+shouted or whispered line was (−44 the worst of 150 of RAVDESS; at −36 a fortieth of them was): what lies between is a
+warning. `benchmarks/alignment.py` prints how often each kind of wrong text is noticed.
 """
 
 from collections.abc import Iterator
@@ -15,7 +15,7 @@ import numpy as np
 from app.acoustic.decoder_process import DecodedPhone
 from app.acoustic.loudness import FRAME_S, frame_power
 from app.errors import InputError
-from app.model import Audio, FloatArray, Notice, Word
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Notice, Word
 
 MISMATCH_SCORE = -45.0
 SUSPECT_SCORE = -33.0
@@ -27,6 +27,12 @@ CLEAN_SNR_DB = 20.0
 NOISY_SNR_DB = 15.0
 SCORE_PER_DB = 1.0
 PHONE_SCORE_PER_DB = 2.0
+TELEPHONE_HIGHEST_HZ = 4_300.0
+TELEPHONE_ABOVE_DB = -60.0
+TELEPHONE_DB = 8.0
+"""A telephone lowers the scores as much as so much noise does."""
+
+TELEPHONE_JUDGED_S = 60.0
 
 
 def check_fit(audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedPhone]]) -> tuple[Notice, ...]:
@@ -36,6 +42,7 @@ def check_fit(audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedP
     """
     score = alignment_score(decoded)
     snr_db = signal_to_noise_db(audio)
+    lacking_db = max(CLEAN_SNR_DB - snr_db, 0.0) + (TELEPHONE_DB if is_telephone(audio) else 0.0)
     if score < MISMATCH_SCORE and snr_db >= NOISY_SNR_DB:
         raise InputError(
             "transcript_mismatch",
@@ -43,7 +50,7 @@ def check_fit(audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedP
             "send the words of this recording",
             field="text",
         )
-    reasons = list(_suspicions(audio, words, decoded, noise_db=max(CLEAN_SNR_DB - snr_db, 0.0)))
+    reasons = list(_suspicions(audio, words, decoded, lacking_db=lacking_db))
     if not reasons:
         return ()
     return (Notice("transcript_suspect", "the text may not be just what is said: " + "; ".join(reasons)),)
@@ -73,15 +80,23 @@ def signal_to_noise_db(audio: Audio) -> float:
     return float(10 * np.log10(max(float(np.percentile(power, 90)), _SILENCE) / _floor(power)))
 
 
+def is_telephone(audio: Audio) -> bool:
+    """Whether there is nothing above the band of a telephone, by the recording's beginning."""
+    samples = audio.samples[: round(TELEPHONE_JUDGED_S * SAMPLE_RATE_HZ)]
+    power = np.abs(np.fft.rfft(samples)) ** 2
+    above = power[round(TELEPHONE_HIGHEST_HZ / SAMPLE_RATE_HZ * len(samples)) :].sum()
+    return bool(above < power.sum() * 10 ** (TELEPHONE_ABOVE_DB / 10))
+
+
 def _suspicions(
-    audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedPhone]], *, noise_db: float
+    audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedPhone]], *, lacking_db: float
 ) -> Iterator[str]:
-    """What speaks against the text, in words; `noise_db` is what the recording lacks of a clean one."""
+    """What speaks against the text, in words; `lacking_db` is what the recording lacks of a clean one."""
     score = alignment_score(decoded)
     scores = [phone.score / phone.frames for word in decoded for phone in word]
-    if score < SUSPECT_SCORE - SCORE_PER_DB * noise_db:
+    if score < SUSPECT_SCORE - SCORE_PER_DB * lacking_db:
         yield f"it fits badly (score {score:.0f}), worst at {_names(words, _are_worst(scores))}"
-    limit = POOR_PHONE_SCORE - PHONE_SCORE_PER_DB * noise_db
+    limit = POOR_PHONE_SCORE - PHONE_SCORE_PER_DB * lacking_db
     if np.percentile(scores, POOR_PHONE_PERCENTILE) < limit:
         yield f"least at {_names(words, [score < limit for score in scores])}"
     stretched = [phone.interval.duration_s > LONGEST_PHONE_S for word in words for phone in word.phones]
