@@ -7,6 +7,7 @@ orthographic: it looks at a point, from a direction, and a picture's height show
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.model import FloatArray
 from app.realizer.mannequin_surface import IntArray
@@ -52,7 +53,9 @@ def draw(paints: tuple[Paint, ...], camera: Camera, *, height: int, width: int, 
         colours.append((paint.colours * _light(paint.normals, towards))[paint.triangles])
     picture = np.broadcast_to(ground, (rows * columns, 3)).copy()
     _fill(picture, (rows, columns), np.concatenate(corners), np.concatenate(depths), np.concatenate(colours))
-    return np.asarray(picture.reshape(height, SAMPLES, width, SAMPLES, 3).mean(axis=(1, 3)))
+    samples = picture.reshape(rows, columns, 3)
+    corners_of_pixels = [samples[i::SAMPLES, j::SAMPLES] for i in range(SAMPLES) for j in range(SAMPLES)]
+    return np.asarray(sum(corners_of_pixels, np.zeros((height, width, 3))) / SAMPLES**2)
 
 
 def _axes(camera: Camera) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -77,20 +80,23 @@ def _fill(
     """Fills the triangles, corners (F, 3, 2) in samples, the nearest on top: all of like extent at once."""
     edges = corners[:, 1:] - corners[:, :1]
     area = edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0]
-    low, high = corners.min(axis=1), corners.max(axis=1)
-    seen = (area < -1e-9) & np.all(high > 0, axis=1) & np.all(low < np.array(size[::-1]), axis=1)
-    corners, depths, colours, low, high = (each[seen] for each in (corners, depths, colours, low, high))
-    if not seen.any():
+    low, high = (best(best(corners[:, 0], corners[:, 1]), corners[:, 2]) for best in (np.minimum, np.maximum))
+    rows, columns = size
+    in_height = (high[:, 1] > 0) & (low[:, 1] < rows)
+    seen = np.flatnonzero((area < -1e-9) & in_height & (high[:, 0] > 0) & (low[:, 0] < columns))
+    if not len(seen):
         return
+    corners, depths, colours, low, high = (each[seen] for each in (corners, depths, colours, low, high))
     first = np.floor(low).astype(np.int64)
-    steps = 2 ** np.ceil(np.log2(np.maximum((np.ceil(high) - first).max(axis=1), 1))).astype(np.int64)
+    extent = np.ceil(high) - first
+    steps = 2 ** np.ceil(np.log2(np.maximum(np.maximum(extent[:, 0], extent[:, 1]), 1))).astype(np.int64)
     found = []
     for step in np.unique(steps):
         like = np.flatnonzero(steps == step)
         pixel, shares, owner = _covered(size, corners[like], first[like], int(step))
         found.append((pixel, shares, like[owner]))
     pixels, shares, owners = (np.concatenate(each) for each in zip(*found, strict=True))
-    order = np.argsort(np.sum(shares * depths[owners], axis=1), kind="stable")
+    order = np.argsort(np.einsum("nk,nk->n", shares, depths[owners]), kind="stable")
     picture[pixels[order]] = np.einsum("nk,nkc->nc", shares, colours[owners])[order]
 
 
@@ -101,10 +107,9 @@ def _covered(
     three corners, the triangle's number. A share is linear in x and y: 1 at its corner, 0 on the side across."""
     rows, columns = size
     places = (corners - (first + 0.5)[:, None]).astype(np.float32)
-    planes = np.linalg.inv(np.concatenate([places, np.ones_like(places[..., :1])], axis=2))
     down, across = np.divmod(np.arange(step * step), step)
     samples = np.stack([across, down, np.ones_like(down)]).astype(np.float32)
-    second, third = planes[:, :, 1] @ samples, planes[:, :, 2] @ samples
+    second, third = (plane @ samples for plane in _planes(places))
     owner, sample = np.nonzero((second >= 0) & (third >= 0) & (second + third <= 1))
     x, y = first[owner, 0] + across[sample], first[owner, 1] + down[sample]
     inside = (x >= 0) & (x < columns) & (y >= 0) & (y < rows)
@@ -115,3 +120,13 @@ def _covered(
         np.concatenate([1 - shares.sum(axis=-1, keepdims=True), shares], axis=-1),
         owner,
     )
+
+
+def _planes(corners: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """The shares of the second and the third corner as functions of place: factors (F, 3) of x, y and 1."""
+    start, first, second = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
+    found = []
+    for x, y in ((second[:, 1], -second[:, 0]), (-first[:, 1], first[:, 0])):
+        found.append(np.stack([x, y, -(x * start[:, 0] + y * start[:, 1])], axis=1) / area[:, None])
+    return found[0], found[1]

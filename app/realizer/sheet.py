@@ -17,8 +17,8 @@ from app.realizer.rotations import rotate
 from app.realizer.skeleton import HIPS_HEIGHT_M, Skeleton, forward
 
 BACKGROUND = np.array([0.80, 0.81, 0.82])
-FRONT = Camera((0.0, 1.02, 0.0), 1.62)
-THREE_QUARTERS = Camera((0.0, 1.02, 0.0), 1.62, azimuth=np.radians(48), elevation=np.radians(8))
+FRONT = Camera((0.0, 1.14, 0.0), 1.62)
+THREE_QUARTERS = Camera((0.0, 1.14, 0.0), 1.62, azimuth=np.radians(48), elevation=np.radians(8))
 BODY_HEIGHT, FACE_HEIGHT, CELL_WIDTH, CAPTION_HEIGHT = 300, 200, 260, 34
 COLUMNS = 8
 FACE_ABOVE_HEAD_M = np.array([0.0, 0.09, 0.0])
