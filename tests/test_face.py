@@ -7,7 +7,7 @@ import pytest
 
 from app.bml.faces import ACTION_UNITS, CORE_LEXEMES
 from app.model import Channel, Interval, Schedule, SyncPoints, Viseme
-from app.realizer.expressions import unknown_faces
+from app.realizer.expressions import realized_faces, unknown_faces
 from app.realizer.face import ASYMMETRY, face
 from app.realizer.face_tables import INDEX
 from app.realizer.lip_closure import lip_closures
@@ -102,6 +102,19 @@ def test_the_fastest_faces_are_slowed_to_what_a_face_can() -> None:
     shapes = faced(behaviors=(at_once,))
     assert shape(shapes, "browInnerUp", 0.5) > 0.9
     assert np.abs(np.diff(shapes, axis=0)).max() * 60 < FASTEST_PER_S
+
+
+def test_what_is_told_of_a_face_is_what_it_does() -> None:
+    at_once = replace(shown("RAISE_BROWS", amount=1.0), sync=SyncPoints(start=0.5, end=0.9))
+    told = realized_faces((at_once, replace(at_once, id="face2", kept=False)), 1 / 60)
+    assert told.keys() == {"face1"}
+    brow = faced(behaviors=(at_once,))[:, INDEX["browInnerUp"]]
+    assert told["face1"].ready is not None
+    assert told["face1"].relax is not None
+    whole = np.flatnonzero(brow > 0.9) / 60
+    assert told["face1"].ready - 0.04 < whole[0] <= told["face1"].ready
+    assert told["face1"].relax <= whole[-1] < told["face1"].relax + 0.06
+    assert [name for name, _ in told["face1"].in_order()] == ["start", "ready", "relax", "end"]
 
 
 def test_the_face_is_never_frozen_and_never_restless() -> None:

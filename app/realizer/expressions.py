@@ -63,6 +63,16 @@ def unknown_faces(words: Mapping[str, FloatArray], behaviors: tuple[Behavior, ..
     return tuple(found)
 
 
+def realized_faces(behaviors: tuple[Behavior, ...], frame_s: float) -> dict[str, SyncPoints]:
+    """When each face that was kept really begins, is whole, relaxes and ends, by its id."""
+    found = {}
+    for behavior in behaviors:
+        if _is_facial(behavior):
+            start_s, ready_s, relax_s, end_s = envelope_points(behavior.sync, frame_s)
+            found[behavior.id] = SyncPoints(start=start_s, ready=ready_s, relax=relax_s, end=end_s)
+    return found
+
+
 def envelope(times_s: FloatArray, points_s: tuple[float, float, float, float]) -> FloatArray:
     """From 0 at the first point to 1 at the second, and from the third back to 0 at the fourth."""
     start_s, ready_s, relax_s, end_s = points_s

@@ -13,6 +13,7 @@ import numpy as np
 from app.model import Behavior, Channel, FloatArray, Schedule, SyncPoints
 from app.realizer.collisions import clear
 from app.realizer.exporting.retargeting import Rig, find_rig, load_rigs
+from app.realizer.expressions import realized_faces, unknown_faces
 from app.realizer.face import face
 from app.realizer.face_tables import FaceTables
 from app.realizer.gaze import gaze
@@ -67,8 +68,13 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
         frame_rate_hz=frame_rate_hz,
         body=body,
         shapes=shapes,
-        realized=_realized(schedule.behaviors, plan),
-        decisions=(*plan.decisions, *unplayed(schedule), *moved),
+        realized=_realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz),
+        decisions=(
+            *plan.decisions,
+            *unplayed(schedule),
+            *unknown_faces(realizer.face.words, schedule.behaviors),
+            *moved,
+        ),
     )
 
 
@@ -77,7 +83,7 @@ def frame_times_s(end_s: float, frame_rate_hz: int) -> FloatArray:
     return np.arange(max(2, int(np.ceil(end_s * frame_rate_hz)) + 1)) / frame_rate_hz
 
 
-def _realized(behaviors: tuple[Behavior, ...], plan: GesturePlan) -> dict[str, SyncPoints]:
-    """When everything really happens: gestures as planned, all else as scheduled."""
+def _realized(behaviors: tuple[Behavior, ...], plan: GesturePlan, *, frame_s: float) -> dict[str, SyncPoints]:
+    """When everything really happens: gestures as planned, faces as fast as they can, all else as scheduled."""
     others = {each.id: each.sync for each in behaviors if each.kind is not Channel.GESTURE}
-    return {**others, **plan.realized}
+    return {**others, **realized_faces(behaviors, frame_s), **plan.realized}
