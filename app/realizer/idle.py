@@ -43,10 +43,10 @@ _UPRIGHT: Mapping[str, float] = MappingProxyType({"hips": 1.0, "spine": -0.7, "c
 """How the trunk stays upright over a pelvis that is not level."""
 
 _BREATH: Mapping[str, Degrees] = MappingProxyType(
-    {"spine": (-0.8, 0.0, 0.0), "chest": (-1.6, 0.0, 0.0), "upperChest": (-1.0, 0.0, 0.0)}
+    {"spine": (0.4, 0.0, 0.0), "chest": (-1.4, 0.0, 0.0), "upperChest": (-0.7, 0.0, 0.0)}
 )
 """The turns with full lungs."""
-_COLLARBONE_BREATH: Degrees = (0.0, 0.0, 2.5)
+_COLLARBONE_BREATH: Degrees = (0.0, 0.0, 2.0)
 
 _SWAY_HZ = 0.23
 _SWAY_M = 0.018
