@@ -207,7 +207,7 @@ def test_both_arms_rest_alike_and_after_the_last_unit_at_the_sides() -> None:
 
 
 def test_a_posture_says_how_the_hands_rest_from_then_on() -> None:
-    folded = Behavior("p1", Channel.POSTURE, "HANDS_FOLDED", SyncPoints(4.0, 4.7, ready=4.7), 0, 0, 1.0)
+    folded = Behavior("p1", Channel.POSTURE, "HANDS_FOLDED", SyncPoints(5.0, 5.7, ready=5.7), 0, 0, 1.0)
     plan = planned([gesture("g1", 2.0, 2.5), folded, gesture("g2", 8.0, 8.5)])
     assert [rest.pose for rest in plan.rests if rest.side is Hand.RIGHT] == ["clasped", "at_side", "folded", "folded"]
 

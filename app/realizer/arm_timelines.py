@@ -29,6 +29,9 @@ from app.realizer.rests import (
 from app.realizer.transitions import Setting, flow_together, natural_preparation_s, prolonged_relax_s, within_reach
 from app.realizer.wrist_paths import distance_m, relax_m, stroke_start_m
 
+SHORTEST_STAY_S = 1.0
+"""A hand does not go to a rest that it would leave for another so soon."""
+
 
 @dataclass(frozen=True, slots=True)
 class ArmTimeline:
@@ -142,7 +145,7 @@ def _preparation_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...])
 
 
 def _retraction_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...]) -> float:
-    pose = pose_at(changes, gesture.relax_s + SHORTEST_RETRACTION_S)
+    pose = pose_on_arrival(changes, gesture.relax_s + SHORTEST_RETRACTION_S)
     return retraction_s(distance_m(relax_m(gesture, side), rest_m(pose, side)))
 
 
@@ -171,11 +174,16 @@ def pose_at(changes: Iterable[RestChange], time_s: float) -> str:
     return max((each for each in changes if each.from_s <= time_s), key=lambda each: each.from_s).pose
 
 
+def pose_on_arrival(changes: Iterable[RestChange], time_s: float) -> str:
+    """How a hand rests that arrives then: as it will soon, if that is going to change."""
+    return pose_at(changes, time_s + SHORTEST_STAY_S)
+
+
 def _rests(side: Hand, start_s: float, end_s: float, changes: Iterable[RestChange]) -> Iterator[ArmRest]:
     """An arm's rest from its arrival to its next start, with the changes of pose for which there is time."""
-    pose = pose_at(changes, start_s)
+    pose = pose_on_arrival(changes, start_s)
     for change in changes:
-        if change.from_s <= start_s or change.pose == pose:
+        if change.from_s <= start_s + SHORTEST_STAY_S or change.pose == pose:
             continue
         arrival_s = change.from_s + change_s(distance_m(rest_m(pose, side), rest_m(change.pose, side)))
         if arrival_s > end_s:
