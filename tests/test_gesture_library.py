@@ -4,9 +4,11 @@ from pathlib import Path
 
 import pytest
 
+from app.bml.smartbody import GESTURES as SMARTBODY
+from app.catalogue import load_gestures
 from app.errors import AuthoringError, InputError
 from app.model import Hand, Level
-from app.realizer.library import Library
+from app.realizer.library import LAST_RESORT, Library
 from tests.gesture_files import gesture
 
 
@@ -106,3 +108,15 @@ def test_a_name_that_no_gesture_has(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="did you mean trial") as caught:
         library(tmp_path, gesture()).definition("trail")
     assert caught.value.code == "unknown_name"
+
+
+def test_what_smartbody_asks_for_is_more_than_a_beat() -> None:
+    """Its gesture types (shared/bml.md), those that our own lexemes go out as among them."""
+    types = {*SMARTBODY.values(), "QUESTION", "WE", "NEGATION", "INDIFFERENCE"}
+    assert {one for one in types if load_gestures().nearest(one) in {None, LAST_RESORT}} == set()
+
+
+def test_every_alias_is_found_however_it_is_spelt() -> None:
+    found = load_gestures()
+    for lexeme, category in found.aliases.items():
+        assert found.nearest(lexeme.lower().replace("_", "-")) == category
