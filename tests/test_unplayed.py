@@ -38,6 +38,14 @@ def test_a_shift_of_too_little_time_is_told() -> None:
     assert (told.action, told.reason) == ("prolonged", "a shift of the body takes 0.6 s, not 0.30 s")
 
 
+def test_a_target_that_is_nowhere_is_told_unless_it_is_the_other_in_the_talk() -> None:
+    door, listener = (behavior(Channel.GAZE, "LOOK", 1.0, 1.2, 2.0, 2.2, target=name) for name in ("door", "listener"))
+    (told,) = unplayed(schedule(door, listener))
+    assert (told.behavior, told.action) == (door.id, "replaced")
+    assert unplayed(schedule(door, listener), targets_m={"door": (1.0, 1.0, 1.0)}) == ()
+    assert unplayed(schedule(door)) == ()
+
+
 def test_repetitions_that_there_is_no_time_for_are_told() -> None:
     hurried = behavior(Channel.HEAD, "NOD", 1.0, 1.5, repetitions=6)
     assert [(each.action, each.reason) for each in unplayed(schedule(hurried))] == [

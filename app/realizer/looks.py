@@ -18,6 +18,7 @@ from app.realizer.angles import aim
 
 Position = tuple[float, float, float]
 
+LISTENER = "listener"
 LISTENER_M: Position = (0.0, 1.60, 1.25)
 """Who listens, or speaks to a listener: straight ahead at eye height, 1.2 m from the eyes."""
 
@@ -134,5 +135,5 @@ def _aside(gaze: Behavior) -> FloatArray:
 
 
 def _at(target: str | None, from_m: FloatArray, targets_m: Mapping[str, Position]) -> FloatArray:
-    way_m = np.array(targets_m.get(target or "listener", LISTENER_M)) - from_m
+    way_m = np.array(targets_m.get(target or LISTENER, LISTENER_M)) - from_m
     return np.array([*aim(way_m), 1.0 / np.linalg.norm(way_m)])

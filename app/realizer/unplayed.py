@@ -1,29 +1,62 @@
-"""What no controller can play as it is asked to: there is no such movement, or too little time. Each is told."""
+"""What no controller can play as it is asked to: no such movement, no such place, too little time. Each is told."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
 
 from app.model import Behavior, Channel, Schedule
 from app.realizer.head_movements import MOVEMENTS, waves_of
-from app.realizer.looks import DIRECTIONS
+from app.realizer.looks import DIRECTIONS, LISTENER, Position
 from app.realizer.motion import Decision
 from app.realizer.posture import POSTURES, SHORTEST_SHIFT_S
 from app.realizer.rests import POSTURES as HAND_POSTURES
 
+Trouble = tuple[str, str] | None
+"""The action and the reason of a decision."""
 
-def unplayed(schedule: Schedule) -> tuple[Decision, ...]:
-    """A decision for each kept head movement, posture or gaze that is not played, or not as it was asked for."""
-    found = ((behavior.id, _trouble(behavior)) for behavior in schedule.behaviors if behavior.kept)
+
+def unplayed(schedule: Schedule, *, targets_m: Mapping[str, Position] = MappingProxyType({})) -> tuple[Decision, ...]:
+    """A decision for each kept head movement, posture or gaze that is not played, or not as it was asked for.
+
+    Who is the target of every gaze is the other in the talk, whose place is known, by whatever name.
+    """
+    kept = [behavior for behavior in schedule.behaviors if behavior.kept]
+    looked_at = {each.target for each in kept if each.kind is Channel.GAZE and each.target}
+    placed = {LISTENER, *targets_m, *(looked_at if len(looked_at) == 1 else ())}
+    found = ((behavior.id, _trouble(behavior, placed)) for behavior in kept)
     return tuple(Decision(name, *trouble) for name, trouble in found if trouble is not None)
 
 
-def _trouble(behavior: Behavior) -> tuple[str, str] | None:
-    """The action and the reason."""
-    if behavior.kind is Channel.HEAD and behavior.lexeme not in MOVEMENTS:
+def _trouble(behavior: Behavior, placed: set[str]) -> Trouble:
+    match behavior.kind:
+        case Channel.HEAD:
+            return _head(behavior)
+        case Channel.POSTURE:
+            return _posture(behavior)
+        case Channel.GAZE:
+            return _gaze(behavior, placed)
+    return None
+
+
+def _head(behavior: Behavior) -> Trouble:
+    if behavior.lexeme not in MOVEMENTS:
         return "dropped", f"no head movement {behavior.lexeme!r}, only {', '.join(sorted(MOVEMENTS))}"
-    if behavior.kind is Channel.HEAD and waves_of(behavior) < (behavior.repetitions or 1):
+    if waves_of(behavior) < (behavior.repetitions or 1):
         return "shortened", f"there is time for {waves_of(behavior)} of {behavior.repetitions} repetitions"
-    if behavior.kind is Channel.POSTURE and behavior.lexeme not in {**POSTURES, **HAND_POSTURES}:
-        return "dropped", f"no posture {behavior.lexeme!r}, only {', '.join(sorted({**POSTURES, **HAND_POSTURES}))}"
-    if behavior.lexeme in POSTURES and (given_s := behavior.sync.end - behavior.sync.start) < SHORTEST_SHIFT_S:
+    return None
+
+
+def _posture(behavior: Behavior) -> Trouble:
+    known, given_s = {**POSTURES, **HAND_POSTURES}, behavior.sync.end - behavior.sync.start
+    if behavior.lexeme not in known:
+        return "dropped", f"no posture {behavior.lexeme!r}, only {', '.join(sorted(known))}"
+    if behavior.lexeme in POSTURES and given_s < SHORTEST_SHIFT_S:
         return "prolonged", f"a shift of the body takes {SHORTEST_SHIFT_S} s, not {given_s:.2f} s"
-    if behavior.kind is Channel.GAZE and behavior.direction not in {None, *DIRECTIONS}:
+    return None
+
+
+def _gaze(behavior: Behavior, placed: set[str]) -> Trouble:
+    if behavior.direction not in {None, *DIRECTIONS}:
         return "replaced", f"no direction {behavior.direction!r}: it goes straight to its target"
+    if behavior.target and behavior.target not in placed:
+        return "replaced", f"nobody has placed {behavior.target!r}: it goes to the other in the talk"
     return None
