@@ -191,7 +191,7 @@ def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, rig
         MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig),
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
         MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
-        MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule.words)),
+        MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule)),
         MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),
     }
     return writers[form]()

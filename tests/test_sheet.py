@@ -5,7 +5,7 @@ import io
 import numpy as np
 import pytest
 
-from app.model import FloatArray, Interval, SyncPoints, Word
+from app.model import Behavior, Channel, FloatArray, Interval, Schedule, SyncPoints, Word
 from app.realizer.motion import SHAPES, BodyMotion, Motion
 from app.realizer.rotations import IDENTITY, about
 from app.realizer.sheet import COLUMNS, Still, draw_sheet, draw_stills, moments_of
@@ -46,14 +46,47 @@ def test_many_poses_wrap_into_rows() -> None:
     assert many.shape[1] == COLUMNS * one.shape[1]
 
 
-def test_moments_are_the_peaks_in_order_with_the_words_said() -> None:
+def behavior(name: str, kind: Channel, lexeme: str) -> Behavior:
+    return Behavior(name, kind, lexeme, SyncPoints(0, 1), 0, 0, 1.0)
+
+
+REALIZED = {
+    "face1": SyncPoints(0.5, 1.5, ready=0.8),
+    "gesture1": SyncPoints(0.1, 1.0, ready=0.2, stroke=0.6),
+    "head1": SyncPoints(0.5, 0.9, ready=0.55, stroke=0.65),
+    "blink1": SyncPoints(0.9, 1.0),
+    "shift1": SyncPoints(1.7, 1.9),
+}
+SCHEDULE = Schedule(
+    (
+        behavior("face1", Channel.FACE, "RAISE_BROWS"),
+        behavior("head1", Channel.HEAD, "NOD"),
+        behavior("gesture1", Channel.GESTURE, "NEGATION"),
+        behavior("blink1", Channel.EYES, "BLINK"),
+        behavior("shift1", Channel.POSTURE, "SHIFT"),
+        behavior("dropped1", Channel.GESTURE, "BEAT"),
+    ),
+    2.0,
+    words=(Word(0, "No,", Interval(0.4, 0.7)), Word(1, "never", Interval(0.7, 1.2))),
+)
+
+
+def played(realized: dict[str, SyncPoints]) -> Motion:
     body = BodyMotion(np.arange(61) / 30, t_pose(61), np.tile([0.0, HIPS_HEIGHT_M, 0.0], (61, 1)))
-    realized = {
-        "b2": SyncPoints(0.5, 1.5, ready=0.8),
-        "b1": SyncPoints(0.1, 1.0, ready=0.2, stroke=0.6),
-        "b3": SyncPoints(1.7, 1.9),
-    }
-    motion = Motion(30, body, np.zeros((61, len(SHAPES))), realized)
-    words = (Word(0, "No,", Interval(0.4, 0.7)), Word(1, "never", Interval(0.7, 1.2)))
-    assert moments_of(motion, words) == ((0.6, "b1 No,"), (0.8, "b2 never"), (1.7, "b3 "))
-    assert moments_of(motion, words, at_most=2) == ((0.6, "b1 No,"), (1.7, "b3 "))
+    return Motion(30, body, np.zeros((61, len(SHAPES))), realized)
+
+
+def test_moments_are_the_peaks_in_order_with_the_words_said_and_neighbours_together() -> None:
+    assert moments_of(played(REALIZED), SCHEDULE) == (
+        (0.6, "NEGATION + NOD\n“No,”"),
+        (0.8, "RAISE_BROWS\n“never”"),
+        (1.7, "SHIFT\n"),
+    )
+
+
+def test_where_there_is_no_room_for_all_moments_gestures_stay() -> None:
+    assert [time_s for time_s, _caption in moments_of(played(REALIZED), SCHEDULE, at_most=1)] == [0.6]
+
+
+def test_a_motion_in_which_nothing_is_asked_for_has_one_moment() -> None:
+    assert moments_of(played({}), SCHEDULE) == ((0.0, "\n"),)

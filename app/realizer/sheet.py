@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.model import FloatArray, Word
+from app.model import Channel, FloatArray, Schedule, Word
 from app.realizer.mannequin import COLOURS, Mannequin, posed
 from app.realizer.motion import SHAPES, Motion
 from app.realizer.rasterizer import Camera, Paint, draw
@@ -19,8 +19,13 @@ from app.realizer.skeleton import HIPS_HEIGHT_M, Skeleton, forward
 BACKGROUND = np.array([0.80, 0.81, 0.82])
 FRONT = Camera((0.0, 1.14, 0.0), 1.62)
 THREE_QUARTERS = Camera((0.0, 1.14, 0.0), 1.62, azimuth=np.radians(48), elevation=np.radians(8))
-BODY_HEIGHT, FACE_HEIGHT, CELL_WIDTH, CAPTION_HEIGHT = 300, 200, 260, 34
+BODY_HEIGHT, FACE_HEIGHT, CELL_WIDTH, CAPTION_HEIGHT = 300, 200, 260, 44
 COLUMNS = 8
+AT_MOST = 24
+TOGETHER_S = 0.1
+SHOWN = (Channel.GESTURE, Channel.HEAD, Channel.FACE, Channel.GAZE, Channel.POSTURE)
+"""What is worth a picture, the most first."""
+
 FACE_ABOVE_HEAD_M = np.array([0.0, 0.09, 0.0])
 DOTS_PER_INCH = 100
 
@@ -42,32 +47,36 @@ def draw_sheet(
     body = motion.body
     frames = [int(np.argmin(np.abs(body.times_s - time_s))) for time_s, _caption in moments]
     stills = [
-        Still(f"{time_s:.2f} s\n{caption}", body.rotations[frame], body.hips_m[frame], motion.shapes[frame])
+        Still(f"{time_s:.2f} s  {caption}", body.rotations[frame], body.hips_m[frame], motion.shapes[frame])
         for frame, (time_s, caption) in zip(frames, moments, strict=True)
     ]
     return draw_stills(stills, skeleton, faces=faces)
 
 
-def moments_of(motion: Motion, words: Sequence[Word], *, at_most: int = 24) -> tuple[tuple[float, str], ...]:
-    """The peaks of the behaviours, as moments for a sheet: when, which behaviour, and the word that is then said.
+def moments_of(motion: Motion, schedule: Schedule, *, at_most: int = AT_MOST) -> tuple[tuple[float, str], ...]:
+    """The peaks of what was realized, as moments for a sheet: when, and what with which word.
 
-    The peak is the stroke, else `ready`, else the start. Of more than `at_most`, evenly spread ones are taken.
+    The peak is the stroke, else `ready`, else the start. Peaks nearer than `TOGETHER_S` are one moment. Of more than
+    `at_most`, gestures come before movements of the head, these before faces, gazes and postures.
     """
-    peaks = []
-    for behavior, sync in motion.realized.items():
-        reached = [point for point in ("stroke", "ready", "start") if getattr(sync, point) is not None]
-        peaks.append((float(getattr(sync, reached[0])), behavior))
-    peaks.sort()
-    chosen = sorted({round(k) for k in np.linspace(0, len(peaks) - 1, min(at_most, len(peaks)))})
-    return tuple(
-        (time_s, f"{behavior} {_word_at(words, time_s)}") for time_s, behavior in map(peaks.__getitem__, chosen)
-    )
+    chosen: list[tuple[float, str]] = []
+    shown = [behavior for behavior in schedule.behaviors if behavior.kind in SHOWN and behavior.id in motion.realized]
+    for behavior in sorted(shown, key=lambda each: SHOWN.index(each.kind)):
+        sync = motion.realized[behavior.id]
+        peak_s = next(at for at in (sync.stroke, sync.ready, sync.start) if at is not None)
+        near = next((k for k, (time_s, _caption) in enumerate(chosen) if abs(time_s - peak_s) < TOGETHER_S), None)
+        if near is not None:
+            chosen[near] = (chosen[near][0], f"{chosen[near][1]} + {behavior.lexeme}")
+        elif len(chosen) < at_most:
+            chosen.append((peak_s, behavior.lexeme))
+    moments = sorted(chosen) or [(float(motion.body.times_s[0]), "")]
+    return tuple((time_s, f"{caption}\n{_word_at(schedule.words, time_s)}") for time_s, caption in moments)
 
 
 def _word_at(words: Sequence[Word], time_s: float) -> str:
-    return next(
-        (word.text for word in words if word.interval and word.interval.start_s <= time_s < word.interval.end_s), ""
-    )
+    """The word that is said at this time."""
+    said = (word for word in words if word.interval and word.interval.start_s <= time_s < word.interval.end_s)
+    return next((f"“{word.text}”" for word in said), "")
 
 
 def draw_stills(stills: Sequence[Still], skeleton: Skeleton, *, faces: bool = True) -> bytes:
