@@ -18,6 +18,7 @@ from app.realizer.gesture import ArmKey, Clip, Definition, FrameType
 from app.realizer.gesture_space import sector_m
 from app.realizer.key_poses import key_poses
 from app.realizer.library import Library
+from app.realizer.selection import TOLERANCE_S
 from app.realizer.skeleton import Skeleton
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -97,26 +98,28 @@ def test_the_more_agitated_the_faster(library: Library) -> None:
         assert 0 < low < medium < high, definition.name
 
 
-def test_some_variant_s_stroke_is_as_long_as_the_table_says(library: Library) -> None:
+def test_some_variant_s_stroke_is_about_as_long_as_the_table_says(library: Library) -> None:
+    """A little longer is allowed: people's strokes are (shared/motion.md), and the preparation gives way."""
     for entry in entries():
         stroke = entry.timing.stroke
         assert stroke is not None
         for hand in hands_asked(entry):
             marks = [found.markers for found in library.clips(entry.lexeme, Level.MEDIUM, hand)]
             durations_s = [mark.stroke_end - mark.stroke_start for mark in marks]
-            fit = [stroke.shortest_s - 0.02 <= duration_s <= stroke.usual_s + 0.02 for duration_s in durations_s]
+            fit = [stroke.shortest_s - 0.02 <= duration_s <= 1.15 * stroke.usual_s for duration_s in durations_s]
             assert any(fit), (entry.lexeme, durations_s)
 
 
 def test_some_variant_fits_a_stroke_of_usual_length_with_the_shortest_hold(library: Library) -> None:
-    """Paper §3.8, eq. 5, with the point of emphasis at .61 of the stroke, as the schedule has it."""
+    """Paper §3.8, eq. 5, as forgivingly as clips are chosen, with the point of emphasis at .61 of the stroke, as the
+    schedule has it."""
     for entry in entries():
         stroke, hold = entry.timing.stroke, entry.timing.hold
         assert stroke is not None
-        room_s = (1 - 0.61) * stroke.usual_s + hold.shortest_s
+        room_s = (1 - 0.61) * stroke.usual_s + hold.shortest_s + TOLERANCE_S
         for hand, level in product(hands_asked(entry), Level):
             marks = [found.markers for found in library.clips(entry.lexeme, level, hand)]
-            assert min(mark.relax - mark.stroke for mark in marks) <= room_s + 1e-3, (entry.lexeme, level)
+            assert min(mark.relax - mark.stroke for mark in marks) <= room_s, (entry.lexeme, level)
 
 
 def test_no_wrist_is_out_of_reach(library: Library) -> None:
