@@ -6,7 +6,8 @@
 The schedules are those of recorded lines (default: ../shared/data/speech/lines, NAME.flac with NAME.txt) and of N
 sentences of GUM with made-up times (`benchmarks.schedule`). Wrists are measured in the space of the world as
 shared/motion.md measures people (`benchmarks.wrist_measures`). `--minutes` realizes one long schedule of so many
-minutes instead, and prints its time and the most memory the process ever held. One core: set OMP_NUM_THREADS=1.
+minutes instead, and prints its time and the most memory the process ever held. Speed is processor time on one core,
+which other work on the machine does not lengthen much: set OMP_NUM_THREADS=1.
 
 People, for the speed histogram: the hands of storytellers (../shared/data/motion/gesture-phases), whose unit is scaled
 so that head and spine are as far apart as the mannequin's.
@@ -49,7 +50,7 @@ FROZEN_RAD, FROZEN_WEIGHT = 1e-6, 1e-6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Realized:
-    """A schedule, its motion, and the seconds it took."""
+    """A schedule, its motion, and the seconds of processor time it took."""
 
     schedule: Schedule
     motion: Motion
@@ -75,9 +76,9 @@ def main() -> None:
 
 
 def realized_once(realizer: Realizer, schedule: Schedule, frame_rate_hz: int) -> Realized:
-    begun_s = time.perf_counter()
+    begun_s = time.process_time()
     motion = realize(realizer, schedule, frame_rate_hz=frame_rate_hz)
-    return Realized(schedule, motion, time.perf_counter() - begun_s)
+    return Realized(schedule, motion, time.process_time() - begun_s)
 
 
 def of_lines(folder: Path, character: str) -> Iterator[Performance]:
