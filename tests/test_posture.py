@@ -28,6 +28,14 @@ def test_another_posture_takes_the_place_of_the_one_before() -> None:
     assert held.weight[at] == pytest.approx([0, 0.5, -1, 0])
 
 
+def test_a_posture_that_is_no_shift_comes_back_to_the_latest_shift() -> None:
+    lean = behavior(Channel.POSTURE, "LEAN_FORWARD", 2.0, 2.7, 4.0, 4.7)
+    held = postures(TIMES_S, [shift("LEAN_LEFT", 0.5, 1.2), lean], weight=0.0)
+    at = np.searchsorted(TIMES_S, [1.5, 3.0, 4.0, 5.0])
+    assert np.degrees(held.forward[at]) == pytest.approx([0, 9, 9, 0])
+    assert np.degrees(held.left[at]) == pytest.approx([6, 0, 0, 6])
+
+
 def test_a_shift_of_no_time_takes_its_time_and_a_small_one_goes_less_far() -> None:
     held = postures(TIMES_S, [shift("LEAN_FORWARD", 1.0, 1.0, 0.5)], weight=0.0)
     assert 0 < held.forward[np.searchsorted(TIMES_S, 1.0 + SHORTEST_SHIFT_S / 2)] < held.forward[-1]

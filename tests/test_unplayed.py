@@ -22,7 +22,7 @@ from tests.movements import behavior, schedule
     ],
 )
 def test_what_has_no_movement_is_told(kind: Channel, lexeme: str, direction: str | None, action: str | None) -> None:
-    told = unplayed(schedule(behavior(kind, lexeme, 1.0, 1.2, 2.0, 2.2, direction=direction)))
+    told = unplayed(schedule(behavior(kind, lexeme, 1.0, 1.8, 2.0, 2.8, direction=direction)))
     assert [decision.action for decision in told] == ([] if action is None else [action])
 
 

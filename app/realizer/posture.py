@@ -1,8 +1,10 @@
-"""Postures: lasting shifts of trunk and weight at the times that the schedule gives them (BML `postureShift`).
+"""Postures: shifts of trunk and weight at the times that the schedule gives them (BML `postureShift`, `posture`).
 
-A posture stays until another takes its place, so each one says all that it changes: leaning forward and back leave the
-weight where it is, a leg that takes the weight and `STRAIGHTEN` end every lean. Where the hands rest (`HANDS_FOLDED` …)
-is the gestures' matter and changes nothing here. Angles are radians, the weight is 1 on the left leg, -1 on the right.
+A shift stays until another takes its place, so each one says all that it changes: leaning forward and back leave the
+weight where it is, a leg that takes the weight and `STRAIGHTEN` end every lean. A `posture` with a way back comes back
+to the latest shift. Where the hands rest (`HANDS_FOLDED` …) is the gestures' matter and changes nothing here.
+
+Conventions: angles are radians, the weight is 1 on the left leg, -1 on the right; seconds.
 """
 
 from collections.abc import Iterable, Mapping
@@ -52,17 +54,40 @@ class Held:
 
 def postures(times_s: FloatArray, behaviors: Iterable[Behavior], *, weight: float) -> Held:
     """The trunk through the kept posture behaviours, from upright with `weight` on; each moves by minimum jerk."""
-    shifts = sorted(
-        (each for each in behaviors if each.kept and each.kind is Channel.POSTURE and each.lexeme in POSTURES),
-        key=lambda each: each.sync.start,
-    )
-    states = np.array([[0.0, 0.0, weight]])
-    for shift in shifts:
-        states = np.concatenate([states, _after(states[-1], shift)[None]])
-    starts_s = np.array([shift.sync.start for shift in shifts])
-    durations_s = np.array([max(shift.sync.end - shift.sync.start, SHORTEST_SHIFT_S) for shift in shifts])
-    course = states[0] + changes(times_s, starts_s, durations_s, np.diff(states, axis=0))
+    base = np.array([0.0, 0.0, weight])
+    states, starts_s, durations_s = [base], [], []
+    for start_s, duration_s, shift, begins in _moments(behaviors):
+        states.append(_after(base, shift) if begins else base)
+        base = states[-1] if _lasts(shift) else base
+        starts_s.append(start_s)
+        durations_s.append(max(duration_s, SHORTEST_SHIFT_S))
+    by = np.diff(np.array(states), axis=0)
+    course = states[0] + changes(times_s, np.array(starts_s), np.array(durations_s), by)
     return Held(np.radians(course[:, 0]), np.radians(course[:, 1]), course[:, 2])
+
+
+def reached_s(shift: Behavior) -> float:
+    """When the posture is to be there."""
+    return shift.sync.end if shift.sync.ready is None else shift.sync.ready
+
+
+def _lasts(shift: Behavior) -> bool:
+    """Whether it is a `postureShift`, which is over when it is reached, or a `posture`, which ends in coming back."""
+    return shift.sync.end <= reached_s(shift)
+
+
+def _moments(behaviors: Iterable[Behavior]) -> list[tuple[float, float, Behavior, bool]]:
+    """When the trunk goes into a posture (True) or comes back from one, and within which time, in order."""
+    found = []
+    for shift in behaviors:
+        if not shift.kept or shift.kind is not Channel.POSTURE or shift.lexeme not in POSTURES:
+            continue
+        sync = shift.sync
+        found.append((sync.start, reached_s(shift) - sync.start, shift, True))
+        if not _lasts(shift):
+            relax_s = max(reached_s(shift), sync.end - SHORTEST_SHIFT_S) if sync.relax is None else sync.relax
+            found.append((relax_s, sync.end - relax_s, shift, False))
+    return sorted(found, key=lambda moment: (moment[0], moment[2].id))
 
 
 def _after(before: FloatArray, shift: Behavior) -> FloatArray:

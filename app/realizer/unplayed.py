@@ -7,7 +7,7 @@ from app.model import Behavior, Channel, Schedule
 from app.realizer.head_movements import MOVEMENTS, waves_of
 from app.realizer.looks import DIRECTIONS, LISTENER, Position
 from app.realizer.motion import Decision
-from app.realizer.posture import POSTURES, SHORTEST_SHIFT_S
+from app.realizer.posture import POSTURES, SHORTEST_SHIFT_S, reached_s
 from app.realizer.rests import POSTURES as HAND_POSTURES
 
 Trouble = tuple[str, str] | None
@@ -46,7 +46,7 @@ def _head(behavior: Behavior) -> Trouble:
 
 
 def _posture(behavior: Behavior) -> Trouble:
-    known, given_s = {**POSTURES, **HAND_POSTURES}, behavior.sync.end - behavior.sync.start
+    known, given_s = {**POSTURES, **HAND_POSTURES}, reached_s(behavior) - behavior.sync.start
     if behavior.lexeme not in known:
         return "dropped", f"no posture {behavior.lexeme!r}, only {', '.join(sorted(known))}"
     if behavior.lexeme in POSTURES and given_s < SHORTEST_SHIFT_S:
