@@ -1,18 +1,21 @@
 """Words and phones are found where flite spoke them; wrong texts are noticed; a crash of the decoder is survived."""
 
+import io
 import json
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 import soundfile
+import soxr
 
 from app.acoustic.alignment import Aligner
 from app.acoustic.decoder_process import DecoderProcess
+from app.acoustic.decoding import AudioLimits, decode
 from app.acoustic.pieces import pcm
 from app.errors import InputError, ServiceError
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word
@@ -146,6 +149,39 @@ def test_words_after_music_lie_where_they_were_spoken_and_the_music_is_told(alig
     (notice,) = alignment.notices
     assert notice.code == "transcript_suspect"
     assert "before word 0 (I)" in notice.message
+
+
+def _telephone(samples: FloatArray) -> Audio:
+    content = io.BytesIO()
+    soundfile.write(content, soxr.resample(samples, SAMPLE_RATE_HZ, 8_000), 8_000, "ULAW", format="WAV")
+    return decode(content.getvalue(), AudioLimits())[0]
+
+
+def _room(samples: FloatArray) -> Audio:
+    """0.3 s to −60 dB, and noise 20 dB below the speech."""
+    chance = np.random.default_rng(0)
+    times_s = np.arange(round(0.3 * SAMPLE_RATE_HZ)) / SAMPLE_RATE_HZ
+    tail = chance.standard_normal(len(times_s)) * 10 ** (-3 * times_s / 0.3)
+    echoing = samples + 0.5 * np.convolve(samples, tail / np.sqrt(np.sum(tail**2)))[: len(samples)]
+    return Audio(echoing + chance.standard_normal(len(samples)) * 0.1 * np.std(samples))
+
+
+def _antiphase(samples: FloatArray) -> Audio:
+    content = io.BytesIO()
+    soundfile.write(content, np.column_stack([samples, -samples]), SAMPLE_RATE_HZ, format="WAV")
+    return decode(content.getvalue(), AudioLimits())[0]
+
+
+@pytest.mark.parametrize("degraded", [_telephone, _room, _antiphase])
+def test_words_of_a_poor_recording_lie_where_they_were_spoken(
+    aligner: Aligner, degraded: Callable[[FloatArray], Audio]
+) -> None:
+    audio, transcript = _line("figure8")
+    words = aligner.align(degraded(audio.samples), transcript)[0]
+    for clean, poor in zip(aligner.align(audio, transcript)[0], words, strict=True):
+        assert clean.interval is not None
+        assert poor.interval is not None
+        assert poor.interval.start_s == pytest.approx(clean.interval.start_s, abs=0.08)
 
 
 def test_another_text_is_refused(aligner: Aligner) -> None:
