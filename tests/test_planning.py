@@ -206,6 +206,13 @@ def test_both_arms_rest_alike_and_after_the_last_unit_at_the_sides() -> None:
         assert {rest.pose for rest in rests[:-1]} == {"clasped"}
 
 
+def test_a_hand_goes_straight_to_the_rest_that_follows_soon() -> None:
+    """Both hands, then the right one alone: the left goes down when its own gesture is over, and stays there."""
+    clips = library(clip(), clip("both", hand=Hand.BOTH))
+    plan = planned([gesture("g1", 2.0, 2.5, hand=Hand.BOTH), gesture("g2", 3.3, 3.8)], clips)
+    assert [rest.pose for rest in plan.rests if rest.side is Hand.LEFT] == ["clasped", "at_side"]
+
+
 def test_a_posture_says_how_the_hands_rest_from_then_on() -> None:
     folded = Behavior("p1", Channel.POSTURE, "HANDS_FOLDED", SyncPoints(5.0, 5.7, ready=5.7), 0, 0, 1.0)
     plan = planned([gesture("g1", 2.0, 2.5), folded, gesture("g2", 8.0, 8.5)])
