@@ -89,6 +89,13 @@ def test_gaps_between_visemes_are_silence() -> None:
     assert speech.lips[round(60 * 0.6)] < 0.05
 
 
+@pytest.mark.parametrize("gap_s", [0.001, 0.01, 0.03])
+def test_a_gap_that_nobody_hears_does_not_shut_the_mouth(gap_s: float) -> None:
+    parted = (Viseme("aa", Interval(0.5, 0.7), 1.0, 1.0), Viseme("aa", Interval(0.7 + gap_s, 0.9), 1.0, 1.0))
+    opening = speak(TABLES.visemes, parted, times(1.5)).shapes[:, INDEX["jawOpen"]]
+    assert opening[round(60 * 0.6) : round(60 * 0.85)].min() > 0.7 * opening.max()
+
+
 def test_a_face_without_speech_has_its_mouth_shut() -> None:
     speech = speak(TABLES.visemes, (), times(1.0))
     assert np.allclose(speech.lips, 1)

@@ -28,11 +28,13 @@ Numbers = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Segments:
-    """Phones one after the other without gaps: `kind` is the row of the dominance table, bounds are in seconds."""
+    """Phones one after the other without gaps: `kind` is the row of the dominance table, bounds are in seconds, and
+    `weight`, in (0, 1], tells how much of its dominance each has."""
 
     kind: Numbers
     start_s: FloatArray
     end_s: FloatArray
+    weight: FloatArray
 
     def between(self, start_s: float, end_s: float) -> slice:
         """Which of them are at least partly there."""
@@ -64,7 +66,7 @@ def _weights(dominance: Dominance, segments: Segments, near: slice, at_s: FloatA
     within = np.maximum(1 - (np.maximum(np.maximum(ahead_s, behind_s), 0) / HORIZON_S) ** 2, 0)
     inset_s = np.minimum(dominance.inset_s[:, None, None], (end_s - start_s) / 2)
     fading = _softened(ahead_s + inset_s) / before_s + _softened(behind_s + inset_s) / after_s
-    return np.asarray(strength * np.exp(-fading) * within)
+    return np.asarray(strength * np.exp(-fading) * within * segments.weight[near])
 
 
 def _softened(distance_s: FloatArray) -> FloatArray:

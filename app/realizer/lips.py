@@ -21,6 +21,9 @@ from app.realizer.motion import SHAPES
 
 LEAD_S = 0.015
 
+WHOLE_PAUSE_S = 0.12
+"""A silence that is shorter has less say: nobody shuts the mouth for the tenth of a second between two words."""
+
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 _MARGIN_S = 1.0
 """More than the horizon of coarticulation."""
@@ -96,7 +99,9 @@ def _segmented(visemes: tuple[Viseme, ...], times_s: FloatArray) -> tuple[tuple[
     spoken = tuple(_without_gaps(near, start_s, end_s))
     kind = np.array([VISEMES.index(viseme.label) for viseme in spoken])
     bounds_s = np.array([(viseme.interval.start_s, viseme.interval.end_s) for viseme in spoken])
-    return spoken, Segments(kind, bounds_s[:, 0], bounds_s[:, 1])
+    pause = np.clip((bounds_s[:, 1] - bounds_s[:, 0]) / WHOLE_PAUSE_S, _NEAR_ZERO, 1)
+    weight = np.where(kind == VISEMES.index(SILENCE), pause, 1.0)
+    return spoken, Segments(kind, bounds_s[:, 0], bounds_s[:, 1], weight)
 
 
 def _without_gaps(visemes: Iterable[Viseme], start_s: float, end_s: float) -> Iterator[Viseme]:
