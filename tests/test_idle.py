@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.model import Channel
+from app.model import Channel, Level, Schedule
 from app.realizer.idle import idle
 from app.realizer.limits import violations
 from app.realizer.rotations import angle_between
@@ -54,6 +54,15 @@ def test_weight_on_a_leg_brings_the_hips_over_it_and_the_head_stays_between_the_
         body = idle(BODY, TIMES_S, schedule(behavior(Channel.POSTURE, lexeme, 0.0, 1.0)), seed=4)
         assert sign * body.hips_m[TIMES_S > 1.2, 0].mean() > 0.03
         assert np.abs(forward(BODY, body.rotations, body.hips_m)[0][:, BODY.index["head"], 0]).max() < 0.1
+
+
+def test_who_is_agitated_sways_more_and_who_is_lax_less() -> None:
+    spread = []
+    for level in Level:
+        body = idle(BODY, TIMES_S, Schedule((), 6.0, agitation=level), seed=4)
+        spread.append(float(np.linalg.norm(np.diff(body.hips_m, axis=0), axis=1).sum()))
+    assert spread == sorted(spread)
+    assert spread[-1] > 1.2 * spread[0]
 
 
 def test_the_same_seed_gives_the_same_motion_and_another_one_another() -> None:

@@ -15,6 +15,7 @@ from app.realizer.angles import turn
 from app.realizer.easing import changes, plateau
 from app.realizer.head_movements import MOVEMENTS, moved, unhurried
 from app.realizer.limits import within_neck_limits
+from app.realizer.liveliness import LIVELINESS
 from app.realizer.motion import BodyMotion
 from app.realizer.noise import perlin
 from app.realizer.rotations import inverse, multiply
@@ -81,7 +82,7 @@ def _calm(times_s: FloatArray, movements: Sequence[Behavior]) -> FloatArray:
 def _still_moving(times_s: FloatArray, schedule: Schedule, seed: int) -> tuple[FloatArray, FloatArray]:
     """Pitch, yaw and roll (T, 3) of neck and head where no movement is asked for: noise, and a dip at each emphasis."""
     slow = perlin(times_s, frequency_hz=_IDLE_HZ, seed=seed + 3, channels=3, in_step=False)
-    slow *= np.radians(_IDLE_DEGREES) / 2
+    slow *= LIVELINESS[schedule.agitation] * np.radians(_IDLE_DEGREES) / 2
     tremble = perlin(times_s, frequency_hz=_TREMBLE_HZ, seed=seed + 4, channels=6, in_step=False)
     tremble *= np.radians(_TREMBLE_DEGREES)
     stressed_s = np.array(schedule.emphases_s)

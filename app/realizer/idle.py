@@ -15,7 +15,8 @@ import numpy as np
 from app.model import FloatArray, Hand, Schedule
 from app.realizer.angles import turn
 from app.realizer.balance import LEG_JOINTS, hips_height_m, legs
-from app.realizer.breathing import lungs
+from app.realizer.breathing import QUIET_CYCLE_S, lungs
+from app.realizer.liveliness import LIVELINESS
 from app.realizer.motion import BodyMotion
 from app.realizer.noise import perlin
 from app.realizer.posing import arm_joints
@@ -71,11 +72,14 @@ def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: i
     held = postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     wandering = _WANDERING_WEIGHT * perlin(times_s, frequency_hz=_WANDERING_HZ, seed=seed + 2)[:, 0]
     held = replace(held, weight=held.weight + wandering)
-    breath = lungs(times_s, schedule.phrases, generator)
+    lively = LIVELINESS[schedule.agitation]
+    breath = lungs(times_s, schedule.phrases, generator, cycle_s=QUIET_CYCLE_S / lively)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
-    sway = perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14, in_step=False)
+    sway = lively * perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14, in_step=False)
     _hold_trunk(skeleton, rotations, held, breath, sway[:, :12])
-    stirring = perlin(times_s, frequency_hz=_STIRRING_HZ, seed=seed + 1, channels=2 * len(_STIRRED), in_step=False)
+    stirring = lively * perlin(
+        times_s, frequency_hz=_STIRRING_HZ, seed=seed + 1, channels=2 * len(_STIRRED), in_step=False
+    )
     _stir_arms(skeleton, rotations, breath, stirring)
     hips_m = np.zeros((len(times_s), 3))
     hips_m[:, 0] = _HIPS_OVER_LEG_M * held.weight + _SWAY_M * sway[:, 12]
