@@ -7,6 +7,7 @@ import pytest
 
 from app.model import Behavior, FloatArray, Hand, Schedule
 from app.realizer.arm_keys import arm_track
+from app.realizer.gesture import ArmKey, ClipKey, FrameType
 from app.realizer.gesture_plan import GesturePlan
 from app.realizer.gesturing import gesture as gestured
 from app.realizer.motion import BodyMotion
@@ -55,6 +56,16 @@ def test_the_arm_strikes_outwards_on_time_and_holds_still_but_not_frozen() -> No
     held = place_m[at(markers.stroke_end + 0.1) : at(markers.relax - 0.1)]
     assert np.ptp(held, axis=0).max() < 0.03
     assert np.linalg.norm(np.diff(held, axis=0), axis=1).min() > 0
+
+
+def test_a_relax_frame_that_says_nothing_lets_nothing_go() -> None:
+    made = clip()
+    silent = replace(made, keys=(*made.keys, ClipKey(made.markers.relax, FrameType.RELAX, ArmKey(), ArmKey())))
+    silent = replace(silent, keys=tuple(sorted(silent.keys, key=lambda key: key.time_s)))
+    plan = planned([gesture("g1", 2.0, 3.2)], library(silent))
+    (markers,) = (arm.markers for arm in plan.gestures)
+    held = wrist(moved(plan))[at(markers.stroke_end + 0.1) : at(markers.relax - 0.1)]
+    assert np.ptp(held, axis=0).max() < 0.03
 
 
 def test_the_arm_begins_and_ends_at_rest() -> None:

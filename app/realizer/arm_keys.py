@@ -81,8 +81,8 @@ class _Posed:
 def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose]:
     """The keys of a gesture, with its hold, and those on its way back to rest."""
     posed = list(_posed(skeleton, gesture))
-    yield from (_timed(gesture, each) for each in posed)
     markers = gesture.placed.clip.markers
+    yield from (_timed(gesture, each) for each in posed if not markers.stroke_end < each.key.time_s == markers.relax)
     start = _together(each.pose for each in posed if each.key.time_s <= markers.stroke_start)
     end = _together(each.pose for each in posed if each.key.time_s <= markers.relax)
     for repeat in gesture.placed.repeats:
