@@ -4,10 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from app.model import Interval, Schedule, SyncPoints, Viseme
+from app.model import Behavior, Interval, Schedule, SyncPoints, Viseme
 from app.realizer.face import face
-from app.realizer.face_tables import INDEX
+from app.realizer.face_tables import INDEX, VISEMES
 from app.realizer.lip_closure import lip_closures
 from app.realizer.motion import SHAPES
 from tests.speaking import SKELETON, TABLES, faced, middle_s, said, shape, shown, still, times
@@ -105,3 +107,35 @@ def _later(spoken: tuple[Viseme, ...], delay_s: float) -> tuple[Viseme, ...]:
         replace(each, interval=Interval(each.interval.start_s + delay_s, each.interval.end_s + delay_s))
         for each in spoken
     )
+
+
+MOMENTS_S = st.floats(-1, 4)
+SPOKEN = st.builds(
+    lambda label, start_s, length_s, articulation, opening: Viseme(
+        label, Interval(start_s, start_s + length_s), articulation, opening
+    ),
+    st.sampled_from(VISEMES),
+    MOMENTS_S,
+    st.floats(0, 1),
+    st.floats(0, 1),
+    st.floats(0, 1),
+)
+SHOWN = st.builds(
+    lambda lexeme, points_s, amount: replace(
+        shown(lexeme, amount=amount), sync=SyncPoints(points_s[0], points_s[3], ready=points_s[1], relax=points_s[2])
+    ),
+    st.sampled_from(sorted(TABLES.words)),
+    st.lists(MOMENTS_S, min_size=4, max_size=4).map(sorted),
+    st.floats(0, 1),
+)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(SPOKEN, max_size=12), st.lists(SHOWN, max_size=8))
+def test_whatever_is_said_and_shown_it_is_a_face(spoken: list[Viseme], behaviors: list[Behavior]) -> None:
+    """Also visemes that overlap, that have no length, and faces that begin before the first frame."""
+    shapes = faced(tuple(spoken), tuple(behaviors), end_s=2.0)
+    assert np.isfinite(shapes).all()
+    assert shapes.min() >= 0
+    assert shapes.max() <= 1
+    assert (shapes[:, INDEX["mouthClose"]] <= shapes[:, INDEX["jawOpen"]] + 1e-12).all()
