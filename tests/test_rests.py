@@ -1,5 +1,7 @@
 """Where hands rest, and how long the ways there take."""
 
+from dataclasses import replace
+
 import pytest
 
 from app.model import Behavior, Channel, Hand, Schedule, SyncPoints
@@ -40,6 +42,12 @@ def test_postures_of_the_hands_last_until_the_next_or_a_change_of_leg() -> None:
         "on_hips",
         None,
     ]
+
+
+def test_a_posture_that_comes_back_leaves_the_hands_as_the_latest_shift_did() -> None:
+    passing = replace(posture("HANDS_ON_HIPS", 5.0), sync=SyncPoints(5.0, 8.0, ready=5.6, relax=7.4))
+    changes = posture_changes(Schedule((posture("HANDS_FOLDED", 2.0), passing), 12.0))
+    assert [own_pose(changes, time_s) for time_s in (3.0, 6.0, 7.5)] == ["folded", "on_hips", "folded"]
 
 
 def test_a_posture_of_the_first_moment_is_how_the_line_begins() -> None:

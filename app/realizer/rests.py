@@ -15,6 +15,7 @@ from types import MappingProxyType
 import numpy as np
 
 from app.model import Behavior, Channel, FloatArray, Hand, Schedule
+from app.realizer.posture import reached_s
 from app.realizer.rest_poses import RESTS
 
 CLASPED, AT_SIDE, IN_POCKETS = "clasped", "at_side", "in_pockets"
@@ -66,10 +67,21 @@ def pose_for(gap_s: float) -> str:
 
 
 def posture_changes(schedule: Schedule) -> tuple[tuple[float, str | None], ...]:
-    """When the schedule's postures say something of the hands, and what, in order of time."""
+    """When the schedule's postures say something of the hands, and what, in order of time: a shift lasts, a posture
+    with a way back ends where the latest shift left the hands."""
     postures = (each for each in schedule.behaviors if each.kept and each.kind is Channel.POSTURE)
-    told = (each for each in postures if each.lexeme in POSTURES)
-    return tuple(sorted(((_from_s(each), POSTURES[each.lexeme]) for each in told), key=lambda change: change[0]))
+    told = sorted((each for each in postures if each.lexeme in POSTURES), key=lambda each: each.sync.start)
+    changes: list[tuple[float, str | None]] = []
+    base: str | None = None
+    for posture in told:
+        pose = POSTURES[posture.lexeme]
+        changes.append((_from_s(posture), pose))
+        if posture.sync.end <= reached_s(posture):
+            base = pose
+        else:
+            relax_s = posture.sync.relax
+            changes.append((posture.sync.end - SHORTEST_CHANGE_S if relax_s is None else relax_s, base))
+    return tuple(sorted(changes, key=lambda change: change[0]))
 
 
 def _from_s(posture: Behavior) -> float:
