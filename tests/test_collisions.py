@@ -6,12 +6,12 @@ import pytest
 from app.model import FloatArray, Hand
 from app.realizer.arms import ArmTrack, TimedPose, arm_motion
 from app.realizer.collisions import clear
-from app.realizer.contacts import PAIRS, Posed, contacts, penetrations_m
-from app.realizer.gesture import ArmKey, Depth, Direction, HandForm, HandShape, Height, Place, Sideways, Wrist
+from app.realizer.contacts import penetrations_m
+from app.realizer.gesture import ArmKey, Depth, HandForm, HandShape, Height, Place, Sideways, Wrist
 from app.realizer.limits import violations
 from app.realizer.motion import BodyMotion
 from app.realizer.posing import PartialPose, arm_joints, pose_arm
-from app.realizer.rest_poses import RESTS, rest_pose
+from app.realizer.rest_poses import rest_pose
 from app.realizer.rotations import IDENTITY, angle_between
 from app.realizer.skeleton import HIPS_HEIGHT_M, Skeleton
 
@@ -75,15 +75,6 @@ def test_what_is_clear_is_left_as_it_is() -> None:
     assert np.array_equal(cleared.rotations, body.rotations)
 
 
-@pytest.mark.parametrize("left", RESTS)
-def test_hands_rest_on_the_body_and_on_each_other_not_in_them(left: str) -> None:
-    rotations = np.tile(IDENTITY, (1, len(BODY.names), 1))
-    for side in (Hand.LEFT, Hand.RIGHT):
-        rotations[0, BODY.chain(*arm_joints(side))] = rest_pose(BODY, side, left).rotations
-    found = contacts(BODY, Posed.of(BODY, rotations, np.zeros((1, 3))))
-    assert found.depth_m.max() < -0.01
-
-
 def test_a_joint_past_its_limit_is_brought_back() -> None:
     body = moving((Hand.LEFT, BEFORE))
     bent = body.rotations.copy()
@@ -91,18 +82,3 @@ def test_a_joint_past_its_limit_is_brought_back() -> None:
     cleared, _ = clear(BODY, BodyMotion(TIMES_S, bent, body.hips_m))
     assert violations(BODY, bent).max() > 25
     assert violations(BODY, cleared.rotations).max() == 0
-
-
-def test_contacts_tell_how_deep_and_which_way_out() -> None:
-    place = Place(Sideways.CC, Height.LOWER_C, Depth.NEAR, (0.0, 0.0, -0.09))
-    pose = pose_arm(BODY, Hand.LEFT, ArmKey(place, wrist=Wrist(frozenset({Direction.INWARDS}), frozenset())))
-    rotations = np.tile(IDENTITY, (1, len(BODY.names), 1))
-    joints = BODY.chain(*arm_joints(Hand.LEFT))
-    rotations[0, joints] = rest_pose(BODY, Hand.LEFT, "open").rotations
-    rotations[0, joints[:2]] = pose.parts[:2]
-    rotations[0, joints[2]] = pose.parts[2]
-    found = contacts(BODY, Posed.of(BODY, rotations, np.zeros((1, 3))))
-    column = int(found.depth_m[0].argmax())
-    assert found.depth_m[0, column] > 0.01
-    assert found.out[0, column, 2] > 0.5
-    assert len(PAIRS) == found.depth_m.shape[1]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.model import FloatArray, Hand
-from app.realizer.arm_reach import ArmBones, reach
+from app.realizer.arm_reach import ArmBones
 from app.realizer.gesture import (
     ArmKey,
     Bend,
@@ -18,14 +18,11 @@ from app.realizer.gesture import (
     Height,
     Place,
     Sideways,
-    Thumb,
     Wrist,
 )
 from app.realizer.gesture_space import sector_m
 from app.realizer.limits import LIMITS, MIRROR, violations
 from app.realizer.posing import (
-    ARM_ROWS,
-    HAND_ROWS,
     PARTS,
     WRIST_ROWS,
     arm_joints,
@@ -35,7 +32,7 @@ from app.realizer.posing import (
     pose_arms,
     wrist_of,
 )
-from app.realizer.rest_poses import RESTS, rest_pose
+from app.realizer.rest_poses import rest_pose
 from app.realizer.rotations import IDENTITY, angle_between, rotate
 from app.realizer.skeleton import Skeleton, forward
 
@@ -170,33 +167,3 @@ def test_a_pointing_hand_is_on_the_line_to_its_target(aim_m: tuple[float, float,
     assert np.dot(along, to_target) > np.cos(np.radians(8))
     shoulder_m = at[BODY.index["leftUpperArm"]]
     assert np.linalg.norm(wrist_m - shoulder_m) > 0.9 * ArmBones.of(BODY).length_m
-
-
-@pytest.mark.parametrize("form", HandForm)
-@pytest.mark.parametrize("thumb", Thumb)
-def test_every_form_is_a_hand_within_its_limits(form: HandForm, thumb: Thumb) -> None:
-    pose = pose_arm(BODY, Hand.LEFT, ArmKey(hand=HandShape(form, thumb)))
-    assert pose.said.nonzero()[0].tolist() == list(range(5, 20))
-    arm = rest_pose(BODY, Hand.LEFT, "open").rotations.copy()
-    arm[4:] = pose.parts[HAND_ROWS]
-    assert violations(BODY, whole(arm)).max() == 0
-
-
-@pytest.mark.parametrize("name", RESTS)
-def test_hands_rest_within_the_limits_of_the_joints(name: str) -> None:
-    arms = [rest_pose(BODY, side, name).rotations for side in (Hand.LEFT, Hand.RIGHT)]
-    assert violations(BODY, whole(*arms)).max() < 3.0
-    for side, arm in zip((Hand.LEFT, Hand.RIGHT), arms, strict=True):
-        pose = rest_pose(BODY, side, name)
-        assert np.allclose(wrist_of(BODY, side, arm), pose.wrist_m, atol=0.01)
-
-
-def test_the_elbow_swings_outwards_and_up_by_its_swivel() -> None:
-    bones = ArmBones.of(BODY)
-    ahead = np.tile(sector_m(FORWARD), (3, 1))
-    arms = reach(bones, ahead, swivel_rad=np.radians([0.0, 30.0, 60.0]))
-    assert np.allclose(arms.wrist_m, arms.wrist_m[0])
-    assert np.all(np.diff(arms.elbow_m[:, 0]) > 0.02)
-    assert np.all(np.diff(arms.elbow_m[:, 1]) > 0.01)
-    assert arms.elbow_m[0, 1] < bones.shoulder_m[1] - 0.05
-    assert slice(0, 3) == ARM_ROWS

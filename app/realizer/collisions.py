@@ -23,7 +23,7 @@ from app.realizer.wrist_turns import kept
 
 _CLEARANCE_M = 0.004
 _SWELL_S = 0.18
-_ROUNDS = 5
+_ROUNDS = 8
 _ELBOW_AT_LEAST_M = 0.12
 _FARTHEST_M = 0.22
 _MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])

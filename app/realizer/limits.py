@@ -7,7 +7,7 @@ its elbow crease forward, because there flexion (-x), abduction (z) and rotation
 anatomy says.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -69,8 +69,9 @@ LIMITS: tuple[Limit, ...] = (*_TRUNK, *(_sided(side, limit) for side in SIDES fo
 def violations(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
     """How many degrees each of `LIMITS` is passed by (…, limits) in local rotations (…, J, 4); 0 where it is kept."""
     passed = np.zeros((*rotations.shape[:-2], len(LIMITS)))
-    for columns, angles in _measured(skeleton, LIMITS, rotations):
+    for columns in _alike(LIMITS):
         lowest, highest = _bounds(LIMITS, columns)
+        angles = _measured(skeleton, LIMITS, columns, rotations)
         over = np.maximum(angles - highest, lowest - angles).max(axis=-1)
         passed[..., columns] = np.where(over > _TOLERATED_DEG, over, 0.0)
     return passed
@@ -81,8 +82,9 @@ def clamped(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
     chain, its last joint is turned back. Fingers are left to their tables."""
     limits = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in _ARM))
     kept = rotations.copy()
-    for columns, angles in _measured(skeleton, limits, rotations):
+    for columns in _alike(limits):
         lowest, highest = _bounds(limits, columns)
+        angles = _measured(skeleton, limits, columns, kept)
         over = np.maximum(angles - highest, lowest - angles).max(axis=-1) > _TOLERATED_DEG
         for place, column in enumerate(columns):
             if over[..., place].any():
@@ -148,20 +150,22 @@ def _about_bone(bone: int, angle: FloatArray) -> FloatArray:
     return from_rotation_vector(angle[..., None] * axis)
 
 
-def _measured(
-    skeleton: Skeleton, limits: Sequence[Limit], rotations: FloatArray
-) -> Iterator[tuple[list[int], FloatArray]]:
-    """The angles (…, n, 3) of the limits in columns, those that are measured alike together, for speed."""
+def _alike(limits: Sequence[Limit]) -> list[list[int]]:
+    """The limits' columns, those that are measured alike together, for speed."""
     kinds = [(limit.bone, limit.from_hanging, len(limit.joints)) for limit in limits]
-    for kind in dict.fromkeys(kinds):
-        columns = [column for column, other in enumerate(kinds) if other == kind]
-        chains = np.array([skeleton.chain(*limits[column].joints) for column in columns]).T
-        rotation = rotations[..., chains[0], :]
-        for joints in chains[1:]:
-            rotation = multiply(rotation, rotations[..., joints, :])
-        right = [limits[column].joints[0].startswith("right") for column in columns]
-        rotation = np.where(np.array(right)[:, None], rotation * MIRROR, rotation)
-        yield columns, shoulder_deg(rotation) if kind[1] else parted_deg(rotation, kind[0])
+    return [[column for column, other in enumerate(kinds) if other == kind] for kind in dict.fromkeys(kinds)]
+
+
+def _measured(skeleton: Skeleton, limits: Sequence[Limit], columns: Sequence[int], rotations: FloatArray) -> FloatArray:
+    """The angles (…, n, 3) of limits that are measured alike."""
+    alike = [limits[column] for column in columns]
+    chains = np.array([skeleton.chain(*limit.joints) for limit in alike]).T
+    rotation = rotations[..., chains[0], :]
+    for joints in chains[1:]:
+        rotation = multiply(rotation, rotations[..., joints, :])
+    right = np.array([limit.joints[0].startswith("right") for limit in alike])
+    rotation = np.where(right[:, None], rotation * MIRROR, rotation)
+    return shoulder_deg(rotation) if alike[0].from_hanging else parted_deg(rotation, alike[0].bone)
 
 
 def _bounds(limits: Sequence[Limit], columns: list[int]) -> tuple[FloatArray, FloatArray]:

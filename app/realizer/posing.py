@@ -48,6 +48,8 @@ CENTRE = Place(Sideways.C, Height.CC, Depth.MIDDLE)
 
 _SWIVELS: FloatArray = np.radians(np.arange(-60.0, 76.0, 7.5))
 _AT_EASE_DEG: FloatArray = np.array([55.0, 14.0, 45.0])
+_ALONG_FOREARM: FloatArray = np.array([0.0, 0.35, 0.7])
+_HALF_WAIST_M, _FROM_WAIST_M = 0.06, 0.15
 _POINTING_PALM: FloatArray = np.array([-0.4, -1.0, 0.0])
 
 
@@ -222,14 +224,23 @@ def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> Turn:
 
 def _discomfort(arms: Reach, turns: Turn, wrists_m: FloatArray) -> FloatArray:
     """What speaks against each swivel: wrist and forearm near or past their limits, a place that the shoulder's limits
-    do not let the wrist reach, the elbow in the flank, and the swivel itself, for an elbow hangs as long as nothing
-    asks it to do otherwise."""
+    do not let the wrist reach, a forearm too near the trunk, and the swivel itself, for an elbow hangs as long as
+    nothing asks it to do otherwise."""
     strained = np.maximum(np.abs(np.degrees(turns.angles)) - _AT_EASE_DEG, 0.0) / 30.0
     impossible = np.degrees(turns.excess) / 10.0
     missed = length(arms.wrist_m - wrists_m)[..., 0] / 0.01
-    flank = np.where(np.abs(arms.elbow_m[..., 2]) < 0.14, np.maximum(0.20 - arms.elbow_m[..., 0], 0.0) / 0.05, 0.0)
-    cost = np.sum(strained**2 + impossible**2, axis=-1) + (missed - missed.min(axis=-1, keepdims=True)) ** 2 + flank**2
+    missed = missed - missed.min(axis=-1, keepdims=True)
+    crowded = _inside_trunk_m(arms) / 0.02
+    cost = np.sum(strained**2 + impossible**2, axis=-1) + missed**2 + np.sum(crowded**2, axis=-1)
     return np.asarray(cost + (_SWIVELS / np.radians(40.0)) ** 2)
+
+
+def _inside_trunk_m(arms: Reach) -> FloatArray:
+    """How far elbow, forearm and its middle are within a hand's breadth of the trunk's line from flank to flank."""
+    along = arms.wrist_m - arms.elbow_m
+    points = arms.elbow_m[..., None, :] + _ALONG_FOREARM[:, None] * along[..., None, :]
+    aside = np.maximum(np.abs(points[..., 0]) - _HALF_WAIST_M, 0.0)
+    return np.asarray(np.maximum(_FROM_WAIST_M - np.hypot(aside, points[..., 2]), 0.0))
 
 
 def _add_arm(parts: FloatArray, key: ArmKey, solved: FloatArray, *, aimed: bool) -> None:
