@@ -15,8 +15,9 @@ from app.bml.resolving import Resolved, resolve
 from app.bml.speech import speech_of
 from app.bml.visemes import visemes
 from app.errors import InputError
-from app.model import Behavior, Level, Notice, Performance, Schedule, Word
+from app.model import Behavior, FloatArray, Level, Notice, Performance, Schedule, Word
 from app.performance import Ears, Heard, Progress, hear, hear_words, unheard
+from app.realizer.diphthongs import with_glides
 from app.realizer.exporting.arkit_csv import to_arkit_csv
 from app.realizer.exporting.bvh import to_bvh
 from app.realizer.exporting.clip_json import to_clip_json
@@ -24,6 +25,7 @@ from app.realizer.exporting.glb import to_glb
 from app.realizer.exporting.retargeting import Rig
 from app.realizer.exporting.viseme_list import to_viseme_text
 from app.realizer.exporting.vrma import to_vrma
+from app.realizer.lips import viseme_weights
 from app.realizer.motion import Motion
 from app.realizer.realizing import Realizer, realize
 from app.realizer.sheet import draw_sheet, moments_of
@@ -188,10 +190,17 @@ def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, rig
         MotionFormat.BVH: lambda: to_bvh(motion, skeleton, rig),
         MotionFormat.GLB: lambda: to_glb(motion, skeleton),
         MotionFormat.VRMA: lambda: to_vrma(motion, skeleton),
-        MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig),
+        MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig, visemes=_viseme_weights(realized, realizer)),
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
         MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
         MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule)),
         MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),
     }
     return writers[form]()
+
+
+def _viseme_weights(realized: Realized, realizer: Realizer) -> FloatArray | None:
+    """The weights (T, 15) of the speech's visemes; None when nothing is said."""
+    schedule = realized.schedule
+    spoken = with_glides(schedule.visemes, schedule.words)
+    return viseme_weights(realizer.face.visemes, spoken, realized.motion.body.times_s) if spoken else None

@@ -1,5 +1,6 @@
 """Schedules for the realizer: our own performance and the BML written of it must have the body do the same."""
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -92,3 +93,14 @@ def test_the_same_line_and_seed_give_the_same_bytes(understudy: Understudy, perf
     files = [write_motion(Realized(schedule, motion), realizer, form, rig) for motion in motions]
     assert files[0] == files[1]
     assert files[0] != files[2]
+
+
+def test_a_clip_has_the_weights_of_the_visemes_if_something_is_said(
+    understudy: Understudy, performance: Performance
+) -> None:
+    realizer, schedule = understudy.realizer, schedule_of(performance)
+    for spoken in (schedule, replace(schedule, visemes=())):
+        realized = Realized(spoken, realize(realizer, spoken))
+        clip = json.loads(write_motion(realized, realizer, MotionFormat.JSON, realizer.rig("vrm")))
+        assert ("visemes" in clip) == bool(spoken.visemes)
+        assert max(clip["blendshapes"]["jawOpen"]) > 0.1 or not spoken.visemes
