@@ -47,7 +47,6 @@ __all__ = [
 ]
 
 DEFAULT_CHARACTER = "default"
-DEFAULT_SKELETON = "mixamo"
 
 
 class MotionFormat(StrEnum):

@@ -6,11 +6,10 @@ from functools import partial
 from typing import NoReturn
 
 from app import __version__
+from app.bml.documents import DialectName, TimeForm
 from app.errors import InputError
 from app.model import Hand, Level, Mode
-from app.performance import DialectName, TimeForm
-from app.realization import DEFAULT_SKELETON
-from app.realizer.motion import FRAME_RATES_HZ
+from app.realizer.motion import DEFAULT_RIG, FRAME_RATES_HZ
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
 """Adds a command, given its name and what it does."""
@@ -102,7 +101,7 @@ def _add_motion(parser: argparse.ArgumentParser) -> None:
     rates = FRAME_RATES_HZ
     parser.add_argument("--fps", type=int, choices=rates, default=max(rates), help="frames a second of the motion")
     parser.add_argument(
-        "--skeleton", metavar="NAME", default=DEFAULT_SKELETON, help="whose names joints go by in BVH (default mixamo)"
+        "--skeleton", metavar="NAME", default=DEFAULT_RIG, help="whose names joints go by in BVH (default mixamo)"
     )
 
 
