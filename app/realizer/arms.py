@@ -89,10 +89,12 @@ def _shifted(track: ArmTrack) -> FloatArray:
 
 
 def _stir_deg() -> FloatArray:
-    """How much each part stirs about its axes x, y, z, in degrees (20, 3): joints only as they turn."""
+    """How much each part stirs about its axes x, y, z, in degrees (20, 3): joints only as they turn, fingers at their
+    roots."""
     stir = {"Shoulder": (0.0, 0.5, 0.5), "UpperArm": (1.0, 1.0, 1.0), "Elbow": (0.0, 1.2, 0.0)}
     stir |= {"LowerArm": (1.5, 0.0, 0.0), "Hand": (0.0, 0.8, 1.4)}
-    return np.array([stir.get(part, (0.0, 0.0, 0.0 if part.startswith("Thumb") else 1.0)) for part in PARTS])
+    stir |= {part: (0.0, 0.0, 1.5) for part in PARTS if part.endswith("Proximal") and not part.startswith("Thumb")}
+    return np.array([stir.get(part, (0.0, 0.0, 0.0)) for part in PARTS])
 
 
 def _stirred(track: ArmTrack, parts: FloatArray, times_s: FloatArray, seed: int) -> FloatArray:
@@ -102,9 +104,12 @@ def _stirred(track: ArmTrack, parts: FloatArray, times_s: FloatArray, seed: int)
         return parts
     strength = np.interp(times_s, [key.time_s for key in track.keys], strengths)
     stir_deg = _stir_deg()
-    moving = np.nonzero(stir_deg)
+    rows, axes = np.nonzero(stir_deg)
     side = 0 if track.side is Hand.LEFT else 1
-    noise = perlin(times_s, frequency_hz=_NOISE_HZ, seed=2 * seed + side, channels=len(moving[0]))
-    turn = np.zeros((len(times_s), *stir_deg.shape))
-    turn[:, moving[0], moving[1]] = np.radians(stir_deg[moving]) * noise * strength[:, None]
-    return multiply(parts, from_rotation_vector(turn))
+    noise = perlin(times_s, frequency_hz=_NOISE_HZ, seed=2 * seed + side, channels=len(rows))
+    stirring = np.unique(rows)
+    turn = np.zeros((len(times_s), len(stirring), 3))
+    turn[:, np.searchsorted(stirring, rows), axes] = np.radians(stir_deg[rows, axes]) * noise * strength[:, None]
+    stirred = parts.copy()
+    stirred[:, stirring] = multiply(parts[:, stirring], from_rotation_vector(turn))
+    return stirred

@@ -123,8 +123,10 @@ def normalized(q: FloatArray) -> FloatArray:
 
 def of_one_sign(q: FloatArray) -> FloatArray:
     """The same rotations, q (T, …, 4), each of the sign that is nearer to the one before it in time."""
-    flips = np.cumprod(np.where(np.sum(q[1:] * q[:-1], axis=-1, keepdims=True) < 0, -1.0, 1.0), axis=0)
-    return np.concatenate([q[:1], q[1:] * flips])
+    turned = dot(q[1:], q[:-1]) < 0
+    if not turned.any():
+        return q
+    return np.concatenate([q[:1], q[1:] * np.cumprod(np.where(turned, -1.0, 1.0), axis=0)])
 
 
 def nearest_sign(q: FloatArray, to: FloatArray) -> FloatArray:

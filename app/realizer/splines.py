@@ -21,6 +21,7 @@ from app.model import FloatArray
 from app.realizer.rotations import from_rotation_vector, inverse, length, multiply, of_one_sign, to_rotation_vector
 
 _MOST_SLOPE = 3.0
+_STILL = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,13 +43,18 @@ def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
     lasts = np.cumsum(counts, dtype=np.intp) - 1
     spans_s = np.diff(key_times_s)
     spans_s[lasts[:-1]] = 1.0
-    first, second, third = _turns(keys, spans_s[:, None], shape, lasts)
+    turns = _turns(keys, spans_s[:, None], shape, lasts)
     segment = _segments(curves, (lasts - counts + 1).tolist(), times_s)
-    share = np.clip((times_s[:, None] - key_times_s[segment]) / spans_s[segment], 0.0, 1.0)
-    weights = (1 - (1 - share) ** 3, share**2 * (3 - 2 * share), share**3)
     found = keys.T[:, segment]
-    for turn, weight in zip((first, second, third), weights, strict=True):
-        found = _product(found, _parts_of_turns(turn, segment, weight))
+    turning = np.sum([length(turn)[:, 0] for turn in turns], axis=0) > _STILL
+    moving = turning[segment].any(axis=1)
+    segment, times_s = segment[moving], times_s[moving, None]
+    share = np.clip((times_s - key_times_s[segment]) / spans_s[segment], 0.0, 1.0)
+    weights = (1 - (1 - share) ** 3, share**2 * (3 - 2 * share), share**3)
+    way = found[:, moving]
+    for turn, weight in zip(turns, weights, strict=True):
+        way = _product(way, _parts_of_turns(turn, segment, weight))
+    found[:, moving] = way
     return np.moveaxis(found, 0, -1)
 
 
