@@ -13,9 +13,8 @@ A pronunciation is a string of phones between spaces; every word has one or more
 own (7 ms to make), so no answer depends on earlier requests.
 
 The first pass listens by a grammar: the words in their order, "um" and "uh" between them where they are far likelier
-than nothing, and, if there is more, an end after any word. The second aligns the phones of what was heard. Where there
-is more, what was heard before a pause is aligned afresh first, words and then phones; so are the words without a
-filler that turns out too short or fits poorly.
+than nothing, and, if there is more, an end after any word. The second aligns the phones of what was heard. Only where a
+filler turns out too short or fits poorly are the words without it aligned afresh, and their phones again.
 """
 
 import json
@@ -39,11 +38,12 @@ LOWEST_FILLER_SCORE = -42.0
 UNSURE_FRAMES = 2 * FRAMES_PER_S
 """What is heard so near the end of a piece may change with what follows."""
 
+CLEAR_PAUSE_FRAMES = FRAMES_PER_S // 5
+NOTHING = "(NULL)"
+"""What pocketsphinx calls the step of a grammar that no word takes."""
+
 Phone = tuple[str, int, int, int]
 """Label, first frame, frames, score; so are words and fillers told."""
-
-Segment = tuple[str, int, int]
-"""A word or filler of the first pass with its first and last frame."""
 
 Heard = list[tuple[Phone, list[Phone]]]
 """Words ("w" and their number) and fillers in order, each with its phones."""
@@ -62,20 +62,16 @@ def aligned(audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, ob
     """The answer to a request."""
     decoder = _decoder(words)
     _listen(decoder, audio, len(words), more=more)
-    count, end = len(words), len(audio) // BYTES_PER_FRAME
-    if more:
-        names, end = _before_a_pause(_segments(decoder), end)
-        count = len(names) - sum(name in FILLERS for name in names)
-        audio = audio[: end * BYTES_PER_FRAME]
-        heard = _aligned_afresh(decoder, audio, names)
-    else:
-        heard = _placed(decoder, audio)
+    end = len(audio) // BYTES_PER_FRAME
+    heard = _placed(decoder, audio)
     believed = [each[0] for each, _ in heard if not _is_doubtful(each)]
     if len(believed) < len(heard):
         heard = _aligned_afresh(decoder, audio, believed)
+    if more:
+        heard, end = _before_a_pause(heard, end)
     spoken = [phones for each, phones in heard if each[0] not in FILLERS]
     fillers = [each for each, _ in heard if each[0] in FILLERS]
-    return {"words": spoken if len(spoken) == count else None, "fillers": fillers, "end": end}
+    return {"words": spoken if more or len(spoken) == len(words) else None, "fillers": fillers, "end": end}
 
 
 def _decoder(words: list[list[str]]) -> Decoder:
@@ -96,7 +92,8 @@ def _listen(decoder: Decoder, audio: bytes, count: int, *, more: bool) -> None:
         (number, number + 1, 1.0, f"w{number}") for number in range(count)
     ]
     transitions += [(number, number, FILLER_PROBABILITY, name) for number in range(count + 1) for name in FILLERS]
-    transitions += [(number, count, 1.0) for number in range(count) if more]
+    if more:
+        transitions += [(0, count, 1.0), *((number, count, 1.0, f"w{number}") for number in range(count - 1))]
     decoder.add_fsg("line", decoder.create_fsg("line", 0, count, transitions))
     decoder.activate_search("line")
     _decode(decoder, audio)
@@ -112,9 +109,9 @@ def _aligned_afresh(decoder: Decoder, audio: bytes, names: list[str]) -> Heard:
 
 
 def _placed(decoder: Decoder, audio: bytes) -> Heard:
-    """What the decoder just heard, with its phones; nothing when it found no path. A phone must be read while its word
-    is there."""
-    if decoder.hyp() is None:
+    """What the decoder just heard, with its phones; nothing when it found no path, or one without words. A phone must
+    be read while its word is there."""
+    if decoder.hyp() is None or any(segment.word == NOTHING for segment in decoder.seg()):
         return []
     decoder.set_alignment()
     _decode(decoder, audio)
@@ -136,31 +133,21 @@ def _is_doubtful(heard: Phone) -> bool:
     return name in FILLERS and (frames < SHORTEST_FILLER_FRAMES or score < LOWEST_FILLER_SCORE * frames)
 
 
-def _segments(decoder: Decoder) -> list[Segment]:
-    """The words and fillers of the first pass."""
-    if decoder.hyp() is None:
-        return []
-    named = [(segment.word.partition("(")[0], segment.start_frame, segment.end_frame) for segment in decoder.seg()]
-    return [
-        (name, first, last)
-        for name, first, last in named
-        if _is_one_of_ours(name) and not (name in FILLERS and last - first + 1 < SHORTEST_FILLER_FRAMES)
-    ]
-
-
-def _before_a_pause(heard: list[Segment], frames: int) -> tuple[list[str], int]:
-    """What is surely heard, and where to cut after it: in the longest pause of the piece's later half, or else
-    (everything) of all of it. Nothing heard for sure: the cut is where the unsure part begins."""
+def _before_a_pause(heard: Heard, frames: int) -> tuple[Heard, int]:
+    """What is surely heard, and where to cut after it: in the last clear pause of the piece's later half, or else
+    (everything) in the longest of all. Nothing heard for sure: the cut is where the unsure part begins."""
     sure = frames - UNSURE_FRAMES
+    spans = [(first, first + length) for (_, first, length, _), _ in heard]
     gaps = [
-        (following - last, (last + following) // 2, number)
-        for number, ((_, _, last), (_, following, _)) in enumerate(pairwise([*heard, ("", frames, frames)]), start=1)
-        if last < sure
+        (following - end, (end + following) // 2, number)
+        for number, ((_, end), (following, _)) in enumerate(pairwise([*spans, (frames, frames)]), start=1)
+        if end <= sure
     ]
     if not gaps:
         return [], sure
-    _, cut, number = max([gap for gap in gaps if gap[1] > frames // 2] or gaps)
-    return [name for name, _, _ in heard[:number]], min(cut, sure)
+    clear = [gap for gap in gaps if gap[0] >= CLEAR_PAUSE_FRAMES and gap[1] > frames // 2]
+    _, cut, number = clear[-1] if clear else max(gaps)
+    return heard[:number], min(cut, sure)
 
 
 def _decode(decoder: Decoder, audio: bytes) -> None:
