@@ -26,13 +26,16 @@ _MAGIC, _VERSION, _JSON_CHUNK, _BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E
 
 
 class Accessors:
-    """The accessors of a file as they are added, and the bytes that stand behind them."""
+    """The accessors of a file as they are added, and the bytes that stand behind them.
 
-    def __init__(self) -> None:
-        self._views: list[dict[str, Json]] = []
-        self._accessors: list[dict[str, Json]] = []
-        self._chunks: list[bytes] = []
-        self._length = 0
+    `views`, `accessors` and `content` are those that the file has already, in one buffer.
+    """
+
+    def __init__(self, views: Sequence[Json] = (), accessors: Sequence[Json] = (), content: bytes = b"") -> None:
+        self._views = list(views)
+        self._accessors = list(accessors)
+        self._chunks = [content, b"\0" * (-len(content) % 4)]
+        self._length = sum(map(len, self._chunks))
         self._known: dict[tuple[str, str, bytes], int] = {}
 
     def floats(self, values: FloatArray, *, bounds: bool = False, target: Target | None = None) -> int:

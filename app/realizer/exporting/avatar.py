@@ -1,0 +1,127 @@
+"""The performance on somebody else's avatar: its GLB or VRM with our motion as its animation.
+
+Its rest pose may be any: where an arm, a leg or a finger does not point as in our T-pose (an A-pose does not), it is
+first turned there, by the least turn. What the rig does not name stays as it is. Face shapes go to every mesh that has
+targets of ARKit's names. Conventions as in `app.realizer.exporting.avatar_reading`.
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from app.model import FloatArray
+from app.realizer.exporting.avatar_reading import Avatar, local_matrix, read_avatar, target_names
+from app.realizer.exporting.events import described
+from app.realizer.exporting.gltf import Accessors, Tracks, binary
+from app.realizer.exporting.retargeting import Rig
+from app.realizer.mannequin_body import t_pose_m
+from app.realizer.motion import SHAPES, Motion
+from app.realizer.rotations import IDENTITY, about, between, inverse, multiply, normalized, of_one_sign, rotate
+from app.realizer.skeleton import FINGERS, SIDES, Skeleton, forward
+
+_POINTED: tuple[tuple[str, str], ...] = (
+    ("UpperArm", "LowerArm"),
+    ("LowerArm", "Hand"),
+    ("Hand", "MiddleProximal"),
+    ("UpperLeg", "LowerLeg"),
+    ("LowerLeg", "Foot"),
+    *((f"{finger}Proximal", f"{finger}Intermediate") for finger in FINGERS[1:]),
+    *((f"{finger}Intermediate", f"{finger}Distal") for finger in FINGERS[1:]),
+)
+"""Joints that are turned so that they point to the second as in our T-pose."""
+
+
+def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mapping[str, Rig]) -> bytes:
+    """The avatar's file with the motion as its only animation.
+
+    Raises UndecodableError when it is no binary glTF, and InputError `unknown_avatar` when its joints are not found.
+    """
+    found = read_avatar(avatar, rigs)
+    tree = dict(found.tree)
+    accessors = Accessors(tree.pop("bufferViews", []), tree.pop("accessors", []), found.content)
+    tree.pop("buffers")
+    tracks = Tracks(accessors, np.arange(len(motion.body.times_s)) / motion.frame_rate_hz)
+    _add_body(tracks, found, motion, skeleton)
+    _add_faces(tracks, found, motion)
+    tree["animations"] = [{"name": "performance", **tracks.tree(), "extras": described(motion)}]
+    return binary(tree, accessors)
+
+
+def _add_body(tracks: Tracks, avatar: Avatar, motion: Motion, skeleton: Skeleton) -> None:
+    """The joints' local rotations, and the hips' place in proportion to the avatar's legs."""
+    turned = _turned(avatar, motion, skeleton)
+    for joint, node in avatar.nodes.items():
+        if joint in skeleton.index:
+            parent = avatar.parents[node]
+            above = turned[parent] if parent >= 0 else IDENTITY
+            tracks.add(node, "rotation", of_one_sign(normalized(multiply(inverse(above), turned[node]))))
+    tracks.add(avatar.nodes["hips"], "translation", _hips_m(avatar, motion, skeleton))
+
+
+def _turned(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> dict[int, FloatArray]:
+    """How each node is turned in the world in each frame (T, 4): by our joint, or else with its parent."""
+    front = _front(avatar)
+    _places, ours = forward(skeleton, motion.body.rotations, motion.body.hips_m)
+    to_t_pose = _to_t_pose(avatar, skeleton)
+    joints = {node: joint for joint, node in avatar.nodes.items() if joint in skeleton.index}
+    turned: dict[int, FloatArray] = {}
+    for node in avatar.in_order():
+        parent, rest = avatar.parents[node], avatar.turns[node]
+        if node in joints:
+            here = multiply(multiply(front, ours[:, skeleton.index[joints[node]]]), inverse(front))
+            turned[node] = multiply(here, multiply(to_t_pose[joints[node]], rest))
+        elif parent >= 0:
+            turned[node] = multiply(turned[parent], multiply(inverse(avatar.turns[parent]), rest))
+        else:
+            turned[node] = rest
+    return turned
+
+
+def _front(avatar: Avatar) -> FloatArray:
+    """Half a turn about Y if the avatar faces -Z, as VRM 0 does; else none."""
+    left, right = (avatar.places_m[avatar.nodes[f"{side}UpperArm"], 0] for side in SIDES)
+    return about((0.0, 1.0, 0.0), np.array(0.0 if left > right else np.pi))
+
+
+def _to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
+    """The turn that takes each joint from the avatar's rest pose to our T-pose, with all that hangs on it."""
+    ours_m, front = t_pose_m(skeleton), _front(avatar)
+    pointed = {side + first: side + second for side in SIDES for first, second in _POINTED}
+    turns: dict[str, FloatArray] = {}
+    for joint, parent in zip(skeleton.names, skeleton.parents, strict=True):
+        turn = turns[skeleton.names[parent]] if parent >= 0 else np.array(IDENTITY)
+        towards = pointed.get(joint)
+        if towards is not None and joint in avatar.nodes and towards in avatar.nodes:
+            there = avatar.places_m[avatar.nodes[towards]] - avatar.places_m[avatar.nodes[joint]]
+            wanted = rotate(front, ours_m[skeleton.index[towards]] - ours_m[skeleton.index[joint]])
+            turn = multiply(between(rotate(turn, there), wanted), turn)
+        turns[joint] = turn
+    return turns
+
+
+def _hips_m(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> FloatArray:
+    """Where the hips' node is in its parent (T, 3)."""
+    node = avatar.nodes["hips"]
+    rest_m = skeleton.offsets_m[0]
+    size = avatar.places_m[node, 1] / rest_m[1]
+    world = avatar.places_m[node] + size * rotate(_front(avatar), motion.body.hips_m - rest_m)
+    above = np.eye(4)
+    parent = avatar.parents[node]
+    while parent >= 0:
+        above = local_matrix(avatar.tree["nodes"][parent]) @ above
+        parent = avatar.parents[parent]
+    local = np.linalg.inv(above) @ np.concatenate([world, np.ones((len(world), 1))], axis=1).T
+    return np.asarray(local[:3].T)
+
+
+def _add_faces(tracks: Tracks, avatar: Avatar, motion: Motion) -> None:
+    """A weights track for each mesh with targets of ARKit's names. Eyeballs that turn by joints are not moved twice."""
+    eyes_turn = all(f"{side}Eye" in avatar.nodes for side in SIDES)
+    weights = np.clip(motion.shapes, 0.0, 1.0)
+    for number, node in enumerate(avatar.tree["nodes"]):
+        names = target_names(avatar.tree, node)
+        only_looks = all(name.startswith("eyeLook") for name in names)
+        if not set(names) & set(SHAPES) or (only_looks and eyes_turn):
+            continue
+        columns = [weights[:, SHAPES.index(name)] if name in SHAPES else np.zeros(len(weights)) for name in names]
+        tracks.add(number, "weights", np.stack(columns, axis=1))
