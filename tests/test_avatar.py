@@ -36,7 +36,7 @@ def avatar(nodes: list[Any], *, targets: tuple[str, ...] = ("jawOpen", "mine"), 
         "primitives": [{"attributes": {"POSITION": position}, "targets": moved}],
         "extras": {"targetNames": targets},
     }
-    tree = {"nodes": [*nodes, {"name": "Mesh", "mesh": 0}], "meshes": [mesh], **parts}
+    tree: dict[str, Any] = {"nodes": [*nodes, {"name": "Mesh", "mesh": 0}], "meshes": [mesh], **parts}
     return binary(tree, accessors)
 
 
@@ -192,7 +192,7 @@ def circular() -> bytes:
 def test_files_that_are_no_avatar_are_refused(content: bytes) -> None:
     with pytest.raises(UndecodableError) as caught:
         to_avatar_glb(MOTION, BODY, content, RIGS)
-    assert caught.value.code == "undecodable_avatar"
+    assert caught.value.code == "avatar_undecodable"
 
 
 def test_a_real_avatar_in_an_a_pose_points_where_ours_does() -> None:

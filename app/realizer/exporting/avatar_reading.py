@@ -77,7 +77,7 @@ def _avatar(tree: Tree, buffer: bytes, rigs: Mapping[str, Rig]) -> Avatar:
 
 def _undecodable(why: str) -> UndecodableError:
     return UndecodableError(
-        "undecodable_avatar", f"the avatar is no GLB or VRM file that can be used: {why}", field="avatar"
+        "avatar_undecodable", f"the avatar is no GLB or VRM file that can be used: {why}", field="avatar"
     )
 
 
