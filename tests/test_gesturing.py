@@ -12,11 +12,12 @@ from app.realizer.gesture_plan import GesturePlan
 from app.realizer.gesturing import gesture as gestured
 from app.realizer.motion import BodyMotion
 from app.realizer.planning import plan_gestures
-from app.realizer.posing import arm_joints
+from app.realizer.posing import arm_joints, pose_arm
 from app.realizer.rest_poses import rest_pose
 from app.realizer.rotations import IDENTITY, angle_between
 from app.realizer.skeleton import Skeleton, forward
-from tests.gesture_clips import HandMade, clip, gesture, library
+from app.realizer.wrist_paths import relax_m
+from tests.gesture_clips import HandMade, clip, gesture, library, place
 
 SKELETON = Skeleton.standing()
 RATE_HZ = 60
@@ -132,3 +133,14 @@ def test_a_pointing_arm_is_on_the_line_from_the_shoulder_to_its_target() -> None
     way, aim = wrist_m - shoulder_m, door_m - shoulder_m
     cosine = way @ aim / np.linalg.norm(way) / np.linalg.norm(aim)
     assert np.degrees(np.arccos(cosine)) < 8
+
+
+def test_the_plan_knows_where_a_pointing_wrist_is() -> None:
+    pointing = replace(gesture("g1", 2.0, 3.0), target="door")
+    plan = plan_gestures(
+        library(replace(clip(), aimed=True)), Schedule((pointing,), 5.0), seed=0, targets_m={"door": (-2.0, 1.2, 1.5)}
+    )
+    (arm,) = plan.gestures
+    posed = pose_arm(SKELETON, Hand.RIGHT, ArmKey(place=place(0.3)), aim_m=np.array([-2.0, 1.2 - 0.95, 1.5]))
+    assert posed.wrist_m is not None
+    np.testing.assert_allclose(relax_m(arm.placed, Hand.RIGHT), posed.wrist_m, atol=0.05)

@@ -15,7 +15,7 @@ from types import MappingProxyType
 import numpy as np
 
 from app.model import Hand, Schedule, SyncPoints
-from app.realizer.aiming import aimed
+from app.realizer.aiming import aimed, missed
 from app.realizer.arm_timelines import arm_timeline, rest_changes, units_of
 from app.realizer.gesture_plan import ArmGesture, GesturePlan, Placed, Position, Transition, Unit
 from app.realizer.motion import Decision
@@ -39,9 +39,8 @@ def plan_gestures(
 
     `targets_m` places what is pointed at in the world, as for the gaze."""
     setting = Setting(schedule.phrases, posture_changes(schedule))
-    chosen = chosen_clips(library, schedule, setting, seed=seed)
-    pointed = [aimed(gesture, targets_m) for gesture in chosen.kept]
-    gestures = tuple(_repeated(tuple(gesture for gesture, _told in pointed), schedule, setting))
+    chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
+    gestures = tuple(_repeated(chosen.kept, schedule, setting))
     units = units_of(gestures, setting)
     changes = rest_changes(units, setting)
     timelines = [arm_timeline(side, gestures, changes, setting) for side in SIDES]
@@ -53,13 +52,15 @@ def plan_gestures(
         rests=tuple(replace(rest, end_s=end_s) if isinf(rest.end_s) else rest for rest in rests),
         transitions=tuple(transition for side in SIDES for transition in _transitions(side, arms)),
         units=tuple(_unit(unit, arms) for unit in units),
-        decisions=(*chosen.decisions, *(each for _gesture, told in pointed for each in told), *_decisions(arms)),
+        decisions=(*chosen.decisions, *(told for gesture in gestures for told in missed(gesture)), *_decisions(arms)),
         realized={gesture.request.behavior: _realized(gesture, arms) for gesture in gestures},
         end_s=end_s,
     )
 
 
-def chosen_clips(library: Clips, schedule: Schedule, setting: Setting, *, seed: int) -> Admission:
+def chosen_clips(
+    library: Clips, schedule: Schedule, setting: Setting, *, seed: int, targets_m: Mapping[str, Position]
+) -> Admission:
     """The gestures that are played, with their clips, in order of their strokes, and what became of the others."""
     rng = np.random.default_rng(seed)
     kept: tuple[Placed, ...] = ()
@@ -69,7 +70,7 @@ def chosen_clips(library: Clips, schedule: Schedule, setting: Setting, *, seed: 
         decisions += told
         if clips:
             used = next((each.clip.name for each in reversed(kept) if each.clip.category == clips[0].category), None)
-            options = [placed(clip, request) for clip in in_drawn_order(clips, used, rng)]
+            options = [aimed(placed(clip, request), targets_m) for clip in in_drawn_order(clips, used, rng)]
             admission = admitted(options, kept, setting)
             kept = admission.kept
             decisions += admission.decisions

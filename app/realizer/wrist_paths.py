@@ -9,10 +9,14 @@ import numpy as np
 from app.model import FloatArray, Hand
 from app.realizer.gesture import ArmKey, Clip, ClipKey, Depth, Height, Place, Sideways
 from app.realizer.gesture_plan import Placed
-from app.realizer.gesture_space import sector_m
+from app.realizer.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
+from app.realizer.skeleton import HIPS_HEIGHT_M
 
 _UNPLACED = Place(Sideways.C, Height.CC, Depth.MIDDLE)
 """Where a hand is taken to be whose joints are given instead of its place."""
+
+_SHOULDER_M: FloatArray = np.array([0.17, SHOULDERS_ABOVE_HIPS_M, 0.0])
+_SHOULDER_M.setflags(write=False)
 
 
 def arm_key(key: ClipKey, side: Hand) -> ArmKey | None:
@@ -26,8 +30,13 @@ def amplitude(placed: Placed) -> float:
 
 
 def wrist_m(placed: Placed, side: Hand, time_s: float) -> FloatArray:
-    """The wrist's place (3,) at `time_s` of the clip."""
-    return _wrist_m(placed.clip, side, time_s, amplitude(placed))
+    """The wrist's place (3,) at `time_s` of the clip; one that points is on the line from the shoulder to its aim."""
+    place_m = _wrist_m(placed.clip, side, time_s, amplitude(placed))
+    if placed.aim_m is None:
+        return place_m
+    out = 1.0 if side is Hand.LEFT else -1.0
+    way_m = np.array(placed.aim_m) * [out, 1.0, 1.0] - [0.0, HIPS_HEIGHT_M, 0.0] - _SHOULDER_M
+    return np.asarray(_SHOULDER_M + distance_m(place_m, _SHOULDER_M) * way_m / np.linalg.norm(way_m))
 
 
 def stroke_start_m(placed: Placed, side: Hand) -> FloatArray:
