@@ -43,12 +43,15 @@ LINE, LIMIT, WORD = "#1f4e79", "#c0392b", "#9aa5b1"
 def draw_speeds(motion: Motion, skeleton: Skeleton, schedule: Schedule) -> bytes:
     """The picture, as PNG: a row for each hand over a row of words."""
     from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
 
     width = float(np.clip(INCHES_PER_S * motion.duration_s, NARROWEST_INCHES, WIDEST_INCHES))
     figure = Figure(figsize=(width, HEIGHT_INCHES), layout="constrained")
     rows = figure.subplots(3, 1, sharex=True, height_ratios=(3, 3, 0.7))
     speeds = wrist_speeds_m_s(motion, skeleton)
     highest = max(HIGHEST_USUAL_M_S * 1.1, float(speeds.max()) * 1.05)
+    patches = [Patch(color=colour, label=phase) for phase, (_start, _end, colour) in PHASES.items()]
+    figure.legend(handles=patches, loc="outside upper right", ncols=len(patches), fontsize=8, frameon=False)
     for row, side, speed in zip(rows, SIDES, speeds.T, strict=False):
         _draw_phases(row, motion, schedule, Hand(side))
         row.plot(motion.body.times_s, speed, color=LINE, linewidth=1.2)

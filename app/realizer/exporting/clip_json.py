@@ -31,18 +31,9 @@ def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig, *, visemes: Float
     `visemes` are weights (T, 15) for rigs that have visemes as shapes (`app.realizer.lips.viseme_weights`); they stand
     for the mouth's blendshapes, not beside them.
     """
-    head: dict[str, Json] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "skeleton": _skeleton(skeleton, rig),
-        "frames": len(motion.body.times_s),
-        "duration_s": round(motion.duration_s, 6),
-        **described(motion),
-        "notices": [{"code": notice.code, "message": notice.message} for notice in motion.notices],
-    }
     content = io.BytesIO()
     content.write(b"{\n")
-    for key, value in head.items():
+    for key, value in _head(motion, skeleton, rig).items():
         content.write(f"{json.dumps(key)}: {json.dumps(value)},\n".encode())
     content.write(f'"hips_m": {_track(motion.body.hips_m, PLACE_DECIMALS)},\n'.encode())
     _write_tracks(content, "bones", _bones(motion, rig))
@@ -53,6 +44,19 @@ def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig, *, visemes: Float
         _write_tracks(content, "visemes", _weights(VISEMES, visemes))
     content.write(b"\n}\n")
     return content.getvalue()
+
+
+def _head(motion: Motion, skeleton: Skeleton, rig: Rig) -> dict[str, Json]:
+    """All but the tracks."""
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "skeleton": _skeleton(skeleton, rig),
+        "frames": len(motion.body.times_s),
+        "duration_s": round(motion.duration_s, 6),
+        **described(motion),
+        "notices": [{"code": notice.code, "message": notice.message} for notice in motion.notices],
+    }
 
 
 def _skeleton(skeleton: Skeleton, rig: Rig) -> Json:
