@@ -42,4 +42,4 @@ def write_motions(
 
 
 def _told(decision: Decision) -> str:
-    return f"{decision.behavior} {decision.action}: {decision.reason}"
+    return f"{decision.behavior or 'the body'} {decision.action}: {decision.reason}"

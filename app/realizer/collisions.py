@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from app.model import FloatArray, Hand
 from app.realizer.arm_reach import ArmBones, reach_by_elbow, towards_elbow
 from app.realizer.build import BUILD
-from app.realizer.contacts import LIMBS, PAIRS, RADII_M, Contacts, Posed, contacts
+from app.realizer.contacts import LIMBS, PAIRS, RADII_M, Contacts, Posed, contacts, depths_m
 from app.realizer.limits import MIRROR, clamped, parted_deg
 from app.realizer.motion import BodyMotion, Decision
 from app.realizer.rotations import about, dot, inverse, length, multiply, nearest_sign, rotate
@@ -51,16 +51,16 @@ def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decis
     What is still inside after a round is added to the push, and the arms are solved again from where they were; so
     the push is smooth in time however many rounds it takes."""
     body = replace(body, rotations=clamped(skeleton, body.rotations))
-    posed = Posed.of(skeleton, body.rotations, body.hips_m)
-    found = contacts(skeleton, posed)
-    decisions = _decisions(found, body.times_s)
+    depth_m = depths_m(skeleton, body.rotations, body.hips_m)
+    decisions = _decisions(depth_m, body.times_s)
     if not decisions:
         return body, ()
     swell = _swell_frames(body.times_s)
     rotations = body.rotations.copy()
-    for first, past in _stretches(_around(found.depth_m.max(axis=1) > 0, 2 * swell)):
+    for first, past in _stretches(_around(depth_m.max(axis=1) > 0, 2 * swell)):
         there = slice(first, past)
-        rotations[there] = _cleared(skeleton, posed.frames(there), swell)
+        posed = Posed.of(skeleton, body.rotations[there], body.hips_m[there])
+        rotations[there] = _cleared(skeleton, posed, swell)
     return replace(body, rotations=rotations), decisions
 
 
@@ -211,12 +211,12 @@ def _stretches(inside: NDArray[np.bool_]) -> NDArray[np.intp]:
     return np.nonzero(padded[1:] != padded[:-1])[0].reshape(-1, 2)
 
 
-def _decisions(found: Contacts, times_s: FloatArray) -> tuple[Decision, ...]:
+def _decisions(depths: FloatArray, times_s: FloatArray) -> tuple[Decision, ...]:
     """One for each stretch of frames in which a limb of a side was inside something."""
     decisions = []
     for side in SIDES:
         own = [column for column, (limb, _other) in enumerate(PAIRS) if BUILD[limb].joint.startswith(side)]
-        depth_m = found.depth_m[:, own]
+        depth_m = depths[:, own]
         for first, past in _stretches(depth_m.max(axis=1) > 0):
             column = int(np.argmax(depth_m[first:past].max(axis=0)))
             limb, other = (BUILD[number].part for number in PAIRS[own[column]])

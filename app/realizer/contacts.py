@@ -39,6 +39,8 @@ RADII_M = np.array([BUILD[limb].radius_m + BUILD[other].radius_m for limb, other
 
 _CROSSING = np.array([float(BUILD[other].part in LIMBS) for _limb, other in PAIRS])
 _CENTRAL_M = 0.01
+_BLOCK = 2_000
+"""Frames that are compared at a time, so that a long motion needs little memory."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,10 +98,17 @@ def contacts(skeleton: Skeleton, body: Posed) -> Contacts:
     return Contacts(depth_m.T, out.swapaxes(0, 1), on_limb.T, on_other.T)
 
 
+def depths_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FloatArray:
+    """How deep every pair is in every frame (T, P), positive inside."""
+    blocks = (slice(first, first + _BLOCK) for first in range(0, len(rotations), _BLOCK))
+    return np.concatenate(
+        [contacts(skeleton, Posed.of(skeleton, rotations[block], hips_m[block])).depth_m for block in blocks]
+    )
+
+
 def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FloatArray:
     """How deep the deepest forearm or hand is in the body or the other arm in each frame: (T,), 0 where none is."""
-    found = contacts(skeleton, Posed.of(skeleton, rotations, hips_m))
-    return np.asarray(np.maximum(found.depth_m.max(axis=1), 0.0))
+    return np.asarray(np.maximum(depths_m(skeleton, rotations, hips_m).max(axis=1), 0.0))
 
 
 def _lines(skeleton: Skeleton, body: Posed) -> tuple[FloatArray, FloatArray]:
