@@ -82,3 +82,18 @@ def test_a_joint_past_its_limit_is_brought_back() -> None:
     cleared, _ = clear(BODY, BodyMotion(TIMES_S, bent, body.hips_m))
     assert violations(BODY, bent).max() > 25
     assert violations(BODY, cleared.rotations).max() == 0
+
+
+def test_what_cannot_be_cleared_without_a_jump_is_told() -> None:
+    """A hand that is through the belly for a sixth of a second cannot be before it in time."""
+    body = moving((Hand.LEFT, BEFORE))
+    behind = pose_arm(BODY, Hand.LEFT, ArmKey(Place(Sideways.OPP_P, Height.LOWER_P, Depth.NEAR, (0.0, 0.0, -0.35))))
+    start = rest(Hand.LEFT)
+    track = (TimedPose(0.0, start), TimedPose(1.0, start), TimedPose(1.12, behind.over(start)), TimedPose(1.24, start))
+    through = body.rotations.copy()
+    through[:, BODY.chain(*arm_joints(Hand.LEFT))] = arm_motion(ArmTrack(Hand.LEFT, track), TIMES_S, seed=0)
+    cleared, decisions = clear(BODY, BodyMotion(TIMES_S, through, body.hips_m))
+    fastest = [angle_between(each[1:], each[:-1]).max() * RATE_HZ for each in (through, cleared.rotations)]
+    assert fastest[1] <= max(20.0, fastest[0] + 1e-6)
+    assert (deepest_m(cleared) > 0.001) == ("kept" in {decision.action for decision in decisions})
+    assert deepest_m(cleared) < deepest_m(BodyMotion(TIMES_S, through, body.hips_m))

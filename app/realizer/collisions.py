@@ -15,9 +15,10 @@ from app.model import FloatArray, Hand
 from app.realizer.arm_reach import ArmBones, reach_by_elbow, towards_elbow
 from app.realizer.build import BUILD
 from app.realizer.contacts import LIMBS, PAIRS, RADII_M, Contacts, Posed, contacts, depths_m
+from app.realizer.easing import minimum_jerk
 from app.realizer.limits import MIRROR, clamped, parted_deg
 from app.realizer.motion import BodyMotion, Decision
-from app.realizer.rotations import about, dot, inverse, length, multiply, nearest_sign, rotate
+from app.realizer.rotations import about, angle_between, dot, inverse, length, multiply, nearest_sign, rotate
 from app.realizer.skeleton import SIDES, Skeleton
 from app.realizer.wrist_turns import kept
 
@@ -26,7 +27,18 @@ _SWELL_S = 0.18
 _ROUNDS = 8
 _ELBOW_AT_LEAST_M = 0.12
 _FARTHEST_M = 0.22
+_FASTEST_RAD_S = 16.0
+_TOLERATED_M = 0.001
 _MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])
+
+
+def _together() -> tuple[list[int], ...]:
+    """Columns of contacts that are left on one side: each limb's with trunk and legs, and all of arm with arm."""
+    whose = ["arms" if BUILD[other].part in LIMBS else BUILD[limb].joint for limb, other in PAIRS]
+    return tuple([column for column, name in enumerate(whose) if name == each] for each in dict.fromkeys(whose))
+
+
+_TOGETHER = _together()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,13 +52,14 @@ class _Push:
         wrist_m, elbow_m = self.wrist_m + other.wrist_m, self.elbow_m + other.elbow_m
         return _Push(_at_most(wrist_m, _FARTHEST_M), _at_most(elbow_m, _FARTHEST_M))
 
-    def swelling(self, swell: int) -> "_Push":
-        return _Push(_swelling(self.wrist_m, swell), _swelling(self.elbow_m, swell))
+    def swelling(self, swell: int, taper: FloatArray) -> "_Push":
+        return _Push(*(taper * _swelling(push_m, swell) for push_m in (self.wrist_m, self.elbow_m)))
 
 
 def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
     """The same motion with hands and forearms outside of torso, head, upper legs and each other, and with trunk, neck
-    and arms within their limits; and a decision for each stretch of time in which a hand had to give way.
+    and arms within their limits; and a decision for each stretch of time in which a hand had to give way, or could not
+    without a joint that jumps.
 
     What is still inside after a round is added to the push, and the arms are solved again from where they were; so
     the push is smooth in time however many rounds it takes."""
@@ -58,40 +71,63 @@ def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decis
     swell = _swell_frames(body.times_s)
     rotations = body.rotations.copy()
     for first, past in _stretches(_around(depth_m.max(axis=1) > 0, 2 * swell)):
-        there = slice(first, past)
+        there, ends = slice(first, past), (first > 0, past < len(rotations))
         posed = Posed.of(skeleton, body.rotations[there], body.hips_m[there])
-        rotations[there] = _cleared(skeleton, posed, swell)
+        rotations[there], left_m = _cleared(skeleton, posed, swell, _taper(past - first, swell, ends))
+        if left_m > _TOLERATED_M:
+            decisions = (*decisions, _unsolved(body.times_s[there], left_m))
     return replace(body, rotations=rotations), decisions
 
 
-def _cleared(skeleton: Skeleton, start: Posed, swell: int) -> FloatArray:
-    """The local rotations of a stretch of frames that ends clear of everything; a push swells over so many frames."""
-    body, found = start, contacts(skeleton, start)
+def _taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:
+    """Nothing at the stretch's ends, beyond which nothing is moved, all of a push from `swell` frames on: (F, 1)."""
+    number = np.arange(frames)
+    from_start = number if ends[0] else np.full(frames, swell)
+    from_end = number[::-1] if ends[1] else np.full(frames, swell)
+    return minimum_jerk(np.minimum(from_start, from_end) / swell)[:, None]
+
+
+def _cleared(skeleton: Skeleton, start: Posed, swell: int, taper: FloatArray) -> tuple[FloatArray, float]:
+    """The local rotations of a stretch of frames, after the round that ends least inside anything, and how deep that
+    is; a push swells over so many frames."""
+    found = contacts(skeleton, start)
     nothing = np.zeros((len(start.rotations), 3))
     pushes = dict.fromkeys(SIDES, _Push(nothing, nothing))
     way_out = np.zeros_like(found.out)
+    least_m, rotations = float(found.depth_m.max()), start.rotations
     for _round in range(_ROUNDS):
         way_out = _way_out(found, way_out)
         one_way = _one_way(found, way_out)
         pushes = {side: push.and_then(_push(one_way, side)) for side, push in pushes.items()}
-        swelling = {side: push.swelling(swell) for side, push in pushes.items()}
+        swelling = {side: push.swelling(swell, taper) for side, push in pushes.items()}
         body = start.with_arms(skeleton, _moved(skeleton, start, swelling))
         found = contacts(skeleton, body)
+        if found.depth_m.max() < least_m and not _jumps(body.rotations, start.rotations, swell):
+            least_m, rotations = float(found.depth_m.max()), body.rotations
         if found.depth_m.max() <= 0:
             break
-    return body.rotations
+    return rotations, least_m
+
+
+def _jumps(rotations: FloatArray, before: FloatArray, swell: int) -> bool:
+    """Whether a joint turns faster than joints should, and than it did."""
+    fastest = _FASTEST_RAD_S * _SWELL_S / swell
+    turned, did = (angle_between(each[1:], each[:-1]).max(initial=0.0) for each in (rotations, before))
+    return bool(turned > max(fastest, did))
 
 
 def _way_out(found: Contacts, known: FloatArray) -> FloatArray:
     """On which side each contact is left, (T, P, 3): in a whole stretch of frames on the side where the limb is inside
-    the most, and in every round on the same. A limb that passes through would otherwise be pushed back and, from the
-    middle on, forward."""
+    the most, the same for all parts of the trunk and legs, and in every round the same. A limb that passes through
+    would otherwise be pushed back and, from the middle on, forward; one between belly and leg to and fro."""
     way_out = known.copy()
-    for column in np.nonzero((found.depth_m > 0).any(axis=0))[0]:
-        for first, past in _stretches(found.depth_m[:, column] > 0):
-            there = slice(first, past), column
-            before = known[there].sum(axis=0)
-            way_out[there] = before if before.any() else found.depth_m[there] @ found.out[there]
+    deep_m = np.maximum(found.depth_m, 0.0)
+    for columns in _TOGETHER:
+        for first, past in _stretches(deep_m[:, columns].max(axis=1) > 0):
+            there = slice(first, past), columns
+            before = known[there].sum(axis=(0, 1))
+            main = before if before.any() else np.einsum("tp,tpk->k", deep_m[there], found.out[there])
+            way_out[there] = main
     return way_out
 
 
@@ -225,3 +261,8 @@ def _decisions(depths: FloatArray, times_s: FloatArray) -> tuple[Decision, ...]:
             reason = f"the {side} {limb} would have been {deepest_cm:.1f} cm inside the {other} {when}"
             decisions.append(Decision("", "moved", reason))
     return tuple(decisions)
+
+
+def _unsolved(times_s: FloatArray, left_m: float) -> Decision:
+    when = f"between {times_s[0]:.2f} s and {times_s[-1]:.2f} s"
+    return Decision("", "kept", f"a hand or forearm stays {100 * left_m:.1f} cm inside something {when}")
