@@ -134,7 +134,3 @@ def test_events_by_bml_id_and_decisions_go_with_the_animation(waved: Gltf) -> No
     extras = waved.tree["animations"][0]["extras"]
     assert {"behavior": "wave1", "point": "stroke", "time_s": 0.8} in extras["events"]
     assert extras["decisions"] == [{"behavior": "nod2", "action": "dropped", "reason": "the head was taken"}]
-
-
-def test_the_same_motion_gives_the_same_bytes() -> None:
-    assert to_glb(waving(0.5), BODY) == to_glb(waving(0.5), BODY)

@@ -8,7 +8,7 @@ import pytest
 from app.model import Behavior, Channel, FloatArray, Interval, Schedule, SyncPoints, Word
 from app.realizer.motion import SHAPES, BodyMotion, Motion
 from app.realizer.rotations import IDENTITY, about
-from app.realizer.sheet import COLUMNS, Still, draw_sheet, draw_stills, moments_of
+from app.realizer.sheet import Still, draw_sheet, draw_stills, moments_of
 from app.realizer.skeleton import HIPS_HEIGHT_M, Skeleton
 
 pytest.importorskip("matplotlib", reason="contact sheets need matplotlib")
@@ -41,9 +41,9 @@ def test_a_sheet_has_the_pose_of_each_moment() -> None:
 
 def test_many_poses_wrap_into_rows() -> None:
     one = pixels(draw_stills([Still("a", t_pose()[0])], BODY, faces=False))
-    many = pixels(draw_stills([Still("a", t_pose()[0])] * (COLUMNS + 1), BODY, faces=False))
+    many = pixels(draw_stills([Still("a", t_pose()[0])] * 3, BODY, faces=False, columns=2))
     assert many.shape[0] == 2 * one.shape[0]
-    assert many.shape[1] == COLUMNS * one.shape[1]
+    assert many.shape[1] == 2 * one.shape[1]
 
 
 def behavior(name: str, kind: Channel, lexeme: str) -> Behavior:

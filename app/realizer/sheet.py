@@ -79,10 +79,10 @@ def _word_at(words: Sequence[Word], time_s: float) -> str:
     return next((f"“{word.text}”" for word in said), "")
 
 
-def draw_stills(stills: Sequence[Still], skeleton: Skeleton, *, faces: bool = True) -> bytes:
-    """The poses side by side, eight to a row, as PNG."""
+def draw_stills(stills: Sequence[Still], skeleton: Skeleton, *, faces: bool = True, columns: int = COLUMNS) -> bytes:
+    """The poses side by side, so many to a row at most, as PNG."""
     mannequin = Mannequin.around(skeleton)
-    columns = min(COLUMNS, len(stills))
+    columns = min(columns, len(stills))
     cells = [_cell(mannequin, still, faces=faces) for still in stills]
     blank = np.broadcast_to(BACKGROUND, cells[0].shape)
     cells += [blank] * (-len(cells) % columns)
