@@ -94,6 +94,7 @@ def _cleared(skeleton: Skeleton, start: Posed, swell: int, taper: FloatArray) ->
     nothing = np.zeros((len(start.rotations), 3))
     pushes = dict.fromkeys(SIDES, _Push(nothing, nothing))
     way_out = np.zeros_like(found.out)
+    arms = skeleton.chain(*(side + name for side in SIDES for name in ("UpperArm", "LowerArm", "Hand")))
     least_m, rotations = float(found.depth_m.max()), start.rotations
     for _round in range(_ROUNDS):
         way_out = _way_out(found, way_out)
@@ -102,7 +103,7 @@ def _cleared(skeleton: Skeleton, start: Posed, swell: int, taper: FloatArray) ->
         swelling = {side: push.swelling(swell, taper) for side, push in pushes.items()}
         body = start.with_arms(skeleton, _moved(skeleton, start, swelling))
         found = contacts(skeleton, body)
-        if found.depth_m.max() < least_m and not _jumps(body.rotations, start.rotations, swell):
+        if found.depth_m.max() < least_m and not _jumps(body.rotations[:, arms], start.rotations[:, arms], swell):
             least_m, rotations = float(found.depth_m.max()), body.rotations
         if found.depth_m.max() <= 0:
             break
@@ -110,7 +111,7 @@ def _cleared(skeleton: Skeleton, start: Posed, swell: int, taper: FloatArray) ->
 
 
 def _jumps(rotations: FloatArray, before: FloatArray, swell: int) -> bool:
-    """Whether a joint turns faster than joints should, and than it did."""
+    """Whether one of the joints (F, J, 4) turns faster than joints should, and than they did."""
     fastest = _FASTEST_RAD_S * _SWELL_S / swell
     turned, did = (angle_between(each[1:], each[:-1]).max(initial=0.0) for each in (rotations, before))
     return bool(turned > max(fastest, did))
