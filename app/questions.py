@@ -11,7 +11,6 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from app.errors import InputError, UndecodableError, UnsupportedFormatError
 from app.model import Level, Mode
 from app.performance import BmlForm, DialectName, Options, TimeForm, Timings
-from app.realizer.motion import DEFAULT_RIG
 from app.references import ReferenceForm
 
 MOST_LISTENERS = 16
@@ -58,7 +57,7 @@ class RealizeQuestion(BaseModel):
     character: str | None = None
     fps: Literal[30, 60] = 60
     seed: Seed = 0
-    skeleton: str = DEFAULT_RIG
+    skeleton: str | None = None
 
 
 class TextQuestion(BaseModel):

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from pathlib import Path
+from types import MappingProxyType
 
 from app.bml.delivery import emphases_s, phrases
 from app.bml.reader import read_bml
@@ -19,10 +20,10 @@ from app.model import Behavior, FloatArray, Level, Notice, Performance, Schedule
 from app.performance import Ears, Heard, Progress, hear, hear_words, unheard
 from app.realizer.diphthongs import with_glides
 from app.realizer.exporting.arkit_csv import to_arkit_csv
+from app.realizer.exporting.avatar import to_avatar_glb
 from app.realizer.exporting.bvh import to_bvh
 from app.realizer.exporting.clip_json import to_clip_json
 from app.realizer.exporting.glb import to_glb
-from app.realizer.exporting.retargeting import Rig
 from app.realizer.exporting.viseme_list import to_viseme_text
 from app.realizer.exporting.vrma import to_vrma
 from app.realizer.lips import viseme_weights
@@ -36,9 +37,9 @@ __all__ = [
     "MotionFormat",
     "Realized",
     "Realizer",
-    "Rig",
     "Sheet",
     "Staged",
+    "Wearer",
     "format_of",
     "realize",
     "schedule_of",
@@ -64,6 +65,23 @@ class MotionFormat(StrEnum):
 
 PICTURES = frozenset({MotionFormat.SHEET, MotionFormat.SPEEDS})
 """Formats that matplotlib draws."""
+
+
+VRM, MIXAMO = "vrm", "mixamo"
+_RIGS: Mapping[MotionFormat, str] = MappingProxyType({MotionFormat.BVH: MIXAMO})
+"""Whose names joints go by where nobody says; others than these VRM's, as ours are."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wearer:
+    """Who is to wear the motion: the rig whose names joints go by in BVH and the clip, and the avatar, a GLB or VRM
+    file, that a GLB has instead of our mannequin."""
+
+    rig: str | None = None
+    avatar: bytes | None = None
+
+
+OURS = Wearer()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -182,12 +200,16 @@ def format_of(name: str) -> MotionFormat:
     return max(fitting, key=lambda each: len(each.value))
 
 
-def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, rig: Rig) -> bytes:
-    """The motion in a format; `rig` names the joints of BVH and of the clip."""
+def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, wearer: Wearer = OURS) -> bytes:
+    """The motion in a format, for whoever wears it.
+
+    Raises InputError `unknown_skeleton` and `unknown_avatar`, UndecodableError `avatar_undecodable`.
+    """
     motion, skeleton, schedule = realized.motion, realizer.skeleton, realized.schedule
+    rig = realizer.rig(wearer.rig or _RIGS.get(form, VRM))
     writers: Mapping[MotionFormat, Callable[[], bytes]] = {
         MotionFormat.BVH: lambda: to_bvh(motion, skeleton, rig),
-        MotionFormat.GLB: lambda: to_glb(motion, skeleton),
+        MotionFormat.GLB: lambda: _glb(motion, realizer, wearer.avatar),
         MotionFormat.VRMA: lambda: to_vrma(motion, skeleton),
         MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig, visemes=_viseme_weights(realized, realizer)),
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
@@ -196,6 +218,13 @@ def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, rig
         MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),
     }
     return writers[form]()
+
+
+def _glb(motion: Motion, realizer: Realizer, avatar: bytes | None) -> bytes:
+    """On the caller's avatar, or on our mannequin."""
+    if avatar is None:
+        return to_glb(motion, realizer.skeleton)
+    return to_avatar_glb(motion, realizer.skeleton, avatar, realizer.rigs)
 
 
 def _viseme_weights(realized: Realized, realizer: Realizer) -> FloatArray | None:

@@ -48,6 +48,18 @@ def test_joints_go_by_the_names_of_the_skeleton_asked_for(capfdbinary: Captured,
     assert b"JOINT upperarm_l" in output.read_bytes()
 
 
+def test_an_avatar_of_ones_own_wears_the_motion(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
+    """The mannequin's own file serves as the avatar: its joints go by VRM's names."""
+    mannequin, worn = tmp_path / "mannequin.glb", tmp_path / "worn.glb"
+    assert _run(capfdbinary, "realize", str(beat), "-o", str(mannequin), "--fps", "30")[0] == 0
+    argv = ("realize", str(beat), "-o", str(worn), "--avatar", str(mannequin), "--fps", "30")
+    assert _run(capfdbinary, *argv)[0] == 0
+    assert worn.read_bytes()[:4] == b"glTF"
+    beat.with_suffix(".glb").write_bytes(b"no avatar")
+    code, err = _run(capfdbinary, *argv[:-3], str(beat.with_suffix(".glb")))
+    assert (code, err.count("\n")) == (2, 1)
+
+
 def test_a_performance_writes_its_motion_too(capfdbinary: Captured, tmp_path: Path) -> None:
     bml, bvh = tmp_path / "a.bml", tmp_path / "a.bvh"
     argv = ("perform", AUDIO, "--text-file", TEXT_FILE, "-o", str(bml), "--realize", str(bvh), "--fps", "30")

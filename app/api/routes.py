@@ -1,7 +1,7 @@
 """The paths of the service."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path, PurePath
 from types import MappingProxyType
@@ -32,13 +32,13 @@ from app.questions import (
     read_realize_options,
     read_timings,
 )
-from app.realization import MotionFormat, Realized, Sheet, realize, stage, write_motion
+from app.realization import MotionFormat, Realized, Sheet, Wearer, realize, stage, write_motion
 
 XML = "application/xml"
 JSON = "application/json"
 GLB = "model/gltf-binary"
 BVH = "text/x-bvh"
-REALIZE_FIELDS = ("bml", "audio", "options")
+REALIZE_FIELDS = ("bml", "audio", "avatar", "options")
 PERFORM_FIELDS = ("audio", "text", "options", "words", "functions", "reference")
 WARNINGS_HEADER = "Understudy-Warnings"
 
@@ -84,7 +84,7 @@ _REALIZE_BODY = {
                 "schema": {
                     "type": "object",
                     "required": ["bml"],
-                    "properties": {"bml": _FILE, "audio": _FILE, "options": _TEXT},
+                    "properties": {"bml": _FILE, "audio": _FILE, "avatar": _FILE, "options": _TEXT},
                 }
             },
         },
@@ -118,14 +118,13 @@ async def post_perform(request: Request, shared: Shared) -> Response:
 
 @router.post("/realize", responses=_REALIZED | _ERRORS, openapi_extra=_REALIZE_BODY)
 async def post_realize(request: Request, shared: Shared) -> Response:
-    """BML in, motion out: the BML alone as the body, or a form with `bml`, the `audio` of its speech and `options`
-    (JSON: agitation, character, fps, seed, skeleton). Answers a clip as JSON, GLB or BVH, by `Accept`.
+    """BML in, motion out: the BML alone as the body, or a form with `bml`, the `audio` of its speech, an `avatar`
+    (GLB or VRM) and `options` (JSON: agitation, character, fps, seed, skeleton). Answers a clip as JSON, GLB or BVH.
     """
     media_type = _media_type(request, tuple(_MOTION_FORMATS), "motion comes")
     shared.capacity.require_place()
     deadline = Deadline.starting_now(shared.settings.deadline_s)
-    sheet, question = await deadline.within(_sheet(request))
-    work = partial(_realized, shared.understudy, sheet, question, media_type)
+    work = partial(_realized, shared.understudy, await deadline.within(_asked(request)), media_type)
     return await shared.capacity.run(work, deadline)
 
 
@@ -208,34 +207,45 @@ def _options(form: dict[str, Part]) -> Options:
     return replace(options, form=replace(options.form, audio_name=audio_name))
 
 
-async def _sheet(request: Request) -> tuple[Sheet, RealizeQuestion]:
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """BML that is to be played, how, and for whom."""
+
+    sheet: Sheet
+    question: RealizeQuestion
+    avatar: bytes | None = None
+
+
+async def _asked(request: Request) -> _Asked:
     """Raises InputError `field_missing`, UnsupportedFormatError `media_type`, and what the form's own checks raise."""
     sent = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if sent in _BML_TYPES:
-        return Sheet(await request.body(), Path("bml")), RealizeQuestion()
+        return _Asked(Sheet(await request.body(), Path("bml")), RealizeQuestion())
     if sent != "multipart/form-data":
         raise UnsupportedFormatError("media_type", f"send BML as {XML}, or multipart/form-data with bml and audio")
     form = await read_form(request, REALIZE_FIELDS)
     if "bml" not in form:
         raise InputError("field_missing", "the field bml is missing; send the BML that is to be played", field="bml")
-    name = Path(form["bml"].file_name or "bml")
-    question = read_realize_options(form["options"].content) if "options" in form else RealizeQuestion()
-    return Sheet(form["bml"].content, name, form["audio"].content if "audio" in form else None), question
+    content = {name: part.content for name, part in form.items()}
+    question = read_realize_options(content["options"]) if "options" in content else RealizeQuestion()
+    sheet = Sheet(content["bml"], Path(form["bml"].file_name or "bml"), content.get("audio"))
+    return _Asked(sheet, question, content.get("avatar"))
 
 
-def _realized(
-    understudy: Understudy, sheet: Sheet, question: RealizeQuestion, media_type: str, progress: Progress
-) -> Response:
+def _realized(understudy: Understudy, asked: _Asked, media_type: str, progress: Progress) -> Response:
     """The motion in the form asked for."""
-    rig = understudy.realizer.rig(question.skeleton)
+    question, realizer = asked.question, understudy.realizer
+    if question.skeleton:
+        realizer.rig(question.skeleton)
     staged = stage(
-        understudy.ears, sheet, agitation=question.agitation, character=question.character, progress=progress
+        understudy.ears, asked.sheet, agitation=question.agitation, character=question.character, progress=progress
     )
     progress("realize")
-    motion = realize(understudy.realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed)
+    motion = realize(realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed)
     progress("export")
     realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
-    content = write_motion(realized, understudy.realizer, _MOTION_FORMATS[media_type], rig)
+    wearer = Wearer(question.skeleton, asked.avatar)
+    content = write_motion(realized, realizer, _MOTION_FORMATS[media_type], wearer)
     return Response(content, media_type=media_type, headers=_headers(staged.notices))
 
 

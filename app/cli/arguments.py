@@ -9,7 +9,7 @@ from app import __version__
 from app.bml.documents import DialectName, TimeForm
 from app.errors import InputError
 from app.model import Hand, Level, Mode
-from app.realizer.motion import DEFAULT_RIG, FRAME_RATES_HZ
+from app.realizer.motion import FRAME_RATES_HZ
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
 """Adds a command, given its name and what it does."""
@@ -101,8 +101,9 @@ def _add_motion(parser: argparse.ArgumentParser) -> None:
     rates = FRAME_RATES_HZ
     parser.add_argument("--fps", type=int, choices=rates, default=max(rates), help="frames a second of the motion")
     parser.add_argument(
-        "--skeleton", metavar="NAME", default=DEFAULT_RIG, help="whose names joints go by in BVH (default mixamo)"
+        "--skeleton", metavar="NAME", help="whose names joints go by (default: mixamo in BVH, vrm in JSON)"
     )
+    parser.add_argument("--avatar", metavar="FILE", help="your own GLB or VRM, to wear the motion in .glb")
 
 
 def _add_form(parser: argparse.ArgumentParser) -> None:

@@ -4,12 +4,12 @@ import argparse
 from collections.abc import Sequence
 from dataclasses import replace
 
-from app.cli.files import require_writable, write
+from app.cli.files import read_bytes, require_writable, write
 from app.cli.log import Log
 from app.cli.plot import require_plot
 from app.errors import InputError
 from app.performance import Understudy
-from app.realization import PICTURES, Realized, Staged, format_of, realize, write_motion
+from app.realization import PICTURES, Realized, Staged, Wearer, format_of, realize, write_motion
 from app.realizer.motion import Decision
 
 
@@ -30,15 +30,24 @@ def write_motions(
     """Realizes the schedule once and writes it to every name; decisions are told."""
     if not names:
         return
-    realizer, rig = understudy.realizer, understudy.realizer.rig(arguments.skeleton)
+    realizer, wearer = understudy.realizer, _wearer(arguments, understudy)
     log.stage("realize")
     motion = realize(realizer, staged.schedule, frame_rate_hz=arguments.fps, seed=arguments.seed)
     realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
     log.stage("export")
     for name in names:
-        write(name, write_motion(realized, realizer, format_of(name), rig))
+        write(name, write_motion(realized, realizer, format_of(name), wearer))
     if motion.decisions:
         log.note("\n".join(_told(decision) for decision in motion.decisions))
+
+
+def _wearer(arguments: argparse.Namespace, understudy: Understudy) -> Wearer:
+    """Raises InputError `unknown_skeleton` and `file_unreadable` before the work is done."""
+    if arguments.skeleton:
+        understudy.realizer.rig(arguments.skeleton)
+    limit = understudy.ears.settings.max_body_bytes
+    avatar = read_bytes(arguments.avatar, limit=limit, field="avatar") if arguments.avatar else None
+    return Wearer(arguments.skeleton, avatar)
 
 
 def _told(decision: Decision) -> str:

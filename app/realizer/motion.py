@@ -12,9 +12,6 @@ from app.model import FloatArray, Notice, SyncPoints
 FRAME_RATES_HZ = (30, 60)
 """The rates at which motion is made."""
 
-DEFAULT_RIG = "mixamo"
-"""Whose names joints go by where nobody says."""
-
 SHAPES: tuple[str, ...] = (
     "browDownLeft",
     "browDownRight",
