@@ -16,12 +16,12 @@ from app.acoustic.boundaries import BoundaryModel
 from app.acoustic.decoder_process import Decoded, DecodedPhone, DecoderProcess
 from app.acoustic.fit import check_fit
 from app.acoustic.normalisation import Normaliser
-from app.acoustic.pieces import FRAMES_PER_S, decode_in_pieces
+from app.acoustic.pieces import FRAMES_PER_S, LONGEST_WHOLE_S, decode_in_pieces
 from app.acoustic.pronunciation import Pronouncer, Pronunciation
 from app.acoustic.spreading import spread
 from app.acoustic.sustained import fits_better, silenced
 from app.errors import InputError
-from app.model import Audio, Filler, FloatArray, Interval, Notice, Phone, Word
+from app.model import SAMPLE_RATE_HZ, Audio, Filler, FloatArray, Interval, Notice, Phone, Word
 
 MOST_SILENCINGS = 2
 WINDOW_DELAY_S = 0.0085
@@ -101,10 +101,11 @@ class Aligner:
         return Alignment(tuple(in_time.get(word.index, word) for word in words), notices + fit_notices, fillers)
 
     def _decoded(self, samples: FloatArray, spoken: list[_Spoken]) -> Decoded | None:
-        """The phones of the words, none of them stretched over music; None when the decoder finds no path."""
+        """The phones of the words; None when the decoder finds no path. In audio of one piece none is stretched over
+        music; in longer audio that would cost as much again."""
         words = [[" ".join(phones) for phones in each.variants] for word in spoken for each in word.pronunciations]
         decoded = decode_in_pieces(self._process, samples, words)
-        for _ in range(MOST_SILENCINGS):
+        for _ in range(MOST_SILENCINGS if len(samples) <= LONGEST_WHOLE_S * SAMPLE_RATE_HZ else 0):
             rest = silenced(samples, decoded) if decoded else None
             if rest is None or decoded is None:
                 break
