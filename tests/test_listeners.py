@@ -16,6 +16,7 @@ from app.settings import Settings
 from tests.bml_checker import check
 
 AUDIO = Path(__file__).parent / "audio" / "figure8.flac"
+EXAMPLES = Path(__file__).parents[1] / "examples"
 TEXT_FILE = AUDIO.with_suffix(".txt")
 LINE = Line(AUDIO.read_bytes(), TEXT_FILE.read_text(encoding="utf-8"))
 COMMAND = ("perform", str(AUDIO), "--text-file", str(TEXT_FILE), "--quiet")
@@ -54,7 +55,9 @@ def test_listeners_do_not_change_the_speaker(understudy: Understudy) -> None:
 
 
 def test_modes_change_the_gestures_alone(understudy: Understudy) -> None:
-    performances = [perform(understudy, LINE, Options(mode=mode)) for mode in Mode]
+    """On a line with words that stand out, without which there is nothing to beat on."""
+    line = Line((EXAMPLES / "example.flac").read_bytes(), (EXAMPLES / "example.txt").read_text(encoding="utf-8"))
+    performances = [perform(understudy, line, Options(mode=mode)) for mode in Mode]
     gestures = [
         [each.lexeme for each in performance.behaviors if each.kept and each.kind is Channel.GESTURE]
         for performance in performances
