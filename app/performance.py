@@ -158,7 +158,8 @@ class Analysis:
 
 @dataclass(frozen=True, slots=True)
 class Ears:
-    """What hearing needs (paper §3.1). The aligner runs in a process of its own, started by the first line."""
+    """What hearing needs (paper §3.1). The aligner runs in a process of its own, started by the first line and ended by
+    `close` (or a `with` block)."""
 
     settings: Settings
     aligner: Aligner
@@ -173,6 +174,15 @@ class Ears:
             aligner=Aligner(models, lexicon / "en"),
             agitation=AgitationModel.load(models / "agitation", settings.agitation_features),
         )
+
+    def close(self) -> None:
+        self.aligner.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self.close()
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,7 +232,7 @@ class Understudy:
         return cls(ears=Ears.load(settings), mind=Mind.load(settings), body=Body.load(), realizer=realizer)
 
     def close(self) -> None:
-        self.ears.aligner.close()
+        self.ears.close()
 
     def __enter__(self) -> Self:
         return self

@@ -20,8 +20,10 @@ import statistics
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import chain, combinations, islice
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -65,11 +67,11 @@ def main() -> None:
     arguments.add_argument("--character", default="default")
     arguments.add_argument("--minutes", type=float, default=0.0)
     options = arguments.parse_args()
+    if options.minutes:
+        report_long(long_schedule(options.character, options.sentences, options.minutes), options.fps)
+        return
     realizer = Realizer.load(resource_folder("lexicon"))
     sentences = islice(of_sentences(options.character), options.sentences)
-    if options.minutes:
-        report_long(realizer, joined(list(sentences), 60 * options.minutes), options.fps)
-        return
     schedules = [schedule_of(each) for each in chain(of_lines(options.lines, options.character), sentences)]
     realized_once(realizer, schedules[0], options.fps)
     report([realized_once(realizer, each, options.fps) for each in schedules], realizer.skeleton)
@@ -92,6 +94,16 @@ def of_lines(folder: Path, character: str) -> Iterator[Performance]:
 def of_sentences(character: str) -> Iterator[Performance]:
     stages = Stages.load(character)
     return (performed(stages, text, seed=0) for text in spoken_sentences() if len(text.split()) > 3)
+
+
+def long_schedule(character: str, sentences: int, minutes: float) -> Schedule:
+    """Made in a process of its own, so that parser and rules are not in the memory that is measured."""
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as elsewhere:
+        return elsewhere.submit(_long_schedule, character, sentences, minutes).result()
+
+
+def _long_schedule(character: str, sentences: int, minutes: float) -> Schedule:
+    return joined(list(islice(of_sentences(character), sentences)), 60 * minutes)
 
 
 def joined(performances: Sequence[Performance], duration_s: float) -> Schedule:
@@ -245,7 +257,8 @@ def report_speed(realized: Sequence[Realized]) -> None:
     print(f"speed: {whole:.0f} × real time over all, median of the lines {statistics.median(rates):.0f} ×")
 
 
-def report_long(realizer: Realizer, schedule: Schedule, frame_rate_hz: int) -> None:
+def report_long(schedule: Schedule, frame_rate_hz: int) -> None:
+    realizer = Realizer.load(resource_folder("lexicon"))
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     found = realized_once(realizer, schedule, frame_rate_hz)
     most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss

@@ -8,9 +8,10 @@ from app.cli.files import read_bytes, require_writable, write
 from app.cli.log import Log
 from app.cli.plot import require_plot
 from app.errors import InputError
-from app.performance import Understudy
-from app.realization import PICTURES, Realized, Staged, Wearer, format_of, realize, write_motion
+from app.realization import PICTURES, Realized, Realizer, Staged, Wearer, format_of, realize, write_motion
 from app.realizer.motion import Decision
+
+LARGEST_AVATAR_BYTES = 256 << 20
 
 
 def require_motions(names: Sequence[str], *, field: str) -> None:
@@ -25,12 +26,12 @@ def require_motions(names: Sequence[str], *, field: str) -> None:
 
 
 def write_motions(
-    names: Sequence[str], understudy: Understudy, staged: Staged, arguments: argparse.Namespace, log: Log
+    names: Sequence[str], realizer: Realizer, staged: Staged, arguments: argparse.Namespace, log: Log
 ) -> None:
     """Realizes the schedule once and writes it to every name; decisions are told."""
     if not names:
         return
-    realizer, wearer = understudy.realizer, _wearer(arguments, understudy)
+    wearer = _wearer(arguments, realizer)
     log.stage("realize")
     motion = realize(realizer, staged.schedule, frame_rate_hz=arguments.fps, seed=arguments.seed)
     realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
@@ -41,12 +42,11 @@ def write_motions(
         log.note("\n".join(_told(decision) for decision in motion.decisions))
 
 
-def _wearer(arguments: argparse.Namespace, understudy: Understudy) -> Wearer:
+def _wearer(arguments: argparse.Namespace, realizer: Realizer) -> Wearer:
     """Raises InputError `unknown_skeleton` and `file_unreadable` before the work is done."""
     if arguments.skeleton:
-        understudy.realizer.rig(arguments.skeleton)
-    limit = understudy.ears.settings.max_body_bytes
-    avatar = read_bytes(arguments.avatar, limit=limit, field="avatar") if arguments.avatar else None
+        realizer.rig(arguments.skeleton)
+    avatar = read_bytes(arguments.avatar, limit=LARGEST_AVATAR_BYTES, field="avatar") if arguments.avatar else None
     return Wearer(arguments.skeleton, avatar)
 
 

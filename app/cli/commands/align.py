@@ -1,7 +1,6 @@
 """`understudy align`: words and phones in time, as JSON, Praat TextGrid or CTM."""
 
 import argparse
-from contextlib import closing
 from pathlib import PurePath
 
 from app.answers import AlignAnswer
@@ -15,8 +14,7 @@ from app.settings import read_settings
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     line = read_line(arguments, settings)
-    ears = Ears.load(settings)
-    with closing(ears.aligner):
+    with Ears.load(settings) as ears:
         aligned = align(ears, line)
     write_standard(_formatted(aligned, arguments))
     log.warnings(aligned.notices)

@@ -46,7 +46,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         performance = perform(understudy, line, options, log.stage)
         if arguments.realize:
             staged = Staged(schedule_of(performance), performance.notices)
-            write_motions(arguments.realize, understudy, staged, arguments, log)
+            write_motions(arguments.realize, understudy.realizer, staged, arguments, log)
     if arguments.trace:
         write(arguments.trace, PerformanceAnswer.of_performance(performance).to_json(indent=2) + b"\n")
     written = write_bml_json if (arguments.output or "").lower().endswith(".json") else write_bml

@@ -8,8 +8,9 @@ from app.cli.log import Log
 from app.cli.motions import require_motions, write_motions
 from app.errors import InputError
 from app.model import Level
-from app.performance import Understudy
-from app.realization import Sheet, stage
+from app.performance import Ears
+from app.realization import Realizer, Sheet, stage
+from app.resources import resource_folder
 from app.settings import read_settings
 
 
@@ -24,8 +25,9 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     bml = read_bytes(arguments.bml, limit=settings.max_body_bytes, field="bml")
     sheet = Sheet(bml, Path("standard input" if arguments.bml == STANDARD else arguments.bml), audio)
     level = arguments.agitation and Level(arguments.agitation)
-    with Understudy.load(settings) as understudy:
-        staged = stage(understudy.ears, sheet, agitation=level, character=arguments.character, progress=log.stage)
-        log.warnings(staged.notices)
-        write_motions(arguments.output, understudy, staged, arguments, log)
+    realizer = Realizer.load(resource_folder("lexicon"))
+    with Ears.load(settings) as ears:
+        staged = stage(ears, sheet, agitation=level, character=arguments.character, progress=log.stage)
+    log.warnings(staged.notices)
+    write_motions(arguments.output, realizer, staged, arguments, log)
     return 0
