@@ -51,7 +51,7 @@ def test_a_gesture_is_shown_as_written(capfdbinary: Captured) -> None:
     assert "      FINGER index bend_curved" in out.splitlines()
     rows = [line.split() for line in out.splitlines() if line.startswith("  medium")]
     assert rows == [
-        ["medium", "1.00", "1.00", "0.50", "0.50", "0.00", "0.18"],
+        ["medium", "1.00", "1.00", "0.50", "0.50", "0.35", "0.18"],
         ["medium", "0.000", "0.000", "0.366", "0.600", "1.500", "1.500"],
     ]
 

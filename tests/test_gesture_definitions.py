@@ -29,8 +29,8 @@ def test_the_whole_header(tmp_path: Path) -> None:
     found = read_one(tmp_path, gesture(header))
     assert (found.hand, found.categories, found.aimed) == (Hand.BOTH, ("ME", "WE"), True)
     assert found.levels == {
-        Level.MEDIUM: Expressivity(),
-        Level.HIGH: Expressivity(amplitude=1.4, tempo=1.2, fluidity=0.35, power=1.0),
+        Level.MEDIUM: Expressivity(repetition=0.35),
+        Level.HIGH: Expressivity(amplitude=1.4, tempo=1.2, fluidity=0.35, power=1.0, repetition=0.65),
     }
 
 

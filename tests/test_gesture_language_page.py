@@ -48,7 +48,7 @@ def test_the_numbers_on_the_page_are_those_in_use() -> None:
         least, most = RANGES[name]
         expected = [f"{least:g} – {most:g}", f"{getattr(MEDIUM, name):g}"]
         for level in (Level.LOW, Level.HIGH):
-            factors = (*(f"× {factor:g}" for factor in FACTORS[level]), *map(_signed, (*SUMMANDS[level], 0.0)))
+            factors = (*(f"× {factor:g}" for factor in FACTORS[level]), *map(_signed, SUMMANDS[level]))
             expected.append(factors[place])
         assert [cell.strip() for cell in rows[name].split("|")] == expected
     assert f"{EMPHASIS} of the stroke" in PAGE

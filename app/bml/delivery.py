@@ -11,8 +11,8 @@ from app.bml.candidates import stressed_vowel_s
 from app.model import Interval, Word
 
 SHORTEST_PAUSE_S = 0.2
-LEAST_PROMINENCE = 0.4
-"""Of a word that repeats the stroke of a gesture."""
+LEAST_PROMINENCE, LEAST_RATIO = 0.4, 0.1
+"""Of a word that repeats the stroke of a gesture: the paper's stressed ratio where prominence is not known."""
 
 _SENTENCE_ENDS = (".", "!", "?", ";", ":")
 _CLOSERS = "\"'”’)]"
@@ -24,8 +24,8 @@ def phrases(words: tuple[Word, ...]) -> tuple[Interval, ...]:
 
 
 def emphases_s(words: tuple[Word, ...]) -> tuple[float, ...]:
-    """Where the stressed vowels of the prominent words begin; by the stressed ratio where prominence is not known."""
-    standing_out = (word for word in words if word.interval and _prominence(word) >= LEAST_PROMINENCE)
+    """Where the stressed vowels of the words that stand out begin."""
+    standing_out = (word for word in words if word.interval and _stands_out(word))
     return tuple(sorted(stressed_vowel_s(word) for word in standing_out))
 
 
@@ -48,5 +48,7 @@ def _parted(word: Word, pause_s: float) -> bool:
     return pause_s >= SHORTEST_PAUSE_S or word.text.rstrip(_CLOSERS).endswith(_SENTENCE_ENDS)
 
 
-def _prominence(word: Word) -> float:
-    return (word.stressed_ratio or 0.0) if word.prominence is None else word.prominence
+def _stands_out(word: Word) -> bool:
+    if word.prominence is None:
+        return (word.stressed_ratio or 0.0) > LEAST_RATIO
+    return word.prominence > LEAST_PROMINENCE

@@ -16,15 +16,15 @@ from app.realizer.gesture import ArmKey, Definition, Expressivity, Frame, FrameT
 from app.realizer.specifiers import arm_key, number, one_of
 from app.realizer.statements import FrameTree, GestureTree, Located, Statement, Word
 
-MEDIUM = Expressivity()
+MEDIUM = Expressivity(repetition=0.35)
 FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(
     {Level.LOW: (0.8, 0.85), Level.MEDIUM: (1.0, 1.0), Level.HIGH: (1.2, 1.2)}
 )
 """Amplitude and tempo of a level, as factors of medium's."""
-SUMMANDS: Mapping[Level, tuple[float, float]] = MappingProxyType(
-    {Level.LOW: (0.2, -0.2), Level.MEDIUM: (0.0, 0.0), Level.HIGH: (-0.15, 0.25)}
+SUMMANDS: Mapping[Level, tuple[float, float, float]] = MappingProxyType(
+    {Level.LOW: (0.2, -0.2, -0.2), Level.MEDIUM: (0.0, 0.0, 0.0), Level.HIGH: (-0.15, 0.25, 0.3)}
 )
-"""Fluidity and power of a level, on top of medium's."""
+"""Fluidity, power and repetition of a level, on top of medium's."""
 RANGES: Mapping[str, tuple[float, float]] = MappingProxyType(
     {
         "amplitude": (0.25, 2.0),
@@ -78,13 +78,14 @@ def definition(tree: GestureTree, path: Path | None, wrong: list[Located]) -> De
 def derived(level: Level, medium: Expressivity) -> Expressivity:
     """How a gesture that is made as `medium` at medium agitation is made at another, when its file does not say."""
     amplitude, tempo = FACTORS[level]
-    rounder, stronger = SUMMANDS[level]
+    rounder, stronger, again = SUMMANDS[level]
     made = replace(
         medium,
         amplitude=medium.amplitude * amplitude,
         tempo=medium.tempo * tempo,
         fluidity=medium.fluidity + rounder,
         power=medium.power + stronger,
+        repetition=medium.repetition + again,
     )
     return Expressivity(**{name: round(_within(getattr(made, name), *RANGES[name]), 6) for name in RANGES})
 
