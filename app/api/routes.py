@@ -11,7 +11,7 @@ from fastapi import APIRouter, Request, Response
 from starlette.exceptions import HTTPException
 from starlette.responses import PlainTextResponse
 
-from app.answers import Answer, CharactersAnswer, FunctionsAnswer, GesturesAnswer, PerformAnswer, RulesAnswer
+from app.answers import Answer, FunctionsAnswer, PerformAnswer
 from app.api.capacity import Deadline
 from app.api.form import Part, read_form
 from app.api.metrics import MEDIA_TYPE as METRICS
@@ -22,6 +22,7 @@ from app.api.speaker import with_reference
 from app.catalogue import Kind
 from app.errors import InputError, UnsupportedFormatError
 from app.given_functions import read_functions
+from app.library_answers import CharactersAnswer, GesturesAnswer, RulesAnswer
 from app.model import Notice
 from app.performance import Line, Options, Progress, Understudy, perform, understand, write_bml, write_listener
 from app.questions import (

@@ -43,7 +43,7 @@ def write_motions(
 
 
 def _wearer(arguments: argparse.Namespace, realizer: Realizer) -> Wearer:
-    """Raises InputError `unknown_skeleton` and `file_unreadable` before the work is done."""
+    """Raises InputError `unknown_skeleton` and `file_unreadable` before anything is realized."""
     if arguments.skeleton:
         realizer.rig(arguments.skeleton)
     avatar = read_bytes(arguments.avatar, limit=LARGEST_AVATAR_BYTES, field="avatar") if arguments.avatar else None

@@ -6,6 +6,7 @@ follows at most four joints, whose weights sum to 1.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from types import MappingProxyType
 
 import numpy as np
@@ -66,12 +67,18 @@ class Mannequin:
     @classmethod
     def around(cls, skeleton: Skeleton) -> "Mannequin":
         """The mannequin that we ship, about this skeleton."""
-        bones = tuple(capsule for garment in GARMENTS for capsule in carrying(garment, skeleton))
-        parts = []
-        for garment in GARMENTS:
-            surface = mesh(drawn(garment, skeleton), melt_m=garment.melt_m, grid_m=garment.grid_m)
-            parts.append(Part(garment.material, surface, *_skinned(surface.positions_m, bones, skeleton)))
-        return cls(skeleton, (*parts, *_head_parts(skeleton)))
+        return cls(skeleton, _parts(skeleton))
+
+
+@lru_cache(maxsize=2)
+def _parts(skeleton: Skeleton) -> tuple[Part, ...]:
+    """Drawn once a skeleton, for it takes a second; nobody writes to them."""
+    bones = tuple(capsule for garment in GARMENTS for capsule in carrying(garment, skeleton))
+    parts = []
+    for garment in GARMENTS:
+        surface = mesh(drawn(garment, skeleton), melt_m=garment.melt_m, grid_m=garment.grid_m)
+        parts.append(Part(garment.material, surface, *_skinned(surface.positions_m, bones, skeleton)))
+    return (*parts, *_head_parts(skeleton))
 
 
 def _head_parts(skeleton: Skeleton) -> tuple[Part, ...]:

@@ -2,10 +2,10 @@
 
 import argparse
 
-from app.answers import CharacterAnswer
 from app.catalogue import load_characters
 from app.cli.files import write_standard
 from app.cli.log import Log
+from app.library_answers import CharacterAnswer
 
 
 def run(arguments: argparse.Namespace, _log: Log) -> int:

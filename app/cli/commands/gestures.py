@@ -4,13 +4,13 @@ import argparse
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from app.answers import GesturesAnswer
 from app.catalogue import load_gestures
 from app.cli.files import require_writable, write, write_standard
 from app.cli.gesture_listings import counts, explanation, headline, place
 from app.cli.log import Log
 from app.cli.plot import require_plot
 from app.errors import InputError
+from app.library_answers import GesturesAnswer
 from app.model import Hand, Level, Notice
 from app.proofreading import check_files
 from app.realizer.clips import clip as clip_of

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 from itertools import chain
 from pathlib import Path
 
-from app.answers import RulesAnswer
 from app.authoring import files_in_use, find_unused, trace, trace_one
 from app.catalogue import Catalogue
 from app.cli.corpus import read_corpus
@@ -15,6 +14,7 @@ from app.cli.listings import counts, explanation, headline
 from app.cli.log import Log
 from app.cli.traces import trace_lines, unused_lines
 from app.errors import AuthoringError
+from app.library_answers import RulesAnswer
 from app.performance import Body, Mind
 from app.proofreading import check_files, check_files_in_use
 from app.settings import read_settings
