@@ -28,12 +28,18 @@ from pathlib import Path
 
 import numpy as np
 
-from app.model import Channel, FloatArray, Interval, Performance, Schedule, Viseme
+from app.model import Channel, FloatArray, Hand, Interval, Performance, Schedule, Viseme
 from app.performance import Line, Options, Understudy, perform
 from app.realization import Realizer, realize, schedule_of
+from app.realizer.arm_keys import arm_track
 from app.realizer.contacts import penetrations_m
+from app.realizer.gesturing import gesture
+from app.realizer.idle import idle
 from app.realizer.limits import violations
 from app.realizer.motion import Motion
+from app.realizer.planning import plan_gestures
+from app.realizer.posing import arm_joints, wrist_of
+from app.realizer.realizing import frame_times_s
 from app.realizer.rotations import angle_between
 from app.realizer.skeleton import Skeleton, forward
 from app.resources import resource_folder
@@ -74,7 +80,9 @@ def main() -> None:
     sentences = islice(of_sentences(options.character), options.sentences)
     schedules = [schedule_of(each) for each in chain(of_lines(options.lines, options.character), sentences)]
     realized_once(realizer, schedules[0], options.fps)
-    report([realized_once(realizer, each, options.fps) for each in schedules], realizer.skeleton)
+    realized = [realized_once(realizer, each, options.fps) for each in schedules]
+    report(realized, realizer.skeleton)
+    report_keys(realizer, realized)
 
 
 def realized_once(realizer: Realizer, schedule: Schedule, frame_rate_hz: int) -> Realized:
@@ -169,6 +177,27 @@ def report_strokes(realized: Sequence[Realized]) -> None:
     errors_ms = [1000 * abs(one - other) for one, other in pairs if one is not None and other is not None]
     print(f"strokes played: {len(errors_ms)}", end="; ")
     print(f"from their BML time: mean {np.mean(errors_ms):.1f}, most {max(errors_ms):.1f} ms")
+
+
+def report_keys(realizer: Realizer, realized: Sequence[Realized]) -> None:
+    """How far wrists are from where the marked key poses of strokes have them, at the very time of each."""
+    off_m = np.array([off for each in realized for off in off_keys_m(realizer, each.schedule)])
+    figures = np.percentile(off_m, (50, 90, 100)) * 100
+    print(f"wrists off their marked keys, at their times: median {figures[0]:.2f}, p90 {figures[1]:.2f}", end=", ")
+    print(f"most {figures[2]:.2f} cm, of {len(off_m)}")
+
+
+def off_keys_m(realizer: Realizer, schedule: Schedule) -> Iterator[float]:
+    """Of one schedule, at 60 frames a second; arms smoothed as they are played, before anything collides."""
+    skeleton, plan = realizer.skeleton, plan_gestures(realizer.library, schedule, seed=0)
+    times_s = frame_times_s(max(schedule.duration_s, plan.end_s), 60)
+    body = gesture(skeleton, idle(skeleton, times_s, schedule, seed=0), plan, seed=0)
+    for side in (Hand.LEFT, Hand.RIGHT):
+        wrist_m = wrist_of(skeleton, side, body.rotations[:, skeleton.chain(*arm_joints(side))])
+        for key in arm_track(skeleton, side, plan).keys:
+            if key.marked and key.pose.wrist_m is not None:
+                at_m = [np.interp(key.time_s, times_s, wrist_m[:, axis]) for axis in range(3)]
+                yield float(np.linalg.norm(np.array(at_m) - key.pose.wrist_m))
 
 
 def wrists_of(motion: Motion, skeleton: Skeleton) -> Iterator[WristMeasures]:
