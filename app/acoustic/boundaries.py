@@ -19,9 +19,9 @@ from pathlib import Path
 from typing import Self
 
 import numpy as np
-from librosa import filters
 from numpy.lib.stride_tricks import sliding_window_view
 
+from app.acoustic.mel import mel_filters
 from app.errors import ServiceError
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Interval, Phone, Word
 
@@ -62,9 +62,7 @@ KIND_COLUMNS = 2 * len(_KINDS)
 """The first columns of a view, see `views`."""
 
 _WINDOW = np.hanning(WINDOW_SAMPLES)
-_MEL_FILTERS = filters.mel(
-    sr=SAMPLE_RATE_HZ, n_fft=TRANSFORM_SAMPLES, n_mels=BANDS, fmin=LOWEST_HZ, fmax=HIGHEST_HZ, dtype=np.float64
-)
+_MEL_FILTERS = mel_filters(TRANSFORM_SAMPLES, bands=BANDS, lowest_hz=LOWEST_HZ, highest_hz=HIGHEST_HZ)
 
 
 @dataclass(frozen=True, slots=True)
