@@ -1,8 +1,11 @@
 """The parser of lines: a spaCy pipeline, ours or another, behind one method that returns our own records (paper §3.2).
 
 The paper used Charniak's constituent parser and names its trouble with spoken language. We use a dependency parser
-trained on speech (training/parser), and derive noun phrases, verb groups and clauses from the dependencies.
+trained on speech (training/parser), and derive noun phrases, verb groups and clauses from the dependencies. spaCy is
+imported with the first pipeline: what parses nothing need not carry it (60 MB, two thirds of a second).
 """
+
+from __future__ import annotations
 
 import threading
 from bisect import bisect_right
@@ -10,10 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate
 from pathlib import Path
-
-import spacy
-from spacy.language import Language
-from spacy.tokens import Doc
+from typing import TYPE_CHECKING
 
 from app.errors import ServiceError
 from app.model import Parse, Token, Word
@@ -23,6 +23,10 @@ from app.syntax.sentences import sentence_starts
 from app.syntax.tokens import Scheme, read_tokens, scheme_of
 from app.syntax.tree import Tree
 from app.transcript import with_short_runs
+
+if TYPE_CHECKING:
+    from spacy.language import Language
+    from spacy.tokens import Doc
 
 _PROBE = "I must have seen those signals."
 _UNUSED_PIPES = ("ner", "senter", "textcat", "entity_linker")
@@ -37,7 +41,7 @@ class Parser:
     _turn: threading.Lock
 
     @classmethod
-    def load(cls, where: Path | str) -> "Parser":
+    def load(cls, where: Path | str) -> Parser:
         """The pipeline in a folder, or installed under a name, with Universal Dependencies or ClearNLP labels.
 
         Raises ServiceError: `parser_missing` where spaCy loads nothing usable, `parser_labels` for dependency labels of
@@ -94,6 +98,8 @@ def _with_structure(tokens: tuple[Token, ...]) -> Parse:
 
 def _load_pipeline(where: Path | str) -> tuple[Language, Doc]:
     """The pipeline and what it makes of a first sentence, for some damage only shows there."""
+    import spacy
+
     try:
         pipeline = spacy.load(where, exclude=_UNUSED_PIPES)
         return pipeline, pipeline(_PROBE)

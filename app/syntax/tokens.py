@@ -4,13 +4,17 @@ The labels of the token's governor are read as they are from a pipeline with Uni
 ClearNLP pipeline, spaCy's own for English, are translated, tree and all (`app.syntax.clearnlp`).
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Sequence
 from enum import StrEnum
-
-from spacy.tokens import Doc
+from typing import TYPE_CHECKING
 
 from app.model import Token
 from app.syntax.clearnlp import to_universal
+
+if TYPE_CHECKING:
+    from spacy.tokens import Doc
 
 ROOT = "root"
 
