@@ -13,11 +13,17 @@ from app.acoustic.best_path import best_path
 def test_no_path_is_better(frames: int, columns: int, seed: int) -> None:
     generator = np.random.default_rng(seed)
     gains = generator.normal(size=(frames, columns))
-    costs = generator.random((frames - 1, columns, columns))
+    positions = 2 * generator.random((frames, columns))
 
     def worth(path: tuple[int, ...]) -> float:
-        gained = sum(gains[frame, column] for frame, column in enumerate(path))
-        return float(gained - sum(costs[frame, after, before] for frame, (before, after) in enumerate(pairwise(path))))
+        places = [positions[frame, column] for frame, column in enumerate(path)]
+        costs = sum(0.5 * min(abs(after - before), 1.0) for before, after in pairwise(places))
+        return float(sum(gains[frame, column] for frame, column in enumerate(path)) - costs)
 
-    found = tuple(int(column) for column in best_path(gains, costs))
+    found = tuple(int(column) for column in best_path(gains, positions, price=0.5))
     np.testing.assert_allclose(worth(found), max(map(worth, product(range(columns), repeat=frames))))
+
+
+def test_a_path_longer_than_a_block_stays_in_its_place() -> None:
+    gains = np.random.default_rng(0).normal(loc=[0.0, 0.0, 0.5], size=(1000, 3))
+    assert (best_path(gains, np.broadcast_to([0.0, 2.0, 4.0], gains.shape), price=100.0) == 2).all()

@@ -1,7 +1,11 @@
 """The decision on measures made by hand."""
 
+from itertools import product
+
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from app.acoustic.periodicity import Levels
 from app.acoustic.voicing import SRH_ALONE, WEIGHED, Voicing, measures, voiced_frames
@@ -32,3 +36,16 @@ def test_one_frame_in_doubt_does_not_break_the_voice() -> None:
 
 def test_a_single_frame_is_judged() -> None:
     assert voiced_frames(measured(CLEAR), WEIGHED).tolist() == [True]
+
+
+@given(frames=st.integers(1, 8), seed=st.integers(0, 10_000), cost=st.sampled_from([0.0, 0.3, 1.0, 3.0]))
+def test_no_other_decisions_are_worth_more(frames: int, seed: int, cost: float) -> None:
+    measured = np.random.default_rng(seed).normal(size=(frames, 4))
+    voicing = Voicing(1.0, 0.5, 0.0, 0.0, threshold=0.1, change_cost=cost)
+    excess = measured @ voicing.weights - voicing.threshold
+
+    def worth(voiced: tuple[bool, ...]) -> float:
+        return float(np.sum(excess[np.array(voiced)]) - cost * np.sum(np.diff(voiced)))
+
+    best = max(worth(voiced) for voiced in product((False, True), repeat=frames))
+    assert worth(tuple(voiced_frames(measured, voicing).tolist())) == pytest.approx(best)

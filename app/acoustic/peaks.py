@@ -1,24 +1,25 @@
-"""Peaks along the rows of a table whose columns are samples of a curve."""
+"""Peaks along the rows of a table whose columns are samples of a curve; an edge is its own neighbour."""
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.acoustic.frames import SingleArray
 from app.model import FloatArray
 
 
-def peak_offsets(strengths: FloatArray, columns: NDArray[np.intp]) -> FloatArray:
+def is_peak(curves: FloatArray | SingleArray) -> NDArray[np.bool_]:
+    """Whether each value is no less than the ones beside it."""
+    peak = np.ones(curves.shape, dtype=np.bool_)
+    peak[:, 1:] &= curves[:, 1:] >= curves[:, :-1]
+    peak[:, :-1] &= curves[:, :-1] >= curves[:, 1:]
+    return peak
+
+
+def peak_offsets(curves: FloatArray | SingleArray, columns: NDArray[np.intp]) -> FloatArray:
     """How far beside its column, in columns (−½ to ½), the parabola through a peak and its neighbours is highest."""
-    before, at, after = (
-        np.take_along_axis(values, columns, axis=1)
-        for values in (neighbours(strengths)[0], strengths, neighbours(strengths)[1])
-    )
+    beside = np.clip(columns + np.array([[[-1]], [[0]], [[1]]]), 0, curves.shape[1] - 1)
+    before, at, after = (np.take_along_axis(curves, each, axis=1).astype(np.float64) for each in beside)
     curvature = before - 2 * at + after
     bent = curvature < 0
     offsets = np.where(bent, (before - after) / np.where(bent, 2 * curvature, 1.0), 0.0)
     return np.clip(offsets, -0.5, 0.5)
-
-
-def neighbours(strengths: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The values one column before and one after, an edge being its own neighbour."""
-    padded = np.pad(strengths, ((0, 0), (1, 1)), mode="edge")
-    return padded[:, :-2], padded[:, 2:]

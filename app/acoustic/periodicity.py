@@ -5,17 +5,17 @@ harmonics summed in a window of 100 ms, but takes twice the period for the perio
 nearly right, not find one (cf. Boersma, "Accurate short-term analysis of the fundamental frequency …", 1993, whose
 division by the window's autocorrelation is used).
 
-Frame k is centred on k × `FRAME_SHIFT_S`; n samples make `1 + n // 160` frames.
+Frames are those of `app.acoustic.frames`.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
+from scipy import fft
 
+from app.acoustic.frames import BLOCK, SingleArray, blocks_of_frames, frame_count
 from app.acoustic.peaks import peak_offsets
-from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray
+from app.model import SAMPLE_RATE_HZ, FloatArray
 
 LOWEST_HZ, HIGHEST_HZ = 60, 1000
 """The band: rumble lies below it, hiss above."""
@@ -35,15 +35,14 @@ PERIODS_IN_WINDOW = 3
 
 _STEP_OCTAVES = 0.02
 _STEPS = np.arange(-REACH_OCTAVES, REACH_OCTAVES + _STEP_OCTAVES / 2, _STEP_OCTAVES)
-_HOP = round(FRAME_SHIFT_S * SAMPLE_RATE_HZ)
 _WINDOW = round(WINDOW_S * SAMPLE_RATE_HZ)
 _LONGEST_LAG = _WINDOW * 3 // 4
 _FFT = 1200
 """At least a window and the longest lag, lest the correlation go round."""
 
-_BLOCK = 256
-_HANN = np.hanning(_WINDOW + 1)[:-1]
-_WINDOW_CORRELATION = np.fft.irfft(np.abs(np.fft.rfft(_HANN, _FFT)) ** 2, _FFT)[: _LONGEST_LAG + 2]
+_FIRST_BIN, _LAST_BIN = -(-LOWEST_HZ * _FFT // SAMPLE_RATE_HZ), HIGHEST_HZ * _FFT // SAMPLE_RATE_HZ
+_HANN = np.hanning(_WINDOW + 1)[:-1].astype(np.float32)
+_WINDOW_CORRELATION = np.correlate(_HANN, _HANN, "full")[_WINDOW - 1 :][: _LONGEST_LAG + 2]
 _LEAST_ENERGY = 1e-10
 
 
@@ -55,10 +54,18 @@ class Levels:
     above_quiet_db: FloatArray
 
 
-def band_levels(samples: FloatArray) -> Levels:
-    """How loud each frame is among those of the signal."""
-    energies = [np.sum(_band_power(windows), axis=1) for windows in _blocks(samples)]
-    level_db = 10 * np.log10(np.concatenate(energies) + _LEAST_ENERGY)
+def band_power(samples: FloatArray) -> SingleArray:
+    """The power of each frame at each frequency of the band (frames × frequencies)."""
+    power = np.empty((frame_count(len(samples)), _LAST_BIN + 1 - _FIRST_BIN), dtype=np.float32)
+    for number, frames in enumerate(blocks_of_frames(samples, _WINDOW, len(power))):
+        spectra = fft.rfft(frames * _HANN, _FFT)[:, _FIRST_BIN : _LAST_BIN + 1]
+        power[number * BLOCK :][: len(frames)] = np.square(np.abs(spectra))
+    return power
+
+
+def band_levels(power: SingleArray) -> Levels:
+    """How loud each frame is among those of the signal, whose `band_power` this is."""
+    level_db = 10 * np.log10(np.sum(power, axis=1, dtype=np.float64) + _LEAST_ENERGY)
     loud_db, quiet_db = np.percentile(level_db, [LOUD_PERCENTILE, QUIET_PERCENTILE])
     return Levels(
         below_loud_db=np.clip(level_db - loud_db, -WIDEST_BELOW_LOUD_DB, 0),
@@ -66,43 +73,31 @@ def band_levels(samples: FloatArray) -> Levels:
     )
 
 
-def periods_nearby(samples: FloatArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The f0 in Hz near `f0_hz` (> 0) after whose period each frame repeats itself best, and how well, -1 to 1."""
-    starts = range(0, len(f0_hz), _BLOCK)
-    blocks = zip(_blocks(samples), starts, strict=True)
-    mended = [_mended(windows, f0_hz[start : start + _BLOCK]) for windows, start in blocks]
-    nearby_hz, correlation = np.concatenate(mended, axis=1)
+def periods_nearby(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The f0 in Hz near `f0_hz` (> 0) after whose period each frame repeats itself best, and how well, -1 to 1.
+
+    `power` is the signal's `band_power`.
+    """
+    nearby_hz, correlation = np.empty((2, len(f0_hz)))
+    for start in range(0, len(f0_hz), BLOCK):
+        block = slice(start, start + BLOCK)
+        nearby_hz[block], correlation[block] = _mended(power[block], f0_hz[block])
     return nearby_hz, correlation
 
 
-def _blocks(samples: FloatArray) -> Iterator[FloatArray]:
-    """The windows of all frames, `_BLOCK` at a time."""
-    windows = sliding_window_view(np.pad(samples, _WINDOW // 2), _WINDOW)[::_HOP][: 1 + len(samples) // _HOP]
-    for start in range(0, len(windows), _BLOCK):
-        yield windows[start : start + _BLOCK]
-
-
-def _band_power(windows: FloatArray) -> FloatArray:
-    """Power of each window at each frequency of the FFT, 0 outside the band."""
-    frequencies_hz = np.fft.rfftfreq(_FFT, 1 / SAMPLE_RATE_HZ)
-    band = (frequencies_hz >= LOWEST_HZ) & (frequencies_hz <= HIGHEST_HZ)
-    power: FloatArray = np.abs(np.fft.rfft(windows * _HANN, _FFT)) ** 2 * band
-    return power
-
-
-def _mended(windows: FloatArray, f0_hz: FloatArray) -> FloatArray:
-    """The f0 near that of each window and the correlation there (2 × windows)."""
-    correlations = _correlations(windows, SAMPLE_RATE_HZ / f0_hz[:, None] * np.exp2(-_STEPS))
+def _mended(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The f0 near that of each frame and the correlation there."""
+    correlations = _correlations(power, SAMPLE_RATE_HZ / f0_hz[:, None] * np.exp2(-_STEPS))
     mendable = f0_hz >= PERIODS_IN_WINDOW / WINDOW_S
     merits = np.where(mendable[:, None], correlations, 0.0) - OCTAVE_PENALTY * np.abs(_STEPS)
     best = np.argmax(merits, axis=1)[:, None]
     steps = _STEPS[best] + _STEP_OCTAVES * peak_offsets(merits, best)
-    return np.stack([f0_hz * np.exp2(steps[:, 0]), np.take_along_axis(correlations, best, axis=1)[:, 0]])
+    return f0_hz * np.exp2(steps[:, 0]), np.take_along_axis(correlations, best, axis=1)[:, 0]
 
 
-def _correlations(windows: FloatArray, lags: FloatArray) -> FloatArray:
-    """Autocorrelation of each window's band at its own lags, in samples, freed of the window's (windows × lags)."""
-    of_signal = np.fft.irfft(_band_power(windows), _FFT)
+def _correlations(power: SingleArray, lags: FloatArray) -> FloatArray:
+    """Autocorrelation of each frame's band at its own lags, in samples, freed of the window's (frames × lags)."""
+    of_signal = fft.irfft(np.pad(power, ((0, 0), (_FIRST_BIN, 0))), _FFT)
     freed = of_signal[:, : _LONGEST_LAG + 2] / (of_signal[:, :1] + _LEAST_ENERGY)
     freed *= _WINDOW_CORRELATION[0] / _WINDOW_CORRELATION
     lags = np.minimum(lags, _LONGEST_LAG)

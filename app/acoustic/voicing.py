@@ -7,11 +7,11 @@ regression (`python -m training.voicing`); `python -m benchmarks.pitch` shows wh
 """
 
 from dataclasses import dataclass
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.acoustic.best_path import best_path
 from app.acoustic.periodicity import Levels
 from app.model import FloatArray
 
@@ -51,8 +51,17 @@ def measures(srh: FloatArray, periodicities: FloatArray, levels: Levels) -> Floa
 
 
 def voiced_frames(measured: FloatArray, voicing: Voicing) -> NDArray[np.bool_]:
-    """Whether each frame is voiced."""
+    """Whether each frame is voiced: the sequence of greatest excess over the threshold less the cost of its changes.
+
+    `advantage` is how much better the best sequence is that is voiced in the frame than the best that is not, with all
+    that came before (Viterbi). A change costs less than an advantage beyond its cost loses, whatever comes after: such
+    frames are decided, and those between are as the next decided one is.
+    """
+    cost = voicing.change_cost
     excess = measured @ voicing.weights - voicing.threshold
-    change_costs = np.broadcast_to(voicing.change_cost * (1 - np.eye(2)), (len(excess) - 1, 2, 2))
-    voiced: NDArray[np.bool_] = best_path(np.column_stack([np.zeros(len(excess)), excess]), change_costs) == 1
+    advantage = np.array(list(accumulate(excess.tolist(), lambda before, here: min(max(before, -cost), cost) + here)))
+    decided = np.abs(advantage) >= cost
+    decided[-1] = True
+    deciding = np.flatnonzero(decided)[np.cumsum(decided) - decided]
+    voiced: NDArray[np.bool_] = advantage[deciding] > 0
     return voiced

@@ -1,0 +1,45 @@
+"""The frames that all contours share: frame k is centred on k × `FRAME_SHIFT_S`, however long it is.
+
+The signal counts as silent outside itself. Frames come in blocks that fit into the processor's cache, so that half an
+hour takes little more memory than a minute. They are in single precision, finer than any recording of 24 bits, since
+spectra take half the time in it.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
+
+from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray
+
+SHIFT_SAMPLES = round(FRAME_SHIFT_S * SAMPLE_RATE_HZ)
+BLOCK = 64
+"""Frames in a block."""
+
+SingleArray = NDArray[np.float32]
+
+
+def frame_count(samples: int) -> int:
+    """How many frames a signal of so many samples has."""
+    return 1 + samples // SHIFT_SAMPLES
+
+
+def blocks_of_frames(
+    signal: FloatArray | SingleArray, length: int, count: int, *, shift: int = SHIFT_SAMPLES
+) -> Iterator[SingleArray]:
+    """The first `count` frames of `length` samples (an even number), each `shift` after the one before, in blocks
+    (frames × length)."""
+    for first in range(0, count, BLOCK):
+        last = min(first + BLOCK, count) - 1
+        stretch = excerpt(signal, first * shift - length // 2, last * shift + length // 2)
+        yield sliding_window_view(stretch, length)[::shift]
+
+
+def excerpt(signal: FloatArray | SingleArray, first: int, end: int) -> SingleArray:
+    """The samples from `first` up to `end`, either of which may lie outside the signal."""
+    stretch = np.zeros(end - first, dtype=np.float32)
+    inside = signal[max(first, 0) : max(end, 0)]
+    begin = max(-first, 0)
+    stretch[begin : begin + len(inside)] = inside
+    return stretch

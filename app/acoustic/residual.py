@@ -1,0 +1,51 @@
+"""What remains of a voice when the vocal tract is taken off it: a train of pulses, one each period (paper §3.1.3).
+
+Hann frames of 25 ms, each filtered by the inverse of its own linear predictor of order fs / 1000 + 2, overlap by half
+and add up. Where only the lower part of the spectrum is of use, the residual can have a lower rate than the signal: the
+upper part of each frame's spectrum is left out.
+"""
+
+import numpy as np
+from scipy import fft
+
+from app.acoustic.frames import BLOCK, SingleArray, blocks_of_frames
+from app.model import SAMPLE_RATE_HZ, FloatArray
+
+_WINDOW = round(0.025 * SAMPLE_RATE_HZ)
+_HOP = _WINDOW // 2
+_FFT = 3 * _HOP
+_ORDER = SAMPLE_RATE_HZ // 1000 + 2
+_HANN = np.hanning(_WINDOW + 1)[:-1]
+
+
+def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleArray:
+    """The signal less what linear prediction foresees, one value for every `decimation` (1 or 2) of its samples."""
+    count = 1 + -(-len(samples) // _HOP)
+    hop = _HOP // decimation
+    total = np.zeros((count + 2, hop), dtype=np.float32)
+    for number, frames in enumerate(blocks_of_frames(samples, _WINDOW, count, shift=_HOP)):
+        filtered = _inversely_filtered(frames, 3 * hop)
+        for row, part in enumerate(np.split(filtered, 3, axis=1), number * BLOCK):
+            total[row : row + len(part)] += part
+    return total.ravel()[hop : hop - (-len(samples) // decimation)]
+
+
+def _inversely_filtered(frames: SingleArray, length: int) -> FloatArray:
+    """Each frame, windowed and filtered by its own prediction error filter, in so many samples (frames × length)."""
+    spectra = fft.rfft(frames * _HANN, _FFT)
+    autocorrelation = fft.irfft(spectra.real**2 + spectra.imag**2, _FFT)[:, : _ORDER + 1]
+    spectra *= fft.rfft(_prediction_error_filters(autocorrelation.T).T, _FFT)
+    filtered: FloatArray = fft.irfft(spectra[:, : length // 2 + 1], length) * (length / _FFT)
+    return filtered
+
+
+def _prediction_error_filters(autocorrelation: FloatArray) -> FloatArray:
+    """The coefficients 1, a₁, a₂ … that whiten each frame (order + 1 × frames), by Levinson's recursion."""
+    error = autocorrelation[0] * (1 + 1e-9) + 1e-12  # else silence and pure tones have no solution
+    coefficients = np.zeros_like(autocorrelation)
+    coefficients[0] = 1.0
+    for order in range(1, len(autocorrelation)):
+        reflection = -np.sum(coefficients[:order] * autocorrelation[order:0:-1], axis=0) / error
+        coefficients[1 : order + 1] += reflection * coefficients[order - 1 :: -1][:order]
+        error = error * (1 - reflection**2)
+    return coefficients
