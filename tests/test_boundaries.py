@@ -1,13 +1,16 @@
 """Boundaries are moved where the model says, stay in order, and stand where it has nothing to say."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 import soundfile
 
-from app.acoustic.boundaries import SHORTEST_PHONE_S, Boundary, BoundaryModel, boundaries, views
+from app.acoustic.boundaries import BoundaryModel
+from app.acoustic.boundary_views import BANDS, CONTEXT_STEPS, BoundaryView, Places, mel_levels
+from app.acoustic.phone_boundaries import SHORTEST_PHONE_S, Boundary, boundaries
 from app.errors import ServiceError
 from app.model import SAMPLE_RATE_HZ, Audio, Interval, Phone, Word
 
@@ -34,8 +37,10 @@ def _audio() -> Audio:
 
 def _constant(moves_s: float) -> BoundaryModel:
     """A model that sees nothing and moves everything alike."""
-    width = views(_audio(), boundaries(WORDS)).shape[1]
-    return BoundaryModel(np.zeros((1, width)), np.array([moves_s]), np.zeros(width - 18), 0.0, 0.0)
+    width = (2 * CONTEXT_STEPS + 1) * BANDS
+    view = BoundaryView(np.zeros(width), np.zeros((width, 1)), kind_weight=0.0, gap_weight=0.0)
+    points = view.points(mel_levels(_audio().samples), Places.of(boundaries(WORDS)))
+    return BoundaryModel(view, np.zeros_like(points[:1]), np.array([moves_s]))
 
 
 def _figure8() -> tuple[Audio, tuple[Word, ...]]:
@@ -84,7 +89,7 @@ def test_times_stay_within_the_audio_and_phones_keep_a_length() -> None:
 
 def test_what_is_like_nothing_in_the_training_stays() -> None:
     model = BoundaryModel.load(MODEL)
-    strange = BoundaryModel(model.supports + 1000.0, model.weights_s, model.mean, model.scale, model.kind_weight)
+    strange = replace(model, supports=model.supports + 1000.0)
     assert strange.refine(_audio(), WORDS) == WORDS
 
 
