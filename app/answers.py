@@ -73,6 +73,7 @@ class WordAnswer(Answer):
     end_s: Number | None = Field(default=None, validation_alias=AliasPath("interval", "end_s"))
     stressed_ratio: Number | None = None
     prominence: Number | None = None
+    emphasis: Number | None = None
     spread: Annotated[bool | None, BeforeValidator(_if_so)] = None
     phones: list[PhoneAnswer]
 

@@ -21,6 +21,9 @@ FRAME_SHIFT_S = 0.010
 """One analysis frame every 10 ms: frame k is centred on k × 10 ms (paper §3.1.1, §3.1.2)."""
 
 
+EMPHASISED = 0.5
+"""A word's emphasis above which it counts as emphasised."""
+
 PLAIN = "plain"
 """The subtype of a function whose class has none; it leaves as the empty string."""
 
@@ -102,9 +105,10 @@ class Phone:
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A word of the transcript; without audio it has no interval, no phones, no stressed ratio and no prominence.
+    """A word of the transcript; without audio it has no interval, no phones and nothing of what follows.
 
-    Both tell how it stands out, in [0, 1]: the ratio is the paper's (§3.1.5), prominence is ours; it needs phones.
+    How it stands out, in [0, 1]: the stressed ratio is the paper's (§3.1.5), prominence is ours and needs phones, and
+    emphasis is whichever of them is set, on a scale of its own (`app.acoustic.emphasis`), by which all else goes.
     `spread` tells that its times were guessed from loudness alone.
     """
 
@@ -114,7 +118,12 @@ class Word:
     phones: tuple[Phone, ...] = ()
     stressed_ratio: float | None = None
     prominence: float | None = None
+    emphasis: float | None = None
     spread: bool = False
+
+    @property
+    def is_emphasised(self) -> bool:
+        return self.emphasis is not None and self.emphasis > EMPHASISED
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from typing import Self
 from app.acoustic.agitation import AgitationModel
 from app.acoustic.alignment import Aligner, Alignment
 from app.acoustic.decoding import AudioLimits, decode
+from app.acoustic.emphasis import Measure, with_emphasis
 from app.acoustic.pitch import track_f0
 from app.acoustic.prominence import prominence
 from app.acoustic.speaker import SpeakerReference
@@ -45,7 +46,7 @@ from app.model import (
 )
 from app.realizer.realizing import Realizer
 from app.resources import resource_folder
-from app.rules.derivation import Emphasis, FunctionRules, derive_functions
+from app.rules.derivation import FunctionRules, derive_functions
 from app.rules.mapping import MappingRules, offer_movements
 from app.settings import Settings
 from app.syntax.parser import Parser
@@ -316,7 +317,7 @@ def analyze(
         fillers=timed.fillers,
     )
     progress("functions")
-    functions = derive_functions(mind.rules, utterance, emphasis=_emphasis(mind.settings), given=line.functions)
+    functions = derive_functions(mind.rules, utterance, given=line.functions)
     return Analysis(utterance, functions, heard.notices + timed.notices, heard)
 
 
@@ -354,8 +355,8 @@ def hear_words(
     progress("align")
     timed = _timed(ears, heard.audio, transcript, timings)
     progress("stress")
-    words, thresholds = stress(prominence(timed.words, heard.contours.f0_hz), heard.contours)
-    return replace(timed, words=words), thresholds
+    words, thresholds = stress(prominence(timed.words, heard.contours), heard.contours)
+    return replace(timed, words=with_emphasis(words, _measure(ears.settings))), thresholds
 
 
 def refer(ears: Ears, recordings: Sequence[Heard]) -> SpeakerReference:
@@ -389,8 +390,8 @@ def _limits(settings: Settings) -> AudioLimits:
     )
 
 
-def _emphasis(settings: Settings) -> Emphasis:
-    return Emphasis(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
+def _measure(settings: Settings) -> Measure:
+    return Measure(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
 
 
 def _certain(level: Level) -> Agitation:

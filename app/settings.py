@@ -6,6 +6,7 @@ from typing import Literal
 from pydantic import Field, ValidationError
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
+from app.acoustic.emphasis import PROMINENT, STRESSED
 from app.errors import InputError
 
 PREFIX = "UNDERSTUDY_"
@@ -32,10 +33,10 @@ class Settings(BaseSettings):
         default="prominence", description="what emphasises a word: our prominence, or the paper's stressed ratio"
     )
     emphasis_prominence: float = Field(
-        default=0.4, ge=0, le=1, description="prominence above which a word is emphasised"
+        default=PROMINENT, ge=0, le=1, description="prominence above which a word is emphasised"
     )
     emphasis_ratio: float = Field(
-        default=0.1, ge=0, le=1, description="stressed ratio above which a word is emphasised"
+        default=STRESSED, ge=0, le=1, description="stressed ratio above which a word is emphasised"
     )
     agitation_features: Literal["paper", "full"] = Field(
         default="full", description="what agitation is judged by: the paper's 12 MFCC, or all that helps"

@@ -12,11 +12,10 @@ import argparse
 import statistics
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 
-from app.bml.candidates import stressed_vowel_s
 from app.model import Channel, Performance, Schedule
 from app.realization import schedule_of
 from app.realizer.gesture_plan import ArmGesture, GesturePlan
@@ -47,12 +46,8 @@ class Planned:
 
 
 def planned(library: Library, performance: Performance, seed: int) -> Planned:
-    """The line's plan. Where prominence is not known, as in sentences with made-up times, the one word in eight that
-    is stressed is an emphasis."""
+    """The line's plan."""
     schedule = schedule_of(performance)
-    if not schedule.emphases_s:
-        stressed = (word for word in schedule.words if word.interval and word.stressed_ratio)
-        schedule = replace(schedule, emphases_s=tuple(stressed_vowel_s(word) for word in stressed))
     return Planned(schedule, plan_gestures(library, schedule, seed=seed))
 
 

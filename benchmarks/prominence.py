@@ -7,6 +7,10 @@ listeners' mean judgement, within each sentence, averaged over the sentences. Th
 speaker they are tested on; "as shipped" is fitted to all, and so only says that it is the same. The length expected
 of a syllable is the sum of its phones' mean lengths in TIMIT, its phones being read off the German spelling, roughly.
 
+How many syllables are heard and found stressed, and in how many sentences none is, by emotion: weights and threshold
+(above which there are as many as are heard) are fitted to the other speakers, once as shipped, once with differences
+as they are ("as lively"), not divided by the root of their spread.
+
 Words: TIMIT, read American English, for which no judgements are known. The figure is the chance that, in a sentence, a
 content word has a higher value than a function word (.5 knows nothing): accents fall mostly on the former. Words and
 phones are those a human placed.
@@ -20,14 +24,13 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import mannwhitneyu, spearmanr
 
-from app.acoustic.pitch import track_f0
-from app.acoustic.prominence import BIAS, WEIGHTS, cues, prominence
-from app.acoustic.spectrum import energy_db, mfcc
+from app.acoustic.emphasis import PROMINENT
+from app.acoustic.prominence import cues, log_odds, prominence
 from app.acoustic.stress import stress
-from app.model import Audio, Contours, FloatArray, Interval, Phone, Word
+from app.model import Contours, FloatArray, Interval, Phone, Word
 from training.alignment.timit import Sentence, read_sentences
 from training.emodb import JudgedSentence, read_judged
-from training.prominence import SPEECH, fit
+from training.prominence import SPEECH, STRESSED, contours_of, fit, regression, threshold
 
 FUNCTION_WORDS = frozenset(
     re.findall(
@@ -45,9 +48,14 @@ GERMAN = (
 TYPICAL_PHONE_S = 0.07
 """For phones that TIMIT has not."""
 
+CUES = ("duration", "f0 maximum", "f0 rise", "energy over neighbours'", "pause")
+"""As `app.acoustic.prominence.cues` has them."""
+
+EMOTIONS = {"N": "neutral", "L": "bored", "T": "sad", "A": "afraid", "E": "disgusted", "F": "happy", "W": "angry"}
+
 
 def main() -> None:
-    """Prints both tables."""
+    """Prints the tables."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--speech", type=Path, default=SPEECH, help="folder of emodb and emodb_labels")
     parser.add_argument("--timit", type=Path, default=SPEECH / "timit", help="folder of TIMIT's speakers")
@@ -81,8 +89,8 @@ def placed_words(sentence: Sentence) -> tuple[Word, ...]:
 def print_syllables(sentences: list[JudgedSentence], lengths_s: dict[str, float]) -> None:
     """Each cue alone, then weighed together."""
     print(f"{sum(len(sentence.syllables) for sentence in sentences)} syllables, {len(sentences)} sentences")
-    heard = [_contours(sentence.audio) for sentence in sentences]
-    ours = [cues(sentence.syllables, contours.f0_hz) for sentence, contours in zip(sentences, heard, strict=True)]
+    heard = [contours_of(sentence.audio) for sentence in sentences]
+    ours = [cues(sentence.syllables, contours) for sentence, contours in zip(sentences, heard, strict=True)]
     levels = [
         _highest(sentence.syllables, contours.energy_db) for sentence, contours in zip(sentences, heard, strict=True)
     ]
@@ -91,29 +99,69 @@ def print_syllables(sentences: list[JudgedSentence], lengths_s: dict[str, float]
         "the paper's stressed ratio": [
             _ratios(each, contours) for each, contours in zip(sentences, heard, strict=True)
         ],
-        "duration": [cue[:, 0] for cue in ours],
+        **{name: [cue[:, column] for cue in ours] for column, name in enumerate(CUES)},
         "duration over that expected": [cue[:, 0] - length for cue, length in zip(ours, expected, strict=True)],
         "energy": levels,
-        "f0 maximum": [cue[:, 1] for cue in ours],
-        "f0 rise beyond neighbours'": [cue[:, 2] for cue in ours],
         "prominence, speakers held out": held_out(sentences, ours),
+        **{
+            f"  without {name}": held_out(sentences, [np.delete(cue, column, axis=1) for cue in ours])
+            for column, name in enumerate(CUES)
+        },
         "  and the length expected": held_out(sentences, _beside(ours, expected)),
         "  and energy": held_out(sentences, _beside(ours, levels)),
-        "  without pauses": held_out(sentences, [cue[:, :3] for cue in ours]),
-        "  without f0 rise": held_out(sentences, [cue[:, [0, 1, 3]] for cue in ours]),
-        "prominence, as shipped": [cue @ WEIGHTS + BIAS for cue in ours],
+        "prominence, as shipped": [log_odds(cue) for cue in ours],
     }
     for name, scores in rows.items():
-        print(f"{name:34}{_mean_correlation(sentences, scores):.3f}")
+        print(f"{name:38}{_mean_correlation(sentences, scores):.3f}")
+    found = {"as shipped": rows["prominence, speakers held out"], "as lively": held_out(sentences, ours, _as_lively)}
+    print_numbers(sentences, found)
 
 
-def held_out(sentences: list[JudgedSentence], seen: list[FloatArray]) -> list[FloatArray]:
-    """The scores of each sentence by weights that were fitted to the other speakers."""
-    fits = {}
+def print_numbers(sentences: list[JudgedSentence], found: dict[str, list[FloatArray]]) -> None:
+    """How many syllables listeners hear stressed, and how many are found (of a score above 0); and in which part of
+    the sentences there is none."""
+    heard = [np.array(sentence.stresses) >= STRESSED for sentence in sentences]
+    kinds = {"heard": heard} | {name: [score > 0 for score in scores] for name, scores in found.items()}
+    print(f"\n{'stressed, none in the sentence':38}" + "".join(f"{name:>14}" for name in kinds))
+    for letter, emotion in EMOTIONS.items():
+        places = [place for place, sentence in enumerate(sentences) if sentence.emotion == letter]
+        told = [[kind[place] for place in places] for kind in kinds.values()]
+        shares = ((np.mean(np.concatenate(each)), np.mean([not one.any() for one in each])) for each in told)
+        print(f"{emotion:38}" + "".join(f"{share:9.3f} {none:4.2f}" for share, none in shares))
+    counts = [np.array([one.sum() for one in kind]) for kind in kinds.values()]
+    misses = "".join(f"{np.mean(np.abs(each - counts[0])):14.2f}" for each in counts)
+    print(f"{'more or fewer than heard, a sentence':38}{misses}\n")
+
+
+Scorer = Callable[[FloatArray], FloatArray]
+"""The log odds of a sentence's syllables from their cues."""
+
+
+def held_out(
+    sentences: list[JudgedSentence],
+    seen: list[FloatArray],
+    fitting: Callable[[Sequence[FloatArray], Sequence[Sequence[float]]], Scorer] | None = None,
+) -> list[FloatArray]:
+    """The log odds of each sentence as fitted (default: as shipped) to the other speakers, less their threshold."""
+    scores: dict[int, FloatArray] = {}
     for speaker in {sentence.speaker for sentence in sentences}:
+        own = [place for place, sentence in enumerate(sentences) if sentence.speaker == speaker]
         others = [place for place, sentence in enumerate(sentences) if sentence.speaker != speaker]
-        fits[speaker] = fit([seen[place] for place in others], [sentences[place].stresses for place in others])[0]
-    return [each @ fits[sentence.speaker] for sentence, each in zip(sentences, seen, strict=True)]
+        stresses = [sentences[place].stresses for place in others]
+        score = (fitting or _as_shipped)([seen[place] for place in others], stresses)
+        limit = threshold(np.concatenate([score(seen[place]) for place in others]), np.concatenate(stresses))
+        scores |= {place: score(seen[place]) - limit for place in own}
+    return [scores[place] for place in range(len(sentences))]
+
+
+def _as_shipped(seen: Sequence[FloatArray], stresses: Sequence[Sequence[float]]) -> Scorer:
+    weights, bias = fit(seen, stresses)
+    return lambda measured: log_odds(measured, weights, bias)
+
+
+def _as_lively(seen: Sequence[FloatArray], stresses: Sequence[Sequence[float]]) -> Scorer:
+    weights, bias = regression(np.concatenate(seen), np.concatenate(stresses) >= STRESSED)
+    return lambda measured: measured @ weights + bias
 
 
 def print_words(sentences: list[Sentence]) -> None:
@@ -125,13 +173,9 @@ def print_words(sentences: list[Sentence]) -> None:
     print(f"\n{sum(len(sentence.words) for sentence in sentences)} words, {len(sentences)} sentences")
     heard = [_stressed(sentence) for sentence in sentences]
     for name, measure in measures.items():
-        print(f"{name:34}{np.mean([_content_over_function(words, measure) for words in heard]):.3f}")
-    prominent = np.mean([(word.prominence or 0.0) > 0.5 for words in heard for word in words])
-    print(f"{'words of prominence over .5':34}{prominent:.3f}")
-
-
-def _contours(audio: Audio) -> Contours:
-    return Contours(energy_db=energy_db(audio), f0_hz=track_f0(audio), mfcc=mfcc(audio))
+        print(f"{name:38}{np.mean([_content_over_function(words, measure) for words in heard]):.3f}")
+    prominent = np.mean([(word.prominence or 0.0) > PROMINENT for words in heard for word in words])
+    print(f"{'words that prominence emphasises':38}{prominent:.3f}")
 
 
 def _highest(syllables: Sequence[Interval], contour: FloatArray) -> FloatArray:
@@ -172,8 +216,8 @@ def _mean_correlation(sentences: list[JudgedSentence], scores: Sequence[FloatArr
 
 
 def _stressed(sentence: Sentence) -> tuple[Word, ...]:
-    contours = _contours(sentence.audio)
-    return stress(prominence(placed_words(sentence), contours.f0_hz), contours)[0]
+    contours = contours_of(sentence.audio)
+    return stress(prominence(placed_words(sentence), contours), contours)[0]
 
 
 def _content_over_function(words: tuple[Word, ...], measure: Callable[[Word], float]) -> float:

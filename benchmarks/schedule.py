@@ -4,7 +4,7 @@
 
 FILE has an object with "text" on each line (default: ../shared/data/functions/dev.jsonl); `--sentences` takes the first
 N spoken sentences of GUM (../shared/data/treebanks/spoken-dev.conllu, then spoken-test.conllu) instead. The words get
-made-up times (13 letters a second, pauses at punctuation, one word in eight stressed); the stages from the parser on
+made-up times (13 letters a second, pauses at punctuation, one word in eight emphasised); the stages from the parser on
 are real. `--seeds` compares the schedules of each text under so many seeds.
 """
 
@@ -56,8 +56,8 @@ def timed(words: tuple[Word, ...], generator: random.Random) -> Iterator[Word]:
     for word in words:
         end_s = now_s + 0.1 + len(word.text) / 13
         vowel = Phone("AH", Interval(now_s + (end_s - now_s) / 3, end_s), stress=1)
-        ratio = 0.3 if generator.random() < 1 / 8 else 0.0
-        yield replace(word, interval=Interval(now_s, end_s), phones=(vowel,), stressed_ratio=ratio)
+        emphasis = 0.6 if generator.random() < 1 / 8 else 0.0
+        yield replace(word, interval=Interval(now_s, end_s), phones=(vowel,), emphasis=emphasis)
         now_s = end_s + (0.35 if word.text[-1] in ",.;:?!" else 0.0)
 
 

@@ -22,17 +22,17 @@ FIGURE_8 = "I guess not, I think I must've misread all of those signals."
 
 
 def spoken(text: str, *, start_s: float = 1.0, word_s: float = 0.4, stressed: Sequence[int] = ()) -> tuple[Word, ...]:
-    """The words of `text`, `word_s` each without pauses; their one vowel takes the second half. `stressed` have .5."""
+    """The words of `text`, `word_s` each without pauses; their one vowel takes the second half."""
     return tuple(
-        _word(index, word, start_s + index * word_s, word_s, 0.5 if index in stressed else 0.0)
+        _word(index, word, start_s + index * word_s, word_s, 1.0 if index in stressed else 0.0)
         for index, word in enumerate(text.split())
     )
 
 
-def _word(index: int, text: str, start_s: float, word_s: float, stressed_ratio: float) -> Word:
+def _word(index: int, text: str, start_s: float, word_s: float, emphasis: float) -> Word:
     middle_s, end_s = start_s + word_s / 2, start_s + word_s
     phones = (Phone("T", Interval(start_s, middle_s)), Phone("AH", Interval(middle_s, end_s), stress=1))
-    return Word(index, text, Interval(start_s, end_s), phones, stressed_ratio)
+    return Word(index, text, Interval(start_s, end_s), phones, emphasis=emphasis)
 
 
 def utterance(words: tuple[Word, ...], level: Level | None = None, phrase_ends: Sequence[int] = ()) -> Utterance:

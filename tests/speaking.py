@@ -18,12 +18,12 @@ START_S = 0.5
 """When the first phone begins: the mouth is at rest before."""
 
 
-def said(phones: str, *, phone_s: float = 0.1, stressed_ratio: float = 1.0) -> tuple[Viseme, ...]:
+def said(phones: str, *, phone_s: float = 0.1, emphasis: float = 1.0) -> tuple[Viseme, ...]:
     """The visemes of these phones, with half a second of silence on either side."""
     labels = phones.split()
     bounds_s = [START_S + number * phone_s for number in range(len(labels) + 1)]
     spoken = tuple(Phone(label, Interval(*bounds_s[k : k + 2])) for k, label in enumerate(labels))
-    word = Word(0, phones, Interval(bounds_s[0], bounds_s[-1]), spoken, stressed_ratio)
+    word = Word(0, phones, Interval(bounds_s[0], bounds_s[-1]), spoken, emphasis=emphasis)
     return visemes((word,), bounds_s[-1] + 0.5)[0]
 
 

@@ -33,7 +33,7 @@ def test_without_times_there_are_no_phrases() -> None:
     assert phrases((Word(0, "one"),)) == ()
 
 
-def test_emphases_lie_where_the_vowels_of_prominent_words_begin() -> None:
-    words = spoken("one two three", start_s=0.0, stressed=(0, 1))
-    words = (words[0], replace(words[1], prominence=0.1), replace(words[2], prominence=0.9))
+def test_emphases_lie_where_the_vowels_of_emphasised_words_begin() -> None:
+    words = spoken("one two three", start_s=0.0, stressed=(0, 2))
+    words = (words[0], replace(words[1], stressed_ratio=0.9, prominence=0.9), words[2])
     assert emphases_s(words) == pytest.approx((0.2, 1.0))

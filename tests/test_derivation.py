@@ -8,7 +8,7 @@ import pytest
 from app.errors import AuthoringError
 from app.model import Because, Function, Utterance
 from app.rules.conflicts import Conflicts
-from app.rules.derivation import Emphasis, FunctionRules, derive_functions
+from app.rules.derivation import FunctionRules, derive_functions
 from tests.utterances import utterance
 
 VOCABULARY = (Path(__file__).resolve().parents[1] / "app" / "rules" / "vocabulary.rules").read_text()
@@ -30,9 +30,8 @@ assert
 
 rule stressed
 foreach
-  stressed_ratio($ratio, $s, $e)
-  emphasis_threshold(ratio, $threshold)
-  $ratio > $threshold
+  emphasis($value, $s, $e)
+  $value > 0.5
 assert
   fcn(emphasis, plain, $s, $e, 2)
 """
@@ -74,9 +73,9 @@ def load(folder: Path, rules: str = RULES, conflicts: str = CONFLICTS, **classes
     return FunctionRules.load(folder / "rules", lexicon)
 
 
-def stressed(spoken: Utterance, *ratios: float) -> Utterance:
-    words = zip(spoken.words, ratios, strict=True)
-    return replace(spoken, words=tuple(replace(word, stressed_ratio=ratio) for word, ratio in words))
+def stressed(spoken: Utterance, *emphases: float) -> Utterance:
+    words = zip(spoken.words, emphases, strict=True)
+    return replace(spoken, words=tuple(replace(word, emphasis=emphasis) for word, emphasis in words))
 
 
 def spans(functions: tuple[Function, ...]) -> list[tuple[str, str, int, int]]:
@@ -116,22 +115,9 @@ def test_the_lower_priority_loses_within_its_class_and_says_to_whom(tmp_path: Pa
 
 def test_an_emphasised_comparative_shows_the_comparison(tmp_path: Path) -> None:
     rules = load(tmp_path, comparison="better", deixis="that")
-    functions = derive_functions(rules, stressed(utterance("better that", ""), 0.5, 0.5))
+    functions = derive_functions(rules, stressed(utterance("better that", ""), 0.7, 0.7))
     kept = {(found.class_name, found.first): found.kept for found in functions}
     assert kept == {("comparison", 0): True, ("emphasis", 0): False, ("deixis", 1): True, ("emphasis", 1): True}
-
-
-@pytest.mark.parametrize(("ratio", "emphasised"), [(0.1, False), (0.11, True)])
-def test_a_word_is_emphasised_above_the_threshold(tmp_path: Path, ratio: float, emphasised: bool) -> None:
-    functions = derive_functions(load(tmp_path), stressed(utterance("so", ""), ratio))
-    assert bool(functions) is emphasised
-
-
-def test_the_threshold_can_be_set(tmp_path: Path) -> None:
-    spoken = stressed(utterance("so", ""), 0.3)
-    rules = load(tmp_path)
-    assert derive_functions(rules, spoken, emphasis=Emphasis(above_ratio=0.25))
-    assert not derive_functions(rules, spoken, emphasis=Emphasis(above_ratio=0.35))
 
 
 def function(class_name: str, subtype: str, first: int, last: int) -> Function:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from app.acoustic.emphasis import Measure, with_emphasis
 from app.model import Function, Utterance
 from app.rules.derivation import FunctionRules, derive_functions
 from app.syntax.parser import Parser
@@ -19,6 +20,7 @@ STRESSED = {1: 0.23, 10: 0.42}
 @pytest.fixture(scope="module")
 def functions() -> tuple[Function, ...]:
     words = tuple(replace(word, stressed_ratio=STRESSED.get(word.index, 0.05)) for word in words_of(LINE))
+    words = with_emphasis(words, Measure())
     rules = FunctionRules.load(ROOT / "app" / "rules", ROOT / "lexicon" / "en")
     return derive_functions(rules, Utterance(words, Parser.load(PARSER).parse(words)))
 

@@ -17,7 +17,7 @@ AUDIO = Path(__file__).parent / "audio" / "figure8.flac"
 
 @pytest.fixture(scope="module")
 def performance(understudy: Understudy) -> Performance:
-    paper = replace(understudy, mind=replace(understudy.mind, settings=Settings(emphasis="ratio")))
+    paper = replace(understudy, ears=replace(understudy.ears, settings=Settings(emphasis="ratio")))
     return perform(paper, Line(AUDIO.read_bytes(), AUDIO.with_suffix(".txt").read_text()), Options())
 
 

@@ -49,7 +49,7 @@ def test_rounding_begins_before_its_vowel_does() -> None:
 
 
 def test_a_stressed_vowel_opens_the_jaw_wider() -> None:
-    wide, narrow = (faced(said("D AA D", stressed_ratio=ratio)).max(axis=0) for ratio in (1.0, 0.0))
+    wide, narrow = (faced(said("D AA D", emphasis=ratio)).max(axis=0) for ratio in (1.0, 0.0))
     assert wide[INDEX["jawOpen"]] > 1.3 * narrow[INDEX["jawOpen"]]
 
 
@@ -115,7 +115,7 @@ def test_viseme_weights_are_shares_of_one_mouth() -> None:
     assert weights.shape == (len(times(2.5)), 15)
     assert weights.min() >= 0
     assert np.allclose(weights.sum(axis=1), 1), "a stressed word is articulated wholly"
-    half = viseme_weights(TABLES.visemes, said(SENTENCE, stressed_ratio=0.0), times(3.0))
+    half = viseme_weights(TABLES.visemes, said(SENTENCE, emphasis=0.0), times(3.0))
     assert half.sum(axis=1).max() <= 1 + 1e-9
     assert half.sum(axis=1).min() < 0.8
 

@@ -28,7 +28,7 @@ def priorities(rules: FunctionRules, spoken: Utterance) -> dict[tuple[str, str, 
 
 
 def stressed(spoken: Utterance, number: int) -> Utterance:
-    words = (replace(word, stressed_ratio=0.5 if word.index == number else 0.0) for word in spoken.words)
+    words = (replace(word, emphasis=0.7 if word.index == number else 0.0) for word in spoken.words)
     return replace(spoken, words=tuple(words))
 
 

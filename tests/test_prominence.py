@@ -1,12 +1,20 @@
 """Syllables of known length and pitch: which of them, and which words, stand out."""
 
+import math
+
 import numpy as np
 import pytest
 
-from app.acoustic.prominence import cues, prominence
-from app.model import FloatArray, Interval, Phone, Word
+from app.acoustic.prominence import BIAS, cues, prominence
+from app.model import Contours, FloatArray, Interval, Phone, Word
 
 LEVEL_HZ = np.full(400, 120.0)
+
+
+def contours(f0_hz: FloatArray = LEVEL_HZ, energy_db: FloatArray | None = None) -> Contours:
+    """Of even loudness where not said otherwise."""
+    count = len(f0_hz)
+    return Contours(np.full(count, -20.0) if energy_db is None else energy_db, f0_hz, np.zeros((count, 12)))
 
 
 def word(index: int, start_s: float, *phones: tuple[str, float]) -> Word:
@@ -25,8 +33,9 @@ def in_a_row(*syllables: tuple[tuple[str, float], ...]) -> tuple[Word, ...]:
     return tuple(words)
 
 
-def values(words: tuple[Word, ...], f0_hz: FloatArray = LEVEL_HZ) -> list[float]:
-    return [heard.prominence if heard.prominence is not None else -1 for heard in prominence(words, f0_hz)]
+def values(words: tuple[Word, ...], f0_hz: FloatArray = LEVEL_HZ, energy_db: FloatArray | None = None) -> list[float]:
+    heard = prominence(words, contours(f0_hz, energy_db))
+    return [word.prominence if word.prominence is not None else -1 for word in heard]
 
 
 SHORT = (("D", 0.05), ("AH", 0.08))
@@ -44,6 +53,23 @@ def test_of_equal_words_the_one_on_which_the_voice_rises_is_the_most_prominent()
     f0_hz[26:39] = np.geomspace(120, 170, 13)
     found = values(in_a_row(SHORT, SHORT, SHORT, SHORT), f0_hz)
     assert found.index(max(found)) == 2
+
+
+def test_of_equal_words_the_loudest_is_the_most_prominent_however_loud_the_recording() -> None:
+    energy_db = np.full(400, -20.0)
+    energy_db[13:26] += 8
+    found = values(in_a_row(SHORT, SHORT, SHORT, SHORT), energy_db=energy_db)
+    assert found.index(max(found)) == 1
+    assert values(in_a_row(SHORT, SHORT, SHORT, SHORT), energy_db=energy_db - 30) == pytest.approx(found)
+
+
+def test_a_flat_voice_has_its_prominent_words_as_well() -> None:
+    """Half the differences in length, in log duration: more than half the prominence, in log odds."""
+    lively, flat = (
+        max(values(in_a_row(SHORT, (("D", 0.05), ("AE", vowel_s)), SHORT, SHORT))) for vowel_s in (0.47, 0.21)
+    )
+    gains = [math.log(value / (1 - value)) - BIAS for value in (lively, flat)]
+    assert gains[0] / 2 < gains[1] < gains[0]
 
 
 def test_length_before_a_pause_counts_less() -> None:
@@ -65,8 +91,8 @@ def test_the_voice_of_another_pitch_is_as_prominent() -> None:
 
 def test_words_without_phones_have_no_prominence() -> None:
     words = (Word(0, "—"), *in_a_row(SHORT, LONG)[1:], Word(2, "there", Interval(1.0, 1.2)))
-    assert [heard.prominence is None for heard in prominence(words, LEVEL_HZ)] == [True, False, True]
-    assert prominence((Word(0, "there", Interval(0, 1)),), LEVEL_HZ)[0].prominence is None
+    assert [heard.prominence is None for heard in prominence(words, contours())] == [True, False, True]
+    assert prominence((Word(0, "there", Interval(0, 1)),), contours())[0].prominence is None
 
 
 @pytest.mark.parametrize("f0_hz", [np.zeros(400), np.zeros(1), LEVEL_HZ[:20]])
@@ -77,7 +103,7 @@ def test_whispers_and_short_signals_are_judged_by_what_there_is(f0_hz: FloatArra
 
 def test_cues_are_relative_to_the_utterance() -> None:
     syllables = (Interval(0.0, 0.1), Interval(0.1, 0.4), Interval(0.4, 0.5))
-    np.testing.assert_allclose(cues(syllables, LEVEL_HZ).mean(axis=0), 0, atol=1e-12)
+    np.testing.assert_allclose(cues(syllables, contours()).mean(axis=0), 0, atol=1e-12)
 
 
 def test_a_word_without_a_vowel_is_one_syllable() -> None:

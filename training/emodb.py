@@ -13,9 +13,11 @@ from app.model import Audio, Interval
 
 @dataclass(frozen=True, slots=True)
 class JudgedSentence:
-    """A sentence: its speaker, and of each syllable the spelling, the time and the stress heard, 0 to 3."""
+    """A sentence: its speaker, its emotion (N neutral, L bored, T sad, A afraid, E disgusted, F happy, W angry), and of
+    each syllable the spelling, the time and the stress heard, 0 to 3."""
 
     speaker: str
+    emotion: str
     audio: Audio
     spellings: tuple[str, ...]
     syllables: tuple[Interval, ...]
@@ -36,6 +38,7 @@ def _read(labels: Path, recording: Path) -> JudgedSentence:
     judged = [place for place, mark in enumerate(marks) if len(mark) == 2]
     return JudgedSentence(
         speaker=labels.stem[:2],
+        emotion=labels.stem[5],
         audio=decode(recording.read_bytes(), AudioLimits())[0],
         spellings=tuple(marks[place][0] for place in judged),
         syllables=tuple(Interval(starts_s[place], starts_s[place + 1]) for place in judged),

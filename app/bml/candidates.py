@@ -110,12 +110,12 @@ def _strength(vowel: Phone) -> tuple[int, bool, float]:
 
 
 def _anchor(anchor: Anchor, words: list[Word]) -> Word:
-    """The word a stroke falls on; of equally stressed words the last."""
+    """The word a stroke falls on; of equally emphasised words the last."""
     if anchor is Anchor.FIRST:
         return words[0]
     if anchor is Anchor.LAST:
         return words[-1]
-    return max(reversed(words), key=lambda word: word.stressed_ratio or 0.0)
+    return max(reversed(words), key=lambda word: word.emphasis or 0.0)
 
 
 def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> Placing:

@@ -11,8 +11,6 @@ from app.bml.candidates import stressed_vowel_s
 from app.model import Interval, Word
 
 SHORTEST_PAUSE_S = 0.2
-LEAST_PROMINENCE, LEAST_RATIO = 0.4, 0.1
-"""Of a word that repeats the stroke of a gesture: the paper's stressed ratio where prominence is not known."""
 
 _SENTENCE_ENDS = (".", "!", "?", ";", ":")
 _CLOSERS = "\"'”’)]"
@@ -24,9 +22,8 @@ def phrases(words: tuple[Word, ...]) -> tuple[Interval, ...]:
 
 
 def emphases_s(words: tuple[Word, ...]) -> tuple[float, ...]:
-    """Where the stressed vowels of the words that stand out begin."""
-    standing_out = (word for word in words if word.interval and _stands_out(word))
-    return tuple(sorted(stressed_vowel_s(word) for word in standing_out))
+    """Where the stressed vowels of the emphasised words begin."""
+    return tuple(sorted(stressed_vowel_s(word) for word in words if word.interval and word.is_emphasised))
 
 
 def _phrases(timed: list[Word]) -> Iterator[Interval]:
@@ -46,9 +43,3 @@ def _whole(words: list[Word]) -> Interval:
 
 def _parted(word: Word, pause_s: float) -> bool:
     return pause_s >= SHORTEST_PAUSE_S or word.text.rstrip(_CLOSERS).endswith(_SENTENCE_ENDS)
-
-
-def _stands_out(word: Word) -> bool:
-    if word.prominence is None:
-        return (word.stressed_ratio or 0.0) > LEAST_RATIO
-    return word.prominence > LEAST_PROMINENCE

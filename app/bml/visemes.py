@@ -4,9 +4,9 @@ Departure from §3.8: the paper animates hand-made curves of diphones; its curve
 of the single phones, with their times, for the character's own rig to blend. Shapes and phones as in
 `../shared/motion.md`, "Visemes"; HH, which has no shape of its own, takes that of the phone it leads to.
 
-The paper has "the word stress value drive the open-mouth shape" without a figure: here the vowels of a word of which
-no frame is stressed reach `LEAST_ARTICULATION` of their shape, those of one stressed for `FULL_RATIO` of its frames or
-more all of it. Consonants always reach theirs, since lips that do not close are no P.
+The paper has "the word stress value drive the open-mouth shape" without a figure: here the vowels of a word without
+any emphasis reach `LEAST_ARTICULATION` of their shape, those of one that could have no more all of it. Consonants
+always reach theirs, since lips that do not close are no P.
 
 A P that something follows has its lips shut for its first two thirds: what comes after the burst is breath (58 ms in
 stressed syllables, Lisker & Abramson 1964), in which the mouth has the next sound's shape already. Aligners count it to
@@ -23,7 +23,6 @@ SILENCE = "sil"
 """The shape of the mouth at rest."""
 
 LEAST_ARTICULATION = 0.6
-FULL_RATIO = 0.5
 ASPIRATION = 1 / 3
 """The part of a P behind its burst."""
 
@@ -80,7 +79,7 @@ def visemes(words: tuple[Word, ...], duration_s: float) -> tuple[tuple[Viseme, .
 
 
 def _of_word(word: Word) -> Iterator[Viseme]:
-    scale = _articulation(word.stressed_ratio or 0.0)
+    scale = _articulation(word.emphasis or 0.0)
     for interval, label in zip(_intervals(word.phones), _labels(word.phones), strict=True):
         if interval.duration_s > 0:
             articulation = scale if label in _VOWELS else 1.0
@@ -98,8 +97,8 @@ def _intervals(phones: tuple[Phone, ...]) -> list[Interval]:
     return intervals
 
 
-def _articulation(stressed_ratio: float) -> float:
-    return LEAST_ARTICULATION + (1 - LEAST_ARTICULATION) * min(stressed_ratio / FULL_RATIO, 1.0)
+def _articulation(emphasis: float) -> float:
+    return LEAST_ARTICULATION + (1 - LEAST_ARTICULATION) * emphasis
 
 
 def _labels(phones: tuple[Phone, ...]) -> list[str]:

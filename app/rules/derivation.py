@@ -24,30 +24,8 @@ from app.rules.program import Program, load_program
 
 Loaded = TypeVar("Loaded")
 
-_ON_WORDS = frozenset(("lexical", "lemma", "part_of_speech", "tag", "stressed_ratio", "prominence"))
+_ON_WORDS = frozenset(("lexical", "lemma", "part_of_speech", "tag", "stressed_ratio", "prominence", "emphasis"))
 """Given facts that speak of the words from their last argument but one to their last."""
-
-
-@dataclass(frozen=True, slots=True)
-class Emphasis:
-    """Which measure of a word emphasises it, "prominence" or "ratio", and above which value of each.
-
-    A word without prominence is always judged by its stressed ratio, as the paper judges all (.1 in Figure 8).
-    """
-
-    measure: str = "prominence"
-    above_prominence: float = 0.4
-    above_ratio: float = 0.1
-
-    def facts(self) -> tuple[Fact, ...]:
-        return (
-            Fact("emphasis_measure", (self.measure,)),
-            Fact("emphasis_threshold", ("prominence", self.above_prominence)),
-            Fact("emphasis_threshold", ("ratio", self.above_ratio)),
-        )
-
-
-EMPHASIS = Emphasis()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -88,7 +66,6 @@ def derive_functions(
     rules: FunctionRules,
     utterance: Utterance,
     *,
-    emphasis: Emphasis = EMPHASIS,
     given: Sequence[GivenFunction] = (),
 ) -> tuple[Function, ...]:
     """The functions of an utterance in order of first word, last word and class; those that lost a conflict too.
@@ -96,7 +73,7 @@ def derive_functions(
     `given` are functions that the caller knows already. Raises InputError for one that is none, or of no words.
     """
     from_outside = given_facts(given, rules.priorities, words=len(utterance.words))
-    derivation = derive_facts(rules, utterance, emphasis=emphasis, from_outside=from_outside)
+    derivation = derive_facts(rules, utterance, from_outside=from_outside)
     found = sorted(
         (_function(derivation, fact, from_outside) for fact in derivation.facts if fact.predicate == "fcn"),
         key=lambda function: (function.first, function.last, function.class_name, function.subtype),
@@ -109,7 +86,6 @@ def derive_facts(
     rules: FunctionRules,
     utterance: Utterance,
     *,
-    emphasis: Emphasis = EMPHASIS,
     from_outside: Mapping[Fact, float] = MappingProxyType({}),
 ) -> Derivation:
     """All that the rules derive from an utterance, functions being the facts `fcn`; `from_outside` are functions known
@@ -118,7 +94,6 @@ def derive_facts(
         *utterance_facts(utterance),
         *_lexical_facts(rules.lexicon, utterance),
         *rules.tables,
-        *emphasis.facts(),
         *from_outside,
     )
     return derive(rules.program, facts, annotations=from_outside)

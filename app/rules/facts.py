@@ -120,6 +120,8 @@ def _heard_facts(utterance: Utterance) -> Iterator[Fact]:
             yield Fact("stressed_ratio", (word.stressed_ratio, word.index, word.index + 1))
         if word.prominence is not None:
             yield Fact("prominence", (round(word.prominence, 3), word.index, word.index + 1))
+        if word.emphasis is not None:
+            yield Fact("emphasis", (word.emphasis, word.index, word.index + 1))
         if word.interval is None:
             continue
         if before_s is not None and word.interval.start_s - before_s >= SHORTEST_PAUSE_S:
