@@ -42,7 +42,7 @@ def test_every_contour_has_a_frame_each_ten_milliseconds(count: int) -> None:
 
 def test_mfcc_ignore_the_recording_level() -> None:
     samples = noise(1.0)
-    assert mfcc(Audio(samples * 0.003)) == pytest.approx(mfcc(Audio(samples)), abs=1e-6)
+    assert mfcc(Audio(samples * 0.003)) == pytest.approx(mfcc(Audio(samples)), abs=1e-4)
 
 
 def test_the_first_coefficient_tells_low_from_high() -> None:

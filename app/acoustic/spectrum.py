@@ -1,20 +1,18 @@
 """Energy and Mel frequency cepstral coefficients, one row every 10 ms (paper §3.1.1, §3.1.2).
 
-All contours share their frames: frame k is centred on k × 10 ms and 32 ms long, the signal counts as silent outside
-itself, and n samples at 16 kHz make 1 + n // 160 frames. Levels are in dB re full scale squared, so that energy is 0 dB
-where the windowed samples' squares sum to 1.
+Frames are 32 ms long and lie where those of all contours do (`app.acoustic.frames`). Levels are in dB re full scale
+squared, so that energy is 0 dB where the windowed samples' squares sum to 1.
 """
 
-from collections.abc import Iterator
-
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
+from scipy import fft
+from scipy.sparse import csr_array
 
+from app.acoustic.frames import BLOCK, blocks_of_frames, frame_count
 from app.acoustic.mel import mel_filters
-from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
 FRAME_SAMPLES = round(0.032 * SAMPLE_RATE_HZ)
-SHIFT_SAMPLES = round(FRAME_SHIFT_S * SAMPLE_RATE_HZ)
 ENERGY_FLOOR_DB = -100.0
 """Energy of digital silence: some 20 dB under the rounding noise of 16-bit samples (about -78 dB in a frame)."""
 
@@ -30,10 +28,8 @@ MEL_RANGE_DB = 50.0
 
 COEFFICIENTS = 12
 
-_HAMMING = np.hamming(FRAME_SAMPLES + 1)[:-1]
-_HANN = np.hanning(FRAME_SAMPLES + 1)[:-1]
-_FRAMES_AT_ONCE = 2000
-"""So many, lest half an hour of speech take gigabytes."""
+_HAMMING = np.hamming(FRAME_SAMPLES + 1)[:-1].astype(np.float32)
+_HANN = np.hanning(FRAME_SAMPLES + 1)[:-1].astype(np.float32)
 
 
 def energy_db(audio: Audio) -> FloatArray:
@@ -41,7 +37,9 @@ def energy_db(audio: Audio) -> FloatArray:
 
     Never below `ENERGY_FLOOR_DB`; shape (frames,).
     """
-    energy = np.concatenate([np.square(block) @ np.square(_HAMMING) for block in _blocks(audio)])
+    energy = np.empty(frame_count(len(audio.samples)))
+    for number, frames in enumerate(blocks_of_frames(audio.samples, FRAME_SAMPLES, len(energy))):
+        energy[number * BLOCK :][: len(frames)] = np.sum(np.square(frames * _HAMMING), axis=1)
     decibels: FloatArray = 10 * np.log10(np.maximum(energy, 10 ** (ENERGY_FLOOR_DB / 10)))
     return decibels
 
@@ -54,21 +52,11 @@ def mfcc(audio: Audio, *, min_hz: float = MEL_MIN_HZ, range_db: float = MEL_RANG
     the loudest (`python -m benchmarks.agitation --ablation` shows what floor and lower edge are worth).
     """
     filters = mel_filters(FRAME_SAMPLES, bands=MEL_BANDS, lowest_hz=min_hz, highest_hz=SAMPLE_RATE_HZ / 2)
-    spectra = (np.abs(np.fft.rfft(block * _HANN)) ** 2 for block in _blocks(audio))
-    mel_db = 10 * np.log10(np.maximum(np.concatenate([spectrum @ filters.T for spectrum in spectra]), _LEAST_POWER))
-    coefficients: FloatArray = np.maximum(mel_db, mel_db.max() - range_db) @ _cosines().T
+    bands = csr_array(filters.astype(np.float32))  # hardly anything of them is not 0
+    mel_db = np.empty((frame_count(len(audio.samples)), MEL_BANDS), dtype=np.float32)
+    for number, frames in enumerate(blocks_of_frames(audio.samples, FRAME_SAMPLES, len(mel_db))):
+        power = np.square(np.abs(fft.rfft(frames * _HANN)))
+        mel_db[number * BLOCK :][: len(frames)] = 10 * np.log10(np.maximum((bands @ power.T).T, _LEAST_POWER))
+    floored_db = np.maximum(mel_db, mel_db.max() - range_db)
+    coefficients: FloatArray = fft.dct(floored_db, norm="ortho")[:, 1 : 1 + COEFFICIENTS].astype(np.float64)
     return coefficients
-
-
-def _cosines() -> FloatArray:
-    """The orthonormal discrete cosine transform (type II) over the bands, less coefficient 0; (coefficients, bands)."""
-    orders, bands = np.arange(1, 1 + COEFFICIENTS)[:, None], np.arange(MEL_BANDS)
-    cosines: FloatArray = np.sqrt(2 / MEL_BANDS) * np.cos(np.pi * orders * (bands + 0.5) / MEL_BANDS)
-    return cosines
-
-
-def _blocks(audio: Audio) -> Iterator[FloatArray]:
-    """The frames in order, (frames, samples); half a frame of silence at both ends centres the first on sample 0."""
-    padded = np.pad(audio.samples, FRAME_SAMPLES // 2)
-    frames = sliding_window_view(padded, FRAME_SAMPLES)[::SHIFT_SAMPLES]
-    return (frames[first : first + _FRAMES_AT_ONCE] for first in range(0, len(frames), _FRAMES_AT_ONCE))
