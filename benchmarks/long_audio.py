@@ -1,15 +1,16 @@
-"""What it costs to align long audio, and whether its words lie where they lie in the short lines it is made of.
+"""What it costs to hear long audio, and whether its words lie where they lie in the short lines it is made of.
 
     python -m benchmarks.long_audio [--minutes 30] [--lines FOLDER]
 
 Joins the lines of FOLDER (pairs NAME.flac and NAME.txt) over and over, a third of a second of silence between them, to
-the length asked, and aligns that. Prints wall and processor time, the most memory resident at once (ours, and that of
-the decoder's process), and how far each word's start and end lie from where they lie when its line is aligned alone.
+the length asked, and hears that: the whole acoustic stage, from the bytes of a WAV file to stress. Prints the time of
+each part and all processor time, the most memory resident at once (ours, and that of the decoder's process), and how
+far each word's start and end lie from where they lie when its line is aligned alone. One core: set OMP_NUM_THREADS=1.
 """
 
 import argparse
-import resource
-import time
+import io
+import os
 from itertools import cycle, takewhile
 from pathlib import Path
 
@@ -17,34 +18,40 @@ import numpy as np
 import soundfile
 import soxr
 
-from app.acoustic.alignment import Aligner
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word
+from app.performance import Ears, hear, hear_words
+from app.settings import Settings
 from app.transcript import read_transcript
 from benchmarks.alignment import processor_s
+from benchmarks.pipeline import Stopwatch
 
 ROOT = Path(__file__).resolve().parents[1]
 LINES = ROOT.parent / "shared" / "data" / "speech" / "lines"
 PAUSE_S = 1 / 3
+ANY_LENGTH = Settings(max_audio_s=1e6, max_audio_bytes=2**40)
 
 
 def main() -> None:
     """Prints the figures."""
     options = _options()
     lines = [_read(path) for path in sorted(options.lines.glob("*.flac"))]
-    with Aligner(ROOT / "models", ROOT / "lexicon" / "en") as aligner:
-        alone = [aligner.align(Audio(samples), _words(text))[0] for samples, text in lines]
-        order = _order([len(samples) / SAMPLE_RATE_HZ for samples, _ in lines], options.minutes * 60)
-        pause = np.zeros(round(PAUSE_S * SAMPLE_RATE_HZ))
-        joined = Audio(np.concatenate([part for number in order for part in (lines[number][0], pause)]))
-        aligner.close()
-        began, began_s = time.perf_counter(), processor_s()
-        found = aligner.listen(joined, _words(" ".join(lines[number][1] for number in order)))
-        seconds = time.perf_counter() - began
+    order = _order([len(samples) / SAMPLE_RATE_HZ for samples, _ in lines], options.minutes * 60)
+    content = _joined([lines[number][0] for number in order])
+    transcript = _words(" ".join(lines[number][1] for number in order))
+    with Ears.load(ANY_LENGTH) as ears:
+        alone = [ears.aligner.align(Audio(samples), _words(text))[0] for samples, text in lines]
+        ears.close()
+        began_s, watch = processor_s(), Stopwatch()
+        heard = hear(ears, content, watch)
+        found, _ = hear_words(ears, heard, transcript, progress=watch)
+        watch(None)
+        peaks = [_peak_mb(pid) for pid in (os.getpid(), *_children())]
     spent_s = processor_s() - began_s
-    print(
-        f"{joined.duration_s / 60:.1f} minutes, {len(found.words)} words: {seconds:.0f} s, {spent_s:.0f} s of processor"
-    )
-    print(_resident_mb())
+    duration_s, seconds = heard.audio.duration_s, sum(watch.seconds.values())
+    parts = ", ".join(f"{stage} {spent:.0f}" for stage, spent in watch.seconds.items())
+    print(f"{duration_s / 60:.1f} minutes, {len(found.words)} words: {seconds:.0f} s ({parts})")
+    print(f"{spent_s:.0f} s of processor; {seconds / duration_s:.3f} × real time")
+    print("at most " + " + ".join(f"{peak:.0f}" for peak in peaks) + " MB resident, here and in the decoder's process")
     print("notices:", ", ".join(f"{each.code} ({each.message[:80]})" for each in found.notices) or "none")
     print(f"fillers heard: {len(found.fillers)}")
     print_differences(found.words, _expected_s([alone[number] for number in order], [len(lines[n][0]) for n in order]))
@@ -86,11 +93,25 @@ def _words(text: str) -> tuple[Word, ...]:
     return read_transcript(text, max_characters=1_000_000)
 
 
-def _resident_mb() -> str:
-    ours, theirs = (
-        resource.getrusage(who).ru_maxrss // 1024 for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
-    )
-    return f"at most {ours} MB resident here and {theirs} MB in the decoder's process"
+def _joined(parts: list[FloatArray]) -> bytes:
+    """A WAV file of all parts, a pause after each."""
+    pause = np.zeros(round(PAUSE_S * SAMPLE_RATE_HZ))
+    content = io.BytesIO()
+    with soundfile.SoundFile(content, "w", SAMPLE_RATE_HZ, 1, "PCM_16", format="WAV") as file:
+        for part in parts:
+            file.write(part)
+            file.write(pause)
+    return content.getvalue()
+
+
+def _children() -> list[int]:
+    return [int(pid) for pid in Path(f"/proc/self/task/{os.getpid()}/children").read_text().split()]
+
+
+def _peak_mb(pid: int) -> float:
+    """The most memory that was ever resident; what `getrusage` says of a child counts what its parent had before."""
+    status = dict(line.split(":", 1) for line in Path(f"/proc/{pid}/status").read_text().splitlines())
+    return int(status["VmHWM"].split()[0]) / 1000
 
 
 def _options() -> argparse.Namespace:

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from app.acoustic.decoder_process import Decoded, DecoderProcess
-from app.acoustic.pieces import FRAMES_PER_S, decode_in_pieces
+from app.acoustic.decoder_process import Decoded, DecoderProcess, Span
+from app.acoustic.pieces import FRAMES_PER_S, PIECE_FRAMES, UNSURE_FRAMES, Cut, cuts_in_pauses, decode_in_pieces
 from app.model import SAMPLE_RATE_HZ, FloatArray
 
 AUDIO = Path(__file__).resolve().parent / "audio"
@@ -73,3 +73,42 @@ def test_a_filler_is_found_where_it_was_said_and_words_keep_their_places() -> No
 def test_more_words_than_can_be_said_have_no_path() -> None:
     samples, words, _ = _figure8()
     assert _decoded(samples, words * 9) is None
+
+
+def _spans(*pauses_s: float) -> list[Span]:
+    """Words of half a second with these pauses before them."""
+    starts_s = np.cumsum(pauses_s) + 0.5 * np.arange(len(pauses_s))
+    return [Span(True, round(start_s * FRAMES_PER_S), FRAMES_PER_S // 2) for start_s in starts_s]
+
+
+def test_a_stretch_is_cut_in_the_last_clear_pause_before_a_piece_gets_too_long() -> None:
+    spans = _spans(*[0.0, 0.0, 0.0, 0.4] * 13)
+    cuts = cuts_in_pauses(spans, 30 * FRAMES_PER_S)
+    assert [cut.words % 4 for cut in cuts] == [3] * len(cuts)
+    lengths = np.diff([0, *(cut.frame for cut in cuts)])
+    assert lengths.max() <= PIECE_FRAMES
+    assert all(spans[cut.words - 1].end_frame < cut.frame < spans[cut.words].first_frame for cut in cuts[:-1])
+
+
+def test_what_is_heard_last_is_left_to_the_next_stretch() -> None:
+    frames = 30 * FRAMES_PER_S
+    cuts = cuts_in_pauses(_spans(*[0.4] * 33), frames)
+    assert cuts[-1].frame <= frames - UNSURE_FRAMES
+    assert cuts[-1].words < 33
+
+
+def test_without_a_clear_pause_the_longest_is_taken() -> None:
+    (cut,) = cuts_in_pauses(_spans(*[0.02] * 20, 0.1, *[0.02] * 40), 30 * FRAMES_PER_S)
+    assert cut.words == 20
+
+
+def test_no_cut_goes_through_a_filler() -> None:
+    words = _spans(*[1.5] * 14)
+    fillers = [Span(False, word.first_frame - FRAMES_PER_S, FRAMES_PER_S // 2) for word in words]
+    cuts = cuts_in_pauses(sorted([*words, *fillers], key=lambda span: span.first_frame), 30 * FRAMES_PER_S)
+    assert len(cuts) == 3
+    assert not [cut for cut in cuts for each in fillers if each.first_frame < cut.frame < each.end_frame]
+
+
+def test_where_no_word_is_heard_only_the_unsure_end_is_left() -> None:
+    assert cuts_in_pauses([], 30 * FRAMES_PER_S) == [Cut(0, 30 * FRAMES_PER_S - UNSURE_FRAMES)]

@@ -11,7 +11,7 @@ SHORT = DecodedPhone("T", 0, 10, -100)
 
 
 def _decoded(phone: DecodedPhone, *fillers: DecodedPhone) -> Decoded:
-    return Decoded([[SHORT, phone]], list(fillers), 1000)
+    return Decoded([[SHORT, phone]], list(fillers))
 
 
 def _lasting(frames: int, per_frame: int = -10) -> DecodedPhone:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from app.errors import ServiceError
 
@@ -27,11 +28,23 @@ class DecodedPhone:
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
-    """The phones of each word, fillers ("um") that no word stands for, and the frame at which the rest begins."""
+    """The phones of each word, and fillers ("um") that no word stands for."""
 
     words: list[list[DecodedPhone]]
     fillers: list[DecodedPhone]
-    end_frame: int
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Where a word or a filler is, in the decoder's frames."""
+
+    is_word: bool
+    first_frame: int
+    frames: int
+
+    @property
+    def end_frame(self) -> int:
+        return self.first_frame + self.frames
 
 
 class DecoderProcess:
@@ -52,21 +65,31 @@ class DecoderProcess:
         with self._turn:
             self._running()
 
-    def align(self, audio: bytes, words: Sequence[Sequence[str]], *, more: bool = False) -> Decoded | None:
+    def align(self, audio: bytes, words: Sequence[Sequence[str]]) -> Decoded | None:
         """The phones of each word; None when the decoder finds no path.
 
-        `audio` is 16-bit mono at 16 kHz; a word is its pronunciations, each phones between spaces. With `more` the
-        audio is the first piece of a longer one: the answer has the words up to a pause, possibly none. Raises
-        ServiceError `aligner_crashed` when the worker dies over it or takes longer than the time limit; the next call
-        has a new one.
+        `audio` is 16-bit mono at 16 kHz; a word is its pronunciations, each phones between spaces. Raises ServiceError
+        `aligner_crashed` when the worker dies over it or takes longer than the time limit; the next call has a new one.
         """
-        request = json.dumps({"words": words, "bytes": len(audio), "more": more}).encode() + b"\n" + audio
-        with self._turn:
-            answer = json.loads(self._asked(self._running(), request))
+        answer = self._answer(audio, words, more=False)
         if answer["words"] is None:
             return None
         decoded = [[DecodedPhone(*phone) for phone in word] for word in answer["words"]]
-        return Decoded(decoded, [DecodedPhone(*filler) for filler in answer["fillers"]], answer["end"])
+        return Decoded(decoded, [DecodedPhone(*filler) for filler in answer["fillers"]])
+
+    def find(self, audio: bytes, words: Sequence[Sequence[str]]) -> list[Span]:
+        """Roughly where the first of the words are, as many as `audio` holds, and the fillers between them: it is the
+        first stretch of a longer one.
+
+        Raises what `align` does.
+        """
+        return [Span(*span) for span in self._answer(audio, words, more=True)["spans"]]
+
+    def _answer(self, audio: bytes, words: Sequence[Sequence[str]], *, more: bool) -> dict[str, Any]:
+        request = json.dumps({"words": words, "bytes": len(audio), "more": more}).encode() + b"\n" + audio
+        with self._turn:
+            answer: dict[str, Any] = json.loads(self._asked(self._running(), request))
+        return answer
 
     def close(self) -> None:
         """Ends the worker. A later `align` starts another."""

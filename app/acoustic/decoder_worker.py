@@ -6,44 +6,62 @@ parent dies, and answers each on standard output:
     request  one line of JSON {"words": [[pronunciation, …], …], "bytes": n, "more": m}, then n bytes of 16-bit audio at
              16 kHz; m tells whether the audio goes on after these bytes, and the text perhaps after these words
     answer   one line of JSON {"words": [[[label, first frame, frames, score], …], …], "fillers": [[text, first frame,
-             frames, score], …], "end": frame}, or {"words": null}: no path. "end" is where the next piece of the audio
-             begins; the words given back are those before it.
+             frames, score], …]}, or {"words": null}: no path. If there is more, only {"spans": [[is word, first
+             frame, frames], …]} of the words and fillers that were heard, roughly: enough to find the pauses.
 
-A pronunciation is a string of phones between spaces; every word has one or more. Each request has a decoder of its
-own (7 ms to make), so no answer depends on earlier requests.
+A pronunciation is a string of phones between spaces; every word has one or more. Each request has decoders of its own
+(7 ms to make), so no answer depends on earlier requests.
 
 The first pass listens by a grammar: the words in their order, "um" and "uh" between them where they are far likelier
 than nothing, and, if there is more, an end after any word. The second aligns the phones of what was heard. Only where a
 filler turns out too short or fits poorly are the words without it aligned afresh, and their phones again.
+
+Four fifths of the time go into densities of the acoustic model, so the search is narrow at first, and two densities
+are added up for a state, not the usual four; only what then fits badly, as in noise, is searched widely
+(`python -m benchmarks.searches` compares them).
 """
 
 import json
+import math
 import sys
-from itertools import pairwise
+from dataclasses import dataclass
 from typing import BinaryIO
 
 from pocketsphinx import AlignmentEntry, Decoder
 
 FRAMES_PER_S = 125
-BYTES_PER_FRAME = 2 * 16_000 // FRAMES_PER_S
-BEAM = 1e-200
-"""Wide: nothing is pruned that noise makes unlikely for a while."""
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """How widely is searched: paths less likely than `beam` times the best are dropped, and the likelihood of a state
+    is the sum of its `densities` best."""
+
+    beam: float
+    densities: int
+
+
+NARROW = Search(1e-60, 2)
+WIDE = Search(1e-200, 2)
+"""Nothing is pruned that noise makes unlikely for a while."""
+
+SURE_SCORE = -35.0
+"""A frame, on average, as all scores here: what fits as well by the narrow search is what the wide one finds."""
 
 FILLERS = {"um": ["AH M"], "uh": ["AH"]}
-FILLER_PROBABILITY = 1e-20
+FILLER_PROBABILITY = 1e-15
 SHORTEST_FILLER_FRAMES = 22
-LOWEST_FILLER_SCORE = -42.0
-"""A frame, on average: what fits worse is a breath, a click, or part of a word."""
+LOWEST_FILLER_SCORE = -48.0
+"""What fits worse is a breath, a click, or part of a word."""
 
-UNSURE_FRAMES = 2 * FRAMES_PER_S
-"""What is heard so near the end of a piece may change with what follows."""
-
-CLEAR_PAUSE_FRAMES = FRAMES_PER_S // 5
 NOTHING = "(NULL)"
 """What pocketsphinx calls the step of a grammar that no word takes."""
 
 Phone = tuple[str, int, int, int]
 """Label, first frame, frames, score; so are words and fillers told."""
+
+Span = tuple[bool, int, int]
+"""Whether it is a word, first frame, frames."""
 
 Heard = list[tuple[Phone, list[Phone]]]
 """Words ("w" and their number) and fillers in order, each with its phones."""
@@ -53,31 +71,64 @@ def main(requests: BinaryIO, answers: BinaryIO) -> None:
     """Answers requests until there are no more."""
     while line := requests.readline():
         request = json.loads(line)
-        answer = aligned(requests.read(request["bytes"]), request["words"], more=request["more"])
+        answer = answer_to(requests.read(request["bytes"]), request["words"], more=request["more"])
         answers.write(json.dumps(answer).encode() + b"\n")
         answers.flush()
 
 
-def aligned(audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
+def answer_to(audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
     """The answer to a request."""
-    decoder = _decoder(words)
-    _listen(decoder, audio, len(words), more=more)
-    end = len(audio) // BYTES_PER_FRAME
-    heard = _placed(decoder, audio)
-    believed = [each[0] for each, _ in heard if not _is_doubtful(each)]
-    if len(believed) < len(heard):
-        heard = _aligned_afresh(decoder, audio, believed)
     if more:
-        heard, end = _before_a_pause(heard, end)
+        spans = _spans(audio, words, NARROW)
+        return {"spans": _spans(audio, words, WIDE) or [] if spans is None else spans}
+    heard = aligned(audio, words, NARROW)
+    if _score(heard) < SURE_SCORE:
+        heard = aligned(audio, words, WIDE)
     spoken = [phones for each, phones in heard if each[0] not in FILLERS]
     fillers = [each for each, _ in heard if each[0] in FILLERS]
-    return {"words": spoken if more or len(spoken) == len(words) else None, "fillers": fillers, "end": end}
+    return {"words": spoken if len(spoken) == len(words) else None, "fillers": fillers}
 
 
-def _decoder(words: list[list[str]]) -> Decoder:
+def _spans(audio: bytes, words: list[list[str]], search: Search) -> list[Span] | None:
+    """Where the first of the words are, as many as are heard before the audio ends; None when there is no path."""
+    decoder = _decoder(words, search)
+    _listen(decoder, audio, len(words), more=True)
+    if decoder.hyp() is None:
+        return None
+    heard = [segment for segment in decoder.seg() if _is_one_of_ours(segment.word)]
+    return [
+        (segment.word.startswith("w"), segment.start_frame, segment.end_frame + 1 - segment.start_frame)
+        for segment in heard
+    ]
+
+
+def aligned(audio: bytes, words: list[list[str]], search: Search) -> Heard:
+    """All the words and the fillers that are believed; nothing when there is no path."""
+    decoder = _decoder(words, search)
+    _listen(decoder, audio, len(words))
+    heard = _placed(decoder, audio)
+    believed = [each[0] for each, _ in heard if not _is_doubtful(each)]
+    return heard if len(believed) == len(heard) else _aligned_afresh(decoder, audio, believed)
+
+
+def _score(heard: Heard) -> float:
+    """Of the words, a frame; the worst when there are none."""
+    words = [each for each, _ in heard if each[0] not in FILLERS]
+    return sum(score for _, _, _, score in words) / sum(frames for _, _, frames, _ in words) if words else -math.inf
+
+
+def _decoder(words: list[list[str]], search: Search) -> Decoder:
     """A decoder that knows the words as w0, w1, …, and the fillers."""
     decoder = Decoder(
-        lm=None, dict=None, bestpath=False, frate=FRAMES_PER_S, beam=BEAM, pbeam=BEAM, wbeam=BEAM, loglevel="FATAL"
+        lm=None,
+        dict=None,
+        bestpath=False,
+        frate=FRAMES_PER_S,
+        topn=search.densities,
+        beam=search.beam,
+        pbeam=search.beam,
+        wbeam=search.beam,
+        loglevel="FATAL",
     )
     named = {f"w{number}": pronunciations for number, pronunciations in enumerate(words)}
     for name, pronunciations in {**FILLERS, **named}.items():
@@ -86,7 +137,7 @@ def _decoder(words: list[list[str]]) -> Decoder:
     return decoder
 
 
-def _listen(decoder: Decoder, audio: bytes, count: int, *, more: bool) -> None:
+def _listen(decoder: Decoder, audio: bytes, count: int, *, more: bool = False) -> None:
     """The first pass, for the words w0 to w(count − 1)."""
     transitions: list[tuple[int, int, float, str] | tuple[int, int, float]] = [
         (number, number + 1, 1.0, f"w{number}") for number in range(count)
@@ -131,23 +182,6 @@ def _is_doubtful(heard: Phone) -> bool:
     """A filler that is too short, or fits too poorly."""
     name, _, frames, score = heard
     return name in FILLERS and (frames < SHORTEST_FILLER_FRAMES or score < LOWEST_FILLER_SCORE * frames)
-
-
-def _before_a_pause(heard: Heard, frames: int) -> tuple[Heard, int]:
-    """What is surely heard, and where to cut after it: in the last clear pause of the piece's later half, or else
-    (everything) in the longest of all. Nothing heard for sure: the cut is where the unsure part begins."""
-    sure = frames - UNSURE_FRAMES
-    spans = [(first, first + length) for (_, first, length, _), _ in heard]
-    gaps = [
-        (following - end, (end + following) // 2, number)
-        for number, ((_, end), (following, _)) in enumerate(pairwise([*spans, (frames, frames)]), start=1)
-        if end <= sure
-    ]
-    if not gaps:
-        return [], sure
-    clear = [gap for gap in gaps if gap[0] >= CLEAR_PAUSE_FRAMES and gap[1] > frames // 2]
-    _, cut, number = clear[-1] if clear else max(gaps)
-    return heard[:number], min(cut, sure)
 
 
 def _decode(decoder: Decoder, audio: bytes) -> None:
