@@ -72,6 +72,16 @@ def test_a_flat_voice_has_its_prominent_words_as_well() -> None:
     assert gains[0] / 2 < gains[1] < gains[0]
 
 
+def test_a_deep_fall_tells_no_more_against_a_word_than_a_slight_one() -> None:
+    def falling(semitones: float) -> float:
+        f0_hz = LEVEL_HZ.copy()
+        f0_hz[26:39] = np.linspace(120 * 2 ** (semitones / 24), 120 * 2 ** (-semitones / 24), 13)
+        return values(in_a_row(SHORT, SHORT, SHORT, SHORT), f0_hz)[2]
+
+    assert falling(0.5) > falling(1.5)
+    assert falling(8.0) >= falling(1.5)
+
+
 def test_length_before_a_pause_counts_less() -> None:
     steady = in_a_row(SHORT, LONG, SHORT, SHORT, SHORT)
     paused = (*steady[:2], *(word(index, 0.9 + 0.13 * index, *SHORT) for index in (2, 3, 4)))

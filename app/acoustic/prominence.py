@@ -28,7 +28,7 @@ VOWELS = frozenset(("AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", 
 PAUSE_S = 0.15
 """A syllable followed by a longer gap, or by the end, is drawn out by that, not by stress."""
 
-WEIGHTS = np.array([5.77, 0.10, 0.49, 0.10, -4.60])
+WEIGHTS = np.array([5.83, 0.07, 0.74, 0.09, -4.84])
 """For the cues in their order: per unit of log duration, per semitone of height and of rise, per dB, for a pause;
 divided by the root of the spread."""
 
@@ -39,6 +39,10 @@ LEAST_SPREAD = 0.1
 SHORTEST_S = 0.02
 UNVOICED_HEIGHT = -6.0
 """Semitones from the speaker's median that a syllable without voiced frames counts as high."""
+
+DEEPEST_FALL = -1.0
+"""Semitones. Syllables that stand out rise more often than they fall; but a deep fall is an accent as well ("cold" in
+"rather cold hearted"), and tells no more against it than a slight one."""
 
 
 def prominence(words: tuple[Word, ...], contours: Contours) -> tuple[Word, ...]:
@@ -64,16 +68,16 @@ def cues(syllables: tuple[Interval, ...], contours: Contours) -> FloatArray:
     """What is weighed (syllables × 5), each column less its mean.
 
     Log duration; the highest f0, in semitones; how much f0 rises from the first voiced frame to the last, in semitones,
-    and the highest energy, in dB, both beyond the syllables beside; 1 before a pause.
+    at least `DEEPEST_FALL`, and the highest energy, in dB, both beyond the syllables beside; 1 before a pause.
     """
     voiced_hz = contours.f0_hz[contours.f0_hz > 0]
     middle_hz = np.median(voiced_hz) if len(voiced_hz) else 1.0
     semitones = 12 * np.log2(np.where(contours.f0_hz > 0, contours.f0_hz, np.nan) / middle_hz)
     frames = [_frames(syllable) for syllable in syllables]
-    heights, rises = np.array([_height_and_rise(semitones[each]) for each in frames]).T
+    heights, moves = np.array([_height_and_rise(semitones[each]) for each in frames]).T
     levels_db = np.array([_highest(contours.energy_db, each) for each in frames])
     durations_s = np.maximum([syllable.duration_s for syllable in syllables], SHORTEST_S)
-    beyond = (_beyond_neighbours(values) for values in (rises, levels_db))
+    beyond = (_beyond_neighbours(values) for values in (np.maximum(moves, DEEPEST_FALL), levels_db))
     measured = np.column_stack([np.log(durations_s), heights, *beyond, _before_pauses(syllables)])
     centred: FloatArray = measured - measured.mean(axis=0)
     return centred
