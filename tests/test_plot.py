@@ -9,11 +9,11 @@ import pytest
 from matplotlib import image
 from numpy.typing import NDArray
 
-from app.cli.plot import EMPHASIS, NARROWEST_INCHES, plot, require_plot
+from app.cli.plot import EMPHASIS, MEMBERSHIPS, NARROWEST_INCHES, THRESHOLD, plot, require_plot
 from app.errors import InputError, ServiceError
 from app.model import Agitation, Audio, Contours, FloatArray, Level, StressThresholds
 from app.performance import Analysis, Heard
-from tests.by_hand import function, spoken, utterance
+from tests.by_hand import spoken, utterance
 
 DURATION_S = 3.0
 WORDS = spoken("I never said that", start_s=0.5, stressed=[1])
@@ -33,16 +33,28 @@ def pixels(picture: bytes) -> NDArray[np.float32]:
     return drawn
 
 
+def coloured(picture: bytes, name: str, opacity: float = 1.0) -> int:
+    """How many pixels have a colour that is drawn over white."""
+    colour = np.array([int(name[place : place + 2], 16) for place in (1, 3, 5)]) / 255
+    mixed = opacity * colour + 1 - opacity
+    return int((np.abs(pixels(picture)[:, :, :3] - mixed).max(axis=2) < 0.02).sum())
+
+
 def test_emphasised_words_are_marked() -> None:
-    colour = np.array([int(EMPHASIS[place : place + 2], 16) for place in (1, 3, 5)]) / 255
-    mixed = 0.6 * colour + 0.4
+    level = replace(SAID, words=spoken("I never said that", start_s=0.5))
+    assert coloured(plot(Analysis(SAID, ()), heard()), EMPHASIS, 0.6) > 1_000
+    assert coloured(plot(Analysis(level, ()), heard()), EMPHASIS, 0.6) == 0
 
-    def marked(*classes: str) -> int:
-        picture = pixels(plot(Analysis(SAID, tuple(function(name, "plain", 1, 1) for name in classes)), heard()))
-        return int((np.abs(picture[:, :, :3] - mixed).max(axis=2) < 0.02).sum())
 
-    assert marked("emphasis") > 1_000
-    assert marked("negation") == 0
+def test_frames_above_a_threshold_are_told_from_those_below() -> None:
+    below = replace(SAID, thresholds=StressThresholds(10.0, 150.0))
+    stressed, none = (coloured(plot(Analysis(said, ()), heard()), THRESHOLD) for said in (SAID, below))
+    assert stressed > none
+
+
+def test_each_membership_is_as_long_as_it_says_in_a_short_line_and_in_a_long() -> None:
+    lengths = [coloured(plot(Analysis(SAID, ()), heard(seconds)), MEMBERSHIPS["low"]) for seconds in (DURATION_S, 20.0)]
+    assert lengths[0] == pytest.approx(lengths[1], rel=0.1)
 
 
 def test_a_longer_line_is_drawn_wider_and_the_shortest_are_as_wide_as_any() -> None:

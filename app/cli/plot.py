@@ -1,9 +1,9 @@
 """A picture of an analysis, to judge by eye: what was measured in the signal, and what was made of it.
 
 From top to bottom, over one time axis: the words and phones, the waveform, f0 and energy with the thresholds above
-which a frame is stressed (paper §3.1.5), each word's stressed ratio and prominence, and beneath it all the memberships
-of agitation. Emphasised words are marked throughout. matplotlib draws it; it is an extra, `pip install
-'understudy[plot]'`.
+which a frame is stressed (paper §3.1.5), and each word's stressed ratio, prominence and emphasis; beneath it all, for
+the whole line, the memberships of agitation. Stressed frames are red, words that are emphasised by the measure that is
+set stand on a band. matplotlib draws it; it is an extra, `pip install 'understudy[plot]'`.
 """
 
 from __future__ import annotations
@@ -15,7 +15,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from app.errors import InputError, ServiceError
-from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Agitation, Contours, FloatArray, Interval, StressThresholds, Word
+from app.model import (
+    EMPHASISED,
+    FRAME_SHIFT_S,
+    SAMPLE_RATE_HZ,
+    Agitation,
+    Contours,
+    FloatArray,
+    Interval,
+    StressThresholds,
+    Word,
+)
 from app.performance import Analysis, Heard
 
 if TYPE_CHECKING:
@@ -27,6 +37,15 @@ NARROWEST_INCHES, WIDEST_INCHES = 11.0, 200.0
 HEIGHT_INCHES = 9.0
 DOTS_PER_INCH = 100
 LINE, THRESHOLD, EMPHASIS, FAINT = "#1f4e79", "#c0392b", "#f2c078", "#9aa5b1"
+BAND = "#d68910"
+"""Emphasis as a bar, darker than as a band."""
+ENERGY_RANGE_DB = 70.0
+"""What is fainter than this under the loudest frame would only flatten the rest."""
+
+BAR_S = 0.05
+MEMBERSHIP_INCHES = 4.0
+"""The length of a membership of 1."""
+
 MEMBERSHIPS = {"low": "#7fb3d5", "medium": "#a9cf9e", "high": "#e59866"}
 
 
@@ -48,12 +67,13 @@ def plot(analysis: Analysis, heard: Heard) -> bytes:
 
     width = float(np.clip(INCHES_PER_S * heard.audio.duration_s, NARROWEST_INCHES, WIDEST_INCHES))
     figure = Figure(figsize=(width, HEIGHT_INCHES), layout="constrained")
-    rows = figure.subplots(6, 1, height_ratios=(1.1, 1.3, 2, 2, 1.5, 0.4))
+    rows = figure.subplots(6, 1, height_ratios=(1.1, 1.3, 2, 2, 1.5, 0.6))
     for row in rows[1:5]:
         row.sharex(rows[0])
     _draw(rows, analysis, heard)
-    _mark_emphasis(rows[:5], analysis)
+    _mark_emphasis(rows[:5], analysis.utterance.words)
     rows[0].set_xlim(0, heard.audio.duration_s)
+    rows[5].set_xlim(0, width / MEMBERSHIP_INCHES)
     content = io.BytesIO()
     figure.savefig(content, format="png", dpi=DOTS_PER_INCH)
     return content.getvalue()
@@ -65,7 +85,7 @@ def _draw(rows: list[Axes], analysis: Analysis, heard: Heard) -> None:
     _draw_waveform(rows[1], heard.audio.samples)
     _draw_f0(rows[2], heard.contours, utterance.thresholds)
     _draw_energy(rows[3], heard.contours, utterance.thresholds)
-    _draw_stress(rows[4], utterance.words)
+    _draw_measures(rows[4], utterance.words)
     _draw_memberships(rows[5], utterance.agitation)
     for row in rows[:4]:
         row.tick_params(labelbottom=False)
@@ -105,60 +125,62 @@ def _draw_waveform(row: Axes, samples: FloatArray) -> None:
 
 def _draw_f0(row: Axes, contours: Contours, thresholds: StressThresholds | None) -> None:
     voiced_hz = np.where(contours.f0_hz > 0, contours.f0_hz, np.nan)
-    row.plot(_times_s(contours), voiced_hz, color=LINE, marker=".", markersize=3, linewidth=1)
+    row.plot(_times_s(contours.f0_hz), voiced_hz, color=LINE, marker=".", markersize=3, linewidth=1)
     if thresholds is not None and thresholds.f0_hz is not None:
-        _draw_threshold(row, thresholds.f0_hz, f"{thresholds.f0_hz:.0f} Hz")
+        _draw_stressed(row, voiced_hz, thresholds.f0_hz, f"{thresholds.f0_hz:.0f} Hz")
     row.set_ylabel("f0, Hz")
 
 
 def _draw_energy(row: Axes, contours: Contours, thresholds: StressThresholds | None) -> None:
-    row.plot(_times_s(contours), contours.energy_db, color=LINE, linewidth=1)
+    row.plot(_times_s(contours.f0_hz), contours.energy_db, color=LINE, linewidth=1)
     if thresholds is not None:
-        _draw_threshold(row, thresholds.energy_db, f"{thresholds.energy_db:.1f} dB")
+        _draw_stressed(row, contours.energy_db, thresholds.energy_db, f"{thresholds.energy_db:.1f} dB")
+    loudest_db = float(contours.energy_db.max())
+    row.set_ylim(max(float(contours.energy_db.min()), loudest_db - ENERGY_RANGE_DB) - 3, loudest_db + 6)
     row.set_ylabel("energy, dB")
 
 
-def _draw_threshold(row: Axes, height: float, label: str) -> None:
+def _draw_stressed(row: Axes, contour: FloatArray, height: float, label: str) -> None:
+    """The threshold, and what of the contour lies above it."""
+    row.plot(_times_s(contour), np.where(contour > height, contour, np.nan), color=THRESHOLD, linewidth=2)
     row.axhline(height, color=THRESHOLD, linewidth=1, linestyle="--")
     row.annotate(label, (1, height), xycoords=("axes fraction", "data"), ha="right", va="bottom", color=THRESHOLD)
 
 
-def _draw_stress(row: Axes, words: tuple[Word, ...]) -> None:
-    """Two bars a word."""
-    measures = (("stressed ratio", THRESHOLD, 0.05), ("prominence", LINE, 0.5))
-    for name, colour, left in measures:
+def _draw_measures(row: Axes, words: tuple[Word, ...]) -> None:
+    """Three bars a word, and the emphasis above which it is emphasised."""
+    measures = (("stressed ratio", THRESHOLD), ("prominence", LINE), ("emphasis", BAND))
+    for place, (name, colour) in enumerate(measures):
         pairs = [(word.interval, getattr(word, name.replace(" ", "_"))) for word in words]
         known = [(interval, value) for interval, value in pairs if interval is not None and value is not None]
-        starts_s = [interval.start_s + left * interval.duration_s for interval, _ in known]
-        widths_s = [0.45 * interval.duration_s for interval, _ in known]
-        row.bar(starts_s, [value for _, value in known], widths_s, align="edge", color=colour, label=name)
+        widths_s = np.array([min(BAR_S, interval.duration_s / len(measures)) for interval, _ in known])
+        middles_s = np.array([(interval.start_s + interval.end_s) / 2 for interval, _ in known])
+        row.bar(middles_s + (place - 1) * widths_s, [value for _, value in known], widths_s, color=colour, label=name)
+    row.axhline(EMPHASISED, color=BAND, linewidth=1, linestyle="--")
     row.set_ylim(0, 1)
-    row.legend(loc="upper right", fontsize=8, ncols=2, frameon=False)
+    row.legend(loc="lower right", bbox_to_anchor=(1, 0.98), fontsize=9, ncols=3, frameon=False, borderaxespad=0)
     row.set_ylabel("of the word")
 
 
 def _draw_memberships(row: Axes, agitation: Agitation | None) -> None:
-    """One bar, cut in three."""
-    left = 0.0
-    for level, colour in MEMBERSHIPS.items():
-        share = float(getattr(agitation, level)) if agitation is not None else 0.0
-        row.barh(0, share, left=left, color=colour, label=f"{level} {share:.2f}")
-        left += share
-    row.set_xlim(0, 1)
+    """A bar for each level, the highest on top, with its value."""
+    if agitation is not None:
+        for height, (level, colour) in enumerate(MEMBERSHIPS.items()):
+            share = float(getattr(agitation, level))
+            row.barh(height, share, color=colour)
+            row.text(share, height, f" {share:.2f}", va="center", fontsize=9)
+    row.spines["bottom"].set_visible(False)
     row.set_xticks([])
-    row.set_yticks([0], ["agitation"])
-    row.legend(loc="upper center", bbox_to_anchor=(0.5, -0.05), ncols=3, fontsize=9, frameon=False)
+    row.set_yticks(range(len(MEMBERSHIPS)), [f"agitation {level}" for level in MEMBERSHIPS], fontsize=9)
 
 
-def _mark_emphasis(rows: list[Axes], analysis: Analysis) -> None:
+def _mark_emphasis(rows: list[Axes], words: tuple[Word, ...]) -> None:
     """A band behind every emphasised word."""
-    emphases = (each for each in analysis.functions if each.class_name == "emphasis" and each.kept)
-    intervals = (analysis.utterance.words[each.first].interval for each in emphases)
-    for interval in {interval for interval in intervals if interval is not None}:
+    for interval in [word.interval for word in words if word.interval is not None and word.is_emphasised]:
         for row in rows:
             row.axvspan(interval.start_s, interval.end_s, color=EMPHASIS, alpha=0.6, linewidth=0, zorder=0)
 
 
-def _times_s(contours: Contours) -> FloatArray:
-    times_s: FloatArray = np.arange(len(contours.f0_hz), dtype=np.float64) * FRAME_SHIFT_S
+def _times_s(contour: FloatArray) -> FloatArray:
+    times_s: FloatArray = np.arange(len(contour), dtype=np.float64) * FRAME_SHIFT_S
     return times_s
