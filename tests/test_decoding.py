@@ -2,6 +2,7 @@
 
 import io
 import struct
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -196,6 +197,16 @@ def test_a_small_file_that_expands_beyond_the_limit_is_refused_by_its_header(con
             sound.write(np.zeros(60 * 16_000, dtype=np.int16))
     assert len(file.getvalue()) < 250_000
     assert refusal(file.getvalue()).code == "audio_too_long"
+
+
+@pytest.mark.parametrize("channels", [1, 2])
+def test_the_sound_is_held_once(channels: int) -> None:
+    content = encoded(np.tile(tone()[:, None], (60, channels)))
+    tracemalloc.start()
+    audio, _ = decode(content, LIMITS)
+    peak_bytes = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak_bytes < (channels + (channels > 1)) * audio.samples.nbytes + 4e6  # and blocks
 
 
 def test_no_more_is_decoded_than_the_header_says() -> None:

@@ -1,5 +1,6 @@
 """f0 of signals whose f0 is known: pulse trains through a vocal tract, glides, missing and strong harmonics, noise."""
 
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -114,6 +115,15 @@ def test_a_short_voice_in_noise_is_one_run_of_its_length() -> None:
 def test_a_recording_of_8_khz_keeps_its_voicing() -> None:
     narrow = soxr.resample(soxr.resample(voice(120.0), 16_000, 8_000), 8_000, 16_000)
     np.testing.assert_allclose(inner(track_f0(Audio(narrow))), 120, rtol=0.02)
+
+
+def test_a_minute_takes_little_more_memory_than_its_samples() -> None:
+    audio = Audio(np.tile(voice(120.0), 60))
+    tracemalloc.start()
+    track_f0(audio)
+    peak_bytes = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak_bytes < 1.2 * audio.samples.nbytes + 8e6  # the SRH of all candidates, and blocks
 
 
 @pytest.mark.skipif(not SHARED.is_dir(), reason="needs ../shared")

@@ -124,17 +124,28 @@ def _check_header(file: soundfile.SoundFile, limits: AudioLimits) -> None:
 def _resampled(file: soundfile.SoundFile) -> tuple[FloatArray, tuple[Notice, ...]]:
     """All channels at `SAMPLE_RATE_HZ` (samples × channels); the notice says that the file was clipped."""
     resampler = soxr.ResampleStream(file.samplerate, SAMPLE_RATE_HZ, file.channels, dtype="float64")
-    blocks = []
-    clipped = 0
+    channels = np.empty((_resampled_frames(file), file.channels))
+    done = clipped = 0
     for block in _blocks(file):
         clipped += _count_clipped(block)
-        blocks.append(resampler.resample_chunk(block))
-    blocks.append(resampler.resample_chunk(np.empty((0, file.channels)), last=True))
+        done += _append(resampler.resample_chunk(block), channels[done:])
+    done += _append(resampler.resample_chunk(np.empty((0, file.channels)), last=True), channels[done:])
     share = clipped / (file.frames * file.channels)
     if share <= CLIPPED_SHARE:
-        return np.concatenate(blocks), ()
+        return channels[:done], ()
     message = f"the recording is clipped: {share:.1%} of its samples stay at full scale; record it at a lower level"
-    return np.concatenate(blocks), (Notice("audio_clipped", message),)
+    return channels[:done], (Notice("audio_clipped", message),)
+
+
+def _resampled_frames(file: soundfile.SoundFile) -> int:
+    """At least as many as the file has at `SAMPLE_RATE_HZ`: room for all of it, so that it is held once."""
+    return int(file.frames * SAMPLE_RATE_HZ / file.samplerate) + 2
+
+
+def _append(block: FloatArray, room: FloatArray) -> int:
+    """Writes the block into the room left; its length."""
+    room[: len(block)] = block
+    return len(block)
 
 
 def _blocks(file: soundfile.SoundFile) -> Iterator[FloatArray]:
@@ -175,21 +186,26 @@ def _count_clipped(block: FloatArray) -> int:
 
 
 def _mixed(channels: FloatArray) -> tuple[FloatArray, tuple[Notice, ...]]:
-    """The mean of the channels, less its own mean; where they cancel each other, the loudest one of them."""
-    centred = channels - channels.mean(axis=0)
-    powers = np.mean(centred**2, axis=0)
-    mono: FloatArray = centred.mean(axis=1)
-    summed_power = np.mean(mono**2) * len(powers) ** 2
-    if len(powers) == 1 or summed_power >= CANCELLING_COHERENCE * powers.sum():
+    """The mean of the channels, less its own mean; where they cancel each other, the loudest one of them.
+
+    Works in place: of half an hour there should be no second copy.
+    """
+    channels -= channels.mean(axis=0)
+    if channels.shape[1] == 1:
+        return channels[:, 0], ()
+    powers = np.einsum("ij,ij->j", channels, channels)
+    mono: FloatArray = channels.mean(axis=1)
+    summed_power = np.einsum("i,i->", mono, mono) * len(powers) ** 2
+    if summed_power >= CANCELLING_COHERENCE * powers.sum():
         return mono, ()
     loudest = int(np.argmax(powers))
     message = f"the channels cancel each other (one is inverted); channel {loudest + 1} of {len(powers)} is used alone"
-    return centred[:, loudest], (Notice("audio_antiphase", message),)
+    return channels[:, loudest].copy(), (Notice("audio_antiphase", message),)
 
 
 def _judged(mono: FloatArray) -> tuple[Notice, ...]:
     """Refuses a silent signal, remarks on a quiet one."""
-    peak = float(np.max(np.abs(mono)))
+    peak = _peak(mono)
     if peak < SILENT_PEAK:
         message = (
             f"the audio is silent: it never passes {20 * np.log10(SILENT_PEAK):.0f} dB of full scale; send a voice"
@@ -203,8 +219,12 @@ def _judged(mono: FloatArray) -> tuple[Notice, ...]:
 
 def _scaled(mono: FloatArray) -> tuple[Audio, tuple[Notice, ...]]:
     """The signal as it is, unless it passes twice full scale, as when floats hold the integers of 16 bits."""
-    peak = float(np.max(np.abs(mono)))
+    peak = _peak(mono)
     if peak <= 2.0:
         return Audio(mono), ()
     message = f"the samples reach {peak:g} times full scale; they are divided by that"
     return Audio(mono / peak), (Notice("audio_rescaled", message),)
+
+
+def _peak(mono: FloatArray) -> float:
+    return float(max(mono.max(), -mono.min()))

@@ -102,15 +102,19 @@ def track_f0(audio: Audio, tuning: Tuning = TUNED) -> FloatArray:
 
 def pitch_if_voiced(audio: Audio, tuning: Tuning = TUNED) -> tuple[FloatArray, FloatArray]:
     """The best f0 in Hz of every frame, voiced or not, and what speaks for its being voiced (`voicing.measures`)."""
-    strengths = _summed_harmonics(audio.samples, tuning.unit_energy_band_hz)
-    searched = _speaker_range(strengths, tuning)
+    candidates = _best_candidates(_summed_harmonics(audio.samples, tuning.unit_energy_band_hz), tuning)
     power = band_power(audio.samples)
     levels = band_levels(power)
-    candidates = _best_candidates(strengths, searched, tuning, _frame_weights(levels, tuning.faintest_weight))
-    path = best_path(candidates.gains, candidates.octaves, tuning.octave_cost)[:, None]
-    f0_hz, srh = (np.take_along_axis(each, path, axis=1)[:, 0] for each in (candidates.f0_hz, candidates.srh))
+    gains = candidates.merits * _frame_weights(levels, tuning.faintest_weight)[:, None]
+    path = best_path(gains, candidates.octaves, tuning.octave_cost)
+    f0_hz, srh = (_along(path, each) for each in (candidates.f0_hz, candidates.srh))
     mended_hz, correlation = periods_nearby(power, f0_hz)
     return mended_hz if tuning.mends else f0_hz, measures(srh, correlation, levels)
+
+
+def _along(path: NDArray[np.intp], table: SingleArray) -> FloatArray:
+    """The value of every frame in the column that the path takes there."""
+    return np.take_along_axis(table, path[:, None], axis=1)[:, 0].astype(np.float64)
 
 
 def _summed_harmonics(samples: FloatArray, band_hz: int) -> SingleArray:
@@ -191,39 +195,38 @@ def _blocks(strengths: SingleArray) -> Iterator[slice]:
     yield from (slice(start, start + BLOCK) for start in range(0, len(strengths), BLOCK))
 
 
-def _frame_weights(levels: Levels, faintest: float) -> FloatArray:
-    """1 where the voice is loud, falling with its level in dB to `faintest`."""
-    return faintest + (1 - faintest) * (1 + levels.below_loud_db / WIDEST_BELOW_LOUD_DB)
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class _Candidates:
     """The ten best of every frame (frames × 10).
 
-    gains: what passing through it is worth, weighted by the frame.
+    merits: what the search goes by; minus infinity where a frame has fewer than ten.
     octaves: log2 of the candidate in Hz.
     f0_hz: where the parabola through it and its neighbours has its peak.
     srh: its SRH.
     """
 
-    gains: FloatArray
-    octaves: FloatArray
-    f0_hz: FloatArray
-    srh: FloatArray
+    merits: SingleArray
+    octaves: SingleArray
+    f0_hz: SingleArray
+    srh: SingleArray
 
 
-def _best_candidates(strengths: SingleArray, searched: slice, tuning: Tuning, weights: FloatArray) -> _Candidates:
-    """The greatest local maxima among the candidates that are `searched`."""
-    found = _Candidates(*np.empty((4, len(strengths), _CANDIDATES_PER_FRAME)))
-    offset = searched.start or 0
+def _best_candidates(strengths: SingleArray, tuning: Tuning) -> _Candidates:
+    """The greatest local maxima in the speaker's range."""
+    searched = _speaker_range(strengths, tuning)
+    found = _Candidates(*np.empty((4, len(strengths), _CANDIDATES_PER_FRAME), dtype=np.float32))
     for block in _blocks(strengths):
         merits = _merits(strengths[block], tuning.submultiple_share)
-        heeded = merits[:, searched] * weights[block, None].astype(np.float32)
-        peaks = np.where(is_peak(heeded), heeded, -1.0)
+        peaks = np.where(is_peak(merits[:, searched]), merits[:, searched], -np.inf)
         best = np.argpartition(-peaks, _CANDIDATES_PER_FRAME, axis=1)[:, :_CANDIDATES_PER_FRAME]
-        found.gains[block] = np.take_along_axis(peaks, best, axis=1)
-        columns = best + offset
+        columns = best + (searched.start or 0)
+        found.merits[block] = np.take_along_axis(peaks, best, axis=1)
         found.octaves[block] = np.log2(_CANDIDATES_HZ[columns])
         found.f0_hz[block] = _CANDIDATES_HZ[columns] + _BIN_HZ * peak_offsets(merits, columns)
         found.srh[block] = np.take_along_axis(strengths[block], columns, axis=1)
     return found
+
+
+def _frame_weights(levels: Levels, faintest: float) -> FloatArray:
+    """1 where the voice is loud, falling with its level in dB to `faintest`."""
+    return faintest + (1 - faintest) * (1 + levels.below_loud_db / WIDEST_BELOW_LOUD_DB)

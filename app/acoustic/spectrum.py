@@ -57,6 +57,7 @@ def mfcc(audio: Audio, *, min_hz: float = MEL_MIN_HZ, range_db: float = MEL_RANG
     for number, frames in enumerate(blocks_of_frames(audio.samples, FRAME_SAMPLES, len(mel_db))):
         power = np.square(np.abs(fft.rfft(frames * _HANN)))
         mel_db[number * BLOCK :][: len(frames)] = 10 * np.log10(np.maximum((bands @ power.T).T, _LEAST_POWER))
-    floored_db = np.maximum(mel_db, mel_db.max() - range_db)
-    coefficients: FloatArray = fft.dct(floored_db, norm="ortho")[:, 1 : 1 + COEFFICIENTS].astype(np.float64)
+    np.maximum(mel_db, mel_db.max() - range_db, out=mel_db)
+    cepstrum = fft.dct(mel_db, norm="ortho", overwrite_x=True)
+    coefficients: FloatArray = cepstrum[:, 1 : 1 + COEFFICIENTS].astype(np.float64)
     return coefficients
