@@ -1,6 +1,7 @@
 """Boundaries are moved where the model says, stay in order, and stand where it has nothing to say."""
 
 import json
+import tracemalloc
 from dataclasses import replace
 from pathlib import Path
 
@@ -8,9 +9,9 @@ import numpy as np
 import pytest
 import soundfile
 
-from app.acoustic.boundaries import BoundaryModel
-from app.acoustic.boundary_views import BANDS, CONTEXT_STEPS, BoundaryView, Places, mel_levels
-from app.acoustic.phone_boundaries import SHORTEST_PHONE_S, Boundary, boundaries
+from app.acoustic.boundaries import BOUNDARIES_AT_ONCE, BoundaryModel
+from app.acoustic.boundary_views import BANDS, CONTEXT_STEPS, STEP_SAMPLES, BoundaryView, Places, mel_levels
+from app.acoustic.phone_boundaries import SHORTEST_PHONE_S, boundaries
 from app.errors import ServiceError
 from app.model import SAMPLE_RATE_HZ, Audio, Interval, Phone, Word
 
@@ -38,9 +39,9 @@ def _audio() -> Audio:
 def _constant(moves_s: float) -> BoundaryModel:
     """A model that sees nothing and moves everything alike."""
     width = (2 * CONTEXT_STEPS + 1) * BANDS
-    view = BoundaryView(np.zeros(width), np.zeros((width, 1)), kind_weight=0.0, gap_weight=0.0)
+    view = BoundaryView(np.zeros(width, np.float32), np.zeros((width, 1), np.float32), kind_weight=0.0, gap_weight=0.0)
     points = view.points(mel_levels(_audio().samples), Places.of(boundaries(WORDS)))
-    return BoundaryModel(view, np.zeros_like(points[:1]), np.array([moves_s]))
+    return BoundaryModel(view, np.zeros_like(points[:1]), np.array([moves_s], np.float32))
 
 
 def _figure8() -> tuple[Audio, tuple[Word, ...]]:
@@ -56,17 +57,6 @@ def _shifted(word: Word, by_s: float) -> Word:
     return _word(
         word.index, *((each.label, each.interval.start_s + by_s, each.interval.end_s + by_s) for each in word.phones)
     )
-
-
-def test_phones_that_touch_share_a_boundary_and_pauses_have_two() -> None:
-    assert boundaries(WORDS) == [
-        Boundary(0.2, None, "S"),
-        Boundary(0.3, "S", "AA"),
-        Boundary(0.5, "AA", "M"),
-        Boundary(0.6, "M", None),
-        Boundary(0.8, None, "T"),
-        Boundary(0.9, "T", None),
-    ]
 
 
 def test_every_boundary_moves_and_words_keep_their_phones() -> None:
@@ -100,6 +90,37 @@ def test_the_shipped_model_brings_what_is_20_ms_late_nearer_and_does_not_hear_ho
     true_s, refined_s = ([each.time_s for each in boundaries(words)] for words in (truth, model.refine(audio, late)))
     assert np.mean(np.abs(np.array(refined_s) - true_s)) < 0.018
     assert model.refine(Audio(audio.samples * 0.01), late) == model.refine(audio, late)
+
+
+def _repeated(times: int) -> tuple[Audio, tuple[Word, ...]]:
+    """The line again and again."""
+    audio, line = _figure8()
+    samples = audio.samples[: len(audio.samples) // STEP_SAMPLES * STEP_SAMPLES]
+    length_s = len(samples) / SAMPLE_RATE_HZ
+    return Audio(np.tile(samples, times)), tuple(_shifted(word, n * length_s) for n in range(times) for word in line)
+
+
+def test_a_line_is_refined_alike_wherever_in_long_audio_it_comes() -> None:
+    count = len(boundaries(_figure8()[1]))
+    times = 2 * BOUNDARIES_AT_ONCE // count + 3
+    audio, words = _repeated(times)
+    refined = BoundaryModel.load(MODEL).refine(audio, words)
+    moves_s = [
+        after.time_s - before.time_s for before, after in zip(boundaries(words), boundaries(refined), strict=True)
+    ]
+    moved = np.reshape(moves_s, (times, count))[1:-1]
+    assert np.abs(moved).max() > 0.005
+    assert np.ptp(moved, axis=0).max() <= 0.0011
+
+
+def test_beside_the_samples_long_audio_needs_little() -> None:
+    audio, words = _repeated(30)
+    model = BoundaryModel.load(MODEL)
+    tracemalloc.start()
+    model.refine(audio, words)
+    _, most_bytes = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most_bytes < 20e6
 
 
 def test_a_file_that_is_no_model_is_named(tmp_path: Path) -> None:

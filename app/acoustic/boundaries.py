@@ -17,10 +17,10 @@ from typing import Self
 
 import numpy as np
 
-from app.acoustic.boundary_views import BoundaryView, Places, mel_levels
+from app.acoustic.boundary_views import BoundaryView, Places, Points, mel_levels
 from app.acoustic.phone_boundaries import boundaries, in_order, rebuilt
 from app.errors import ServiceError
-from app.model import Audio, FloatArray, Word
+from app.model import Audio, Word
 
 BOUNDARIES_AT_ONCE = 200
 """So few, lest an hour of speech take hundreds of megabytes."""
@@ -33,8 +33,8 @@ class BoundaryModel:
     """The trained regression: a move is the weighted sum of `exp(−|x − support|²)` over the supports; immutable."""
 
     view: BoundaryView
-    supports: FloatArray
-    weights_s: FloatArray
+    supports: Points
+    weights_s: Points
 
     @classmethod
     def load(cls, path: Path) -> Self:
@@ -42,7 +42,7 @@ class BoundaryModel:
         try:
             with np.load(path, allow_pickle=False) as arrays:
                 names = ("mean", "basis", "supports", "weights_s")
-                mean, basis, supports, weights_s = (arrays[name].astype(float) for name in names)
+                mean, basis, supports, weights_s = (arrays[name].astype(np.float32) for name in names)
                 view = BoundaryView(mean, basis, float(arrays["kind_weight"]), float(arrays["gap_weight"]))
                 return cls(view, supports, weights_s)
         except (OSError, KeyError, ValueError, zipfile.BadZipFile) as error:
@@ -59,8 +59,9 @@ class BoundaryModel:
         return rebuilt(words, in_order(moved_s, audio.duration_s))
 
 
-def kernel(one: FloatArray, other: FloatArray) -> FloatArray:
+def kernel(one: Points, other: Points) -> Points:
     """exp(−|x − y|²) for every x of `one` and y of `other`."""
-    distances = (one**2).sum(axis=1)[:, None] + (other**2).sum(axis=1) - 2 * one @ other.T
-    similarity: FloatArray = np.exp(-np.maximum(distances, 0.0))
-    return similarity
+    similarity: Points = 2 * one @ other.T
+    similarity -= np.sum(one**2, axis=1)[:, None]
+    similarity -= np.sum(other**2, axis=1)
+    return np.exp(np.minimum(similarity, 0.0, out=similarity), out=similarity)

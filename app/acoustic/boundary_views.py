@@ -51,6 +51,7 @@ _NOISE_POWER = np.float32(NOISE_AMPLITUDE**2 * np.sum(_WINDOW**2))
 _MEL_FILTERS = mel_filters(WINDOW_SAMPLES, bands=BANDS, lowest_hz=LOWEST_HZ, highest_hz=HIGHEST_HZ).T.astype(np.float32)
 
 Levels = NDArray[np.float16]
+Points = NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,6 +71,12 @@ class Places:
         kinds = [[_KIND_NUMBERS[boundary.left], _KIND_NUMBERS[boundary.right]] for boundary in found]
         return cls(times_s, np.column_stack([between_s[:-1], between_s[1:]]), np.array(kinds, np.int8))
 
+    @property
+    def at_silence(self) -> NDArray[np.bool_]:
+        """Whether one of the two sounds is silence (n,)."""
+        silent: NDArray[np.bool_] = (self.kinds == _KIND_NUMBERS[None]).any(axis=1)
+        return silent
+
     def part(self, first: int, end: int) -> "Places":
         """The places from number `first` to before `end`."""
         return Places(self.times_s[first:end], self.gaps_s[first:end], self.kinds[first:end])
@@ -84,25 +91,25 @@ class BoundaryView:
     """How places become the points that a kernel compares: levels around them less `mean` (steps × bands,) times
     `basis` (steps × bands, components), beside kinds and logarithms of gaps by their weights."""
 
-    mean: FloatArray
-    basis: FloatArray
+    mean: Points
+    basis: Points
     kind_weight: float
     gap_weight: float
 
-    def points(self, levels: Levels, places: Places) -> FloatArray:
+    def points(self, levels: Levels, places: Places) -> Points:
         """One row for each place."""
         kinds = (places.kinds[:, :, None] == np.arange(len(_KINDS))).reshape(len(places.kinds), -1)
         gaps = np.log(places.gaps_s.clip(SHORTEST_GAP_S, LONGEST_GAP_S) / TYPICAL_GAP_S)
         spectra = (levels_around(levels, places.times_s) - self.mean) @ self.basis
-        return np.hstack([self.kind_weight * kinds, self.gap_weight * gaps, spectra])
+        return np.hstack([self.kind_weight * kinds, self.gap_weight * gaps, spectra]).astype(np.float32)
 
 
-def levels_around(levels: Levels, times_s: FloatArray) -> FloatArray:
+def levels_around(levels: Levels, times_s: FloatArray) -> Points:
     """The levels from `CONTEXT_STEPS` before to as many after each time, the ends repeated beyond the audio; shape
     (times, steps × bands), step by step."""
     steps = np.round(times_s / STEP_S).astype(int)
     around = np.clip(steps[:, None] + np.arange(-CONTEXT_STEPS, CONTEXT_STEPS + 1), 0, len(levels) - 1)
-    return levels[around].reshape(len(times_s), -1).astype(float)
+    return levels[around].reshape(len(times_s), -1).astype(np.float32)
 
 
 def mel_levels(samples: FloatArray) -> Levels:

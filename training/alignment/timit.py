@@ -1,10 +1,11 @@
 """TIMIT's sentences with the words and phones that humans placed (`.wrd`, `.phn`: start and end in samples at 16 kHz).
 
 Some files of ../shared have lost bytes, after which every sample is noise at full scale; TIMIT itself is never that
-loud. They are left out. Of the others every second, from the first, is for training, the rest for testing.
+loud. They are left out, but their beginnings may serve in training. Of the others every second, from the first, is for
+training, the rest for testing.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,10 @@ import soundfile
 from app.model import SAMPLE_RATE_HZ, Audio, Interval
 
 FULL_SCALE = 0.95
+BEFORE_DAMAGE_S = 0.100
+"""A word that ends so much before the noise is whole."""
+
+FEWEST_WORDS = 2
 FOLDED = {
     "ax": "ah",
     "ax-h": "ah",
@@ -58,6 +63,25 @@ def read_sentences(folder: Path) -> tuple[list[Sentence], int]:
     """The undamaged sentences below `folder`, by path, and how many there were with the damaged."""
     everything = [read_sentence(path) for path in sorted(folder.rglob("*.wrd"))]
     return [each for each in everything if np.abs(each.audio.samples).max() < FULL_SCALE], len(everything)
+
+
+def read_beginnings(folder: Path) -> list[Sentence]:
+    """The damaged sentences below `folder`, each up to the end of the last word before the damage."""
+    beginnings = [_before_damage(read_sentence(path)) for path in sorted(folder.rglob("*.wrd"))]
+    return [each for each in beginnings if each is not None]
+
+
+def _before_damage(sentence: Sentence) -> Sentence | None:
+    """None: it is not damaged, or too little is left."""
+    damaged = np.flatnonzero(np.abs(sentence.audio.samples) >= FULL_SCALE)
+    if not len(damaged):
+        return None
+    usable_s = damaged[0] / SAMPLE_RATE_HZ - BEFORE_DAMAGE_S
+    words = tuple(word for word in sentence.words if word.end_s < usable_s)
+    if len(words) < FEWEST_WORDS:
+        return None
+    samples = sentence.audio.samples[: round(words[-1].end_s * SAMPLE_RATE_HZ)]
+    return replace(sentence, audio=Audio(samples), text=" ".join(sentence.text.split()[: len(words)]), words=words)
 
 
 def read_sentence(path: Path) -> Sentence:
