@@ -74,3 +74,10 @@ def test_every_line_performs_over_http(understudy: Understudy) -> None:
                 "/perform", files=files, data={"text": line.text}, headers={"Accept": "application/json"}
             )
             assert json.loads(answer.content)["bml"].encode() == xml.content
+
+
+@needs_shared
+@pytest.mark.parametrize("path", LINES, ids=lambda path: path.stem)
+def test_no_filler_is_heard_in_what_is_read(path: Path, understudy: Understudy) -> None:
+    """In "And so, my fellow Americans" the drawn out vowel of "so" is all its own."""
+    assert perform(understudy, _line(path), Options()).utterance.fillers == ()

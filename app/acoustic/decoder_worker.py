@@ -14,7 +14,8 @@ A pronunciation is a string of phones between spaces; every word has one or more
 
 The first pass listens by a grammar: the words in their order, "um" and "uh" between them where they are far likelier
 than nothing, and, if there is more, an end after any word. The second aligns the phones of what was heard. Only where a
-filler turns out too short or fits poorly are the words without it aligned afresh, and their phones again.
+filler turns out too short, fits poorly or has no pause beside it are the words without it aligned afresh, and their
+phones again.
 
 Four fifths of the time go into densities of the acoustic model, so the search is narrow at first, and two densities
 are added up for a state, not the usual four; only what then fits badly, as in noise, is searched widely
@@ -25,6 +26,7 @@ import json
 import math
 import sys
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import BinaryIO
 
 from pocketsphinx import AlignmentEntry, Decoder
@@ -49,7 +51,7 @@ SURE_SCORE = -35.0
 """A frame, on average, as all scores here: what fits as well by the narrow search is what the wide one finds."""
 
 FILLERS = {"um": ["AH M"], "uh": ["AH"]}
-FILLER_PROBABILITY = 1e-15
+FILLER_PROBABILITY = 1e-12
 SHORTEST_FILLER_FRAMES = 22
 LOWEST_FILLER_SCORE = -48.0
 """What fits worse is a breath, a click, or part of a word."""
@@ -107,7 +109,12 @@ def aligned(audio: bytes, words: list[list[str]], search: Search) -> Heard:
     decoder = _decoder(words, search)
     _listen(decoder, audio, len(words))
     heard = _placed(decoder, audio)
-    believed = [each[0] for each, _ in heard if not _is_doubtful(each)]
+    spoken = [each for each, _ in heard]
+    believed = [
+        each[0]
+        for each, by_a_pause in zip(spoken, _are_by_a_pause(spoken), strict=True)
+        if not _is_doubtful(each, by_a_pause=by_a_pause)
+    ]
     return heard if len(believed) == len(heard) else _aligned_afresh(decoder, audio, believed)
 
 
@@ -178,10 +185,18 @@ def _told(entry: AlignmentEntry) -> Phone:
     return entry.name.partition("(")[0], entry.start, entry.duration, entry.score
 
 
-def _is_doubtful(heard: Phone) -> bool:
-    """A filler that is too short, or fits too poorly."""
+def _is_doubtful(heard: Phone, *, by_a_pause: bool) -> bool:
+    """A filler that is too short, fits too poorly, or has no pause beside it, as the drawn out end of a line has none:
+    what goes on without one is part of a word."""
     name, _, frames, score = heard
-    return name in FILLERS and (frames < SHORTEST_FILLER_FRAMES or score < LOWEST_FILLER_SCORE * frames)
+    is_sound = frames >= SHORTEST_FILLER_FRAMES and score >= LOWEST_FILLER_SCORE * frames
+    return name in FILLERS and not (is_sound and by_a_pause)
+
+
+def _are_by_a_pause(heard: list[Phone]) -> list[bool]:
+    """Whether there is a pause between each and a neighbour; the silence at the ends of the audio is none."""
+    pauses = [one[1] + one[2] < other[1] for one, other in pairwise(heard)]
+    return [any(beside) for beside in zip([False, *pauses], [*pauses, False], strict=True)][: len(heard)]
 
 
 def _decode(decoder: Decoder, audio: bytes) -> None:
