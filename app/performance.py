@@ -13,6 +13,7 @@ from typing import Self
 
 from app.acoustic.agitation import AgitationModel
 from app.acoustic.alignment import Aligner, Alignment
+from app.acoustic.background import doubts
 from app.acoustic.decoding import AudioLimits, decode
 from app.acoustic.emphasis import Measure, with_emphasis
 from app.acoustic.pitch import track_f0
@@ -341,7 +342,8 @@ def hear(ears: Ears, audio: bytes, progress: Progress = unheard, *, reference: S
     progress("contours")
     contours = Contours(energy_db=energy_db(signal), f0_hz=track_f0(signal), mfcc=mfcc(signal))
     progress("agitation")
-    return Heard(signal, contours, ears.agitation.agitation(signal, contours, reference), notices)
+    agitation = ears.agitation.agitation(signal, contours, reference)
+    return Heard(signal, contours, agitation, notices + doubts(contours.energy_db))
 
 
 def hear_words(

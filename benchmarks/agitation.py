@@ -1,44 +1,48 @@
 """How well agitation is told from voices that were not trained on (paper §3.1.4).
 
-    python -m benchmarks.agitation [--speech FOLDER] [--ablation]
+    python -m benchmarks.agitation [--speech FOLDER] [--features FILE] [--ablation]
 
 Speakers are never on both sides: RAVDESS in four folds of four actors (two women, two men), EmoDB and nEMO one speaker
-at a time. Each fold trains anew, with the recipe of `training/agitation/`, on all other speakers of all corpora.
+at a time. Each fold chooses its recipe and trains anew, as `training/agitation/` does, on all other speakers of all
+corpora: the choice is made by leaving some of those out in turn, so that the tested speakers have no part in it.
+"Chosen on these folds" is the other way, once for comparison: one recipe, chosen on all speakers.
 Figures: balanced accuracy (mean recall of the three levels, chance .333), the share of all recordings whose low was
 taken for high or high for low, and the mean negative log of the membership given to the right level (1.10 when nothing
-is known). Recordings whose level is open are trained on and referred to, never tested on. "Noise" adds white noise 20
-dB under the tested recording's mean power. "Against n of his" gives the model a reference of n other recordings of the
-tested speaker, drawn anew for each. Kernel, corpus weights and features were chosen on these same folds; neighbouring
-choices differ by .02, which is also the standard error.
+is known). Recordings whose level is open are trained on and referred to, never tested on. "White noise" is 20 dB under
+the tested recording's mean power, "telephone" its band alone. "Against n of his" gives the model a reference of n other
+recordings of the tested speaker, drawn anew for each.
 
-Last comes how far memberships can be trusted: of the recordings whose strongest membership lies in a bin, its mean and
-the share that were right.
+Then come the recipes that the folds chose, and how far memberships can be trusted: of the recordings whose strongest
+membership lies in a bin, its mean and the share that were right.
 
---ablation departs from the recipe one choice at a time, without reference.
+--ablation departs from the recipe one choice at a time, without reference. Features are measured by all processors in
+some ten minutes; --features keeps them in a file.
 """
 
 import argparse
-from collections.abc import Callable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from sklearn.linear_model import LogisticRegression
 
-from app.acoustic.agitation import AgitationModel, FuzzySvm
+from app.acoustic.agitation import AgitationModel
 from app.acoustic.speaker import SpeakerReference
 from app.acoustic.spectrum import mfcc
-from app.acoustic.utterance_features import full_features, paper_features
+from app.acoustic.utterance_features import FEATURE_SETS, paper_features
 from app.model import Audio, Contours, FloatArray
-from training.agitation.corpus import CORPUS_WEIGHTS, Samples, describe, listen, measure, read_audio, read_recordings
-from training.agitation.fuzzy_svm import GAMMA, balanced_weights, held_out_values, train
+from training.agitation.choosing import choose
+from training.agitation.corpus import CORPORA, Samples, describe, listen, read_audio, read_recordings
+from training.agitation.degradations import TEST_CONDITIONS, TRAINING_CONDITIONS
+from training.agitation.fuzzy_svm import Recipe, train
+from training.agitation.measuring import measured
 
 SPEECH = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech"
 RAVDESS_FOLDS = 4
-NOISE_DB = -20.0
-UNHEARD = {"mbrola": 1.0}
+UNHEARD = "mbrola"
 """Synthetic voices at three vocal efforts: measured, never trained on."""
 
 ALL_OTHERS = 10_000
@@ -70,6 +74,12 @@ GROUPS: Mapping[str, slice] = {
     "peak slope": slice(44, 45),
     "harmonicity and cepstral peak": slice(45, 47),
     "tilt": slice(47, 49),
+    "spectral slopes": slice(49, 61),
+    "spectral flux": slice(61, 63),
+    "course of pitch": slice(63, 70),
+    "what goes with loudness": slice(70, 81),
+    "quartiles of MFCC": slice(81, 105),
+    "spectrum": slice(105, 115),
 }
 """Where groups of features stand in the full set."""
 
@@ -102,115 +112,111 @@ def main() -> None:
     """Prints the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--speech", type=Path, default=SPEECH, help="folder of labels.csv and the corpora it names")
+    parser.add_argument("--features", type=Path, help="file that keeps the features from one time to the next (.npz)")
     parser.add_argument("--ablation", action="store_true", help="depart from the recipe one choice at a time")
     options = parser.parse_args()
+    recordings = read_recordings(options.speech, (*CORPORA, UNHEARD))
+    features = measured(recordings, {**TRAINING_CONDITIONS, **TEST_CONDITIONS}, options.features)
+    samples = {name: describe(recordings, features[name]) for name in FEATURE_SETS}
     print(f"{'tested on':<58} balanced low↔high  -log")
     if options.ablation:
-        ablation(options.speech)
+        ablation(samples["full"])
+        ablation_of_frames(options.speech)
     else:
-        by_corpus(options.speech)
+        for feature_set in FEATURE_SETS:
+            by_corpus(feature_set, samples[feature_set])
 
 
-def by_corpus(speech: Path) -> None:
-    """Each corpus tested with either feature set, clean, in noise and against the speaker."""
-    recordings = read_recordings(speech, {**CORPUS_WEIGHTS, **UNHEARD})
-    clean = measure(recordings, list(GAMMA))
-    noisy = measure(recordings, list(GAMMA), in_noise)
-    for feature_set in GAMMA:
-        samples = describe(recordings, clean[feature_set])
-        in_the_noise = replace(samples, features=noisy[feature_set])
-        recipe = Recipe(feature_set)
-        for corpus in (*CORPUS_WEIGHTS, *UNHEARD):
-            judged = _report(f"{feature_set}, {corpus}", recipe, samples, corpus, references=REFERENCES)
-            _report(f"{feature_set}, {corpus} in noise", recipe, samples, corpus, tested=in_the_noise)
-            if corpus in ("ravdess", "emodb"):
-                print("reliability: recordings, membership, right", *judged.reliability(), sep="\n    ", flush=True)
-        others = {name: weight for name, weight in CORPUS_WEIGHTS.items() if name != "ravdess"}
-        _report(f"{feature_set}, ravdess, trained without it", Recipe(feature_set, others), samples, "ravdess")
+def by_corpus(feature_set: str, samples: Samples) -> None:
+    """Each corpus tested clean, against the speaker, in noise and by telephone, with recipes chosen within folds."""
+    nested = Trainer(feature_set)
+    for corpus in (*CORPORA, UNHEARD):
+        name = f"{feature_set}, {corpus}"
+        judged = _report(name, nested, samples, corpus, references=REFERENCES)
+        for condition in TEST_CONDITIONS:
+            _report(f"{name}, {condition}", nested, samples, corpus, condition=condition)
+        if corpus in ("ravdess", "emodb"):
+            print("reliability: recordings, membership, right", *judged.reliability(), sep="\n    ", flush=True)
+    for recipe, count in Counter(str(recipe) for recipe in nested.recipes.values()).most_common():
+        print(f"chosen {count} times: {recipe}", flush=True)
+    others = Trainer(feature_set, [corpus for corpus in CORPORA if corpus != "ravdess"])
+    _report(f"{feature_set}, ravdess, trained without it", others, samples, "ravdess")
+    fixed = nested.always_by(choose(trainable(samples), feature_set))
+    for corpus in CORPORA:
+        _report(f"{feature_set}, {corpus}, chosen on these folds", fixed, samples, corpus)
 
 
-def ablation(speech: Path) -> None:
-    """RAVDESS and EmoDB with one choice of the recipe changed at a time."""
-    recordings = read_recordings(speech, CORPUS_WEIGHTS)
+def ablation(samples: Samples) -> None:
+    """`full` on RAVDESS and EmoDB without one kind of copies or one group of features."""
+    recipe = choose(trainable(samples), "full")
+    every = Trainer("full", recipe=recipe)
+    for corpus in ("ravdess", "emodb"):
+        for condition in ("clean", *TEST_CONDITIONS):
+            _report(f"full, {corpus}, {condition}", every, samples, corpus, condition=condition)
+            without = Trainer("full", recipe=recipe)
+            clean = samples.where(samples.conditions != "degraded")
+            _report(f"full, {corpus}, {condition}, trained clean alone", without, clean, corpus, condition=condition)
+        for name, columns in GROUPS.items():
+            narrow = replace(samples, features=np.delete(samples.features, columns, axis=1))
+            without = Trainer("full", recipe=replace(recipe, features=narrow.features.shape[1]))
+            _report(f"full, {corpus}, without {name}", without, narrow, corpus)
+
+
+def ablation_of_frames(speech: Path) -> None:
+    """`paper` on RAVDESS with other frames and bands, trained and tested on the recordings as they are."""
+    recordings = read_recordings(speech, CORPORA)
     heard = [(audio, listen(audio)) for audio in (read_audio(recording.path) for recording in recordings)]
     for name, change in PAPER_CHANGES.items():
         rows = np.array([paper_features(audio, change(audio, contours)) for audio, contours in heard])
-        _report(f"paper, ravdess, {name}", Recipe("paper"), describe(recordings, rows), "ravdess")
-    samples = describe(recordings, np.array([full_features(*both) for both in heard]))
-    for corpus in ("ravdess", "emodb"):
-        _report(f"full, {corpus}", Recipe("full"), samples, corpus)
-        _report(f"full, {corpus}, separate logistic functions", train_separately, samples, corpus)
-        for name, columns in GROUPS.items():
-            fewer = replace(samples, features=np.delete(samples.features, columns, axis=1))
-            _report(f"full, {corpus}, without {name}", Recipe("full"), fewer, corpus)
+        samples = describe(recordings, {"clean": rows})
+        fixed = Trainer("paper", recipe=choose(samples, "paper"))
+        _report(f"paper, ravdess, {name}", fixed, samples, "ravdess")
 
 
 @dataclass(frozen=True, slots=True)
-class Recipe:
-    """Training as shipped, on the corpora that have a weight; the same speakers teach once."""
+class Trainer:
+    """Chooses, unless it is given a recipe, and trains as what is shipped, on these corpora; the same speakers teach
+    once."""
 
     feature_set: str
-    weights: Mapping[str, float] = field(default_factory=lambda: CORPUS_WEIGHTS)
+    corpora: Collection[str] = CORPORA
+    recipe: Recipe | None = None
     models: dict[frozenset[str], AgitationModel] = field(default_factory=dict)
+    recipes: dict[frozenset[str], Recipe] = field(default_factory=dict)
 
     def __call__(self, samples: Samples) -> AgitationModel:
-        usable = samples.where(np.isin(samples.corpora, list(self.weights)))
-        speakers = frozenset(usable.speakers.tolist())
+        samples = trainable(samples, self.corpora)
+        speakers = frozenset(samples.speakers.tolist())
         if speakers not in self.models:
-            self.models[speakers] = train(usable, self.feature_set, self.weights)
+            self.recipes[speakers] = self.recipe or choose(samples, self.feature_set)
+            self.models[speakers] = train(samples, self.feature_set, self.recipes[speakers])
         return self.models[speakers]
 
-
-class SeparatelyCalibrated(FuzzySvm):
-    """Memberships from a logistic function for each machine, scaled to sum to 1."""
-
-    def memberships(self, features: FloatArray) -> FloatArray:
-        values = self.decision_values(features)
-        evidence = np.array([m.slope * value + m.offset for m, value in zip(self.machines, values, strict=True)])
-        raw = 1 / (1 + np.exp(-evidence))
-        memberships: FloatArray = raw / raw.sum()
-        return memberships
+    def always_by(self, recipe: Recipe) -> "Trainer":
+        """A trainer by this recipe, which need not train anew where the same was chosen."""
+        alike = {speakers: model for speakers, model in self.models.items() if self.recipes[speakers] == recipe}
+        return replace(self, recipe=recipe, models=alike, recipes={})
 
 
-def train_separately(samples: Samples) -> AgitationModel:
-    """The full recipe, but each machine's logistic function is fitted by itself."""
-    model, weights = train(samples, "full", CORPUS_WEIGHTS), balanced_weights(samples, CORPUS_WEIGHTS)
-    svm = model.unknown_speaker
-    points = (model.typical.completed(samples.features) - svm.mean) / svm.scale
-    values = held_out_values(points, weights, samples.speakers, svm.gamma)
-    machines = []
-    for index, machine in enumerate(svm.machines):
-        inside, column = weights[:, index], np.tile(values[:, index], 2)[:, np.newaxis]
-        both = np.concatenate([inside, weights.sum(axis=1) - inside])
-        logistic = LogisticRegression(C=1e3).fit(column, np.repeat([1, 0], len(inside)), both)
-        machines.append(replace(machine, slope=float(logistic.coef_[0, 0]), offset=float(logistic.intercept_[0])))
-    return replace(model, unknown_speaker=SeparatelyCalibrated(svm.mean, svm.scale, svm.gamma, tuple(machines)))
-
-
-def in_noise(audio: Audio) -> Audio:
-    """The recording in white noise, the same noise each time."""
-    power = np.mean(audio.samples**2) * 10 ** (NOISE_DB / 10)
-    return Audio(audio.samples + np.random.default_rng(0).normal(0, np.sqrt(power), len(audio.samples)))
+def trainable(samples: Samples, corpora: Collection[str] = CORPORA) -> Samples:
+    """What may be trained on."""
+    conditions = np.isin(samples.conditions, list(TRAINING_CONDITIONS))
+    return samples.where(np.isin(samples.corpora, list(corpora)) & conditions)
 
 
 def cross_validate(
-    samples: Samples,
-    corpus: str,
-    training: Callable[[Samples], AgitationModel],
-    *,
-    tested: Samples | None = None,
-    reference_size: int = 0,
+    samples: Samples, corpus: str, training: Trainer, *, condition: str = "clean", reference_size: int = 0
 ) -> Judged:
-    """The recordings of `corpus`, as they sound in `tested`, judged by models trained on other speakers."""
-    tested = tested or samples
+    """The recordings of `corpus` under a condition, judged by models trained on other speakers."""
     levels: list[int] = []
     memberships: list[tuple[float, float, float]] = []
+    tested = (samples.corpora == corpus) & (samples.levels >= 0) & (samples.conditions == condition)
     for held_out in _folds(samples, corpus):
         model = training(samples.where(~held_out))
-        completed = replace(tested, features=model.typical.completed(tested.features))
-        for row in np.flatnonzero(held_out & (tested.levels >= 0)):
+        completed = replace(samples, features=model.typical.completed(samples.features))
+        for row in np.flatnonzero(held_out & tested):
             agitation = model.judge(completed.features[row], _reference(completed, int(row), reference_size, model))
-            levels.append(int(tested.levels[row]))
+            levels.append(int(samples.levels[row]))
             memberships.append((agitation.low, agitation.medium, agitation.high))
     return Judged(np.array(levels), np.array(memberships))
 
@@ -225,27 +231,28 @@ def _folds(samples: Samples, corpus: str) -> Iterator[NDArray[np.bool_]]:
 
 
 def _reference(samples: Samples, row: int, size: int, model: AgitationModel) -> SpeakerReference | None:
-    """The statistics of `size` recordings, drawn from the others of the row's speaker."""
+    """The statistics of `size` recordings, drawn from the others of the row's speaker and condition."""
     if size == 0:
         return None
-    (others,) = np.nonzero(samples.speakers == samples.speakers[row])
+    same = (samples.speakers == samples.speakers[row]) & (samples.conditions == samples.conditions[row])
+    (others,) = np.nonzero(same)
     others = np.random.default_rng(row).permutation(others[others != row])[:size]
     return SpeakerReference.of(model.feature_set, samples.features[others])
 
 
 def _report(
     name: str,
-    training: Callable[[Samples], AgitationModel],
+    training: Trainer,
     samples: Samples,
     corpus: str,
     *,
     references: Mapping[str, int] = NO_REFERENCE,
-    tested: Samples | None = None,
+    condition: str = "clean",
 ) -> Judged:
     """Prints a line for each reference; what was judged against the first comes back."""
     judged = []
     for told, size in references.items():
-        judged.append(cross_validate(samples, corpus, training, tested=tested, reference_size=size))
+        judged.append(cross_validate(samples, corpus, training, condition=condition, reference_size=size))
         print(f"{name + told:<58} {judged[-1].figures()}", flush=True)
     return judged[0]
 

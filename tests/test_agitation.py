@@ -3,13 +3,14 @@
 import hashlib
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 import soundfile
 
-from app.acoustic.agitation import AgitationModel, FuzzySvm, Machine, save
+from app.acoustic.agitation import AgitationModel, FuzzySvm, save
 from app.acoustic.speaker import SpeakerReference, TypicalSpeaker
 from app.acoustic.utterance_features import FEATURE_SETS
 from app.errors import InputError, ServiceError
@@ -23,8 +24,16 @@ MODEL_FILE, CHECKSUM_FILE = "paper.npz", "paper.npz.sha256"
 
 def toy_svm() -> FuzzySvm:
     """Three machines with one support vector each, at -1, 0 and 1 on the first axis, alike otherwise."""
-    machines = tuple(Machine(at(place)[np.newaxis], np.array([2.0]), -1.0, 3.0, 0.0) for place in (-1.0, 0.0, 1.0))
-    return FuzzySvm(np.zeros(12), np.ones(12), 1.0, machines)
+    return FuzzySvm(
+        mean=np.zeros(12),
+        scale=np.ones(12),
+        gamma=1.0,
+        support_vectors=np.array([at(-1.0), at(0.0), at(1.0)]),
+        coefficients=2.0 * np.eye(3),
+        intercepts=-np.ones(3),
+        slopes=3.0 * np.ones(3),
+        offsets=np.zeros(3),
+    )
 
 
 def toy_model() -> AgitationModel:
@@ -44,6 +53,11 @@ def test_the_nearest_machine_wins(place: float, level: Level) -> None:
 
 def test_decision_value_at_the_support_vector_is_coefficient_plus_intercept() -> None:
     assert toy_svm().decision_values(np.zeros(12))[1] == pytest.approx(2.0 - 1.0)
+
+
+def test_a_feature_of_infinite_scale_has_no_say() -> None:
+    deaf = replace(toy_svm(), scale=np.append(np.inf, np.ones(11)))
+    assert deaf.memberships(at(-1.0)) == pytest.approx(deaf.memberships(at(1.0)))
 
 
 def test_memberships_are_softmax_of_the_scaled_decision_values() -> None:
@@ -66,8 +80,10 @@ def test_the_more_recordings_of_the_speaker_the_more_they_count() -> None:
     assert toy_model().judge(at(1.0)).high > highs[0] > highs[-1] + 0.2
 
 
-def test_a_reference_of_another_feature_set_is_refused() -> None:
-    other = SpeakerReference("full", 5, np.zeros(49), np.ones(49))
+@pytest.mark.parametrize(("feature_set", "features"), [("full", 115), ("full", 12), ("paper", 49)])
+def test_a_reference_of_other_features_is_refused(feature_set: str, features: int) -> None:
+    """Also one of the same name that an earlier version made."""
+    other = SpeakerReference(feature_set, 5, np.zeros(features), np.ones(features))
     with pytest.raises(InputError, match="understudy reference") as raised:
         toy_model().judge(np.zeros(12), other)
     assert raised.value.code == "reference_other_features"

@@ -1,27 +1,33 @@
 """The training half of the agitation model: fuzzy weights, balance, and agreement with the run-time half."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from sklearn.svm import SVC
 
+from app.acoustic.agitation import squared_distances
 from app.acoustic.speaker import SpeakerReference, TypicalSpeaker
-from app.model import Level
-from training.agitation.corpus import Samples, read_recordings
+from app.model import Audio, Level
+from training.agitation import choosing
+from training.agitation.choosing import choose
+from training.agitation.corpus import Recording, Samples, describe, read_recordings
+from training.agitation.degradations import TRAINING_CONDITIONS, by_telephone, in_white_noise
 from training.agitation.fuzzy_svm import (
+    Recipe,
     balanced_weights,
     fit_fuzzy,
     joint_logistic,
     relative_features,
     speaker_folds,
-    to_machine,
     train,
+    train_svm,
 )
 
 SHARED_SPEECH = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech"
 
-CLOUDS = {"clouds": 1.0}
+RECIPE = Recipe(features=12, reach=0.25, cost=1.0, corpus_weights={"clouds": 1.0})
 
 
 def clouds(count: int = 120, seed: int = 0) -> Samples:
@@ -34,23 +40,40 @@ def clouds(count: int = 120, seed: int = 0) -> Samples:
         levels=levels,
         corpora=np.full(count, "clouds"),
         speakers=np.array([f"clouds/{number % 8}" for number in range(count)]),
+        conditions=np.full(count, "clean"),
     )
 
 
 def test_run_time_decision_values_equal_scikit_learns() -> None:
-    samples = clouds()
-    weights = balanced_weights(samples, CLOUDS)
-    svm = fit_fuzzy(samples.features, weights[:, 0], weights[:, 1] + weights[:, 2], 0.02)
-    machine = to_machine(svm, 1.0, 0.0)
-    unseen = np.random.default_rng(1).normal(0, 2, (50, 12))
-    ours = [machine.decision_value(point, 0.02) for point in unseen]
-    assert ours == pytest.approx(svm.decision_function(unseen), abs=1e-9)
+    samples, unseen = clouds(), np.random.default_rng(1).normal(0, 2, (50, 12))
+    svm = train_svm(samples, balanced_weights(samples, RECIPE.corpus_weights), RECIPE)
+    points = (samples.features - svm.mean) / svm.scale
+    theirs = SVC(C=RECIPE.cost, gamma=RECIPE.gamma).fit(points, samples.levels == 0)
+    ours = [svm.decision_values(features)[0] for features in unseen]
+    assert ours == pytest.approx(theirs.decision_function((unseen - svm.mean) / svm.scale), abs=5e-3)
+
+
+def test_a_sample_on_both_sides_is_a_sample_twice() -> None:
+    points = clouds(30).features
+    kernel = np.exp(-0.02 * squared_distances(points, points))
+    inside = np.tile([1.0, 0.0, 0.3], 10)
+    surface = fit_fuzzy(kernel, inside, 1 - inside, 2.0)
+    sides, rows = np.array([1.0] * 20 + [-1.0] * 20), np.concatenate([np.nonzero(inside)[0], np.nonzero(1 - inside)[0]])
+    weights = np.concatenate([inside[inside > 0], (1 - inside)[inside < 1]])
+    theirs = SVC(C=2.0, gamma=0.02).fit(points[rows], sides, weights)
+    assert kernel @ surface.coefficients + surface.intercept == pytest.approx(
+        theirs.decision_function(points), abs=5e-3
+    )
 
 
 def test_the_trained_model_tells_unseen_clouds_apart() -> None:
-    model, unseen = train(clouds(), "paper", CLOUDS), clouds(seed=1)
+    model, unseen = train(clouds(), "paper", RECIPE), clouds(seed=1)
     levels = [list(Level).index(model.judge(point).level) for point in unseen.features]
     assert np.mean(np.array(levels) == unseen.levels) > 0.9
+
+
+def joined(*parts: Samples) -> Samples:
+    return Samples(*(np.concatenate([getattr(part, c.name) for part in parts]) for c in fields(Samples)))
 
 
 def judged_medium(memberships: tuple[float, float, float]) -> float:
@@ -62,16 +85,16 @@ def judged_medium(memberships: tuple[float, float, float]) -> float:
         np.full(40, -1),
         samples.corpora[:40],
         samples.speakers[:40],
+        samples.conditions[:40],
     )
-    fields = ("features", "memberships", "levels", "corpora", "speakers")
-    both = Samples(*(np.concatenate([getattr(samples, name), getattr(there, name)]) for name in fields))
-    return train(both, "paper", CLOUDS).judge(place).medium
+    both = joined(samples, there)
+    return train(both, "paper", RECIPE).judge(place).medium
 
 
 def test_known_speakers_are_told_apart_where_unknown_ones_are_not() -> None:
     """Speakers whose voices differ far more than their levels do."""
     samples, unseen = (with_speakers(clouds(480, seed), seed) for seed in (0, 1))
-    model = train(samples, "paper", CLOUDS)
+    model = train(samples, "paper", RECIPE)
     right = {True: 0, False: 0}
     for row, level in enumerate(unseen.levels):
         others = (unseen.speakers == unseen.speakers[row]) & (np.arange(480) != row)
@@ -93,7 +116,7 @@ def test_unknown_features_teach_as_average_ones() -> None:
     samples = clouds()
     features = samples.features.copy()
     features[5, 3] = np.nan
-    model = train(replace(samples, features=features), "paper", CLOUDS)
+    model = train(replace(samples, features=features), "paper", RECIPE)
     assert model.typical.mean[3] == pytest.approx(np.delete(samples.features[:, 3], 5).mean())
 
 
@@ -126,16 +149,79 @@ def test_samples_of_two_levels_are_judged_between_them() -> None:
 
 def test_levels_weigh_the_same_and_corpora_as_told() -> None:
     samples = clouds(90)
-    lopsided = Samples(
-        samples.features,
-        np.eye(3)[[0] * 50 + [1] * 5 + [2] * 5 + [0] * 5 + [1] * 10 + [2] * 15],
-        samples.levels,
-        np.array(["one"] * 60 + ["two"] * 30),
-        samples.speakers,
+    lopsided = replace(
+        samples,
+        memberships=np.eye(3)[[0] * 50 + [1] * 5 + [2] * 5 + [0] * 5 + [1] * 10 + [2] * 15],
+        corpora=np.array(["one"] * 60 + ["two"] * 30),
     )
     weights = balanced_weights(lopsided, {"one": 1.0, "two": 4.0})
     assert weights[:60].sum(axis=0) == pytest.approx([10, 10, 10])
     assert weights[60:].sum(axis=0) == pytest.approx([20, 20, 20])
+
+
+def test_a_recording_heard_twice_counts_once() -> None:
+    once = clouds(30)
+    twice = joined(once, replace(once, conditions=np.full(30, "degraded")))
+    alone, shared = (balanced_weights(samples, RECIPE.corpus_weights) for samples in (once, twice))
+    assert shared[:30] + shared[30:] == pytest.approx(alone)
+
+
+def test_a_reference_is_of_the_same_condition() -> None:
+    """Degraded copies that lie elsewhere leave the clean recordings' distances as they were."""
+    once = clouds(30)
+    moved = replace(once, features=once.features + 7.0, conditions=np.full(30, "degraded"))
+    typical = TypicalSpeaker(np.zeros(12), np.ones(12))
+    alone, both = (relative_features(samples, typical, "paper") for samples in (once, joined(once, moved)))
+    assert both[:30] == pytest.approx(alone)
+
+
+def test_features_that_have_no_say_change_nothing() -> None:
+    model = train(clouds(), "paper", replace(RECIPE, features=5))
+    features = np.linspace(-1, 1, 12)
+    changed = np.append(features[:5], 100 * np.ones(7))
+    assert model.judge(features) == model.judge(changed)
+
+
+def test_the_choice_leaves_out_features_that_mislead_about_other_speakers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Half the features are each speaker's own way to each level: learnt by heart they mislead about the next."""
+    monkeypatch.setattr(choosing, "FEATURES", {"paper": (12, 24)})
+    monkeypatch.setattr(choosing, "CORPUS_WEIGHTS", ({"ravdess": 1.0},))
+    samples, random = clouds(240), np.random.default_rng(3)
+    _, speakers = np.unique(samples.speakers, return_inverse=True)
+    wide = np.hstack([samples.features, random.normal(0, 5, (8, 3, 12))[speakers, samples.levels]])
+    assert choose(replace(samples, features=wide, corpora=np.full(240, "ravdess")), "paper").features == 12
+
+
+@pytest.mark.parametrize("condition", TRAINING_CONDITIONS)
+def test_a_recording_is_degraded_the_same_way_each_time(condition: str) -> None:
+    audio = Audio(np.sin(np.arange(4000) / 7))
+    once, again = (TRAINING_CONDITIONS[condition](audio, np.random.default_rng(5)).samples for _ in range(2))
+    assert np.array_equal(once, again)
+
+
+def test_white_noise_is_20_db_under_the_recording() -> None:
+    audio = Audio(np.sin(np.arange(16000) / 7))
+    noise = in_white_noise(audio, np.random.default_rng(0)).samples - audio.samples
+    assert 10 * np.log10(np.mean(audio.samples**2) / np.mean(noise**2)) == pytest.approx(20)
+
+
+@pytest.mark.parametrize(("frequency_hz", "share"), [(100, 0.0), (1000, 1.0), (3400, 0.5**0.5), (6000, 0.0)])
+def test_a_telephone_passes_speech_alone(frequency_hz: float, share: float) -> None:
+    tone = np.sin(2 * np.pi * frequency_hz * np.arange(16000) / 16000)
+    heard = by_telephone(Audio(tone), np.random.default_rng(0)).samples
+    assert heard.std() / tone.std() == pytest.approx(share, abs=0.05)
+
+
+def test_conditions_are_described_one_after_another() -> None:
+    recordings = [
+        Recording(Path("a.flac"), "one", "x", Level.HIGH, (0, 0, 1)),
+        Recording(Path("b"), "one", "y", None, (0, 1, 0)),
+    ]
+    samples = describe(recordings, {"clean": np.array([[1.0], [2.0]]), "degraded": np.array([[3.0], [4.0]])})
+    assert samples.conditions.tolist() == ["clean", "clean", "degraded", "degraded"]
+    assert samples.features[:, 0].tolist() == [1, 2, 3, 4]
+    assert samples.levels.tolist() == [2, -1, 2, -1]
+    assert samples.speakers.tolist() == ["one/x", "one/y"] * 2
 
 
 def test_no_speaker_is_in_two_folds() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from scipy import fft
 from scipy.sparse import csr_array
 
-from app.acoustic.frames import BLOCK, blocks_of_frames, frame_count
+from app.acoustic.frames import BLOCK, SingleArray, blocks_of_frames, frame_count
 from app.acoustic.mel import mel_filters
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
@@ -51,13 +51,19 @@ def mfcc(audio: Audio, *, min_hz: float = MEL_MIN_HZ, range_db: float = MEL_RANG
     was set up rather than how the voice sounds. Scaling the signal changes nothing: faint bands are floored relative to
     the loudest (`python -m benchmarks.agitation --ablation` shows what floor and lower edge are worth).
     """
-    filters = mel_filters(FRAME_SAMPLES, bands=MEL_BANDS, lowest_hz=min_hz, highest_hz=SAMPLE_RATE_HZ / 2)
-    bands = csr_array(filters.astype(np.float32))  # hardly anything of them is not 0
-    mel_db = np.empty((frame_count(len(audio.samples)), MEL_BANDS), dtype=np.float32)
-    for number, frames in enumerate(blocks_of_frames(audio.samples, FRAME_SAMPLES, len(mel_db))):
-        power = np.square(np.abs(fft.rfft(frames * _HANN)))
-        mel_db[number * BLOCK :][: len(frames)] = 10 * np.log10(np.maximum((bands @ power.T).T, _LEAST_POWER))
-    np.maximum(mel_db, mel_db.max() - range_db, out=mel_db)
-    cepstrum = fft.dct(mel_db, norm="ortho", overwrite_x=True)
+    levels_db = mel_db(audio, min_hz=min_hz)
+    np.maximum(levels_db, levels_db.max() - range_db, out=levels_db)
+    cepstrum = fft.dct(levels_db, norm="ortho", overwrite_x=True)
     coefficients: FloatArray = cepstrum[:, 1 : 1 + COEFFICIENTS].astype(np.float64)
     return coefficients
+
+
+def mel_db(audio: Audio, *, min_hz: float = MEL_MIN_HZ) -> SingleArray:
+    """Level of each Mel band of Hann-windowed frames; shape (frames, `MEL_BANDS`)."""
+    filters = mel_filters(FRAME_SAMPLES, bands=MEL_BANDS, lowest_hz=min_hz, highest_hz=SAMPLE_RATE_HZ / 2)
+    bands = csr_array(filters.astype(np.float32))  # hardly anything of them is not 0
+    levels_db = np.empty((frame_count(len(audio.samples)), MEL_BANDS), dtype=np.float32)
+    for number, frames in enumerate(blocks_of_frames(audio.samples, FRAME_SAMPLES, len(levels_db))):
+        power = np.square(np.abs(fft.rfft(frames * _HANN)))
+        levels_db[number * BLOCK :][: len(frames)] = 10 * np.log10(np.maximum((bands @ power.T).T, _LEAST_POWER))
+    return levels_db

@@ -2,12 +2,15 @@
 
 `labels.csv` names a file, its corpus, speaker, emotion, intensity and level ("mid" is medium, empty is none). A
 recording's memberships are 1 for its level; a few that the file leaves unlabelled lie between two levels and are given
-to both (`SHARED_MEMBERSHIPS`), which is what fuzzy training is for.
+to both (`SHARED_MEMBERSHIPS`), which is what fuzzy training is for. Each recording is heard under several conditions:
+as it is, and in noise or through another microphone (`training/agitation/degradations.py`).
 """
 
 import csv
-from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+import zlib
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
@@ -18,12 +21,12 @@ from app.acoustic.pitch import track_f0
 from app.acoustic.spectrum import energy_db, mfcc
 from app.acoustic.utterance_features import FEATURE_SETS
 from app.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray, Level
+from training.agitation.degradations import Degradation
 
 LEVELS = {"low": Level.LOW, "mid": Level.MEDIUM, "high": Level.HIGH}
 
-CORPUS_WEIGHTS = {"ravdess": 1.0, "emodb": 0.5, "nemo": 0.2}
-"""What a recording of each corpus counts in training. English leads, since English is what we hear; with no others the
-model knows one microphone only, and with all alike it does worse on English (`benchmarks/agitation.py --ablation`)."""
+CORPORA = ("ravdess", "emodb", "nemo")
+"""What models are trained on."""
 
 SHARED_MEMBERSHIPS = {("ravdess", "fear", "normal"): (0.0, 0.5, 0.5)}
 """By corpus, emotion and intensity; low, medium, high. Strong fear is high; plain fear is taken half way to it."""
@@ -42,10 +45,10 @@ class Recording:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Samples:
-    """Recordings as the classifier sees them, one row each.
+    """Recordings as the classifier sees them, one row for each and each condition.
 
-    `features` (rows, features), NaN where unknown, `memberships` (rows, 3), `corpora` and `speakers` (rows,); speakers
-    of different corpora have different names. `levels` (rows,) is the index in `Level`, -1 where open.
+    `features` (rows, features), NaN where unknown, `memberships` (rows, 3), `corpora`, `speakers` and `conditions`
+    (rows,); speakers of different corpora have different names. `levels` (rows,) index `Level`, -1 where open.
     """
 
     features: FloatArray
@@ -53,16 +56,16 @@ class Samples:
     levels: NDArray[np.int64]
     corpora: NDArray[np.str_]
     speakers: NDArray[np.str_]
+    conditions: NDArray[np.str_]
 
     def where(self, chosen: NDArray[np.bool_]) -> "Samples":
         """The chosen rows."""
-        return Samples(
-            self.features[chosen],
-            self.memberships[chosen],
-            self.levels[chosen],
-            self.corpora[chosen],
-            self.speakers[chosen],
-        )
+        return Samples(*(getattr(self, column.name)[chosen] for column in fields(self)))
+
+    def occasions(self) -> Iterator[NDArray[np.int64]]:
+        """The rows of each speaker under each condition."""
+        for speaker, condition in sorted(set(zip(self.speakers.tolist(), self.conditions.tolist(), strict=True))):
+            yield np.flatnonzero((self.speakers == speaker) & (self.conditions == condition))
 
 
 def read_recordings(speech: Path, corpora: Collection[str]) -> list[Recording]:
@@ -73,32 +76,41 @@ def read_recordings(speech: Path, corpora: Collection[str]) -> list[Recording]:
     return [recording for recording in recordings if any(recording.memberships)]
 
 
-def describe(recordings: Sequence[Recording], features: FloatArray) -> Samples:
-    """The recordings with their features, row by row."""
-    levels = list(Level)
+def describe(recordings: Sequence[Recording], features: Mapping[str, FloatArray]) -> Samples:
+    """The recordings under one condition after another, with their features (recordings, features) under each."""
+    levels, count = list(Level), len(features)
     return Samples(
-        features=features,
-        memberships=np.array([recording.memberships for recording in recordings]),
-        levels=np.array([-1 if r.level is None else levels.index(r.level) for r in recordings]),
-        corpora=np.array([recording.corpus for recording in recordings]),
-        speakers=np.array([f"{recording.corpus}/{recording.speaker}" for recording in recordings]),
+        features=np.concatenate(list(features.values())),
+        memberships=np.tile([recording.memberships for recording in recordings], (count, 1)),
+        levels=np.tile([-1 if r.level is None else levels.index(r.level) for r in recordings], count),
+        corpora=np.tile([recording.corpus for recording in recordings], count),
+        speakers=np.tile([f"{recording.corpus}/{recording.speaker}" for recording in recordings], count),
+        conditions=np.repeat(list(features), len(recordings)),
     )
 
 
-def measure(
-    recordings: Sequence[Recording], feature_sets: Sequence[str], change: Callable[[Audio], Audio] = lambda audio: audio
-) -> dict[str, FloatArray]:
-    """The features of each recording as the program computes them, by feature set; shape (recordings, features).
+def measure(recordings: Sequence[Recording], conditions: Mapping[str, Degradation]) -> dict[str, dict[str, FloatArray]]:
+    """The features of each recording as the program computes them, shape (recordings, features), by set and condition.
 
-    `change` is what happens to the recordings first.
+    A recording is changed the same way each time. All processors are used.
     """
-    rows: dict[str, list[FloatArray]] = {name: [] for name in feature_sets}
-    for recording in recordings:
-        audio = change(read_audio(recording.path))
-        contours = listen(audio)
-        for name in feature_sets:
-            rows[name].append(FEATURE_SETS[name](audio, contours))
-    return {name: np.array(features) for name, features in rows.items()}
+    tasks = [(recording.path, change) for change in conditions.values() for recording in recordings]
+    with ProcessPoolExecutor() as processes:
+        rows = list(processes.map(_features, tasks, chunksize=20))
+    return {
+        name: {
+            condition: np.array([row[name] for row in rows[index * len(recordings) : (index + 1) * len(recordings)]])
+            for index, condition in enumerate(conditions)
+        }
+        for name in FEATURE_SETS
+    }
+
+
+def _features(task: tuple[Path, Degradation]) -> dict[str, FloatArray]:
+    path, change = task
+    audio = change(read_audio(path), np.random.default_rng(zlib.crc32(path.name.encode())))
+    contours = listen(audio)
+    return {name: features(audio, contours) for name, features in FEATURE_SETS.items()}
 
 
 def listen(audio: Audio) -> Contours:

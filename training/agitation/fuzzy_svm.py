@@ -4,11 +4,12 @@ Thiel, Scherer & Schwenker (2007), "Fuzzy-input fuzzy-output one-against-all sup
 stands on both sides of each machine, and its slack there costs as much as it belongs to that side. The decision values
 become memberships through a logistic function, fitted on speakers the machines have not heard.
 
-Samples are weighted so that the levels of a corpus count the same, however many recordings each has.
+Samples are weighted so that the levels of a corpus count the same, however many recordings each has, and that a
+recording heard under two conditions counts as one. What `training/agitation/choosing.py` chooses is a `Recipe`.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,70 +17,112 @@ from scipy.optimize import minimize
 from scipy.special import log_softmax
 from sklearn.svm import SVC
 
-from app.acoustic.agitation import AgitationModel, FuzzySvm, Machine
+from app.acoustic.agitation import AgitationModel, FuzzySvm, squared_distances
 from app.acoustic.speaker import SpeakerReference, TypicalSpeaker
 from app.model import FloatArray, Level
 from training.agitation.corpus import Samples
 
-COST = 1.0
-"""Price of a unit of slack, chosen with `GAMMA` on RAVDESS and EmoDB by speaker-disjoint cross-validation; 3 does
-alike."""
-
-GAMMA = {"paper": 0.02, "full": 0.005}
-"""Of the kernel, by feature set; half and twice do alike."""
-
 CALIBRATION_FOLDS = 4
 
+CONDITION_SHARES = {"clean": 0.8, "degraded": 0.2}
+"""What a recording counts as heard under each condition. Halves do alike (EmoDB loses .016, the rest .005 at most)."""
 
-def train(samples: Samples, feature_set: str, corpus_weights: Mapping[str, float]) -> AgitationModel:
-    """The model that `samples` teach; `corpus_weights` tells what a recording of each corpus counts."""
-    weights = balanced_weights(samples, corpus_weights)
+
+@dataclass(frozen=True, slots=True)
+class Recipe:
+    """What is chosen.
+
+    features: so many of the feature set, from the first, have a say.
+    reach: of the kernel, exp(-reach · mean squared difference of the standardised features).
+    cost: price of a unit of slack.
+    corpus_weights: what a recording of each corpus counts.
+    """
+
+    features: int
+    reach: float
+    cost: float
+    corpus_weights: Mapping[str, float]
+
+    @property
+    def gamma(self) -> float:
+        """Of the kernel, exp(-gamma · squared distance)."""
+        return self.reach / self.features
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Surface:
+    """A level's decision surface among the training points: coefficient of each (rows,), 0 where it has no say."""
+
+    coefficients: FloatArray
+    intercept: float
+
+
+def train(samples: Samples, feature_set: str, recipe: Recipe) -> AgitationModel:
+    """The model that `samples` teach by the recipe."""
+    weights = balanced_weights(samples, recipe.corpus_weights)
     typical = typical_speaker(samples)
     samples = replace(samples, features=typical.completed(samples.features))
     relative = replace(samples, features=relative_features(samples, typical, feature_set))
-    unknown, known = (train_svm(seen, weights, GAMMA[feature_set]) for seen in (samples, relative))
+    unknown, known = (train_svm(seen, weights, recipe) for seen in (samples, relative))
     return AgitationModel(feature_set, typical, unknown_speaker=unknown, known_speaker=known)
 
 
 def typical_speaker(samples: Samples) -> TypicalSpeaker:
-    """The mean over recordings, and the deviation within speakers."""
-    variances = [
-        np.nanvar(samples.features[samples.speakers == speaker], axis=0) for speaker in np.unique(samples.speakers)
-    ]
+    """The mean over recordings, and the deviation within a speaker's under one condition."""
+    variances = [np.nanvar(samples.features[rows], axis=0) for rows in samples.occasions()]
     return TypicalSpeaker(np.nanmean(samples.features, axis=0), np.sqrt(np.nanmean(variances, axis=0)))
 
 
 def relative_features(samples: Samples, typical: TypicalSpeaker, feature_set: str) -> FloatArray:
-    """Each recording against all others of its speaker; shape as the features."""
+    """Each recording against all others of its speaker under the same condition; shape as the features."""
     relative = np.empty_like(samples.features)
-    for speaker in np.unique(samples.speakers):
-        (rows,) = np.nonzero(samples.speakers == speaker)
+    for rows in samples.occasions():
         for row in rows:
             reference = SpeakerReference.of(feature_set, samples.features[rows[rows != row]])
             relative[row] = typical.relative(samples.features[row], reference)
     return relative
 
 
-def train_svm(samples: Samples, weights: FloatArray, gamma: float) -> FuzzySvm:
+def train_svm(samples: Samples, weights: FloatArray, recipe: Recipe) -> FuzzySvm:
     """The F²SVM that samples with these `weights` (rows, 3) teach."""
-    mean, scale = samples.features.mean(axis=0), samples.features.std(axis=0)
+    mean, scale = standards(samples.features, recipe)
     points = (samples.features - mean) / scale
-    slopes, offsets = joint_logistic(held_out_values(points, weights, samples.speakers, gamma), weights)
-    machines = []
-    for index in range(len(Level)):
-        svm = fit_fuzzy(points, *_sides(weights, index), gamma)
-        machines.append(to_machine(svm, float(slopes[index]), float(offsets[index])))
-    return FuzzySvm(mean, scale, gamma, tuple(machines))
+    kernel = np.exp(-recipe.gamma * squared_distances(points, points))
+    slopes, offsets = joint_logistic(held_out_values(kernel, weights, samples.speakers, recipe.cost), weights)
+    surfaces = [fit_fuzzy(kernel, *_sides(weights, index), recipe.cost) for index in range(len(Level))]
+    coefficients = np.stack([surface.coefficients for surface in surfaces], axis=1)
+    supporting = coefficients.any(axis=1)
+    return FuzzySvm(
+        mean=mean,
+        scale=scale,
+        gamma=recipe.gamma,
+        support_vectors=points[supporting],
+        coefficients=coefficients[supporting],
+        intercepts=np.array([surface.intercept for surface in surfaces]),
+        slopes=slopes,
+        offsets=offsets,
+    )
+
+
+def standards(features: FloatArray, recipe: Recipe) -> tuple[FloatArray, FloatArray]:
+    """Mean and scale of each feature; the scale of those that have no say is infinite."""
+    scale = np.where(np.arange(features.shape[1]) < recipe.features, features.std(axis=0), np.inf)
+    return features.mean(axis=0), scale
 
 
 def balanced_weights(samples: Samples, corpus_weights: Mapping[str, float]) -> FloatArray:
-    """Memberships scaled so that the levels of a corpus have the same sum; 1 on average over rows; shape (rows, 3)."""
-    weights: FloatArray = np.zeros_like(samples.memberships)
+    """Memberships scaled so that the levels of a corpus have the same sum; shape (rows, 3).
+
+    They are 1 on average over recordings, whose conditions share that as `CONDITION_SHARES` has it.
+    """
+    conditions, counts = np.unique(samples.conditions, return_counts=True)
+    shares = {str(condition): CONDITION_SHARES[str(condition)] for condition in conditions}
+    shared = np.array([shares[condition] for condition in samples.conditions.tolist()]) / sum(shares.values())
+    weights = samples.memberships * shared[:, None]
     for corpus in np.unique(samples.corpora):
         rows = samples.corpora == corpus
-        share = corpus_weights[str(corpus)] * rows.sum()
-        weights[rows] = share * samples.memberships[rows] / samples.memberships[rows].sum(axis=0)
-    weights *= len(weights) / weights.sum()
+        weights[rows] *= corpus_weights[str(corpus)] * rows.sum() / weights[rows].sum(axis=0)
+    weights *= counts.max() / weights.sum()
     return weights
 
 
@@ -90,13 +133,17 @@ def speaker_folds(speakers: NDArray[np.str_], count: int) -> Iterator[NDArray[np
         yield np.isin(speakers, names[start::count])
 
 
-def held_out_values(points: FloatArray, weights: FloatArray, speakers: NDArray[np.str_], gamma: float) -> FloatArray:
-    """Decision values of each sample by machines that have not heard its speaker; shape (rows, 3)."""
+def held_out_values(kernel: FloatArray, weights: FloatArray, speakers: NDArray[np.str_], cost: float) -> FloatArray:
+    """Decision values of each sample by machines that have not heard its speaker; shape (rows, 3).
+
+    `kernel` (rows, rows) tells how alike the samples are.
+    """
     values = np.zeros(weights.shape)
     for held_out in speaker_folds(speakers, CALIBRATION_FOLDS):
+        among, towards = kernel[np.ix_(~held_out, ~held_out)], kernel[np.ix_(held_out, ~held_out)]
         for index in range(len(Level)):
-            svm = fit_fuzzy(points[~held_out], *_sides(weights[~held_out], index), gamma)
-            values[held_out, index] = svm.decision_function(points[held_out])
+            surface = fit_fuzzy(among, *_sides(weights[~held_out], index), cost)
+            values[held_out, index] = towards @ surface.coefficients + surface.intercept
     return values
 
 
@@ -114,18 +161,16 @@ def joint_logistic(values: FloatArray, weights: FloatArray) -> tuple[FloatArray,
     return slopes, offsets
 
 
-def fit_fuzzy(points: FloatArray, inside: FloatArray, outside: FloatArray, gamma: float) -> SVC:
-    """The machine whose slacks on either side cost `inside` and `outside` times `COST`, sample by sample."""
-    belongs, differs = inside > 0, outside > 0
-    both = np.concatenate([points[belongs], points[differs]])
-    sides = np.concatenate([np.ones(belongs.sum()), -np.ones(differs.sum())])
-    return SVC(C=COST, gamma=gamma).fit(both, sides, np.concatenate([inside[belongs], outside[differs]]))
-
-
-def to_machine(svm: SVC, slope: float, offset: float) -> Machine:
-    """The fitted machine as the program keeps it."""
-    coefficients: FloatArray = svm.dual_coef_[0]
-    return Machine(svm.support_vectors_, coefficients, float(svm.intercept_[0]), slope, offset)
+def fit_fuzzy(kernel: FloatArray, inside: FloatArray, outside: FloatArray, cost: float) -> Surface:
+    """The surface whose slacks on either side cost `inside` and `outside` times `cost`, sample by sample."""
+    (belongs,), (differs,) = np.nonzero(inside), np.nonzero(outside)
+    rows = np.concatenate([belongs, differs])
+    sides = np.repeat([1.0, -1.0], [len(belongs), len(differs)])
+    slack_weights = np.concatenate([inside[belongs], outside[differs]])
+    svm = SVC(C=cost, kernel="precomputed").fit(kernel[np.ix_(rows, rows)], sides, slack_weights)
+    coefficients = np.zeros(len(kernel))
+    np.add.at(coefficients, rows[svm.support_], svm.dual_coef_[0])
+    return Surface(coefficients, float(svm.intercept_[0]))
 
 
 def _sides(weights: FloatArray, index: int) -> tuple[FloatArray, FloatArray]:

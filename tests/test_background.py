@@ -1,0 +1,34 @@
+"""Noise behind speech: told by the faintest frames, and doubted when it is louder than the models know."""
+
+import numpy as np
+import pytest
+
+from app.acoustic.background import LEAST_TRUSTED_DB, above_background_db, doubts
+from app.acoustic.spectrum import energy_db
+from app.model import SAMPLE_RATE_HZ, Audio
+
+
+def words_in_noise(decibels: float) -> Audio:
+    """Three seconds of tone that pauses for half of each second, in white noise so far under its mean power."""
+    time_s = np.arange(3 * SAMPLE_RATE_HZ) / SAMPLE_RATE_HZ
+    words = np.sin(2 * np.pi * 200 * time_s) * (time_s % 1 < 0.5)
+    deviation = np.sqrt(np.mean(words**2) * 10 ** (-decibels / 10))
+    return Audio(words + np.random.default_rng(0).normal(0, deviation, len(words)))
+
+
+@pytest.mark.parametrize("decibels", [10, 20, 30])
+def test_steady_noise_is_measured(decibels: float) -> None:
+    assert above_background_db(energy_db(words_in_noise(decibels))) == pytest.approx(decibels, abs=1.5)
+
+
+def test_level_and_digital_silence_change_nothing() -> None:
+    audio = words_in_noise(15)
+    quiet = Audio(np.concatenate([np.zeros(SAMPLE_RATE_HZ), audio.samples / 30]))
+    assert above_background_db(energy_db(quiet)) == pytest.approx(above_background_db(energy_db(audio)), abs=0.3)
+
+
+@pytest.mark.parametrize(
+    ("decibels", "codes"), [(LEAST_TRUSTED_DB - 3, ["agitation_unsure"]), (LEAST_TRUSTED_DB + 3, [])]
+)
+def test_only_loud_noise_is_doubted(decibels: float, codes: list[str]) -> None:
+    assert [notice.code for notice in doubts(energy_db(words_in_noise(decibels)))] == codes
