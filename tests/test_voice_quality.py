@@ -54,7 +54,7 @@ def test_level_changes_nothing() -> None:
     voice = harmonics(1.0) + np.random.default_rng(0).normal(0, 0.1, SAMPLE_RATE_HZ)
     loud, quiet = measured(voice), measured(voice * 1e-3)
     for name in VoiceQuality.__slots__:
-        assert getattr(loud, name) == pytest.approx(getattr(quiet, name), abs=0.02)
+        assert getattr(loud, name) == pytest.approx(getattr(quiet, name), abs=0.05)  # decibels, of the cepstral peak
 
 
 @pytest.mark.parametrize("count", [1, 159, 160, 20_480, 20_481])

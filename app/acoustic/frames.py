@@ -1,7 +1,7 @@
 """The frames that all contours share: frame k is centred on k × `FRAME_SHIFT_S`, however long it is.
 
 The signal counts as silent outside itself. Frames come in blocks that fit into the processor's cache, so that half an
-hour takes little more memory than a minute. They are in single precision, finer than any recording of 24 bits, since
+hour takes little more memory than a minute. They are in single precision, as fine as a recording of 24 bits, since
 spectra take half the time in it.
 """
 
@@ -27,13 +27,15 @@ def frame_count(samples: int) -> int:
 
 def blocks_of_frames(
     signal: FloatArray | SingleArray, length: int, count: int, *, shift: int = SHIFT_SAMPLES
-) -> Iterator[SingleArray]:
-    """The first `count` frames of `length` samples (an even number), each `shift` after the one before, in blocks
-    (frames × length)."""
+) -> Iterator[tuple[slice, SingleArray]]:
+    """The first `count` frames of `length` samples (an even number), each `shift` after the one before.
+
+    They come `BLOCK` at a time: which they are, and their samples (frames × length).
+    """
     for first in range(0, count, BLOCK):
-        last = min(first + BLOCK, count) - 1
-        stretch = excerpt(signal, first * shift - length // 2, last * shift + length // 2)
-        yield sliding_window_view(stretch, length)[::shift]
+        end = min(first + BLOCK, count)
+        stretch = excerpt(signal, first * shift - length // 2, (end - 1) * shift + length // 2)
+        yield slice(first, end), sliding_window_view(stretch, length)[::shift]
 
 
 def excerpt(signal: FloatArray | SingleArray, first: int, end: int) -> SingleArray:

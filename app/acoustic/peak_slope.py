@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import fft
 
-from app.acoustic.frames import BLOCK, SHIFT_SAMPLES, SingleArray, blocks_of_frames, frame_count
+from app.acoustic.frames import SHIFT_SAMPLES, SingleArray, blocks_of_frames, frame_count
 from app.model import FloatArray
 
 LEAST_RANGE = 1e-5
@@ -57,10 +57,10 @@ def _greatest(samples: FloatArray) -> Iterator[SingleArray]:
     responses = _wavelet_responses()
     stretches = 1 + (frame_count(len(samples)) + _SHIFTS // 2) // _SHIFTS
     blocks = blocks_of_frames(samples, _STRETCH + 2 * _REACH, stretches, shift=_STRETCH)
-    for number, signals in enumerate(blocks):
+    for block, signals in blocks:
         spectra = fft.rfft(signals, _FFT)
         greatest = np.empty((len(signals) * _SHIFTS, _OCTAVES), dtype=np.float32)
-        first = number * BLOCK * _STRETCH - _STRETCH // 2
+        first = block.start * _STRETCH - _STRETCH // 2
         for octave, response in enumerate(responses):
             band = np.abs(fft.irfft(spectra * response, _FFT)[:, _REACH : _REACH + _STRETCH]).ravel()
             band[: max(-first, 0)] = 0  # what rings on outside the signal does not count

@@ -57,9 +57,9 @@ class Levels:
 def band_power(samples: FloatArray) -> SingleArray:
     """The power of each frame at each frequency of the band (frames × frequencies)."""
     power = np.empty((frame_count(len(samples)), _LAST_BIN + 1 - _FIRST_BIN), dtype=np.float32)
-    for number, frames in enumerate(blocks_of_frames(samples, _WINDOW, len(power))):
+    for block, frames in blocks_of_frames(samples, _WINDOW, len(power)):
         spectra = fft.rfft(frames * _HANN, _FFT)[:, _FIRST_BIN : _LAST_BIN + 1]
-        power[number * BLOCK :][: len(frames)] = np.square(np.abs(spectra))
+        power[block] = np.square(np.abs(spectra))
     return power
 
 

@@ -126,9 +126,9 @@ def _summed_harmonics(samples: FloatArray, band_hz: int) -> SingleArray:
     blackman = np.blackman(window + 1)[:-1].astype(np.float32)
     strengths = np.empty((frame_count(len(samples)), len(_CANDIDATES_HZ)), dtype=np.float32)
     blocks = blocks_of_frames(residual, window, len(strengths), shift=SHIFT_SAMPLES // decimation)
-    for number, frames in enumerate(blocks):
+    for block, frames in blocks:
         amplitudes = np.abs(fft.rfft(frames * blackman, rate_hz // _BIN_HZ))
-        strengths[number * BLOCK :][: len(frames)] = _eq_3(_unit_spectra(amplitudes, band_hz))
+        strengths[block] = _eq_3(_unit_spectra(amplitudes, band_hz))
     return strengths
 
 

@@ -8,7 +8,7 @@ upper part of each frame's spectrum is left out.
 import numpy as np
 from scipy import fft
 
-from app.acoustic.frames import BLOCK, SingleArray, blocks_of_frames
+from app.acoustic.frames import SingleArray, blocks_of_frames
 from app.model import SAMPLE_RATE_HZ, FloatArray
 
 _WINDOW = round(0.025 * SAMPLE_RATE_HZ)
@@ -23,9 +23,9 @@ def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleAr
     count = 1 + -(-len(samples) // _HOP)
     hop = _HOP // decimation
     total = np.zeros((count + 2, hop), dtype=np.float32)
-    for number, frames in enumerate(blocks_of_frames(samples, _WINDOW, count, shift=_HOP)):
+    for block, frames in blocks_of_frames(samples, _WINDOW, count, shift=_HOP):
         filtered = _inversely_filtered(frames, 3 * hop)
-        for row, part in enumerate(np.split(filtered, 3, axis=1), number * BLOCK):
+        for row, part in enumerate(np.split(filtered, 3, axis=1), block.start):
             total[row : row + len(part)] += part
     return total.ravel()[hop : hop - (-len(samples) // decimation)]
 

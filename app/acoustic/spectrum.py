@@ -8,7 +8,7 @@ import numpy as np
 from scipy import fft
 from scipy.sparse import csr_array
 
-from app.acoustic.frames import BLOCK, SingleArray, blocks_of_frames, frame_count
+from app.acoustic.frames import SingleArray, blocks_of_frames, frame_count
 from app.acoustic.mel import mel_filters
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
@@ -38,8 +38,8 @@ def energy_db(audio: Audio) -> FloatArray:
     Never below `ENERGY_FLOOR_DB`; shape (frames,).
     """
     energy = np.empty(frame_count(len(audio.samples)))
-    for number, frames in enumerate(blocks_of_frames(audio.samples, FRAME_SAMPLES, len(energy))):
-        energy[number * BLOCK :][: len(frames)] = np.sum(np.square(frames * _HAMMING), axis=1)
+    for block, frames in blocks_of_frames(audio.samples, FRAME_SAMPLES, len(energy)):
+        energy[block] = np.sum(np.square(frames * _HAMMING), axis=1)
     decibels: FloatArray = 10 * np.log10(np.maximum(energy, 10 ** (ENERGY_FLOOR_DB / 10)))
     return decibels
 
@@ -63,7 +63,7 @@ def mel_db(audio: Audio, *, min_hz: float = MEL_MIN_HZ) -> SingleArray:
     filters = mel_filters(FRAME_SAMPLES, bands=MEL_BANDS, lowest_hz=min_hz, highest_hz=SAMPLE_RATE_HZ / 2)
     bands = csr_array(filters.astype(np.float32))  # hardly anything of them is not 0
     levels_db = np.empty((frame_count(len(audio.samples)), MEL_BANDS), dtype=np.float32)
-    for number, frames in enumerate(blocks_of_frames(audio.samples, FRAME_SAMPLES, len(levels_db))):
+    for block, frames in blocks_of_frames(audio.samples, FRAME_SAMPLES, len(levels_db)):
         power = np.square(np.abs(fft.rfft(frames * _HANN)))
-        levels_db[number * BLOCK :][: len(frames)] = 10 * np.log10(np.maximum((bands @ power.T).T, _LEAST_POWER))
+        levels_db[block] = 10 * np.log10(np.maximum((bands @ power.T).T, _LEAST_POWER))
     return levels_db

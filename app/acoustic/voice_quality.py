@@ -1,7 +1,9 @@
 """How a voice sounds apart from its pitch and its vowels, one value every 10 ms: breathy and lax, or clear and pressed.
 
 Frame k is centred on k × `FRAME_SHIFT_S`, as all contours are; the signal counts as silent outside itself. Spectra are
-of 64 ms Hann frames, long enough for three periods of a low voice. No measure depends on the recording's level.
+of 64 ms Hann frames, long enough for three periods of a low voice. No measure depends on the recording's level. Single
+precision moves the cepstral peak by up to 0.4 dB in frames with next to nothing in the treble, and its median over an
+utterance by 0.03 of the spread between recordings at most.
 """
 
 from dataclasses import dataclass
@@ -9,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import fft
 
-from app.acoustic.frames import BLOCK, SingleArray, blocks_of_frames
+from app.acoustic.frames import SingleArray, blocks_of_frames
 from app.acoustic.peak_slope import peak_slope
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
@@ -21,7 +23,7 @@ _LEAST_POWER = 1e-20
 
 _FRAME = round(0.064 * SAMPLE_RATE_HZ)
 _FFT = 2 * _FRAME
-_HANN = np.hanning(_FRAME + 1)[:-1]
+_HANN = np.hanning(_FRAME + 1)[:-1].astype(np.float32)
 _LOWEST_F0_HZ = 90
 """Of deeper voices, mostly creaky, the likeness after this one's period is taken; the agitation models know it so."""
 
@@ -54,8 +56,7 @@ class VoiceQuality:
 def voice_quality(audio: Audio, f0_hz: FloatArray) -> VoiceQuality:
     """The measures of `audio`, whose pitch is `f0_hz` (frames,), 0 where unvoiced."""
     harmonicity_db, cepstral_peak_db, tilt_db = np.empty((3, len(f0_hz)))
-    for number, frames in enumerate(blocks_of_frames(audio.samples, _FRAME, len(f0_hz))):
-        block = slice(number * BLOCK, (number + 1) * BLOCK)
+    for block, frames in blocks_of_frames(audio.samples, _FRAME, len(f0_hz)):
         power = _power(frames)
         harmonicity_db[block] = _harmonicity_db(power, f0_hz[block])
         cepstral_peak_db[block] = _cepstral_peak_db(power)
@@ -65,10 +66,9 @@ def voice_quality(audio: Audio, f0_hz: FloatArray) -> VoiceQuality:
 
 def _power(frames: SingleArray) -> SingleArray:
     """The power of each frame at each frequency (frames × frequencies)."""
-    spectra = fft.rfft(frames * _HANN, _FFT)
-    power: FloatArray = spectra.real**2 + spectra.imag**2
+    power: SingleArray = np.square(np.abs(fft.rfft(frames * _HANN, _FFT)))
     power += LEAST_RANGE * np.maximum(power.max(axis=1, keepdims=True), _LEAST_POWER)
-    return power.astype(np.float32)
+    return power
 
 
 def _harmonicity_db(power: SingleArray, f0_hz: FloatArray) -> FloatArray:
