@@ -1,11 +1,16 @@
 """Noise behind speech: told by the faintest frames, and doubted when it is louder than the models know."""
 
+import io
+from pathlib import Path
+
 import numpy as np
 import pytest
+import soundfile
 
 from app.acoustic.background import LEAST_TRUSTED_DB, above_background_db, doubts
 from app.acoustic.spectrum import energy_db
 from app.model import SAMPLE_RATE_HZ, Audio
+from app.performance import Understudy, hear
 
 
 def words_in_noise(decibels: float) -> Audio:
@@ -32,3 +37,14 @@ def test_level_and_digital_silence_change_nothing() -> None:
 )
 def test_only_loud_noise_is_doubted(decibels: float, codes: list[str]) -> None:
     assert [notice.code for notice in doubts(energy_db(words_in_noise(decibels)))] == codes
+
+
+@pytest.mark.parametrize(("decibels", "told"), [(5, True), (25, False)])
+def test_the_doubt_comes_with_what_is_heard(understudy: Understudy, decibels: float, told: bool) -> None:
+    samples, rate_hz = soundfile.read(Path(__file__).parent / "audio" / "figure8.flac")
+    deviation = np.sqrt(np.mean(samples**2) * 10 ** (-decibels / 10))
+    noisy = io.BytesIO()
+    noise = np.random.default_rng(0).normal(0, deviation, len(samples))
+    soundfile.write(noisy, (samples + noise) / 4, rate_hz, format="WAV")
+    notices = hear(understudy.ears, noisy.getvalue()).notices
+    assert ("agitation_unsure" in [notice.code for notice in notices]) is told
