@@ -13,9 +13,8 @@ A pronunciation is a string of phones between spaces; every word has one or more
 (7 ms to make), so no answer depends on earlier requests.
 
 The first pass listens by a grammar: the words in their order, "um" and "uh" between them where they are far likelier
-than nothing, and, if there is more, an end after any word. The second aligns the phones of what was heard. Only where a
-filler turns out too short, fits poorly or has no pause beside it are the words without it aligned afresh, and their
-phones again.
+than nothing, and, if there is more, an end after any word. The second aligns the phones of what was heard. A filler
+that turns out too short, fits poorly or has no pause beside it is none: its sound belongs to the word beside it.
 
 Four fifths of the time go into densities of the acoustic model, so the search is narrow at first, and two densities
 are added up for a state, not the usual four; only what then fits badly, as in noise, is searched widely
@@ -23,7 +22,6 @@ are added up for a state, not the usual four; only what then fits badly, as in n
 """
 
 import json
-import math
 import sys
 from dataclasses import dataclass
 from itertools import pairwise
@@ -49,6 +47,8 @@ WIDE = Search(1e-200, 2)
 
 SURE_SCORE = -35.0
 """A frame, on average, as all scores here: what fits as well by the narrow search is what the wide one finds."""
+
+LONGEST_SURE_FRAMES = 3 * FRAMES_PER_S // 5
 
 FILLERS = {"um": ["AH M"], "uh": ["AH"]}
 FILLER_PROBABILITY = 1e-12
@@ -84,7 +84,7 @@ def answer_to(audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, 
         spans = _spans(audio, words, NARROW)
         return {"spans": _spans(audio, words, WIDE) or [] if spans is None else spans}
     heard = aligned(audio, words, NARROW)
-    if _score(heard) < SURE_SCORE:
+    if not _is_sure(heard):
         heard = aligned(audio, words, WIDE)
     spoken = [phones for each, phones in heard if each[0] not in FILLERS]
     fillers = [each for each, _ in heard if each[0] in FILLERS]
@@ -109,19 +109,17 @@ def aligned(audio: bytes, words: list[list[str]], search: Search) -> Heard:
     decoder = _decoder(words, search)
     _listen(decoder, audio, len(words))
     heard = _placed(decoder, audio)
-    spoken = [each for each, _ in heard]
-    believed = [
-        each[0]
-        for each, by_a_pause in zip(spoken, _are_by_a_pause(spoken), strict=True)
-        if not _is_doubtful(each, by_a_pause=by_a_pause)
-    ]
-    return heard if len(believed) == len(heard) else _aligned_afresh(decoder, audio, believed)
+    by_a_pause = _are_by_a_pause([each for each, _ in heard])
+    doubtful = [_is_doubtful(each, by_a_pause=by) for (each, _), by in zip(heard, by_a_pause, strict=True)]
+    return _merged(heard, doubtful)
 
 
-def _score(heard: Heard) -> float:
-    """Of the words, a frame; the worst when there are none."""
-    words = [each for each, _ in heard if each[0] not in FILLERS]
-    return sum(score for _, _, _, score in words) / sum(frames for _, _, frames, _ in words) if words else -math.inf
+def _is_sure(heard: Heard) -> bool:
+    """Whether the words are heard, fit well, and none is stretched over what may be music."""
+    words = [(each, phones) for each, phones in heard if each[0] not in FILLERS]
+    fit = sum(score - SURE_SCORE * frames for (_, _, frames, score), _ in words)
+    longest = max((frames for _, phones in words for _, _, frames, _ in phones), default=0)
+    return bool(words) and fit >= 0 and longest <= LONGEST_SURE_FRAMES
 
 
 def _decoder(words: list[list[str]], search: Search) -> Decoder:
@@ -157,15 +155,6 @@ def _listen(decoder: Decoder, audio: bytes, count: int, *, more: bool = False) -
     _decode(decoder, audio)
 
 
-def _aligned_afresh(decoder: Decoder, audio: bytes, names: list[str]) -> Heard:
-    """The words and fillers of these names, whatever was heard before."""
-    if not names:
-        return []
-    decoder.set_align_text(" ".join(names))
-    _decode(decoder, audio)
-    return _placed(decoder, audio)
-
-
 def _placed(decoder: Decoder, audio: bytes) -> Heard:
     """What the decoder just heard, with its phones; nothing when it found no path, or one without words. A phone must
     be read while its word is there."""
@@ -195,8 +184,36 @@ def _is_doubtful(heard: Phone, *, by_a_pause: bool) -> bool:
 
 def _are_by_a_pause(heard: list[Phone]) -> list[bool]:
     """Whether there is a pause between each and a neighbour; the silence at the ends of the audio is none."""
-    pauses = [one[1] + one[2] < other[1] for one, other in pairwise(heard)]
+    pauses = [not _touch(one, other) for one, other in pairwise(heard)]
     return [any(beside) for beside in zip([False, *pauses], [*pauses, False], strict=True)][: len(heard)]
+
+
+def _merged(heard: Heard, doubtful: list[bool]) -> Heard:
+    """Without what is doubtful. Its frames go to the word before it, or else after it, if there is no pause between:
+    they are the end or the beginning of that word's sound."""
+    kept: Heard = []
+    left: Phone | None = None
+    for (each, phones), is_doubtful in zip(heard, doubtful, strict=True):
+        if is_doubtful and kept and _touch(kept[-1][0], each):
+            word, sounds = kept[-1]
+            kept[-1] = _joined(word, each), [*sounds[:-1], _joined(sounds[-1], each)]
+        elif is_doubtful:
+            left = each
+        elif left and _touch(left, each):
+            kept.append((_joined(each, left), [_joined(phones[0], left), *phones[1:]]))
+        else:
+            kept.append((each, phones))
+    return kept
+
+
+def _touch(one: Phone, other: Phone) -> bool:
+    return one[1] + one[2] == other[1]
+
+
+def _joined(phone: Phone, neighbour: Phone) -> Phone:
+    """A phone with the frames of its neighbour."""
+    name, first, frames, score = phone
+    return name, min(first, neighbour[1]), frames + neighbour[2], score + neighbour[3]
 
 
 def _decode(decoder: Decoder, audio: bytes) -> None:
