@@ -20,7 +20,6 @@ SAMPLE_RATE_HZ = 16_000
 FRAME_SHIFT_S = 0.010
 """One analysis frame every 10 ms: frame k is centred on k × 10 ms (paper §3.1.1, §3.1.2)."""
 
-
 EMPHASISED = 0.5
 """A word's emphasis above which it counts as emphasised."""
 
@@ -167,10 +166,8 @@ class Agitation:
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A unit of the parser: a transcript word or a part of one ("do" and "n't" both have the word of "don't").
-
-    `head` is the index of the governing token (its own index at a root); labels are Universal Dependencies'.
-    """
+    """A unit of the parser: a transcript word or a part of one ("do" and "n't" both have the word of "don't"). `head`
+    is the index of the governing token (its own index at a root); labels are Universal Dependencies'."""
 
     index: int
     word: int
@@ -213,10 +210,8 @@ class Parse:
 
 @dataclass(frozen=True, slots=True)
 class Utterance:
-    """All that is known of a line before its meaning is sought; `agitation` is None when nothing was heard.
-
-    `fillers` are in order of time, each between two words or at an end of the line.
-    """
+    """All that is known of a line before its meaning is sought; `agitation` is None when nothing was heard. `fillers`
+    are in order of time, each between two words or at an end of the line."""
 
     words: tuple[Word, ...]
     parse: Parse
@@ -269,10 +264,8 @@ class GivenFunction:
 
 @dataclass(frozen=True, slots=True)
 class Movement:
-    """A behaviour class that could show a function (paper §3.4), before clock and neighbours are asked.
-
-    `name` is an entry of the behaviour table.
-    """
+    """A behaviour class that could show a function (paper §3.4), before clock and neighbours are asked. `name` is an
+    entry of the behaviour table."""
 
     name: str
     first: int

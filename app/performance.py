@@ -358,7 +358,9 @@ def hear_words(
     timed = _timed(ears, heard.audio, transcript, timings)
     progress("stress")
     words, thresholds = stress(prominence(timed.words, heard.contours), heard.contours)
-    return replace(timed, words=with_emphasis(words, _measure(ears.settings))), thresholds
+    settings = ears.settings
+    measure = Measure(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
+    return replace(timed, words=with_emphasis(words, measure)), thresholds
 
 
 def refer(ears: Ears, recordings: Sequence[Heard]) -> SpeakerReference:
@@ -390,10 +392,6 @@ def _limits(settings: Settings) -> AudioLimits:
         max_sample_rate_hz=settings.max_sample_rate_hz,
         max_channels=settings.max_channels,
     )
-
-
-def _measure(settings: Settings) -> Measure:
-    return Measure(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
 
 
 def _certain(level: Level) -> Agitation:

@@ -41,6 +41,9 @@ class Search:
     densities: int
 
 
+ROUGH = Search(1e-60, 1)
+"""Enough to find pauses by."""
+
 NARROW = Search(1e-60, 2)
 WIDE = Search(1e-200, 2)
 """Nothing is pruned that noise makes unlikely for a while."""
@@ -81,7 +84,7 @@ def main(requests: BinaryIO, answers: BinaryIO) -> None:
 def answer_to(audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
     """The answer to a request."""
     if more:
-        spans = _spans(audio, words, NARROW)
+        spans = _spans(audio, words, ROUGH)
         return {"spans": _spans(audio, words, WIDE) or [] if spans is None else spans}
     heard = aligned(audio, words, NARROW)
     if not _is_sure(heard):
