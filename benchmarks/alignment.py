@@ -36,7 +36,7 @@ FLAGS = {"transcript_suspect", "alignment_low_confidence"}
 
 def main() -> None:
     """Prints the table."""
-    options = _options()
+    options = read_options(__doc__)
     sentences, count = read_sentences(options.timit)
     sentences = sentences[: options.sentences]
     total_s = sum(sentence.audio.duration_s for sentence in sentences)
@@ -136,8 +136,9 @@ def _words(text: str) -> tuple[Word, ...]:
     return read_transcript(text, max_characters=10_000)
 
 
-def _options() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def read_options(description: str | None) -> argparse.Namespace:
+    """The folders and how many sentences, from the command line."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--timit", type=Path, default=TIMIT)
     parser.add_argument("--ravdess", type=Path, default=RAVDESS)
     parser.add_argument("--sentences", type=int, default=None, help="only the first N")

@@ -7,7 +7,6 @@ RAVDESS. For each search: processor time of the decoder in multiples of the audi
 turn), and how many recordings and phones lie just where the widest search puts them. One core: set OMP_NUM_THREADS=1.
 """
 
-import argparse
 import time
 from collections.abc import Mapping
 from pathlib import Path
@@ -21,7 +20,7 @@ from app.acoustic.pieces import FRAMES_PER_S, pcm
 from app.acoustic.pronunciation import Pronouncer
 from app.model import FloatArray
 from app.transcript import read_transcript
-from benchmarks.alignment import RAVDESS, ROOT, TIMIT, read_acted
+from benchmarks.alignment import ROOT, read_acted, read_options
 from training.alignment.timit import read_sentences
 
 RAVDESS_STEP = 16
@@ -38,7 +37,7 @@ SEARCHES: Mapping[str, Search] = {
 
 def main() -> None:
     """Prints a row for each search."""
-    options = _options()
+    options = read_options(__doc__)
     clips = [read_acted(path) for path in sorted(options.ravdess.glob("*.flac"))[::RAVDESS_STEP]]
     sentences = read_sentences(options.timit)[0][::2][: options.sentences]
     recordings = [*((sentence.audio, sentence.text) for sentence in sentences), *clips]
@@ -88,14 +87,6 @@ def _moves_s(one: Heard, other: Heard) -> FloatArray:
         return np.full(len(starts[1]), np.inf)
     moves_s: FloatArray = np.abs(starts[0] - starts[1]) / FRAMES_PER_S
     return moves_s
-
-
-def _options() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--timit", type=Path, default=TIMIT)
-    parser.add_argument("--ravdess", type=Path, default=RAVDESS)
-    parser.add_argument("--sentences", type=int, default=None, help="only the first N")
-    return parser.parse_args()
 
 
 if __name__ == "__main__":
