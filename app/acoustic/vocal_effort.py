@@ -59,13 +59,15 @@ def _slopes(levels_db: SingleArray) -> FloatArray:
     filters = mel_filters(FRAME_SAMPLES, bands=MEL_BANDS, lowest_hz=MEL_MIN_HZ, highest_hz=SAMPLE_RATE_HZ / 2)
     centres_hz = filters @ np.fft.rfftfreq(FRAME_SAMPLES, 1 / SAMPLE_RATE_HZ) / filters.sum(axis=1)
 
-    def region(low_hz: float, high_hz: float) -> SingleArray:
-        return levels_db[:, (centres_hz >= low_hz) & (centres_hz < high_hz)]
+    def inside(low_hz: float, high_hz: float) -> Mask:
+        bands: Mask = (centres_hz >= low_hz) & (centres_hz < high_hz)
+        return bands
 
-    octaves = np.log2(centres_hz)
-    inside = [(centres_hz >= low_hz) & (centres_hz < high_hz) for low_hz, high_hz in _SLOPE_BANDS_HZ]
+    def region(low_hz: float, high_hz: float) -> SingleArray:
+        return levels_db[:, inside(low_hz, high_hz)]
+
     measures = [
-        *(_slope(levels_db[:, band], octaves[band]) for band in inside),
+        *(_slope(region(*band_hz), np.log2(centres_hz[inside(*band_hz)])) for band_hz in _SLOPE_BANDS_HZ),
         region(0, 2000).max(axis=1) - region(2000, 5000).max(axis=1),
         region(1000, 5000).mean(axis=1) - region(0, 1000).mean(axis=1),
         region(300, 1000).max(axis=1) - region(0, 300).max(axis=1),
