@@ -3,9 +3,13 @@
 Hann frames of 25 ms, each filtered by the inverse of its own linear predictor of order fs / 1000 + 2, overlap by half
 and add up. Where only the lower part of the spectrum is of use, the residual can have a lower rate than the signal: the
 upper part of each frame's spectrum is left out.
+
+Spectra are of single precision, prediction is of double: its filters cancel what is up to 60 dB louder than the rest.
+Few values of each transform are wanted or given, so two of the four are products with a matrix.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import fft
 
 from app.acoustic.frames import SingleArray, blocks_of_frames
@@ -15,10 +19,16 @@ _WINDOW = round(0.025 * SAMPLE_RATE_HZ)
 _HOP = _WINDOW // 2
 _FFT = 3 * _HOP
 _ORDER = SAMPLE_RATE_HZ // 1000 + 2
-_HANN = np.hanning(_WINDOW + 1)[:-1]
+_HANN = np.hanning(_WINDOW + 1)[:-1].astype(np.float32)
+
+_TURNS = np.exp(-2j * np.pi / _FFT * np.outer(np.arange(_ORDER + 1), np.arange(_FFT // 2 + 1)))
+"""What a delay of 0, 1, 2 … `_ORDER` samples does to each frequency (delays × frequencies)."""
+
+_CORRELATING = _TURNS.real.T * np.where(np.arange(_FFT // 2 + 1) % (_FFT // 2), 2, 1)[:, None] / _FFT
+"""From the power at each frequency to the autocorrelation at each delay (frequencies × delays)."""
 
 
-def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleArray:
+def prediction_residual(samples: FloatArray | SingleArray, *, decimation: int = 1) -> SingleArray:
     """The signal less what linear prediction foresees, one value for every `decimation` (1 or 2) of its samples."""
     count = 1 + -(-len(samples) // _HOP)
     hop = _HOP // decimation
@@ -30,13 +40,22 @@ def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleAr
     return total.ravel()[hop : hop - (-len(samples) // decimation)]
 
 
-def _inversely_filtered(frames: SingleArray, length: int) -> FloatArray:
+def _inversely_filtered(frames: SingleArray, length: int) -> SingleArray:
     """Each frame, windowed and filtered by its own prediction error filter, in so many samples (frames × length)."""
     spectra = fft.rfft(frames * _HANN, _FFT)
-    autocorrelation = fft.irfft(spectra.real**2 + spectra.imag**2, _FFT)[:, : _ORDER + 1]
-    spectra *= fft.rfft(_prediction_error_filters(autocorrelation.T).T, _FFT)
-    filtered: FloatArray = fft.irfft(spectra[:, : length // 2 + 1], length) * (length / _FFT)
+    filters = _prediction_error_filters((_power(spectra) @ _CORRELATING).T.copy())
+    kept = length // 2 + 1
+    responses = (filters.T @ _TURNS.view(np.float64)[:, : 2 * kept]).view(np.complex128)
+    responses *= spectra[:, :kept]
+    filtered: SingleArray = fft.irfft(responses.astype(np.complex64), length)
+    filtered *= length / _FFT
     return filtered
+
+
+def _power(spectra: NDArray[np.complex64]) -> FloatArray:
+    """The power at each frequency, in double precision."""
+    power = np.abs(spectra).astype(np.float64)
+    return np.square(power, out=power)
 
 
 def _prediction_error_filters(autocorrelation: FloatArray) -> FloatArray:
@@ -45,7 +64,8 @@ def _prediction_error_filters(autocorrelation: FloatArray) -> FloatArray:
     coefficients = np.zeros_like(autocorrelation)
     coefficients[0] = 1.0
     for order in range(1, len(autocorrelation)):
-        reflection = -np.sum(coefficients[:order] * autocorrelation[order:0:-1], axis=0) / error
+        reflection = np.sum(coefficients[:order] * autocorrelation[order:0:-1], axis=0)
+        reflection /= -error
         coefficients[1 : order + 1] += reflection * coefficients[order - 1 :: -1][:order]
-        error = error * (1 - reflection**2)
+        error *= 1 - reflection**2
     return coefficients
