@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.acoustic.decoding import AudioLimits, decode
-from app.acoustic.pitch import HIGHEST_F0_HZ, LOWEST_F0_HZ, PUBLISHED, TUNED, Tuning, track_f0
+from app.acoustic.harmonics import HIGHEST_F0_HZ, LOWEST_F0_HZ
+from app.acoustic.pitch import PUBLISHED, TUNED, Tuning, track_f0
 from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray
 
 SHARED = Path(__file__).resolve().parents[2] / "shared"
@@ -56,6 +57,11 @@ def test_any_voice_is_found_at_any_level(f0_hz: float, formant_hz: float, level:
 def test_a_formant_on_a_higher_harmonic_is_no_octave_error(f0_hz: float, harmonic: int) -> None:
     samples = voice(f0_hz, formants_hz=(harmonic * f0_hz, 2500))
     np.testing.assert_allclose(inner(track_f0(Audio(samples))), f0_hz, rtol=0.02)
+
+
+def test_a_range_without_triples_can_be_searched() -> None:
+    pulses = (np.arange(SAMPLE_RATE_HZ) % 640 == 0).astype(float)
+    assert (inner(track_f0(Audio(pulses))) < 60).all()  # 25 Hz and 50 Hz are as good
 
 
 def test_a_missing_fundamental_is_still_heard() -> None:

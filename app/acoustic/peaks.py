@@ -17,8 +17,10 @@ def is_peak(curves: FloatArray | SingleArray) -> NDArray[np.bool_]:
 
 def peak_offsets(curves: FloatArray | SingleArray, columns: NDArray[np.intp]) -> FloatArray:
     """How far beside its column, in columns (−½ to ½), the parabola through a peak and its neighbours is highest."""
-    beside = np.clip(columns + np.array([[[-1]], [[0]], [[1]]]), 0, curves.shape[1] - 1)
-    before, at, after = (np.take_along_axis(curves, each, axis=1).astype(np.float64) for each in beside)
+    width = curves.shape[1]
+    rows = width * np.arange(len(curves))[:, None]
+    beside = (np.maximum(columns - 1, 0), columns, np.minimum(columns + 1, width - 1))
+    before, at, after = (curves.take(rows + each).astype(np.float64) for each in beside)
     curvature = before - 2 * at + after
     bent = curvature < 0
     offsets = np.where(bent, (before - after) / np.where(bent, 2 * curvature, 1.0), 0.0)

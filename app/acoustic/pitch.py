@@ -1,9 +1,7 @@
 """The fundamental frequency of a voice, frame by frame: summation of residual harmonics (SRH).
 
 Inverse filtering by linear prediction takes the vocal tract off the signal (`app.acoustic.residual`); what remains of a
-voiced sound is a train of pulses, whose spectrum has even peaks at the multiples of f0. For each candidate f, SRH sums
-the amplitudes at its first harmonics and subtracts those half way between, so that neither the octave above nor the one
-below wins.
+voiced sound is a train of pulses, whose spectrum has even peaks at the multiples of f0 (`app.acoustic.harmonics`).
 Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing detection and pitch estimation based on residual
 harmonics" (Interspeech 2011).
 
@@ -19,37 +17,30 @@ measured together by `benchmarks.pitch`:
 - Where the voice moves fast, the window of 100 ms blurs; the period is sought again nearby in one of 40 ms.
 - Voicing is decided by more than the SRH (`app.acoustic.voicing`).
 - The second pass looks further down than an octave below the speaker's median, where sentences end in creaky voice.
-SRH is evaluated every 2 Hz on amplitudes of that spacing, linear in between; a parabola then finds the peak. `TUNED`
-looks at nothing above 3.5 kHz, so the residual is taken at half the rate: in 74 files of five corpora the same frames
-were voiced, and of 10,504 voiced ones a single f0 moved by more than 0.1 %.
+A parabola tells where between the candidates each peak is highest.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import fft
 
 from app.acoustic.best_path import best_path
-from app.acoustic.frames import BLOCK, SHIFT_SAMPLES, SingleArray, blocks_of_frames, frame_count
+from app.acoustic.frames import SingleArray, frame_count
+from app.acoustic.harmonics import BIN_HZ, CANDIDATES_HZ, LOWEST_F0_HZ, summed_harmonics
 from app.acoustic.peaks import is_peak, peak_offsets
 from app.acoustic.periodicity import WIDEST_BELOW_LOUD_DB, Levels, band_levels, band_power, periods_nearby
-from app.acoustic.residual import prediction_residual
 from app.acoustic.voicing import SRH_ALONE, WEIGHED, Voicing, measures, voiced_frames
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
-LOWEST_F0_HZ = 20
-HIGHEST_F0_HZ = 500
-HARMONICS = 5
 ODD_DIVISORS = (3, 5, 7)
 RANGE_THRESHOLD = 0.1
 """SRH above which a frame is trusted when the speaker's range is estimated from the first pass."""
 
 _CANDIDATES_PER_FRAME = 10
-_WINDOW_S = 0.100
-_BIN_HZ = 2
-_CANDIDATES_HZ = np.arange(LOWEST_F0_HZ, HIGHEST_F0_HZ + 1, _BIN_HZ, dtype=np.float64)
+
+_Halves = NDArray[np.float16]
+"""SRH is kept at half precision: of half an hour there are 43 million."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +93,7 @@ def track_f0(audio: Audio, tuning: Tuning = TUNED) -> FloatArray:
 
 def pitch_if_voiced(audio: Audio, tuning: Tuning = TUNED) -> tuple[FloatArray, FloatArray]:
     """The best f0 in Hz of every frame, voiced or not, and what speaks for its being voiced (`voicing.measures`)."""
-    candidates = _best_candidates(_summed_harmonics(audio.samples, tuning.unit_energy_band_hz), tuning)
+    candidates = _best_candidates(audio.samples, tuning)
     power = band_power(audio.samples)
     levels = band_levels(power)
     gains = candidates.merits * _frame_weights(levels, tuning.faintest_weight)[:, None]
@@ -115,84 +106,6 @@ def pitch_if_voiced(audio: Audio, tuning: Tuning = TUNED) -> tuple[FloatArray, F
 def _along(path: NDArray[np.intp], table: SingleArray) -> FloatArray:
     """The value of every frame in the column that the path takes there."""
     return np.take_along_axis(table, path[:, None], axis=1)[:, 0].astype(np.float64)
-
-
-def _summed_harmonics(samples: FloatArray, band_hz: int) -> SingleArray:
-    """SRH of every candidate in every frame (frames × candidates)."""
-    decimation = 1 if band_hz > SAMPLE_RATE_HZ // 4 else 2
-    residual = prediction_residual(samples, decimation=decimation)
-    rate_hz = SAMPLE_RATE_HZ // decimation
-    window = round(_WINDOW_S * rate_hz)
-    blackman = np.blackman(window + 1)[:-1].astype(np.float32)
-    strengths = np.empty((frame_count(len(samples)), len(_CANDIDATES_HZ)), dtype=np.float32)
-    blocks = blocks_of_frames(residual, window, len(strengths), shift=SHIFT_SAMPLES // decimation)
-    for block, frames in blocks:
-        amplitudes = np.abs(fft.rfft(frames * blackman, rate_hz // _BIN_HZ))
-        strengths[block] = _eq_3(_unit_spectra(amplitudes, band_hz))
-    return strengths
-
-
-def _unit_spectra(amplitudes: SingleArray, band_hz: int) -> SingleArray:
-    """Amplitudes at 0, 1, 2 … Hz, as far as the harmonics need them, from those every 2 Hz; the energy up to `band_hz`
-    is brought to one."""
-    band = amplitudes[:, : band_hz // _BIN_HZ]
-    energy = np.einsum("ij,ij->i", band, band) * _BIN_HZ * (SAMPLE_RATE_HZ / 2 / band_hz)
-    amplitudes = amplitudes[:, : HARMONICS * HIGHEST_F0_HZ // _BIN_HZ + 1]
-    amplitudes = amplitudes / np.sqrt(np.maximum(energy, np.finfo(np.float32).tiny))[:, None]
-    spectra = np.empty((len(amplitudes), 2 * amplitudes.shape[1] - 1), dtype=np.float32)
-    spectra[:, ::2] = amplitudes
-    spectra[:, 1::2] = (amplitudes[:, 1:] + amplitudes[:, :-1]) / 2
-    return spectra
-
-
-def _eq_3(spectra: SingleArray) -> SingleArray:
-    """E(f) + Σ E(k f) − E((k − ½) f), k = 2 … `HARMONICS`, for every candidate f; spectra have a value every Hz."""
-    low, high = LOWEST_F0_HZ, HIGHEST_F0_HZ
-    total = spectra[:, low : high + 1 : _BIN_HZ].copy()
-    for k in range(2, HARMONICS + 1):
-        total += spectra[:, k * low : k * high + 1 : k * _BIN_HZ]
-        total -= spectra[:, k * low - low // 2 : k * high - high // 2 + 1 : (2 * k - 1) * _BIN_HZ // 2]
-    return total
-
-
-def _merits(strengths: SingleArray, submultiple_share: float) -> SingleArray:
-    """What the search goes by: the SRH less a share of the greatest at an odd submultiple, if there is one."""
-    if not submultiple_share:
-        return strengths
-    greatest = np.zeros_like(strengths)
-    for first, below, share in _SUBMULTIPLES:
-        interpolated = (1 - share) * strengths[:, below] + share * strengths[:, below + 1]
-        np.maximum(greatest[:, first:], interpolated, out=greatest[:, first:])
-    return strengths - np.float32(submultiple_share) * greatest
-
-
-def _submultiples(divisor: int) -> tuple[int, NDArray[np.intp], SingleArray]:
-    """The first candidate f for which f / divisor is one; of all from there, the candidate below f / divisor and how
-    far from it to the next that is."""
-    places = (_CANDIDATES_HZ / divisor - LOWEST_F0_HZ) / _BIN_HZ
-    first = int(np.argmax(places >= 0))
-    below = np.floor(places[first:]).astype(np.intp)
-    return first, below, (places[first:] - below).astype(np.float32)
-
-
-_SUBMULTIPLES = tuple(map(_submultiples, ODD_DIVISORS))
-
-
-def _speaker_range(strengths: SingleArray, tuning: Tuning) -> slice:
-    """The candidates of the second pass; all when the first finds no voice."""
-    best, merit = np.empty((2, len(strengths)))
-    for block in _blocks(strengths):
-        merits = _merits(strengths[block], tuning.submultiple_share)
-        best[block], merit[block] = np.argmax(merits, axis=1), np.max(merits, axis=1)
-    trusted_hz = _CANDIDATES_HZ[best[merit > RANGE_THRESHOLD].astype(np.intp)]
-    if not len(trusted_hz):
-        return slice(None)
-    first, last = np.searchsorted(_CANDIDATES_HZ, np.median(trusted_hz) * np.array(tuning.speaker_range))
-    return slice(int(first), int(last) + 1)
-
-
-def _blocks(strengths: SingleArray) -> Iterator[slice]:
-    yield from (slice(start, start + BLOCK) for start in range(0, len(strengths), BLOCK))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -211,20 +124,64 @@ class _Candidates:
     srh: SingleArray
 
 
-def _best_candidates(strengths: SingleArray, tuning: Tuning) -> _Candidates:
-    """The greatest local maxima in the speaker's range."""
-    searched = _speaker_range(strengths, tuning)
-    found = _Candidates(*np.empty((4, len(strengths), _CANDIDATES_PER_FRAME), dtype=np.float32))
-    for block in _blocks(strengths):
-        merits = _merits(strengths[block], tuning.submultiple_share)
-        peaks = np.where(is_peak(merits[:, searched]), merits[:, searched], -np.inf)
+def _best_candidates(samples: FloatArray | SingleArray, tuning: Tuning) -> _Candidates:
+    """The greatest local maxima in the speaker's range, the ends of which count as maxima where SRH rises to them."""
+    blocks, searched = _first_pass(samples, tuning)
+    found = _Candidates(*np.empty((4, frame_count(len(samples)), _CANDIDATES_PER_FRAME), dtype=np.float32))
+    for block, halves in blocks:
+        strengths = halves[: searched.stop + 1].astype(np.float32)
+        merits = _merits(strengths, tuning.submultiple_share).T.copy()
+        peaks = np.where(is_peak(merits[:, searched]), merits[:, searched], np.float32(-np.inf))
         best = np.argpartition(-peaks, _CANDIDATES_PER_FRAME, axis=1)[:, :_CANDIDATES_PER_FRAME]
-        columns = best + (searched.start or 0)
+        columns = best + searched.start
         found.merits[block] = np.take_along_axis(peaks, best, axis=1)
-        found.octaves[block] = np.log2(_CANDIDATES_HZ[columns])
-        found.f0_hz[block] = _CANDIDATES_HZ[columns] + _BIN_HZ * peak_offsets(merits, columns)
-        found.srh[block] = np.take_along_axis(strengths[block], columns, axis=1)
+        found.octaves[block] = np.log2(CANDIDATES_HZ)[columns]
+        found.f0_hz[block] = CANDIDATES_HZ[columns] + BIN_HZ * peak_offsets(merits, columns)
+        found.srh[block] = np.take_along_axis(strengths, columns.T, axis=0).T
     return found
+
+
+def _first_pass(samples: FloatArray | SingleArray, tuning: Tuning) -> tuple[list[tuple[slice, _Halves]], slice]:
+    """The SRH of each block of frames (candidates × frames), and the candidates in the speaker's range: all of them
+    where no frame is to be trusted."""
+    blocks, trusted = [], []
+    for block, strengths in summed_harmonics(samples, tuning.unit_energy_band_hz):
+        merits = _merits(strengths, tuning.submultiple_share)
+        trusted.append(merits.argmax(axis=0)[merits.max(axis=0) > RANGE_THRESHOLD])
+        blocks.append((block, strengths.astype(np.float16)))
+    trusted_hz = CANDIDATES_HZ[np.concatenate(trusted)]
+    if not len(trusted_hz):
+        return blocks, slice(0, len(CANDIDATES_HZ))
+    first, last = np.searchsorted(CANDIDATES_HZ, np.median(trusted_hz) * np.array(tuning.speaker_range))
+    return blocks, slice(int(first), min(int(last) + 1, len(CANDIDATES_HZ)))
+
+
+def _merits(strengths: SingleArray, submultiple_share: float) -> SingleArray:
+    """What the search goes by, of the first so many candidates (candidates × frames): the SRH less a share of the
+    greatest at an odd submultiple, if there is one."""
+    if not submultiple_share:
+        return strengths
+    merits = np.zeros_like(strengths)
+    for first, below, share in _SUBMULTIPLES:
+        count = max(len(strengths) - first, 0)
+        interpolated = strengths[below[:count]] * (1 - share[:count])
+        interpolated += strengths[below[:count] + 1] * share[:count]
+        np.maximum(merits[first:], interpolated, out=merits[first:])
+    merits *= np.float32(-submultiple_share)
+    merits += strengths
+    return merits
+
+
+def _submultiples(divisor: int) -> tuple[int, NDArray[np.intp], SingleArray]:
+    """The first candidate f for which f / divisor is one; of all from there, the candidate below f / divisor and how
+    far from it to the next that is (candidates × 1)."""
+    places = (CANDIDATES_HZ / divisor - LOWEST_F0_HZ) / BIN_HZ
+    first = int(np.argmax(places >= 0))
+    below = np.floor(places[first:]).astype(np.intp)
+    return first, below, (places[first:] - below).astype(np.float32)[:, None]
+
+
+_SUBMULTIPLES = tuple(map(_submultiples, ODD_DIVISORS))
 
 
 def _frame_weights(levels: Levels, faintest: float) -> FloatArray:
