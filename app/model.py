@@ -12,7 +12,8 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+FloatArray = NDArray[np.floating]
+SingleArray = NDArray[np.float32]
 
 SAMPLE_RATE_HZ = 16_000
 """The rate at which every signal travels between the stages."""
@@ -135,11 +136,13 @@ class Filler:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Contours:
-    """Frame-wise measures, one row a frame (`FRAME_SHIFT_S`): energy in dB, f0 in Hz (0 where unvoiced), 12 MFCC."""
+    """Frame-wise measures, one row a frame (`FRAME_SHIFT_S`): energy in dB, f0 in Hz (0 where unvoiced), 12 MFCC, and
+    the levels in dB of the Mel bands that those are made of."""
 
     energy_db: FloatArray
     f0_hz: FloatArray
     mfcc: FloatArray
+    mel_db: SingleArray
 
 
 @dataclass(frozen=True, slots=True)

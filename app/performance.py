@@ -14,12 +14,11 @@ from typing import Self
 from app.acoustic.agitation import AgitationModel
 from app.acoustic.alignment import Aligner, Alignment
 from app.acoustic.background import doubts
+from app.acoustic.contours import contours_of
 from app.acoustic.decoding import AudioLimits, decode
 from app.acoustic.emphasis import Measure, with_emphasis
-from app.acoustic.pitch import track_f0
 from app.acoustic.prominence import prominence
 from app.acoustic.speaker import SpeakerReference
-from app.acoustic.spectrum import energy_db, mfcc
 from app.acoustic.stress import stress
 from app.acoustic.timings import read_timings, to_ctm, to_textgrid
 from app.bml.characters import Characters
@@ -340,7 +339,7 @@ def hear(ears: Ears, audio: bytes, progress: Progress = unheard, *, reference: S
     progress("decode")
     signal, notices = decode(audio, _limits(ears.settings))
     progress("contours")
-    contours = Contours(energy_db=energy_db(signal), f0_hz=track_f0(signal), mfcc=mfcc(signal))
+    contours = contours_of(signal)
     progress("agitation")
     agitation = ears.agitation.agitation(signal, contours, reference)
     return Heard(signal, contours, agitation, notices + doubts(contours.energy_db))

@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from app.acoustic.agitation import AgitationModel
 from app.acoustic.speaker import SpeakerReference
-from app.acoustic.spectrum import mfcc
+from app.acoustic.spectrum import mel_db, mfcc
 from app.acoustic.utterance_features import FEATURE_SETS, paper_features
 from app.model import Audio, Contours, FloatArray
 from training.agitation.choosing import choose
@@ -58,8 +58,8 @@ PAPER_CHANGES: Mapping[str, Callable[[Audio, Contours], Contours]] = {
     "as shipped": lambda _audio, contours: contours,
     "all frames (the paper's)": lambda _audio, contours: replace(contours, energy_db=0 * contours.energy_db),
     "frames within 30 dB": lambda _audio, contours: replace(contours, energy_db=contours.energy_db * 20 / 30),
-    "bands down to 80 dB": lambda audio, contours: replace(contours, mfcc=mfcc(audio, range_db=80.0)),
-    "bands from 0 Hz": lambda audio, contours: replace(contours, mfcc=mfcc(audio, min_hz=0.0)),
+    "bands down to 80 dB": lambda _audio, contours: replace(contours, mfcc=mfcc(contours.mel_db, range_db=80.0)),
+    "bands from 0 Hz": lambda audio, contours: replace(contours, mfcc=mfcc(mel_db(audio, min_hz=0.0))),
 }
 """Frames within 20 dB of the loudest count, so that scaling the energy moves the border."""
 

@@ -24,13 +24,14 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import mannwhitneyu, spearmanr
 
+from app.acoustic.contours import contours_of
 from app.acoustic.emphasis import PROMINENT
 from app.acoustic.prominence import cues, log_odds, prominence
 from app.acoustic.stress import stress
 from app.model import Contours, FloatArray, Interval, Phone, Word
 from training.alignment.timit import Sentence, read_sentences
 from training.emodb import JudgedSentence, read_judged
-from training.prominence import SPEECH, STRESSED, contours_of, fit, regression, threshold
+from training.prominence import SPEECH, STRESSED, fit, regression, threshold
 
 FUNCTION_WORDS = frozenset(
     re.findall(

@@ -23,7 +23,7 @@ def moved(lips: np.ndarray, *weights: tuple[str, float]) -> FloatArray:
 def along_the_line(below: bool) -> np.ndarray:
     """The middle of the upper or lower lip, at the line between them."""
     near = (np.abs(LIPS.points_m[:, 0]) < 0.010) & (np.abs(LIPS.points_m[:, 1] - MOUTH_Y_M) < 0.004)
-    return near & (LIPS.below > 0.9 if below else LIPS.below < 0.1)
+    return np.asarray(near & (LIPS.below > 0.9 if below else LIPS.below < 0.1))
 
 
 UPPER, LOWER = along_the_line(below=False), along_the_line(below=True)

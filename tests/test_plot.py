@@ -23,7 +23,12 @@ SAID = replace(utterance(WORDS, Level.LOW), thresholds=StressThresholds(-5.0, 15
 def heard(duration_s: float = DURATION_S, f0_hz: float = 120.0) -> Heard:
     frames = 1 + round(100 * duration_s)
     voiced = np.arange(frames) % 20 < 12
-    contours = Contours(np.linspace(-60, 5, frames), np.where(voiced, f0_hz, 0.0), np.zeros((frames, 12)))
+    contours = Contours(
+        np.linspace(-60, 5, frames),
+        np.where(voiced, f0_hz, 0.0),
+        np.zeros((frames, 12)),
+        np.zeros((frames, 40), np.float32),
+    )
     samples: FloatArray = 0.5 * np.sin(np.arange(round(16_000 * duration_s)) / 20)
     return Heard(Audio(samples), contours, Agitation(0.2, 0.5, 0.3), ())
 

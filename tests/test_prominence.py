@@ -14,7 +14,12 @@ LEVEL_HZ = np.full(400, 120.0)
 def contours(f0_hz: FloatArray = LEVEL_HZ, energy_db: FloatArray | None = None) -> Contours:
     """Of even loudness where not said otherwise."""
     count = len(f0_hz)
-    return Contours(np.full(count, -20.0) if energy_db is None else energy_db, f0_hz, np.zeros((count, 12)))
+    return Contours(
+        np.full(count, -20.0) if energy_db is None else energy_db,
+        f0_hz,
+        np.zeros((count, 12)),
+        np.zeros((count, 40), np.float32),
+    )
 
 
 def word(index: int, start_s: float, *phones: tuple[str, float]) -> Word:

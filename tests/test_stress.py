@@ -19,6 +19,7 @@ def contours(energy_db: FloatArray | None = None, f0_hz: FloatArray | None = Non
         energy_db=flat if energy_db is None else energy_db,
         f0_hz=flat if f0_hz is None else f0_hz,
         mfcc=np.zeros((count, 12)),
+        mel_db=np.zeros((count, 40), np.float32),
     )
 
 

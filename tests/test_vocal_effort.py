@@ -1,5 +1,7 @@
 """What tells of vocal effort: a brighter voice, a restless one, one whose timbre follows its loudness."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -28,7 +30,7 @@ def effort(audio: Audio) -> FloatArray:
 def effort_of(audio: Audio, heard: Contours) -> FloatArray:
     quality = voice_quality(audio, heard.f0_hz)
     spoken, active = (heard.energy_db >= heard.energy_db.max() - range_db for range_db in (30, 20))
-    return effort_features(audio, heard, quality, spoken=spoken, active=active)
+    return effort_features(heard, quality, spoken=spoken, active=active)
 
 
 def test_a_brighter_voice_has_more_above_1_khz() -> None:
@@ -67,5 +69,5 @@ def test_neither_level_nor_length_matters() -> None:
 def test_without_a_voice_only_what_needs_none_is_known() -> None:
     whisper = Audio(np.random.default_rng(0).normal(0, 0.05, SAMPLE_RATE_HZ))
     heard = listen(whisper)
-    features = effort_of(whisper, Contours(heard.energy_db, np.zeros(101), heard.mfcc))
+    features = effort_of(whisper, replace(heard, f0_hz=np.zeros(101)))
     assert np.isnan(features).tolist() == [True] * 12 + [False] * 2 + [True] * 18 + [False] * 34

@@ -14,10 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 from sklearn.linear_model import LogisticRegression
 
-from app.acoustic.pitch import track_f0
+from app.acoustic.contours import contours_of
 from app.acoustic.prominence import cues, log_odds
-from app.acoustic.spectrum import energy_db, mfcc
-from app.model import Audio, Contours, FloatArray
+from app.model import FloatArray
 from training.emodb import read_judged
 
 SPEECH = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech"
@@ -35,10 +34,6 @@ def main() -> None:
     scores = np.concatenate([log_odds(each, weights, bias) for each in seen])
     print("weights", *(f"{weight:.2f}" for weight in weights), "bias", f"{bias:.2f}")
     print("threshold", f"{threshold(1 / (1 + np.exp(-scores)), np.concatenate(stresses)):.2f}")
-
-
-def contours_of(audio: Audio) -> Contours:
-    return Contours(energy_db=energy_db(audio), f0_hz=track_f0(audio), mfcc=mfcc(audio))
 
 
 def fit(cues_seen: Sequence[FloatArray], stresses: Sequence[Sequence[float]]) -> tuple[FloatArray, float]:

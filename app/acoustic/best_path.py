@@ -3,13 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.acoustic.frames import SingleArray
 from app.model import FloatArray
 
 _BLOCK = 256
 
 
-def best_path(gains: FloatArray, positions: FloatArray | SingleArray, price: float) -> NDArray[np.intp]:
+def best_path(gains: FloatArray, positions: FloatArray, price: float) -> NDArray[np.intp]:
     """Which column of `gains` (frames × columns) to take in each frame; the first of equals.
 
     A step between neighbouring frames costs `price` times the distance of the columns' `positions` (frames × columns),
@@ -29,6 +28,6 @@ def best_path(gains: FloatArray, positions: FloatArray | SingleArray, price: flo
     return path
 
 
-def _step_costs(positions: FloatArray | SingleArray, price: float) -> FloatArray | SingleArray:
+def _step_costs(positions: FloatArray, price: float) -> FloatArray:
     """What each step costs, from column i in frame t to j in t + 1 (frames - 1 × j × i)."""
     return price * np.minimum(np.abs(positions[1:, :, None] - positions[:-1, None, :]), 1.0)

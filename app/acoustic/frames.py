@@ -9,15 +9,12 @@ from collections.abc import Iterator
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from numpy.typing import NDArray
 
-from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray
+from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray, SingleArray
 
 SHIFT_SAMPLES = round(FRAME_SHIFT_S * SAMPLE_RATE_HZ)
 BLOCK = 64
 """Frames in a block."""
-
-SingleArray = NDArray[np.float32]
 
 
 def frame_count(samples: int) -> int:
@@ -26,7 +23,7 @@ def frame_count(samples: int) -> int:
 
 
 def blocks_of_frames(
-    signal: FloatArray | SingleArray, length: int, count: int, *, shift: int = SHIFT_SAMPLES
+    signal: FloatArray, length: int, count: int, *, shift: int = SHIFT_SAMPLES
 ) -> Iterator[tuple[slice, SingleArray]]:
     """The first `count` frames of `length` samples (an even number), each `shift` after the one before.
 
@@ -38,7 +35,7 @@ def blocks_of_frames(
         yield slice(first, end), sliding_window_view(stretch, length)[::shift]
 
 
-def excerpt(signal: FloatArray | SingleArray, first: int, end: int) -> SingleArray:
+def excerpt(signal: FloatArray, first: int, end: int) -> SingleArray:
     """The samples from `first` up to `end`, either of which may lie outside the signal."""
     stretch = np.zeros(end - first, dtype=np.float32)
     inside = signal[max(first, 0) : max(end, 0)]

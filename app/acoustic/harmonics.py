@@ -14,9 +14,9 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import fft
 
-from app.acoustic.frames import SHIFT_SAMPLES, SingleArray, blocks_of_frames, frame_count
+from app.acoustic.frames import SHIFT_SAMPLES, blocks_of_frames, frame_count
 from app.acoustic.residual import prediction_residual
-from app.model import SAMPLE_RATE_HZ, FloatArray
+from app.model import SAMPLE_RATE_HZ, FloatArray, SingleArray
 
 LOWEST_F0_HZ = 20
 HIGHEST_F0_HZ = 500
@@ -30,7 +30,7 @@ _AT_ONCE = 16
 """Frames transformed together: so few that their spectra fit into the processor's cache."""
 
 
-def summed_harmonics(samples: FloatArray | SingleArray, band_hz: int) -> Iterator[tuple[slice, SingleArray]]:
+def summed_harmonics(samples: FloatArray, band_hz: int) -> Iterator[tuple[slice, SingleArray]]:
     """Block by block which frames they are, and the SRH of each candidate in them (candidates × frames).
 
     The energy from 0 Hz to `band_hz`, at least that of the highest harmonic, is brought to one in each frame.

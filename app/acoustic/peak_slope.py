@@ -12,8 +12,8 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import fft
 
-from app.acoustic.frames import SHIFT_SAMPLES, SingleArray, blocks_of_frames, frame_count
-from app.model import FloatArray
+from app.acoustic.frames import SHIFT_SAMPLES, blocks_of_frames, frame_count
+from app.model import FloatArray, SingleArray
 
 LEAST_RANGE = 1e-5
 """Magnitude, relative to the greatest, below which nothing is told apart (100 dB), so that silence has a slope too."""

@@ -3,11 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.acoustic.frames import SingleArray
 from app.model import FloatArray
 
 
-def is_peak(curves: FloatArray | SingleArray) -> NDArray[np.bool_]:
+def is_peak(curves: FloatArray) -> NDArray[np.bool_]:
     """Whether each value is no less than the ones beside it."""
     peak = np.ones(curves.shape, dtype=np.bool_)
     peak[:, 1:] &= curves[:, 1:] >= curves[:, :-1]
@@ -15,7 +14,7 @@ def is_peak(curves: FloatArray | SingleArray) -> NDArray[np.bool_]:
     return peak
 
 
-def peak_offsets(curves: FloatArray | SingleArray, columns: NDArray[np.intp]) -> FloatArray:
+def peak_offsets(curves: FloatArray, columns: NDArray[np.intp]) -> FloatArray:
     """How far beside its column, in columns (−½ to ½), the parabola through a peak and its neighbours is highest."""
     width = curves.shape[1]
     rows = width * np.arange(len(curves))[:, None]

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import fft
 
-from app.acoustic.frames import BLOCK, SingleArray, blocks_of_frames, frame_count
+from app.acoustic.frames import BLOCK, blocks_of_frames, frame_count
 from app.acoustic.peaks import peak_offsets
-from app.model import SAMPLE_RATE_HZ, FloatArray
+from app.model import SAMPLE_RATE_HZ, FloatArray, SingleArray
 
 LOWEST_HZ, HIGHEST_HZ = 60, 1000
 """The band: rumble lies below it, hiss above."""

@@ -26,12 +26,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.acoustic.best_path import best_path
-from app.acoustic.frames import SingleArray, frame_count
+from app.acoustic.frames import frame_count
 from app.acoustic.harmonics import BIN_HZ, CANDIDATES_HZ, LOWEST_F0_HZ, summed_harmonics
 from app.acoustic.peaks import is_peak, peak_offsets
 from app.acoustic.periodicity import WIDEST_BELOW_LOUD_DB, Levels, band_levels, band_power, periods_nearby
 from app.acoustic.voicing import SRH_ALONE, WEIGHED, Voicing, measures, voiced_frames
-from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
 
 ODD_DIVISORS = (3, 5, 7)
 RANGE_THRESHOLD = 0.1
@@ -124,7 +124,7 @@ class _Candidates:
     srh: SingleArray
 
 
-def _best_candidates(samples: FloatArray | SingleArray, tuning: Tuning) -> _Candidates:
+def _best_candidates(samples: FloatArray, tuning: Tuning) -> _Candidates:
     """The greatest local maxima in the speaker's range, the ends of which count as maxima where SRH rises to them."""
     blocks, searched = _first_pass(samples, tuning)
     found = _Candidates(*np.empty((4, frame_count(len(samples)), _CANDIDATES_PER_FRAME), dtype=np.float32))
@@ -141,7 +141,7 @@ def _best_candidates(samples: FloatArray | SingleArray, tuning: Tuning) -> _Cand
     return found
 
 
-def _first_pass(samples: FloatArray | SingleArray, tuning: Tuning) -> tuple[list[tuple[slice, _Halves]], slice]:
+def _first_pass(samples: FloatArray, tuning: Tuning) -> tuple[list[tuple[slice, _Halves]], slice]:
     """The SRH of each block of frames (candidates × frames), and the candidates in the speaker's range: all of them
     where no frame is to be trusted."""
     blocks, trusted = [], []

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
-from app.acoustic.frames import SingleArray, blocks_of_frames
-from app.model import SAMPLE_RATE_HZ, FloatArray
+from app.acoustic.frames import blocks_of_frames
+from app.model import SAMPLE_RATE_HZ, FloatArray, SingleArray
 
 _WINDOW = round(0.025 * SAMPLE_RATE_HZ)
 _HOP = _WINDOW // 2
@@ -28,7 +28,7 @@ _CORRELATING = _TURNS.real.T * np.where(np.arange(_FFT // 2 + 1) % (_FFT // 2), 
 """From the power at each frequency to the autocorrelation at each delay (frequencies × delays)."""
 
 
-def prediction_residual(samples: FloatArray | SingleArray, *, decimation: int = 1) -> SingleArray:
+def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleArray:
     """The signal less what linear prediction foresees, one value for every `decimation` (1 or 2) of its samples."""
     count = 1 + -(-len(samples) // _HOP)
     hop = _HOP // decimation

@@ -6,11 +6,10 @@ squared, so that energy is 0 dB where the windowed samples' squares sum to 1.
 
 import numpy as np
 from scipy import fft
-from scipy.sparse import csr_array
 
-from app.acoustic.frames import SingleArray, blocks_of_frames, frame_count
+from app.acoustic.frames import blocks_of_frames, frame_count
 from app.acoustic.mel import mel_filters
-from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
 
 FRAME_SAMPLES = round(0.032 * SAMPLE_RATE_HZ)
 ENERGY_FLOOR_DB = -100.0
@@ -44,16 +43,14 @@ def energy_db(audio: Audio) -> FloatArray:
     return decibels
 
 
-def mfcc(audio: Audio, *, min_hz: float = MEL_MIN_HZ, range_db: float = MEL_RANGE_DB) -> FloatArray:
-    """Mel frequency cepstral coefficients 1 to 12 of Hann-windowed frames; shape (frames, 12) (paper §3.1.1).
+def mfcc(levels_db: SingleArray, *, range_db: float = MEL_RANGE_DB) -> FloatArray:
+    """Mel frequency cepstral coefficients 1 to 12 of a signal with these Mel levels; shape (frames, 12) (paper §3.1.1).
 
     The paper does not say which 12. We leave out coefficient 0, the mean level in dB, since it tells how the recording
     was set up rather than how the voice sounds. Scaling the signal changes nothing: faint bands are floored relative to
     the loudest (`python -m benchmarks.agitation --ablation` shows what floor and lower edge are worth).
     """
-    levels_db = mel_db(audio, min_hz=min_hz)
-    np.maximum(levels_db, levels_db.max() - range_db, out=levels_db)
-    cepstrum = fft.dct(levels_db, norm="ortho", overwrite_x=True)
+    cepstrum = fft.dct(np.maximum(levels_db, levels_db.max() - range_db), norm="ortho", overwrite_x=True)
     coefficients: FloatArray = cepstrum[:, 1 : 1 + COEFFICIENTS].astype(np.float64)
     return coefficients
 
@@ -61,9 +58,9 @@ def mfcc(audio: Audio, *, min_hz: float = MEL_MIN_HZ, range_db: float = MEL_RANG
 def mel_db(audio: Audio, *, min_hz: float = MEL_MIN_HZ) -> SingleArray:
     """Level of each Mel band of Hann-windowed frames; shape (frames, `MEL_BANDS`)."""
     filters = mel_filters(FRAME_SAMPLES, bands=MEL_BANDS, lowest_hz=min_hz, highest_hz=SAMPLE_RATE_HZ / 2)
-    bands = csr_array(filters.astype(np.float32))  # hardly anything of them is not 0
+    bands = filters.T.astype(np.float32)
     levels_db = np.empty((frame_count(len(audio.samples)), MEL_BANDS), dtype=np.float32)
     for block, frames in blocks_of_frames(audio.samples, FRAME_SAMPLES, len(levels_db)):
         power = np.square(np.abs(fft.rfft(frames * _HANN)))
-        levels_db[block] = 10 * np.log10(np.maximum((bands @ power.T).T, _LEAST_POWER))
+        levels_db[block] = 10 * np.log10(np.maximum(power @ bands, _LEAST_POWER))
     return levels_db

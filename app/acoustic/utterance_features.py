@@ -49,7 +49,6 @@ def full_features(audio: Audio, contours: Contours) -> FloatArray:
         _energy_and_tempo(contours),
         _of_the_voice(contours, quality),
         effort_features(
-            audio,
             contours,
             quality,
             spoken=_within(contours.energy_db, SPOKEN_RANGE_DB),

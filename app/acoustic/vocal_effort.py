@@ -9,11 +9,10 @@ Levels are dB, pitch octaves, frames 10 ms apart as all contours are. NaN where 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.acoustic.frames import SingleArray
 from app.acoustic.mel import mel_filters
-from app.acoustic.spectrum import FRAME_SAMPLES, MEL_BANDS, MEL_MIN_HZ, mel_db
+from app.acoustic.spectrum import FRAME_SAMPLES, MEL_BANDS, MEL_MIN_HZ
 from app.acoustic.voice_quality import VoiceQuality
-from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray
+from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Contours, FloatArray, SingleArray
 
 Mask = NDArray[np.bool_]
 
@@ -29,16 +28,13 @@ _SPECTRUM_BANDS = 10
 _LEAST_SHARE = 1e-7
 
 
-def effort_features(
-    audio: Audio, contours: Contours, quality: VoiceQuality, *, spoken: Mask, active: Mask
-) -> FloatArray:
+def effort_features(contours: Contours, quality: VoiceQuality, *, spoken: Mask, active: Mask) -> FloatArray:
     """What tells of vocal effort; shape (66,).
 
     Spectral slopes 12, flux 2, pitch's course 7, what goes with loudness 11, quartiles of MFCC 24, spectrum 10.
     `spoken` and the louder `active` (frames,) tell which frames are speech.
     """
-    levels_db = mel_db(audio)
-    np.maximum(levels_db, levels_db.max() - MEL_RANGE_DB, out=levels_db)
+    levels_db = np.maximum(contours.mel_db, contours.mel_db.max() - MEL_RANGE_DB)
     voiced = spoken & (contours.f0_hz > 0)
     flux = _flux(levels_db, active)
     always = np.concatenate([_quartiles(contours.mfcc[active]), _spectrum(levels_db[spoken])])

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import fft
 
-from app.acoustic.frames import SingleArray, blocks_of_frames
+from app.acoustic.frames import blocks_of_frames
 from app.acoustic.peak_slope import peak_slope
-from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
 
 LEAST_RANGE = 1e-10
 """Power, relative to the loudest, below which nothing is told apart (100 dB), so that silence has a spectrum too."""

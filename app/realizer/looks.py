@@ -48,7 +48,7 @@ TRUNK_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.25, "LOOK": 0.12
 AT_EASE = np.radians([18.0, 24.0])
 """How far eyes turn up or down and to the side before the head helps them."""
 
-_NOWHERE = np.zeros(3)
+_NOWHERE: FloatArray = np.zeros(3)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

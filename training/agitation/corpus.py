@@ -17,8 +17,7 @@ import numpy as np
 import soundfile
 from numpy.typing import NDArray
 
-from app.acoustic.pitch import track_f0
-from app.acoustic.spectrum import energy_db, mfcc
+from app.acoustic.contours import contours_of
 from app.acoustic.utterance_features import FEATURE_SETS
 from app.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray, Level
 from training.agitation.degradations import Degradation
@@ -115,7 +114,7 @@ def _features(task: tuple[Path, Degradation]) -> dict[str, FloatArray]:
 
 def listen(audio: Audio) -> Contours:
     """The contours as `app.performance` makes them."""
-    return Contours(energy_db=energy_db(audio), f0_hz=track_f0(audio), mfcc=mfcc(audio))
+    return contours_of(audio)
 
 
 def read_audio(path: Path) -> Audio:

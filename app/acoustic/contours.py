@@ -1,0 +1,11 @@
+"""What is measured of a signal frame by frame, before anything is judged by it."""
+
+from app.acoustic.pitch import track_f0
+from app.acoustic.spectrum import energy_db, mel_db, mfcc
+from app.model import Audio, Contours
+
+
+def contours_of(audio: Audio) -> Contours:
+    """The contours of `audio` (paper §3.1.1 to §3.1.3)."""
+    levels_db = mel_db(audio)
+    return Contours(energy_db=energy_db(audio), f0_hz=track_f0(audio), mfcc=mfcc(levels_db), mel_db=levels_db)
