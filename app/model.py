@@ -13,6 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.floating]
+"""Of any precision."""
+
 SingleArray = NDArray[np.float32]
 
 SAMPLE_RATE_HZ = 16_000
@@ -85,7 +87,8 @@ class Notice:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Audio:
-    """One mono signal at `SAMPLE_RATE_HZ`; samples are floats, full scale is ±1."""
+    """One mono signal at `SAMPLE_RATE_HZ`; samples are floats, full scale is ±1. What is decoded is single precision,
+    as fine as a recording of 24 bits."""
 
     samples: FloatArray
 

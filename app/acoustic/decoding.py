@@ -3,7 +3,8 @@
 WAV, FLAC and OGG are read by libsndfile and resampled by soxr, both block by block, so that memory is bounded by the
 limits and not by what a file expands to. Amplitudes are relative to full scale (±1). The limits are checked on what the
 header states, and no more is ever decoded than it states: a small file that would expand to hours costs nothing,
-whether its header tells the truth or lies. The signal's mean is taken off, since a constant is no sound.
+whether its header tells the truth or lies. The signal's mean is taken off, since a constant is no sound. It is kept in
+single precision.
 """
 
 import io
@@ -16,7 +17,7 @@ import soxr
 
 from app.acoustic.containers import check_whole, recognise, truncated
 from app.errors import InputError, TooLargeError, UndecodableError, UnsupportedFormatError
-from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Notice
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Notice, SingleArray
 
 MIN_DURATION_S = 0.050
 """Anything shorter holds no word."""
@@ -121,10 +122,10 @@ def _check_header(file: soundfile.SoundFile, limits: AudioLimits) -> None:
         raise InputError("audio_too_short", message, field="audio")
 
 
-def _resampled(file: soundfile.SoundFile) -> tuple[FloatArray, tuple[Notice, ...]]:
+def _resampled(file: soundfile.SoundFile) -> tuple[SingleArray, tuple[Notice, ...]]:
     """All channels at `SAMPLE_RATE_HZ` (samples × channels); the notice says that the file was clipped."""
     resampler = soxr.ResampleStream(file.samplerate, SAMPLE_RATE_HZ, file.channels, dtype="float64")
-    channels = np.empty((_resampled_frames(file), file.channels))
+    channels = np.empty((_resampled_frames(file), file.channels), dtype=np.float32)
     done = clipped = 0
     for block in _blocks(file):
         clipped += _count_clipped(block)
@@ -142,7 +143,7 @@ def _resampled_frames(file: soundfile.SoundFile) -> int:
     return int(file.frames * SAMPLE_RATE_HZ / file.samplerate) + 2
 
 
-def _append(block: FloatArray, room: FloatArray) -> int:
+def _append(block: FloatArray, room: SingleArray) -> int:
     """Writes the block into the room left; its length."""
     room[: len(block)] = block
     return len(block)
@@ -185,17 +186,17 @@ def _count_clipped(block: FloatArray) -> int:
     return int(np.count_nonzero(loud & (block[1:] == block[:-1])))
 
 
-def _mixed(channels: FloatArray) -> tuple[FloatArray, tuple[Notice, ...]]:
+def _mixed(channels: SingleArray) -> tuple[SingleArray, tuple[Notice, ...]]:
     """The mean of the channels, less its own mean; where they cancel each other, the loudest one of them.
 
     Works in place: of half an hour there should be no second copy.
     """
-    channels -= channels.mean(axis=0)
+    channels -= channels.mean(axis=0, dtype=np.float64).astype(np.float32)
     if channels.shape[1] == 1:
         return channels[:, 0], ()
-    powers = np.einsum("ij,ij->j", channels, channels)
-    mono: FloatArray = channels.mean(axis=1)
-    summed_power = np.einsum("i,i->", mono, mono) * len(powers) ** 2
+    powers = np.einsum("ij,ij->j", channels, channels, dtype=np.float64)
+    mono: SingleArray = channels.mean(axis=1)
+    summed_power = np.einsum("i,i->", mono, mono, dtype=np.float64) * len(powers) ** 2
     if summed_power >= CANCELLING_COHERENCE * powers.sum():
         return mono, ()
     loudest = int(np.argmax(powers))
@@ -203,7 +204,7 @@ def _mixed(channels: FloatArray) -> tuple[FloatArray, tuple[Notice, ...]]:
     return channels[:, loudest].copy(), (Notice("audio_antiphase", message),)
 
 
-def _judged(mono: FloatArray) -> tuple[Notice, ...]:
+def _judged(mono: SingleArray) -> tuple[Notice, ...]:
     """Refuses a silent signal, remarks on a quiet one."""
     peak = _peak(mono)
     if peak < SILENT_PEAK:
@@ -217,7 +218,7 @@ def _judged(mono: FloatArray) -> tuple[Notice, ...]:
     return (Notice("audio_quiet", message),)
 
 
-def _scaled(mono: FloatArray) -> tuple[Audio, tuple[Notice, ...]]:
+def _scaled(mono: SingleArray) -> tuple[Audio, tuple[Notice, ...]]:
     """The signal as it is, unless it passes twice full scale, as when floats hold the integers of 16 bits."""
     peak = _peak(mono)
     if peak <= 2.0:
@@ -226,5 +227,5 @@ def _scaled(mono: FloatArray) -> tuple[Audio, tuple[Notice, ...]]:
     return Audio(mono / peak), (Notice("audio_rescaled", message),)
 
 
-def _peak(mono: FloatArray) -> float:
+def _peak(mono: SingleArray) -> float:
     return float(max(mono.max(), -mono.min()))
