@@ -7,5 +7,6 @@ from app.model import Audio, Contours
 
 def contours_of(audio: Audio) -> Contours:
     """The contours of `audio` (paper §3.1.1 to §3.1.3)."""
+    f0_hz = track_f0(audio)  # before the rest, for it takes the most memory
     levels_db = mel_db(audio)
-    return Contours(energy_db=energy_db(audio), f0_hz=track_f0(audio), mfcc=mfcc(levels_db), mel_db=levels_db)
+    return Contours(energy_db=energy_db(audio), f0_hz=f0_hz, mfcc=mfcc(levels_db), mel_db=levels_db)

@@ -23,15 +23,16 @@ def frame_count(samples: int) -> int:
 
 
 def blocks_of_frames(
-    signal: FloatArray, length: int, count: int, *, shift: int = SHIFT_SAMPLES
+    signal: FloatArray, length: int, count: int, *, shift: int = SHIFT_SAMPLES, centre: int = 0
 ) -> Iterator[tuple[slice, SingleArray]]:
-    """The first `count` frames of `length` samples (an even number), each `shift` after the one before.
+    """So many frames of `length` samples (an even number), the first around `centre`, each `shift` after the last.
 
     They come `BLOCK` at a time: which they are, and their samples (frames × length).
     """
+    before = centre - length // 2
     for first in range(0, count, BLOCK):
         end = min(first + BLOCK, count)
-        stretch = excerpt(signal, first * shift - length // 2, (end - 1) * shift + length // 2)
+        stretch = excerpt(signal, before + first * shift, before + (end - 1) * shift + length)
         yield slice(first, end), sliding_window_view(stretch, length)[::shift]
 
 

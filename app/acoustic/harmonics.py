@@ -29,6 +29,11 @@ _SEARCHED_BINS = HARMONICS * HIGHEST_F0_HZ // BIN_HZ + 1
 _AT_ONCE = 16
 """Frames transformed together: so few that their spectra fit into the processor's cache."""
 
+_STRETCH = 4000
+_MARGIN = 1600
+"""Frames of which the residual is taken at once, and the samples on either side that those at its ends look at. Both
+are whole numbers of steps of the residual's own frames, so that these lie where they would in the whole."""
+
 
 def summed_harmonics(samples: FloatArray, band_hz: int) -> Iterator[tuple[slice, SingleArray]]:
     """Block by block which frames they are, and the SRH of each candidate in them (candidates × frames).
@@ -36,19 +41,30 @@ def summed_harmonics(samples: FloatArray, band_hz: int) -> Iterator[tuple[slice,
     The energy from 0 Hz to `band_hz`, at least that of the highest harmonic, is brought to one in each frame.
     """
     decimation = 1 if band_hz > SAMPLE_RATE_HZ // 4 else 2
-    residual = prediction_residual(samples, decimation=decimation)
-    count = frame_count(len(samples))
     rate_hz = SAMPLE_RATE_HZ // decimation
-    blackman = np.blackman(round(_WINDOW_S * rate_hz) + 1)[:-1].astype(np.float32)
+    window = np.blackman(round(_WINDOW_S * rate_hz) + 1)[:-1].astype(np.float32)
     padded = np.zeros((_AT_ONCE, rate_hz // BIN_HZ), dtype=np.float32)
-    for block, frames in blocks_of_frames(residual, len(blackman), count, shift=SHIFT_SAMPLES // decimation):
+    for block, frames in _frames_of_residual(samples, len(window), decimation):
         amplitudes = np.empty((len(frames), band_hz // BIN_HZ), dtype=np.float32)
         for first in range(0, len(frames), _AT_ONCE):
             some = frames[first : first + _AT_ONCE]
-            np.multiply(some, blackman, out=padded[: len(some), : len(blackman)])
+            np.multiply(some, window, out=padded[: len(some), : len(window)])
             spectra = fft.rfft(padded[: len(some)])[:, : amplitudes.shape[1]]
             np.abs(spectra, out=amplitudes[first : first + _AT_ONCE])
         yield block, _eq_3(amplitudes)
+
+
+def _frames_of_residual(samples: FloatArray, length: int, decimation: int) -> Iterator[tuple[slice, SingleArray]]:
+    """Block by block which frames they are, and their samples; the residual of the whole is never there at once."""
+    count = frame_count(len(samples))
+    for first in range(0, count, _STRETCH):
+        begin = max(first * SHIFT_SAMPLES - _MARGIN, 0)
+        stretch = samples[begin : (first + _STRETCH) * SHIFT_SAMPLES + _MARGIN]
+        residual = prediction_residual(stretch, decimation=decimation)
+        some = min(_STRETCH, count - first)
+        centre, shift = (first * SHIFT_SAMPLES - begin) // decimation, SHIFT_SAMPLES // decimation
+        for block, frames in blocks_of_frames(residual, length, some, shift=shift, centre=centre):
+            yield slice(first + block.start, first + block.stop), frames
 
 
 def _eq_3(amplitudes: SingleArray) -> SingleArray:

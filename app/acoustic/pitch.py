@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.acoustic.best_path import best_path
-from app.acoustic.frames import frame_count
+from app.acoustic.frames import BLOCK, frame_count
 from app.acoustic.harmonics import BIN_HZ, CANDIDATES_HZ, LOWEST_F0_HZ, summed_harmonics
 from app.acoustic.peaks import is_peak, peak_offsets
 from app.acoustic.periodicity import WIDEST_BELOW_LOUD_DB, Levels, band_levels, band_power, periods_nearby
@@ -103,7 +103,7 @@ def pitch_if_voiced(audio: Audio, tuning: Tuning = TUNED) -> tuple[FloatArray, F
     return mended_hz if tuning.mends else f0_hz, measures(srh, correlation, levels)
 
 
-def _along(path: NDArray[np.intp], table: SingleArray) -> FloatArray:
+def _along(path: NDArray[np.intp], table: FloatArray) -> FloatArray:
     """The value of every frame in the column that the path takes there."""
     return np.take_along_axis(table, path[:, None], axis=1)[:, 0].astype(np.float64)
 
@@ -112,48 +112,57 @@ def _along(path: NDArray[np.intp], table: SingleArray) -> FloatArray:
 class _Candidates:
     """The ten best of every frame (frames × 10).
 
+    numbers: which of `CANDIDATES_HZ` they are.
     merits: what the search goes by; minus infinity where a frame has fewer than ten.
-    octaves: log2 of the candidate in Hz.
     f0_hz: where the parabola through it and its neighbours has its peak.
     srh: its SRH.
     """
 
+    numbers: NDArray[np.uint8]
     merits: SingleArray
-    octaves: SingleArray
     f0_hz: SingleArray
-    srh: SingleArray
+    srh: _Halves
+
+    @property
+    def octaves(self) -> FloatArray:
+        """log2 of the candidates in Hz."""
+        return np.log2(CANDIDATES_HZ).astype(np.float32)[self.numbers]
 
 
 def _best_candidates(samples: FloatArray, tuning: Tuning) -> _Candidates:
     """The greatest local maxima in the speaker's range, the ends of which count as maxima where SRH rises to them."""
-    blocks, searched = _first_pass(samples, tuning)
-    found = _Candidates(*np.empty((4, frame_count(len(samples)), _CANDIDATES_PER_FRAME), dtype=np.float32))
-    for block, halves in blocks:
-        strengths = halves[: searched.stop + 1].astype(np.float32)
+    halves, searched = _first_pass(samples, tuning)
+    shape = (halves.shape[1], _CANDIDATES_PER_FRAME)
+    numbers, srh = np.empty(shape, dtype=np.uint8), np.empty(shape, dtype=np.float16)
+    merits_of_best, f0_hz = np.empty((2, *shape), dtype=np.float32)
+    for first in range(0, halves.shape[1], BLOCK):
+        block = slice(first, first + BLOCK)
+        strengths = halves[: searched.stop + 1, block].astype(np.float32)
         merits = _merits(strengths, tuning.submultiple_share).T.copy()
         peaks = np.where(is_peak(merits[:, searched]), merits[:, searched], np.float32(-np.inf))
         best = np.argpartition(-peaks, _CANDIDATES_PER_FRAME, axis=1)[:, :_CANDIDATES_PER_FRAME]
         columns = best + searched.start
-        found.merits[block] = np.take_along_axis(peaks, best, axis=1)
-        found.octaves[block] = np.log2(CANDIDATES_HZ)[columns]
-        found.f0_hz[block] = CANDIDATES_HZ[columns] + BIN_HZ * peak_offsets(merits, columns)
-        found.srh[block] = np.take_along_axis(strengths, columns.T, axis=0).T
-    return found
+        merits_of_best[block] = np.take_along_axis(peaks, best, axis=1)
+        numbers[block] = columns
+        f0_hz[block] = CANDIDATES_HZ[columns] + BIN_HZ * peak_offsets(merits, columns)
+        srh[block] = np.take_along_axis(strengths, columns.T, axis=0).T
+    return _Candidates(numbers, merits_of_best, f0_hz, srh)
 
 
-def _first_pass(samples: FloatArray, tuning: Tuning) -> tuple[list[tuple[slice, _Halves]], slice]:
-    """The SRH of each block of frames (candidates × frames), and the candidates in the speaker's range: all of them
-    where no frame is to be trusted."""
-    blocks, trusted = [], []
+def _first_pass(samples: FloatArray, tuning: Tuning) -> tuple[_Halves, slice]:
+    """The SRH of each frame (candidates × frames), and the candidates in the speaker's range: all of them where no
+    frame is to be trusted."""
+    halves = np.empty((len(CANDIDATES_HZ), frame_count(len(samples))), dtype=np.float16)
+    trusted = []
     for block, strengths in summed_harmonics(samples, tuning.unit_energy_band_hz):
         merits = _merits(strengths, tuning.submultiple_share)
         trusted.append(merits.argmax(axis=0)[merits.max(axis=0) > RANGE_THRESHOLD])
-        blocks.append((block, strengths.astype(np.float16)))
+        halves[:, block] = strengths
     trusted_hz = CANDIDATES_HZ[np.concatenate(trusted)]
     if not len(trusted_hz):
-        return blocks, slice(0, len(CANDIDATES_HZ))
+        return halves, slice(0, len(CANDIDATES_HZ))
     first, last = np.searchsorted(CANDIDATES_HZ, np.median(trusted_hz) * np.array(tuning.speaker_range))
-    return blocks, slice(int(first), min(int(last) + 1, len(CANDIDATES_HZ)))
+    return halves, slice(int(first), min(int(last) + 1, len(CANDIDATES_HZ)))
 
 
 def _merits(strengths: SingleArray, submultiple_share: float) -> SingleArray:

@@ -43,7 +43,7 @@ def energy_db(audio: Audio) -> FloatArray:
     return decibels
 
 
-def mfcc(levels_db: SingleArray, *, range_db: float = MEL_RANGE_DB) -> FloatArray:
+def mfcc(levels_db: SingleArray, *, range_db: float = MEL_RANGE_DB) -> SingleArray:
     """Mel frequency cepstral coefficients 1 to 12 of a signal with these Mel levels; shape (frames, 12) (paper §3.1.1).
 
     The paper does not say which 12. We leave out coefficient 0, the mean level in dB, since it tells how the recording
@@ -51,7 +51,7 @@ def mfcc(levels_db: SingleArray, *, range_db: float = MEL_RANGE_DB) -> FloatArra
     the loudest (`python -m benchmarks.agitation --ablation` shows what floor and lower edge are worth).
     """
     cepstrum = fft.dct(np.maximum(levels_db, levels_db.max() - range_db), norm="ortho", overwrite_x=True)
-    coefficients: FloatArray = cepstrum[:, 1 : 1 + COEFFICIENTS].astype(np.float64)
+    coefficients: SingleArray = cepstrum[:, 1 : 1 + COEFFICIENTS].copy()
     return coefficients
 
 

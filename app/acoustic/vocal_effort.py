@@ -34,15 +34,15 @@ def effort_features(contours: Contours, quality: VoiceQuality, *, spoken: Mask, 
     Spectral slopes 12, flux 2, pitch's course 7, what goes with loudness 11, quartiles of MFCC 24, spectrum 10.
     `spoken` and the louder `active` (frames,) tell which frames are speech.
     """
-    levels_db = np.maximum(contours.mel_db, contours.mel_db.max() - MEL_RANGE_DB)
+    levels_db, floor_db = contours.mel_db, contours.mel_db.max() - MEL_RANGE_DB
     voiced = spoken & (contours.f0_hz > 0)
-    flux = _flux(levels_db, active)
-    always = np.concatenate([_quartiles(contours.mfcc[active]), _spectrum(levels_db[spoken])])
+    flux = _flux(levels_db, active, floor_db)
+    always = np.concatenate([_quartiles(contours.mfcc[active]), _spectrum(np.maximum(levels_db[spoken], floor_db))])
     if voiced.sum() < FEWEST_VOICED_FRAMES:
         return np.concatenate([np.full(12, np.nan), flux, np.full(18, np.nan), always])
     octaves = np.log2(contours.f0_hz, out=np.full(len(voiced), np.nan), where=voiced)
     loud = voiced & active
-    slopes = _slopes(levels_db[loud if loud.any() else voiced])
+    slopes = _slopes(np.maximum(levels_db[loud if loud.any() else voiced], floor_db))
     return np.concatenate([slopes, flux, _course(octaves), _with_loudness(contours, quality, octaves), always])
 
 
@@ -78,11 +78,12 @@ def _slope(levels_db: SingleArray, octaves: FloatArray) -> FloatArray:
     return slope
 
 
-def _flux(levels_db: SingleArray, active: Mask) -> FloatArray:
+def _flux(levels_db: SingleArray, active: Mask, floor_db: np.float32) -> FloatArray:
     """Log of how far the spectrum's shape moves in 20 ms, in dB: median and mean over active frames."""
-    shape = levels_db - levels_db.mean(axis=1, keepdims=True)
-    steps = shape[2:] - shape[:-2]
-    flux = np.sqrt(np.einsum("ij,ij->i", steps, steps) / steps.shape[1])[active[1:-1]]
+    (before,) = np.nonzero(active[1:-1])
+    steps = np.maximum(levels_db[before + 2], floor_db) - np.maximum(levels_db[before], floor_db)
+    steps -= steps.mean(axis=1, keepdims=True)
+    flux = np.sqrt(np.vecdot(steps, steps) / steps.shape[1])
     return np.log(np.array([np.median(flux), np.mean(flux)]) + 0.1) if len(flux) else np.full(2, np.nan)
 
 
@@ -122,6 +123,6 @@ def _quartiles(mfcc: FloatArray) -> FloatArray:
 
 def _spectrum(levels_db: SingleArray) -> FloatArray:
     """Share of the power in each of ten bands of even width on the Mel scale, dB."""
-    power = (10 ** (levels_db / 10)).sum(axis=0, dtype=np.float64).reshape(_SPECTRUM_BANDS, -1).sum(axis=1)
+    power = np.power(10, levels_db / 10).sum(axis=0, dtype=np.float64).reshape(_SPECTRUM_BANDS, -1).sum(axis=1)
     shares: FloatArray = 10 * np.log10(power / power.sum() + _LEAST_SHARE)
     return shares
