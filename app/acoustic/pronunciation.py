@@ -77,13 +77,13 @@ def read_dictionary(path: Path) -> dict[str, tuple[str, ...]]:
     """
     dictionary: dict[str, tuple[str, ...]] = {}
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
+        with path.open(encoding="utf-8") as lines:
+            for line in lines:
+                name, _, phones = line.rstrip("\n").partition(" ")
+                word = name.partition("(")[0]
+                dictionary[word] = (*dictionary.get(word, ()), phones)
     except (OSError, UnicodeDecodeError) as error:
         raise ServiceError("model_unreadable", f"{path} is no pronunciation dictionary: {error}") from None
-    for line in lines:
-        name, _, phones = line.partition(" ")
-        word = name.partition("(")[0]
-        dictionary[word] = (*dictionary.get(word, ()), phones)
     return dictionary
 
 
