@@ -45,6 +45,14 @@ _HANN = np.hanning(_WINDOW + 1)[:-1].astype(np.float32)
 _WINDOW_CORRELATION = np.correlate(_HANN, _HANN, "full")[_WINDOW - 1 :][: _LONGEST_LAG + 2]
 _LEAST_ENERGY = 1e-10
 
+_TURNS = 2 * np.pi / _FFT * np.outer(np.arange(_FIRST_BIN, _LAST_BIN + 1), np.arange(_LONGEST_LAG + 2))
+_CORRELATING = (2 / _FFT * np.cos(_TURNS) * _WINDOW_CORRELATION[0] / _WINDOW_CORRELATION).astype(np.float32)
+"""From the power at each frequency of the band to the autocorrelation at each lag, freed of the window's (frequencies ×
+lags): a tenth of the frequencies, for which a product with a matrix is quicker than a transform."""
+
+_AT_ONCE = 16
+"""Frames in a product, so few for the reason that there is for `BLOCK`."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Levels:
@@ -97,9 +105,8 @@ def _mended(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArr
 
 def _correlations(power: SingleArray, lags: FloatArray) -> FloatArray:
     """Autocorrelation of each frame's band at its own lags, in samples, freed of the window's (frames × lags)."""
-    of_signal = fft.irfft(np.pad(power, ((0, 0), (_FIRST_BIN, 0))), _FFT)
-    freed = of_signal[:, : _LONGEST_LAG + 2] / (of_signal[:, :1] + _LEAST_ENERGY)
-    freed *= _WINDOW_CORRELATION[0] / _WINDOW_CORRELATION
+    freed = np.concatenate([power[at : at + _AT_ONCE] @ _CORRELATING for at in range(0, len(power), _AT_ONCE)])
+    freed /= freed[:, :1] + np.float32(_LEAST_ENERGY)
     lags = np.minimum(lags, _LONGEST_LAG)
     below = lags.astype(np.intp)
     share = lags - below
