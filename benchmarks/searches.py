@@ -4,7 +4,8 @@
 
 Recordings: the first N sentences of TIMIT's training half (`training/alignment/timit.py`) and every sixteenth clip of
 RAVDESS. For each search: processor time of the decoder in multiples of the audio's length (the least of three, taken in
-turn), and how many recordings and phones lie just where the widest search puts them. One core: set OMP_NUM_THREADS=1.
+turn; as in the product only the decoder of the narrow search is kept from one recording to the next), and how many
+recordings and phones lie just where the widest search puts them. One core: set OMP_NUM_THREADS=1.
 """
 
 import time
@@ -14,9 +15,9 @@ from pathlib import Path
 import numpy as np
 from pocketsphinx import get_model_path
 
-from app.acoustic.decoder_worker import NARROW, WIDE, Heard, Search, aligned
+from app.acoustic.decoder_signal import FRAMES_PER_S, pcm
+from app.acoustic.decoder_worker import NARROW, WIDE, Heard, Listener, Search
 from app.acoustic.normalisation import Normaliser
-from app.acoustic.pieces import FRAMES_PER_S, pcm
 from app.acoustic.pronunciation import Pronouncer
 from app.model import FloatArray
 from app.transcript import read_transcript
@@ -42,7 +43,8 @@ def main() -> None:
     sentences = read_sentences(options.timit)[0][::2][: options.sentences]
     recordings = [*((sentence.audio, sentence.text) for sentence in sentences), *clips]
     words_of = _Words()
-    runs = [_by_every_search(pcm(audio.samples), words_of(text)) for audio, text in recordings]
+    listener = Listener()
+    runs = [_by_every_search(listener, pcm(audio.samples), words_of(text)) for audio, text in recordings]
     total_s = sum(audio.duration_s for audio, _ in recordings)
     print(f"{len(recordings)} recordings, {total_s:.0f} s")
     widest = next(iter(SEARCHES))
@@ -68,15 +70,17 @@ class _Words:
         return [[" ".join(phones) for phones in each.variants] for each in said if each]
 
 
-def _by_every_search(audio: bytes, words: list[list[str]]) -> dict[str, tuple[float, Heard]]:
+def _by_every_search(listener: Listener, audio: bytes, words: list[list[str]]) -> dict[str, tuple[float, Heard]]:
     """The least processor time of each search, seconds, and what it heard."""
-    rounds = [{name: _timed(audio, words, search) for name, search in SEARCHES.items()} for _ in range(REPEATS)]
+    rounds = [
+        {name: _timed(listener, audio, words, search) for name, search in SEARCHES.items()} for _ in range(REPEATS)
+    ]
     return {name: (min(each[name][0] for each in rounds), rounds[0][name][1]) for name in SEARCHES}
 
 
-def _timed(audio: bytes, words: list[list[str]], search: Search) -> tuple[float, Heard]:
+def _timed(listener: Listener, audio: bytes, words: list[list[str]], search: Search) -> tuple[float, Heard]:
     began_s = time.process_time()
-    heard = aligned(audio, words, search)
+    heard = listener.aligned(audio, words, search)
     return time.process_time() - began_s, heard
 
 

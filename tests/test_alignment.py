@@ -15,8 +15,8 @@ import soxr
 
 from app.acoustic.alignment import Aligner
 from app.acoustic.decoder_process import DecoderProcess
+from app.acoustic.decoder_signal import pcm
 from app.acoustic.decoding import AudioLimits, decode
-from app.acoustic.pieces import pcm
 from app.errors import InputError, ServiceError
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word
 from app.transcript import read_transcript

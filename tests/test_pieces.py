@@ -7,7 +7,8 @@ import numpy as np
 import soundfile
 
 from app.acoustic.decoder_process import Decoded, DecoderProcess, Span
-from app.acoustic.pieces import FRAMES_PER_S, PIECE_FRAMES, UNSURE_FRAMES, Cut, cuts_in_pauses, decode_in_pieces
+from app.acoustic.decoder_signal import FRAMES_PER_S
+from app.acoustic.pieces import PIECE_FRAMES, UNSURE_FRAMES, Cut, cuts_in_pauses, decode_in_pieces
 from app.model import SAMPLE_RATE_HZ, FloatArray
 
 AUDIO = Path(__file__).resolve().parent / "audio"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.acoustic.decoder_process import Decoded, DecodedPhone
-from app.acoustic.pieces import FRAME_SAMPLES
+from app.acoustic.decoder_signal import FRAME_SAMPLES
 from app.acoustic.sustained import KEPT_FRAMES, LONGEST_SOUND_FRAMES, fits_better, silenced
 
 SHORT = DecodedPhone("T", 0, 10, -100)
@@ -14,8 +14,8 @@ def _decoded(phone: DecodedPhone, *fillers: DecodedPhone) -> Decoded:
     return Decoded([[SHORT, phone]], list(fillers))
 
 
-def _lasting(frames: int, per_frame: int = -10) -> DecodedPhone:
-    return DecodedPhone("AH", 10, frames, frames * per_frame)
+def _lasting(frames: int, per_frame: int = -10, label: str = "AH") -> DecodedPhone:
+    return DecodedPhone(label, 10, frames, frames * per_frame)
 
 
 def test_speech_is_left_alone() -> None:
@@ -35,7 +35,11 @@ def test_a_vowel_that_really_is_long_stays(after: int, kept: bool) -> None:
     assert fits_better(_decoded(_lasting(20, after)), _decoded(_lasting(200, -10))) is kept
 
 
-def test_a_long_filler_goes_unless_the_words_fit_worse_without_it() -> None:
-    before = _decoded(_lasting(20), _lasting(200))
+@pytest.mark.parametrize(
+    "before",
+    [_decoded(_lasting(20), _lasting(200, label="um")), _decoded(_lasting(200, label="HH"))],
+    ids=["filler", "breath"],
+)
+def test_what_nobody_can_draw_out_goes_unless_the_words_fit_worse_without_it(before: Decoded) -> None:
     assert fits_better(_decoded(_lasting(20)), before)
     assert not fits_better(_decoded(_lasting(20, -30)), before)

@@ -1,6 +1,6 @@
 """Words and phones in time: where in the recording each word of the transcript is spoken.
 
-Forced alignment with pocketsphinx in two passes, words and then their phones, at 125 frames a second, after which
+Forced alignment with pocketsphinx in two passes, words and then their phones, at 100 frames a second, after which
 `boundaries` moves what is not quite in place; `benchmarks/alignment.py` measures both. Phones are ARPABET without
 stress digits; their `stress` is None, for the dictionary has none. A word for which nothing is spoken ("—") keeps its
 number and has no interval and no phones.
@@ -14,18 +14,17 @@ from pocketsphinx import get_model_path
 
 from app.acoustic.boundaries import BoundaryModel
 from app.acoustic.decoder_process import Decoded, DecodedPhone, DecoderProcess
+from app.acoustic.decoder_signal import FRAMES_PER_S
 from app.acoustic.fit import check_fit
 from app.acoustic.normalisation import Normaliser
-from app.acoustic.pieces import FRAMES_PER_S, LONGEST_WHOLE_S, decode_in_pieces
+from app.acoustic.pieces import decode_in_pieces
 from app.acoustic.pronunciation import Pronouncer, Pronunciation
 from app.acoustic.spreading import spread
-from app.acoustic.sustained import fits_better, silenced
 from app.errors import InputError
-from app.model import SAMPLE_RATE_HZ, Audio, Filler, FloatArray, Interval, Notice, Phone, Word
+from app.model import Audio, Filler, FloatArray, Interval, Notice, Phone, Word
 
-MOST_SILENCINGS = 2
-WINDOW_DELAY_S = 0.0085
-"""A phone begins this much after the start of its first frame: the analysis window is that much longer than a step."""
+WINDOW_DELAY_S = 0.0078
+"""A phone begins so long after its first frame does: half of what the window is longer than the step."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,19 +100,9 @@ class Aligner:
         return Alignment(tuple(in_time.get(word.index, word) for word in words), notices + fit_notices, fillers)
 
     def _decoded(self, samples: FloatArray, spoken: list[_Spoken]) -> Decoded | None:
-        """The phones of the words; None when the decoder finds no path. In audio of one piece none is stretched over
-        music; in longer audio that would cost as much again."""
+        """The phones of the words; None when the decoder finds no path."""
         words = [[" ".join(phones) for phones in each.variants] for word in spoken for each in word.pronunciations]
-        decoded = decode_in_pieces(self._process, samples, words)
-        for _ in range(MOST_SILENCINGS if len(samples) <= LONGEST_WHOLE_S * SAMPLE_RATE_HZ else 0):
-            rest = silenced(samples, decoded) if decoded else None
-            if rest is None or decoded is None:
-                break
-            again = decode_in_pieces(self._process, rest, words)
-            if again is None or not fits_better(again, decoded):
-                break
-            samples, decoded = rest, again
-        return decoded
+        return decode_in_pieces(self._process, samples, words)
 
     def _pronounced(self, words: tuple[Word, ...]) -> tuple[list[_Spoken], tuple[Notice, ...]]:
         spoken, unreadable, guessed = [], [], []

@@ -6,14 +6,17 @@ import sys
 import threading
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 from app.errors import ServiceError
 
 WORKER = Path(__file__).with_name("decoder_worker.py")
 TIME_LIMIT_S = 120.0
+
+Pronunciations = Sequence[str]
+"""The ways in which a word may be said, each phones between spaces."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +28,10 @@ class DecodedPhone:
     frames: int
     score: int
 
+    def later(self, frames: int) -> Self:
+        """The same so many frames later."""
+        return replace(self, first_frame=self.first_frame + frames)
+
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
@@ -32,6 +39,11 @@ class Decoded:
 
     words: list[list[DecodedPhone]]
     fillers: list[DecodedPhone]
+
+    def later(self, frames: int) -> Self:
+        """The same so many frames later."""
+        words = [[phone.later(frames) for phone in word] for word in self.words]
+        return replace(self, words=words, fillers=[filler.later(frames) for filler in self.fillers])
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,10 +77,10 @@ class DecoderProcess:
         with self._turn:
             self._running()
 
-    def align(self, audio: bytes, words: Sequence[Sequence[str]]) -> Decoded | None:
+    def align(self, audio: bytes, words: Sequence[Pronunciations]) -> Decoded | None:
         """The phones of each word; None when the decoder finds no path.
 
-        `audio` is 16-bit mono at 16 kHz; a word is its pronunciations, each phones between spaces. Raises ServiceError
+        `audio` is 16-bit mono at 16 kHz; Raises ServiceError
         `aligner_crashed` when the worker dies over it or takes longer than the time limit; the next call has a new one.
         """
         answer = self._answer(audio, words, more=False)
@@ -77,7 +89,7 @@ class DecoderProcess:
         decoded = [[DecodedPhone(*phone) for phone in word] for word in answer["words"]]
         return Decoded(decoded, [DecodedPhone(*filler) for filler in answer["fillers"]])
 
-    def find(self, audio: bytes, words: Sequence[Sequence[str]]) -> list[Span]:
+    def find(self, audio: bytes, words: Sequence[Pronunciations]) -> list[Span]:
         """Roughly where the first of the words are, as many as `audio` holds, and the fillers between them: it is the
         first stretch of a longer one.
 
@@ -85,7 +97,7 @@ class DecoderProcess:
         """
         return [Span(*span) for span in self._answer(audio, words, more=True)["spans"]]
 
-    def _answer(self, audio: bytes, words: Sequence[Sequence[str]], *, more: bool) -> dict[str, Any]:
+    def _answer(self, audio: bytes, words: Sequence[Pronunciations], *, more: bool) -> dict[str, Any]:
         request = json.dumps({"words": words, "bytes": len(audio), "more": more}).encode() + b"\n" + audio
         with self._turn:
             answer: dict[str, Any] = json.loads(self._asked(self._running(), request))

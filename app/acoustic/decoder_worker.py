@@ -9,8 +9,8 @@ parent dies, and answers each on standard output:
              frames, score], …]}, or {"words": null}: no path. If there is more, only {"spans": [[is word, first
              frame, frames], …]} of the words and fillers that were heard, roughly: enough to find the pauses.
 
-A pronunciation is a string of phones between spaces; every word has one or more. Each request has decoders of its own
-(7 ms to make), so no answer depends on earlier requests.
+A pronunciation is a string of phones between spaces; every word has one or more. The usual decoder is kept, for to make
+one takes as long as to hear .2 s of speech; no answer depends on earlier requests, since all it remembers is words.
 
 The first pass listens by a grammar: the words in their order, "um" and "uh" between them where they are far likelier
 than nothing, and, if there is more, an end after any word. The second aligns the phones of what was heard. A filler
@@ -29,7 +29,8 @@ from typing import BinaryIO
 
 from pocketsphinx import AlignmentEntry, Decoder
 
-FRAMES_PER_S = 125
+FRAMES_PER_S = 100
+"""At 125 a boundary lies nearer, but not once it is refined (`app.acoustic.boundaries`), for a quarter more time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +45,7 @@ class Search:
 ROUGH = Search(1e-60, 1)
 """Enough to find pauses by."""
 
-NARROW = Search(1e-60, 2)
+NARROW = Search(1e-48, 2)
 WIDE = Search(1e-200, 2)
 """Nothing is pruned that noise makes unlikely for a while."""
 
@@ -53,11 +54,14 @@ SURE_SCORE = -35.0
 
 LONGEST_SURE_FRAMES = 3 * FRAMES_PER_S // 5
 
-FILLERS = {"um": ["AH M"], "uh": ["AH"]}
+FILLERS = {"um": "AH M", "uh": "AH"}
 FILLER_PROBABILITY = 1e-12
-SHORTEST_FILLER_FRAMES = 22
+SHORTEST_FILLER_FRAMES = 18
 LOWEST_FILLER_SCORE = -48.0
 """What fits worse is a breath, a click, or part of a word."""
+
+MOST_WORDS_KNOWN = 20_000
+"""By one decoder: some ten megabytes."""
 
 NOTHING = "(NULL)"
 """What pocketsphinx calls the step of a grammar that no word takes."""
@@ -69,52 +73,92 @@ Span = tuple[bool, int, int]
 """Whether it is a word, first frame, frames."""
 
 Heard = list[tuple[Phone, list[Phone]]]
-"""Words ("w" and their number) and fillers in order, each with its phones."""
+"""Words (by `_name`) and fillers in order, each with its phones."""
 
 
 def main(requests: BinaryIO, answers: BinaryIO) -> None:
     """Answers requests until there are no more."""
+    listener = Listener()
     while line := requests.readline():
         request = json.loads(line)
-        answer = answer_to(requests.read(request["bytes"]), request["words"], more=request["more"])
+        answer = listener.answer_to(requests.read(request["bytes"]), request["words"], more=request["more"])
         answers.write(json.dumps(answer).encode() + b"\n")
         answers.flush()
 
 
-def answer_to(audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
-    """The answer to a request."""
-    if more:
-        spans = _spans(audio, words, ROUGH)
-        return {"spans": _spans(audio, words, WIDE) or [] if spans is None else spans}
-    heard = aligned(audio, words, NARROW)
-    if not _is_sure(heard):
-        heard = aligned(audio, words, WIDE)
-    spoken = [phones for each, phones in heard if each[0] not in FILLERS]
-    fillers = [each for each, _ in heard if each[0] in FILLERS]
-    return {"words": spoken if len(spoken) == len(words) else None, "fillers": fillers}
+class Listener:
+    """Keeps the decoder of the narrow search; others are made when they are needed, which is seldom."""
+
+    def __init__(self) -> None:
+        self._kept = _Pupil(NARROW)
+
+    def answer_to(self, audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
+        """The answer to a request."""
+        if more:
+            spans = self._spans(audio, words, ROUGH)
+            return {"spans": self._spans(audio, words, WIDE) or [] if spans is None else spans}
+        heard = self.aligned(audio, words, NARROW)
+        if not _is_sure(heard):
+            heard = self.aligned(audio, words, WIDE)
+        spoken = [phones for each, phones in heard if each[0] not in FILLERS]
+        fillers = [each for each, _ in heard if each[0] in FILLERS]
+        return {"words": spoken if len(spoken) == len(words) else None, "fillers": fillers}
+
+    def aligned(self, audio: bytes, words: list[list[str]], search: Search) -> Heard:
+        """All the words and the fillers that are believed; nothing when there is no path."""
+        decoder = self._decoder(words, search)
+        _listen(decoder, audio, words)
+        heard = _placed(decoder, audio)
+        by_a_pause = _are_by_a_pause([each for each, _ in heard])
+        doubtful = [_is_doubtful(each, by_a_pause=by) for (each, _), by in zip(heard, by_a_pause, strict=True)]
+        return _merged(heard, doubtful)
+
+    def _spans(self, audio: bytes, words: list[list[str]], search: Search) -> list[Span] | None:
+        """Where the first of the words are, as many as are heard before the audio ends; None when there is no path."""
+        decoder = self._decoder(words, search)
+        _listen(decoder, audio, words, more=True)
+        if decoder.hyp() is None:
+            return None
+        heard = [segment for segment in decoder.seg() if _is_one_of_ours(segment.word)]
+        return [
+            (segment.word not in FILLERS, segment.start_frame, segment.end_frame + 1 - segment.start_frame)
+            for segment in heard
+        ]
+
+    def _decoder(self, words: list[list[str]], search: Search) -> Decoder:
+        """A decoder that knows the words and the fillers."""
+        if search != NARROW:
+            return _Pupil(search).taught(words)
+        if self._kept.is_full:
+            self._kept = _Pupil(NARROW)
+        return self._kept.taught(words)
 
 
-def _spans(audio: bytes, words: list[list[str]], search: Search) -> list[Span] | None:
-    """Where the first of the words are, as many as are heard before the audio ends; None when there is no path."""
-    decoder = _decoder(words, search)
-    _listen(decoder, audio, len(words), more=True)
-    if decoder.hyp() is None:
-        return None
-    heard = [segment for segment in decoder.seg() if _is_one_of_ours(segment.word)]
-    return [
-        (segment.word.startswith("w"), segment.start_frame, segment.end_frame + 1 - segment.start_frame)
-        for segment in heard
-    ]
+class _Pupil:
+    """A decoder and the pronunciations it has learnt; it never forgets one."""
+
+    def __init__(self, search: Search) -> None:
+        self._decoder = _decoder(search)
+        self._names = set(FILLERS)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether it should make room for one that knows nothing yet."""
+        return len(self._names) > MOST_WORDS_KNOWN
+
+    def taught(self, words: list[list[str]]) -> Decoder:
+        """The decoder, now that it knows these words."""
+        for pronunciation in (each for variants in words for each in variants):
+            name = _name(pronunciation)
+            if name not in self._names:
+                self._decoder.add_word(name, pronunciation, False)
+                self._names.add(name)
+        return self._decoder
 
 
-def aligned(audio: bytes, words: list[list[str]], search: Search) -> Heard:
-    """All the words and the fillers that are believed; nothing when there is no path."""
-    decoder = _decoder(words, search)
-    _listen(decoder, audio, len(words))
-    heard = _placed(decoder, audio)
-    by_a_pause = _are_by_a_pause([each for each, _ in heard])
-    doubtful = [_is_doubtful(each, by_a_pause=by) for (each, _), by in zip(heard, by_a_pause, strict=True)]
-    return _merged(heard, doubtful)
+def _name(pronunciation: str) -> str:
+    """What the decoder calls what is so pronounced."""
+    return pronunciation.replace(" ", "_")
 
 
 def _is_sure(heard: Heard) -> bool:
@@ -125,8 +169,8 @@ def _is_sure(heard: Heard) -> bool:
     return bool(words) and fit >= 0 and longest <= LONGEST_SURE_FRAMES
 
 
-def _decoder(words: list[list[str]], search: Search) -> Decoder:
-    """A decoder that knows the words as w0, w1, …, and the fillers."""
+def _decoder(search: Search) -> Decoder:
+    """A decoder that knows the fillers alone."""
     decoder = Decoder(
         lm=None,
         dict=None,
@@ -138,22 +182,18 @@ def _decoder(words: list[list[str]], search: Search) -> Decoder:
         wbeam=search.beam,
         loglevel="FATAL",
     )
-    named = {f"w{number}": pronunciations for number, pronunciations in enumerate(words)}
-    for name, pronunciations in {**FILLERS, **named}.items():
-        for variant, phones in enumerate(pronunciations, start=1):
-            decoder.add_word(name if variant == 1 else f"{name}({variant})", phones, False)
+    for name, phones in FILLERS.items():
+        decoder.add_word(name, phones, False)
     return decoder
 
 
-def _listen(decoder: Decoder, audio: bytes, count: int, *, more: bool = False) -> None:
-    """The first pass, for the words w0 to w(count − 1)."""
-    transitions: list[tuple[int, int, float, str] | tuple[int, int, float]] = [
-        (number, number + 1, 1.0, f"w{number}") for number in range(count)
-    ]
-    transitions += [(number, number, FILLER_PROBABILITY, name) for number in range(count + 1) for name in FILLERS]
-    if more:
-        transitions += [(0, count, 1.0), *((number, count, 1.0, f"w{number}") for number in range(count - 1))]
-    decoder.add_fsg("line", decoder.create_fsg("line", 0, count, transitions))
+def _listen(decoder: Decoder, audio: bytes, words: list[list[str]], *, more: bool = False) -> None:
+    """The first pass, for the words in their order."""
+    last = len(words)
+    spoken = [(place, place + 1, 1.0, _name(each)) for place, variants in enumerate(words) for each in variants]
+    fillers = [(place, place, FILLER_PROBABILITY, name) for place in range(last + 1) for name in FILLERS]
+    ends = [(0, last, 1.0), *((place, last, 1.0, name) for place, _, _, name in spoken if place < last - 1)]
+    decoder.add_fsg("line", decoder.create_fsg("line", 0, last, [*spoken, *fillers, *(ends if more else ())]))
     decoder.activate_search("line")
     _decode(decoder, audio)
 
@@ -170,11 +210,12 @@ def _placed(decoder: Decoder, audio: bytes) -> Heard:
 
 
 def _is_one_of_ours(name: str) -> bool:
-    return name.startswith("w") or name in FILLERS
+    """Neither a pause nor a noise of pocketsphinx's own, "<sil>" or "[NOISE]"."""
+    return name[0].isalpha()
 
 
 def _told(entry: AlignmentEntry) -> Phone:
-    return entry.name.partition("(")[0], entry.start, entry.duration, entry.score
+    return entry.name, entry.start, entry.duration, entry.score
 
 
 def _is_doubtful(heard: Phone, *, by_a_pause: bool) -> bool:
@@ -220,6 +261,8 @@ def _joined(phone: Phone, neighbour: Phone) -> Phone:
 
 
 def _decode(decoder: Decoder, audio: bytes) -> None:
+    """From the state of a new decoder: pocketsphinx 5.1 calls `start_stream` deprecated and unnecessary, but without it
+    ten of 26 recordings were heard otherwise after others."""
     decoder.start_stream()
     decoder.start_utt()
     decoder.process_raw(audio, full_utt=True)

@@ -12,12 +12,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from app.acoustic.decoder_process import Decoded, DecodedPhone, DecoderProcess, Span
+from app.acoustic.decoder_process import Decoded, DecodedPhone, DecoderProcess, Pronunciations, Span
+from app.acoustic.decoder_signal import FRAME_SAMPLES, FRAMES_PER_S, PADDING_FRAMES, pcm
+from app.acoustic.sustained import decode_speech
 from app.model import SAMPLE_RATE_HZ, FloatArray
 
-FRAMES_PER_S = 125
-FRAME_SAMPLES = SAMPLE_RATE_HZ // FRAMES_PER_S
-PADDING_FRAMES = 25
 STRETCH_FRAMES = 30 * FRAMES_PER_S
 PIECE_FRAMES = 12 * FRAMES_PER_S
 """Longer pieces are not made if there is a pause to cut in: the decoder's time grows with the words it is given."""
@@ -31,13 +30,6 @@ UNSURE_FRAMES = 2 * FRAMES_PER_S
 
 MOST_PHONES_PER_S = 25.0
 """Nobody speaks faster."""
-
-PEAK = 0.9
-NOISE_AMPLITUDE = 3e-4
-NOISE_SEED = 20_200
-
-Pronunciations = Sequence[str]
-"""The ways in which a word may be said, each phones between spaces."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,12 +54,12 @@ def decode_in_pieces(process: DecoderProcess, samples: FloatArray, words: Sequen
             continue
         if len(_sayable(said, len(piece) / SAMPLE_RATE_HZ)) < len(said):
             return None
-        decoded = process.align(pcm(piece), said)
+        decoded = decode_speech(process, piece, said)
         if decoded is None:
             return None
-        shift = start.frame - PADDING_FRAMES
-        found += [[_later(phone, shift) for phone in word] for word in decoded.words]
-        fillers += [_later(filler, shift) for filler in decoded.fillers]
+        decoded = decoded.later(start.frame)
+        found += decoded.words
+        fillers += decoded.fillers
     return Decoded(found, fillers)
 
 
@@ -110,20 +102,7 @@ def _cuts(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunci
     yield Cut(len(words), frames)
 
 
-def pcm(samples: FloatArray) -> bytes:
-    """The signal as the decoder wants it: loud, 16-bit, between two stretches of faint noise, always the same."""
-    noise = np.random.default_rng(NOISE_SEED).standard_normal(2 * PADDING_FRAMES * FRAME_SAMPLES) * NOISE_AMPLITUDE
-    before, after = np.split(noise, 2)
-    peak = float(np.abs(samples).max(initial=0.0)) or 1.0
-    padded = np.concatenate([before, samples * (PEAK / peak), after])
-    return (padded * 32767).round().astype("<i2").tobytes()
-
-
 def _sayable(words: Sequence[Pronunciations], duration_s: float) -> Sequence[Pronunciations]:
     """The first of the words, as many as can be said in this time."""
     counts = np.cumsum([len(variants[0].split()) for variants in words])
     return words[: int(np.searchsorted(counts, MOST_PHONES_PER_S * duration_s, side="right"))]
-
-
-def _later(phone: DecodedPhone, frames: int) -> DecodedPhone:
-    return replace(phone, first_frame=phone.first_frame + frames)
