@@ -14,8 +14,7 @@ from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray, SingleArray
 
 SHIFT_SAMPLES = round(FRAME_SHIFT_S * SAMPLE_RATE_HZ)
 BLOCK = 96
-"""Frames in a block: of more, products with a matrix would pass the 2^20 multiplications beyond which OpenBLAS takes
-several processors, which for so little costs more than it gains."""
+"""Frames in a block."""
 
 
 def frame_count(samples: int) -> int:

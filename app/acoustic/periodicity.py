@@ -15,6 +15,7 @@ from scipy import fft
 
 from app.acoustic.frames import BLOCK, blocks_of_frames, frame_count
 from app.acoustic.peaks import peak_offsets
+from app.acoustic.products import product
 from app.model import SAMPLE_RATE_HZ, FloatArray, SingleArray
 
 LOWEST_HZ, HIGHEST_HZ = 60, 1000
@@ -49,9 +50,6 @@ _TURNS = 2 * np.pi / _FFT * np.outer(np.arange(_FIRST_BIN, _LAST_BIN + 1), np.ar
 _CORRELATING = (2 / _FFT * np.cos(_TURNS) * _WINDOW_CORRELATION[0] / _WINDOW_CORRELATION).astype(np.float32)
 """From the power at each frequency of the band to the autocorrelation at each lag, freed of the window's (frequencies ×
 lags): a tenth of the frequencies, for which a product with a matrix is quicker than a transform."""
-
-_AT_ONCE = 16
-"""Frames in a product, so few for the reason that there is for `BLOCK`."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -105,7 +103,7 @@ def _mended(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArr
 
 def _correlations(power: SingleArray, lags: FloatArray) -> FloatArray:
     """Autocorrelation of each frame's band at its own lags, in samples, freed of the window's (frames × lags)."""
-    freed = np.concatenate([power[at : at + _AT_ONCE] @ _CORRELATING for at in range(0, len(power), _AT_ONCE)])
+    freed = product(power, _CORRELATING)
     freed /= freed[:, :1] + np.float32(_LEAST_ENERGY)
     lags = np.minimum(lags, _LONGEST_LAG)
     below = lags.astype(np.intp)

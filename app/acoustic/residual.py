@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy import fft
 
 from app.acoustic.frames import blocks_of_frames
+from app.acoustic.products import product
 from app.model import SAMPLE_RATE_HZ, FloatArray, SingleArray
 
 _WINDOW = round(0.025 * SAMPLE_RATE_HZ)
@@ -24,7 +25,7 @@ _HANN = np.hanning(_WINDOW + 1)[:-1].astype(np.float32)
 _TURNS = np.exp(-2j * np.pi / _FFT * np.outer(np.arange(_ORDER + 1), np.arange(_FFT // 2 + 1)))
 """What a delay of 0, 1, 2 … `_ORDER` samples does to each frequency (delays × frequencies)."""
 
-_CORRELATING = _TURNS.real.T * np.where(np.arange(_FFT // 2 + 1) % (_FFT // 2), 2, 1)[:, None] / _FFT
+_CORRELATING = (_TURNS.real * np.where(np.arange(_FFT // 2 + 1) % (_FFT // 2), 2, 1) / _FFT).T.copy()
 """From the power at each frequency to the autocorrelation at each delay (frequencies × delays)."""
 
 
@@ -43,9 +44,9 @@ def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleAr
 def _inversely_filtered(frames: SingleArray, length: int) -> SingleArray:
     """Each frame, windowed and filtered by its own prediction error filter, in so many samples (frames × length)."""
     spectra = fft.rfft(frames * _HANN, _FFT)
-    filters = _prediction_error_filters((_power(spectra) @ _CORRELATING).T.copy())
+    filters = _prediction_error_filters(product(_power(spectra), _CORRELATING).T.copy())
     kept = length // 2 + 1
-    responses = (filters.T @ _TURNS.view(np.float64)[:, : 2 * kept]).view(np.complex128)
+    responses = product(filters.T, _TURNS.view(np.float64)[:, : 2 * kept]).view(np.complex128)
     responses *= spectra[:, :kept]
     filtered: SingleArray = fft.irfft(responses.astype(np.complex64), length)
     filtered *= length / _FFT

@@ -9,6 +9,7 @@ from scipy import fft
 
 from app.acoustic.frames import blocks_of_frames, frame_count
 from app.acoustic.mel import mel_filters
+from app.acoustic.products import product
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
 
 FRAME_SAMPLES = round(0.032 * SAMPLE_RATE_HZ)
@@ -58,9 +59,9 @@ def mfcc(levels_db: SingleArray, *, range_db: float = MEL_RANGE_DB) -> SingleArr
 def mel_db(audio: Audio, *, min_hz: float = MEL_MIN_HZ) -> SingleArray:
     """Level of each Mel band of Hann-windowed frames; shape (frames, `MEL_BANDS`)."""
     filters = mel_filters(FRAME_SAMPLES, bands=MEL_BANDS, lowest_hz=min_hz, highest_hz=SAMPLE_RATE_HZ / 2)
-    bands = filters.T.astype(np.float32)
+    bands = filters.T.astype(np.float32, order="C")
     levels_db = np.empty((frame_count(len(audio.samples)), MEL_BANDS), dtype=np.float32)
     for block, frames in blocks_of_frames(audio.samples, FRAME_SAMPLES, len(levels_db)):
         power = np.square(np.abs(fft.rfft(frames * _HANN)))
-        levels_db[block] = 10 * np.log10(np.maximum(power @ bands, _LEAST_POWER))
+        levels_db[block] = 10 * np.log10(np.maximum(product(power, bands), _LEAST_POWER))
     return levels_db
