@@ -42,7 +42,7 @@ class Search:
     densities: int
 
 
-ROUGH = Search(1e-60, 1)
+ROUGH = Search(1e-48, 1)
 """Enough to find pauses by."""
 
 NARROW = Search(1e-48, 2)
