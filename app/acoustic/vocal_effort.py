@@ -15,6 +15,7 @@ from app.acoustic.voice_quality import VoiceQuality
 from app.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Contours, FloatArray, SingleArray
 
 Mask = NDArray[np.bool_]
+Indices = NDArray[np.intp]
 
 MEL_RANGE_DB = 60.0
 """A band counts as no fainter than this under the loudest of the utterance."""
@@ -28,21 +29,34 @@ _SPECTRUM_BANDS = 10
 _LEAST_SHARE = 1e-7
 
 
+def spectrum_db(contours: Contours, frames: Mask | Indices) -> SingleArray:
+    """Level of each Mel band in the `frames`, none fainter than `MEL_RANGE_DB` allows; shape (frames, bands)."""
+    levels_db: SingleArray = np.maximum(contours.mel_db[frames], contours.mel_db.max() - MEL_RANGE_DB)
+    return levels_db
+
+
+def spectral_flux_db(contours: Contours, frames: Indices) -> SingleArray:
+    """How far the spectrum's shape moves in the 20 ms around each of `frames`, neither the first nor the last."""
+    steps = spectrum_db(contours, frames + 1) - spectrum_db(contours, frames - 1)
+    steps -= steps.mean(axis=1, keepdims=True)
+    flux_db: SingleArray = np.sqrt(np.vecdot(steps, steps) / steps.shape[1])
+    return flux_db
+
+
 def effort_features(contours: Contours, quality: VoiceQuality, *, spoken: Mask, active: Mask) -> FloatArray:
     """What tells of vocal effort; shape (66,).
 
     Spectral slopes 12, flux 2, pitch's course 7, what goes with loudness 11, quartiles of MFCC 24, spectrum 10.
     `spoken` and the louder `active` (frames,) tell which frames are speech.
     """
-    levels_db, floor_db = contours.mel_db, contours.mel_db.max() - MEL_RANGE_DB
     voiced = spoken & (contours.f0_hz > 0)
-    flux = _flux(levels_db, active, floor_db)
-    always = np.concatenate([_quartiles(contours.mfcc[active]), _spectrum(np.maximum(levels_db[spoken], floor_db))])
+    flux = _flux(contours, active)
+    always = np.concatenate([_quartiles(contours.mfcc[active]), _spectrum(spectrum_db(contours, spoken))])
     if voiced.sum() < FEWEST_VOICED_FRAMES:
         return np.concatenate([np.full(12, np.nan), flux, np.full(18, np.nan), always])
     octaves = np.log2(contours.f0_hz, out=np.full(len(voiced), np.nan), where=voiced)
     loud = voiced & active
-    slopes = _slopes(np.maximum(levels_db[loud if loud.any() else voiced], floor_db))
+    slopes = _slopes(spectrum_db(contours, loud if loud.any() else voiced))
     return np.concatenate([slopes, flux, _course(octaves), _with_loudness(contours, quality, octaves), always])
 
 
@@ -78,12 +92,9 @@ def _slope(levels_db: SingleArray, octaves: FloatArray) -> FloatArray:
     return slope
 
 
-def _flux(levels_db: SingleArray, active: Mask, floor_db: np.float32) -> FloatArray:
-    """Log of how far the spectrum's shape moves in 20 ms, in dB: median and mean over active frames."""
-    (before,) = np.nonzero(active[1:-1])
-    steps = np.maximum(levels_db[before + 2], floor_db) - np.maximum(levels_db[before], floor_db)
-    steps -= steps.mean(axis=1, keepdims=True)
-    flux = np.sqrt(np.vecdot(steps, steps) / steps.shape[1])
+def _flux(contours: Contours, active: Mask) -> FloatArray:
+    """Log of the spectral flux: median and mean over active frames."""
+    flux = spectral_flux_db(contours, np.flatnonzero(active[1:-1]) + 1)
     return np.log(np.array([np.median(flux), np.mean(flux)]) + 0.1) if len(flux) else np.full(2, np.nan)
 
 

@@ -3,7 +3,7 @@
 `labels.csv` names a file, its corpus, speaker, emotion, intensity and level ("mid" is medium, empty is none). A
 recording's memberships are 1 for its level; a few that the file leaves unlabelled lie between two levels and are given
 to both (`SHARED_MEMBERSHIPS`), which is what fuzzy training is for. Each recording is heard under several conditions:
-as it is, and in noise or through another microphone (`training/agitation/degradations.py`).
+as it is, in noise or through another microphone, and in other voices (`training/agitation/conditions.py`).
 """
 
 import csv
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from app.acoustic.contours import contours_of
 from app.acoustic.utterance_features import FEATURE_SETS
 from app.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray, Level
-from training.agitation.degradations import Degradation
+from training.agitation.conditions import Condition
 
 LEVELS = {"low": Level.LOW, "mid": Level.MEDIUM, "high": Level.HIGH}
 
@@ -88,7 +88,7 @@ def describe(recordings: Sequence[Recording], features: Mapping[str, FloatArray]
     )
 
 
-def measure(recordings: Sequence[Recording], conditions: Mapping[str, Degradation]) -> dict[str, dict[str, FloatArray]]:
+def measure(recordings: Sequence[Recording], conditions: Mapping[str, Condition]) -> dict[str, dict[str, FloatArray]]:
     """The features of each recording as the program computes them, shape (recordings, features), by set and condition.
 
     A recording is changed the same way each time. All processors are used.
@@ -105,7 +105,7 @@ def measure(recordings: Sequence[Recording], conditions: Mapping[str, Degradatio
     }
 
 
-def _features(task: tuple[Path, Degradation]) -> dict[str, FloatArray]:
+def _features(task: tuple[Path, Condition]) -> dict[str, FloatArray]:
     path, change = task
     audio = change(read_audio(path), np.random.default_rng(zlib.crc32(path.name.encode())))
     contours = listen(audio)

@@ -3,24 +3,15 @@
 Each recording is changed in its own way, drawn with the generator given.
 """
 
-from collections.abc import Callable, Mapping
-
 import numpy as np
 
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
-
-Degradation = Callable[[Audio, np.random.Generator], Audio]
 
 EQUALISATION_DB = 4.0
 """Deviation of the gain's first cosine over the Mel scale; the k-th of four is fainter by the root of k."""
 
 TELEPHONE_SHARE = 0.3
 TELEPHONE_HZ = (300.0, 3400.0)
-
-
-def as_recorded(audio: Audio, _random: np.random.Generator) -> Audio:
-    """The recording itself."""
-    return audio
 
 
 def degraded(audio: Audio, random: np.random.Generator) -> Audio:
@@ -52,13 +43,6 @@ def by_telephone(audio: Audio, _random: np.random.Generator) -> Audio:
     """Through a telephone's band alone."""
     gain = _telephone_gain(_frequencies_hz(audio))
     return Audio(np.fft.irfft(np.fft.rfft(audio.samples) * gain, len(audio.samples)))
-
-
-TRAINING_CONDITIONS: Mapping[str, Degradation] = {"clean": as_recorded, "degraded": degraded}
-"""As what each recording is trained on."""
-
-TEST_CONDITIONS: Mapping[str, Degradation] = {"white noise": in_white_noise, "telephone": by_telephone}
-"""As what each recording is tested on besides."""
 
 
 def _frequencies_hz(audio: Audio) -> FloatArray:

@@ -5,7 +5,7 @@ stands on both sides of each machine, and its slack there costs as much as it be
 become memberships through a logistic function, fitted on speakers the machines have not heard.
 
 Samples are weighted so that the levels of a corpus count the same, however many recordings each has, and that a
-recording heard under two conditions counts as one. What `training/agitation/choosing.py` chooses is a `Recipe`.
+recording heard under several conditions counts as one. What `training/agitation/choosing.py` chooses is a `Recipe`.
 """
 
 from collections.abc import Iterator, Mapping
@@ -24,8 +24,8 @@ from training.agitation.corpus import Samples
 
 CALIBRATION_FOLDS = 4
 
-CONDITION_SHARES = {"clean": 0.8, "degraded": 0.2}
-"""What a recording counts as heard under each condition. Halves do alike (EmoDB loses .016, the rest .005 at most)."""
+CONDITION_SHARES = {"clean": 0.4, "degraded": 0.2, "deeper": 0.2, "higher": 0.2}
+"""What a recording counts as heard under each condition."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,13 +35,13 @@ class Recipe:
     features: so many of the feature set, from the first, have a say.
     reach: of the kernel, exp(-reach · mean squared difference of the standardised features).
     cost: price of a unit of slack.
-    corpus_weights: what a recording of each corpus counts.
+    corpus_shares: what each corpus counts, all its recordings together.
     """
 
     features: int
     reach: float
     cost: float
-    corpus_weights: Mapping[str, float]
+    corpus_shares: Mapping[str, float]
 
     @property
     def gamma(self) -> float:
@@ -59,7 +59,7 @@ class Surface:
 
 def train(samples: Samples, feature_set: str, recipe: Recipe) -> AgitationModel:
     """The model that `samples` teach by the recipe."""
-    weights = balanced_weights(samples, recipe.corpus_weights)
+    weights = balanced_weights(samples, recipe.corpus_shares)
     typical = typical_speaker(samples)
     samples = replace(samples, features=typical.completed(samples.features))
     relative = replace(samples, features=relative_features(samples, typical, feature_set))
@@ -110,8 +110,8 @@ def standards(features: FloatArray, recipe: Recipe) -> tuple[FloatArray, FloatAr
     return features.mean(axis=0), scale
 
 
-def balanced_weights(samples: Samples, corpus_weights: Mapping[str, float]) -> FloatArray:
-    """Memberships scaled so that the levels of a corpus have the same sum; shape (rows, 3).
+def balanced_weights(samples: Samples, corpus_shares: Mapping[str, float]) -> FloatArray:
+    """Memberships scaled so that the levels of a corpus have the same sum, and corpora their share; shape (rows, 3).
 
     They are 1 on average over recordings, whose conditions share that as `CONDITION_SHARES` has it.
     """
@@ -121,7 +121,7 @@ def balanced_weights(samples: Samples, corpus_weights: Mapping[str, float]) -> F
     weights = samples.memberships * shared[:, None]
     for corpus in np.unique(samples.corpora):
         rows = samples.corpora == corpus
-        weights[rows] *= corpus_weights[str(corpus)] * rows.sum() / weights[rows].sum(axis=0)
+        weights[rows] *= corpus_shares[str(corpus)] / weights[rows].sum(axis=0)
     weights *= counts.max() / weights.sum()
     return weights
 

@@ -7,14 +7,14 @@ import numpy as np
 
 from app.acoustic.utterance_features import FEATURE_SETS
 from app.model import FloatArray
+from training.agitation.conditions import Condition
 from training.agitation.corpus import Recording, measure
-from training.agitation.degradations import Degradation
 
 Measured = Mapping[str, Mapping[str, FloatArray]]
 """By feature set and condition; each of shape (recordings, features)."""
 
 
-def measured(recordings: Sequence[Recording], conditions: Mapping[str, Degradation], kept: Path | None) -> Measured:
+def measured(recordings: Sequence[Recording], conditions: Mapping[str, Condition], kept: Path | None) -> Measured:
     """The features as `measure` gives them, from `kept` where they stand there already; what is new is written to it.
 
     The file does not know when the features' definitions change: delete it then.
