@@ -27,3 +27,8 @@ def test_an_excerpt_is_silent_outside_the_signal(first: int, end: int) -> None:
     signal = np.array([1.0, 2.0, 3.0, 4.0])
     expected = [signal[at] if 0 <= at < 4 else 0.0 for at in range(first, end)]
     assert excerpt(signal, first, end).tolist() == expected
+
+
+def test_frames_may_begin_elsewhere() -> None:
+    [(_, frames)] = blocks_of_frames(np.arange(1.0, 1001.0), 4, 2, shift=10, centre=5)
+    assert frames.tolist() == [[4, 5, 6, 7], [14, 15, 16, 17]]

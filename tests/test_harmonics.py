@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy import fft
 
+from app.acoustic import harmonics
 from app.acoustic.harmonics import CANDIDATES_HZ, summed_harmonics
 from app.acoustic.residual import prediction_residual
 from app.model import SAMPLE_RATE_HZ, FloatArray
@@ -50,3 +51,10 @@ def test_between_half_and_double_it_is_greatest_at_f0(f0_hz: float) -> None:
 def test_every_frame_comes_once_in_order(count: int) -> None:
     blocks = [block for block, _ in summed_harmonics(np.resize(pulses(100.0, 0.2), count), 3500)]
     assert [frame for block in blocks for frame in range(block.start, block.stop)] == list(range(1 + count // 160))
+
+
+def test_stretches_of_long_audio_are_as_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    samples = pulses(110.0, 3.0)
+    whole = srh(samples, 3500)
+    monkeypatch.setattr(harmonics, "_STRETCH", 100)
+    np.testing.assert_allclose(srh(samples, 3500), whole, atol=1e-5)

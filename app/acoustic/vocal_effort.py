@@ -134,6 +134,8 @@ def _quartiles(mfcc: FloatArray) -> FloatArray:
 
 def _spectrum(levels_db: SingleArray) -> FloatArray:
     """Share of the power in each of ten bands of even width on the Mel scale, dB."""
-    power = np.power(10, levels_db / 10).sum(axis=0, dtype=np.float64).reshape(_SPECTRUM_BANDS, -1).sum(axis=1)
+    of_frames = levels_db / 10
+    np.power(10, of_frames, out=of_frames)  # of half an hour there should be no third copy
+    power = of_frames.sum(axis=0, dtype=np.float64).reshape(_SPECTRUM_BANDS, -1).sum(axis=1)
     shares: FloatArray = 10 * np.log10(power / power.sum() + _LEAST_SHARE)
     return shares
