@@ -31,7 +31,8 @@ _LEAST_SHARE = 1e-7
 
 def spectrum_db(contours: Contours, frames: Mask | Indices) -> SingleArray:
     """Level of each Mel band in the `frames`, none fainter than `MEL_RANGE_DB` allows; shape (frames, bands)."""
-    levels_db: SingleArray = np.maximum(contours.mel_db[frames], contours.mel_db.max() - MEL_RANGE_DB)
+    levels_db: SingleArray = contours.mel_db[frames]
+    np.maximum(levels_db, contours.mel_db.max() - MEL_RANGE_DB, out=levels_db)
     return levels_db
 
 
