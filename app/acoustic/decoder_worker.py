@@ -54,6 +54,10 @@ SURE_SCORE = -35.0
 
 LONGEST_SURE_FRAMES = 3 * FRAMES_PER_S // 5
 
+SILENCE_PROBABILITY = 0.1
+"""Of a pause between two words. By pocketsphinx's own .005 a breath before a line, or hiss in a pause, is rather taken
+for the first sound of the next word."""
+
 FILLERS = {"um": "AH M", "uh": "AH"}
 FILLER_PROBABILITY = 1e-12
 SHORTEST_FILLER_FRAMES = 18
@@ -180,6 +184,7 @@ def _decoder(search: Search) -> Decoder:
         beam=search.beam,
         pbeam=search.beam,
         wbeam=search.beam,
+        silprob=SILENCE_PROBABILITY,
         loglevel="FATAL",
     )
     for name, phones in FILLERS.items():
