@@ -12,6 +12,7 @@ import zipfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,12 +31,15 @@ State = tuple[int, int]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Order:
-    """The n-grams of one length: sorted keys, natural logs, and the row one order down without the first graphone."""
+    """The n-grams of one length: sorted keys, natural logs, and the row one order down without the first graphone.
 
-    keys: NDArray[np.int64]
+    All as fine as on disk and no finer, for there are 400,000.
+    """
+
+    keys: NDArray[np.int32]
     log_probability: FloatArray
     log_backoff: FloatArray
-    suffix: NDArray[np.int64]
+    suffix: NDArray[np.int32]
 
     def row(self, context: int, graphone: int) -> int | None:
         key = (context << GRAPHONE_BITS) | graphone
@@ -132,25 +136,19 @@ def _by_letters(graphones: list[str]) -> dict[str, tuple[tuple[int, tuple[str, .
     return {letters: tuple(choices) for letters, choices in spellings.items()}
 
 
-def _orders(arrays: dict[str, NDArray[np.generic]]) -> tuple[_Order, ...]:
+def _orders(arrays: dict[str, NDArray[Any]]) -> tuple[_Order, ...]:
     orders: list[_Order] = []
     for length in range(1, int(arrays["order"]) + 1):
-        keys = np.cumsum(arrays[f"keys_{length}"].astype(np.int64))
-        orders.append(
-            _Order(
-                keys,
-                arrays[f"log_probability_{length}"].astype(np.float64),
-                arrays[f"log_backoff_{length}"].astype(np.float64),
-                _suffixes(keys, orders),
-            )
-        )
+        keys = np.cumsum(arrays[f"keys_{length}"], dtype=np.int32)
+        log_probability, log_backoff = (arrays[f"log_{name}_{length}"] for name in ("probability", "backoff"))
+        orders.append(_Order(keys, log_probability, log_backoff, _suffixes(keys, orders)))
     return tuple(orders)
 
 
-def _suffixes(keys: NDArray[np.int64], shorter: list[_Order]) -> NDArray[np.int64]:
+def _suffixes(keys: NDArray[np.int32], shorter: list[_Order]) -> NDArray[np.int32]:
     """For each n-gram the row, one order down, of the n-gram without its first graphone (row 0: the empty one)."""
     if not shorter:
-        return np.zeros(len(keys), dtype=np.int64)
+        return np.zeros(len(keys), dtype=np.int32)
     context, graphone = keys >> GRAPHONE_BITS, keys & ((1 << GRAPHONE_BITS) - 1)
     wanted = (shorter[-1].suffix[context] << GRAPHONE_BITS) | graphone
-    return np.asarray(np.searchsorted(shorter[-1].keys, wanted), dtype=np.int64)
+    return np.asarray(np.searchsorted(shorter[-1].keys, wanted), dtype=np.int32)

@@ -35,7 +35,7 @@ class Pronunciation:
 class Pronouncer:
     """The dictionary and the model for what it lacks; immutable, shared by threads."""
 
-    dictionary: dict[str, tuple[str, ...]]
+    dictionary: dict[str, str]
     graphones: GraphoneModel
 
     @classmethod
@@ -56,7 +56,7 @@ class Pronouncer:
         return Pronunciation((guess,), guessed=True) if guess else None
 
     def _known(self, token: str) -> tuple[Phones, ...]:
-        return tuple(tuple(phones.split()) for phones in self.dictionary.get(token, ()))
+        return tuple(tuple(phones.split()) for phones in self.dictionary.get(token, "").splitlines())
 
     def _derived(self, token: str) -> Iterator[tuple[Phones, ...]]:
         """Pronunciations that follow from a word in the dictionary: "goin'", "Zelda's", "droids", "who'd"."""
@@ -70,18 +70,18 @@ class Pronouncer:
                 yield tuple(with_s(phones) for phones in self._known(token.removesuffix(suffix)))
 
 
-def read_dictionary(path: Path) -> dict[str, tuple[str, ...]]:
-    """Words with their pronunciations, each a string of phones between spaces (CMU format, "read(2) R IY D").
+def read_dictionary(path: Path) -> dict[str, str]:
+    """Words with their pronunciations, a line each, phones between spaces (CMU format, "read(2) R IY D").
 
     Raises ServiceError `model_unreadable`.
     """
-    dictionary: dict[str, tuple[str, ...]] = {}
+    dictionary: dict[str, str] = {}
     try:
         with path.open(encoding="utf-8") as lines:
             for line in lines:
                 name, _, phones = line.rstrip("\n").partition(" ")
                 word = name.partition("(")[0]
-                dictionary[word] = (*dictionary.get(word, ()), phones)
+                dictionary[word] = f"{dictionary[word]}\n{phones}" if word in dictionary else phones
     except (OSError, UnicodeDecodeError) as error:
         raise ServiceError("model_unreadable", f"{path} is no pronunciation dictionary: {error}") from None
     return dictionary
