@@ -13,8 +13,9 @@ A pronunciation is a string of phones between spaces; every word has one or more
 one takes as long as to hear .2 s of speech; no answer depends on earlier requests, since all it remembers is words.
 
 The first pass listens by a grammar: the words in their order, "um" and "uh" between them where they are far likelier
-than nothing, and, if there is more, an end after any word. The second aligns the phones of what was heard. A filler
-that turns out too short, fits poorly or has no pause beside it is none: its sound belongs to the word beside it.
+than nothing, and, if there is more, an end after any word. The second, by a decoder of its own that is less thorough,
+aligns the phones within the words that were heard. A filler that turns out too short, fits poorly or has no pause
+beside it is none: its sound belongs to the word beside it.
 
 Four fifths of the time go into densities of the acoustic model, so the search is narrow at first, and two densities
 are added up for a state, not the usual four; only what then fits badly, as in noise, is searched widely
@@ -35,11 +36,12 @@ FRAMES_PER_S = 100
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """How widely is searched: paths less likely than `beam` times the best are dropped, and the likelihood of a state
-    is the sum of its `densities` best."""
+    """How widely is searched: paths less likely than `beam` times the best are dropped, the likelihood of a state is
+    the sum of its `densities` best, and these are sought afresh in each frame or `every` so many."""
 
     beam: float
     densities: int
+    every: int = 1
 
 
 ROUGH = Search(1e-48, 1)
@@ -48,6 +50,9 @@ ROUGH = Search(1e-48, 1)
 NARROW = Search(1e-48, 2)
 WIDE = Search(1e-200, 2)
 """Nothing is pruned that noise makes unlikely for a while."""
+
+PLACING = Search(1e-48, 4, every=2)
+"""Within words that are found, where no phone begins far from where it would by a finer search."""
 
 SURE_SCORE = -35.0
 """A frame, on average, as all scores here: what fits as well by the narrow search is what the wide one finds."""
@@ -94,7 +99,7 @@ def main(requests: BinaryIO, answers: BinaryIO) -> None:
 
 
 class Listener:
-    """Keeps the decoder of the narrow search; others are made when they are needed, which is seldom."""
+    """Keeps the decoder of the narrow search; others are made when they are needed."""
 
     def __init__(self) -> None:
         self._kept = _Pupil(NARROW)
@@ -113,7 +118,7 @@ class Listener:
 
     def aligned(self, audio: bytes, words: list[list[str]], search: Search) -> Heard:
         """All the words and the fillers that are believed; nothing when there is no path."""
-        decoder = self._decoder(words, search)
+        decoder = self._knowing(words, search)
         _listen(decoder, audio, words)
         heard = _placed(decoder, audio)
         if len(audio) > LONGEST_KEPT_BYTES:
@@ -124,7 +129,7 @@ class Listener:
 
     def _spans(self, audio: bytes, words: list[list[str]], search: Search) -> list[Span] | None:
         """Where the first of the words are, as many as are heard before the audio ends; None when there is no path."""
-        decoder = self._decoder(words, search)
+        decoder = self._knowing(words, search)
         _listen(decoder, audio, words, more=True)
         if decoder.hyp() is None:
             return None
@@ -134,7 +139,7 @@ class Listener:
             for segment in heard
         ]
 
-    def _decoder(self, words: list[list[str]], search: Search) -> Decoder:
+    def _knowing(self, words: list[list[str]], search: Search) -> Decoder:
         """A decoder that knows the words and the fillers."""
         if search != NARROW:
             return _Pupil(search).taught(words)
@@ -186,6 +191,7 @@ def _decoder(search: Search) -> Decoder:
         bestpath=False,
         frate=FRAMES_PER_S,
         topn=search.densities,
+        ds=search.every,
         beam=search.beam,
         pbeam=search.beam,
         wbeam=search.beam,
@@ -210,12 +216,18 @@ def _listen(decoder: Decoder, audio: bytes, words: list[list[str]], *, more: boo
 
 def _placed(decoder: Decoder, audio: bytes) -> Heard:
     """What the decoder just heard, with its phones; nothing when it found no path, or one without words. A phone must
-    be read while its word is there."""
+    be read while its word is there.
+
+    The phones are placed by a new decoder: where densities are not sought in each frame, one that is kept goes by those
+    of earlier audio.
+    """
     if decoder.hyp() is None or any(segment.word == NOTHING for segment in decoder.seg()):
         return []
     decoder.set_alignment()
-    _decode(decoder, audio)
-    heard = [(_told(word), [_told(phone) for phone in word]) for word in decoder.get_alignment()]
+    placer = _decoder(PLACING)
+    placer.set_alignment(decoder.get_alignment())
+    _decode(placer, audio)
+    heard = [(_told(word), [_told(phone) for phone in word]) for word in placer.get_alignment()]
     return [(each, phones) for each, phones in heard if _is_one_of_ours(each[0])]
 
 
