@@ -30,13 +30,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.acoustic.agitation import AgitationModel
+from app.acoustic.contours import contours_of
 from app.acoustic.speaker import SpeakerReference
 from app.acoustic.spectrum import mel_db, mfcc
 from app.acoustic.utterance_features import FEATURE_SETS, paper_features
 from app.model import Audio, Contours, FloatArray
 from training.agitation.choosing import choose
 from training.agitation.conditions import TEST_CONDITIONS, TRAINING_CONDITIONS
-from training.agitation.corpus import CORPORA, Samples, describe, listen, read_audio, read_recordings
+from training.agitation.corpus import CORPORA, Samples, describe, read_audio, read_recordings
 from training.agitation.fuzzy_svm import Recipe, train
 from training.agitation.measuring import measured
 
@@ -175,7 +176,7 @@ def ablation(samples: Samples) -> None:
 def ablation_of_frames(speech: Path) -> None:
     """`paper` on RAVDESS with other frames and bands, trained and tested on the recordings as they are."""
     recordings = read_recordings(speech, CORPORA)
-    heard = [(audio, listen(audio)) for audio in (read_audio(recording.path) for recording in recordings)]
+    heard = [(audio, contours_of(audio)) for audio in (read_audio(recording.path) for recording in recordings)]
     for name, change in PAPER_CHANGES.items():
         rows = np.array([paper_features(audio, change(audio, contours)) for audio, contours in heard])
         samples = describe(recordings, {"clean": rows})

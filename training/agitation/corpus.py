@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from app.acoustic.contours import contours_of
 from app.acoustic.utterance_features import FEATURE_SETS
-from app.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray, Level
+from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 from training.agitation.conditions import Condition
 
 LEVELS = {"low": Level.LOW, "mid": Level.MEDIUM, "high": Level.HIGH}
@@ -108,13 +108,8 @@ def measure(recordings: Sequence[Recording], conditions: Mapping[str, Condition]
 def _features(task: tuple[Path, Condition]) -> dict[str, FloatArray]:
     path, change = task
     audio = change(read_audio(path), np.random.default_rng(zlib.crc32(path.name.encode())))
-    contours = listen(audio)
+    contours = contours_of(audio)
     return {name: features(audio, contours) for name, features in FEATURE_SETS.items()}
-
-
-def listen(audio: Audio) -> Contours:
-    """The contours as `app.performance` makes them."""
-    return contours_of(audio)
 
 
 def read_audio(path: Path) -> Audio:
