@@ -11,12 +11,12 @@ import pytest
 import soundfile
 
 from app.acoustic.agitation import AgitationModel, FuzzySvm, save
+from app.acoustic.contours import contours_of
 from app.acoustic.speaker import SpeakerReference, TypicalSpeaker
 from app.acoustic.utterance_features import FEATURE_SETS
 from app.errors import InputError, ServiceError
 from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 from app.resources import resource_folder
-from training.agitation.corpus import listen
 
 MODEL_FOLDER = resource_folder("models") / "agitation"
 MODEL_FILE, CHECKSUM_FILE = "paper.npz", "paper.npz.sha256"
@@ -144,7 +144,7 @@ def test_the_shipped_models_load_without_scikit_learn() -> None:
 @pytest.mark.parametrize("samples", [np.zeros(1), np.zeros(SAMPLE_RATE_HZ), np.eye(1, 400)[0]])
 def test_the_shipped_models_judge_whatever_they_hear(samples: FloatArray, feature_set: str) -> None:
     audio = Audio(samples)
-    agitation = AgitationModel.load(MODEL_FOLDER, feature_set).agitation(audio, listen(audio))
+    agitation = AgitationModel.load(MODEL_FOLDER, feature_set).agitation(audio, contours_of(audio))
     assert agitation.low + agitation.medium + agitation.high == pytest.approx(1)
     assert min(agitation.low, agitation.medium, agitation.high) >= 0
 
@@ -154,5 +154,5 @@ def test_recording_level_changes_nothing(feature_set: str) -> None:
     model = AgitationModel.load(MODEL_FOLDER, feature_set)
     samples, _ = soundfile.read(Path(__file__).parent / "audio" / "figure8.flac")
     loud, quiet = Audio(samples), Audio(samples * 0.01)
-    heard, whispered = (model.agitation(audio, listen(audio)) for audio in (loud, quiet))
+    heard, whispered = (model.agitation(audio, contours_of(audio)) for audio in (loud, quiet))
     assert (heard.low, heard.high) == pytest.approx((whispered.low, whispered.high), abs=1e-4)

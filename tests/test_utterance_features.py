@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.acoustic.contours import contours_of
 from app.acoustic.utterance_features import full_features, paper_features
 from app.model import SAMPLE_RATE_HZ, Audio, Contours
-from training.agitation.corpus import listen
 
 PITCH = 40
 """Where the median of f0, in octaves above 1 Hz, stands in the full set."""
@@ -35,29 +35,29 @@ def test_only_frames_near_the_loudest_speak_for_the_voice() -> None:
 
 def test_the_full_set_begins_with_the_papers() -> None:
     audio = voice()
-    heard = listen(audio)
+    heard = contours_of(audio)
     assert full_features(audio, heard)[:12] == pytest.approx(paper_features(audio, heard))
 
 
 def test_an_octave_higher_is_one_more() -> None:
-    low, high = (full_features(audio, listen(audio))[PITCH] for audio in (voice(110), voice(220)))
+    low, high = (full_features(audio, contours_of(audio))[PITCH] for audio in (voice(110), voice(220)))
     assert high - low == pytest.approx(1, abs=0.02)
 
 
 def test_length_changes_little() -> None:
     """But for the decline, a line through a few swells, whose ends tilt it."""
-    short, long = (full_features(audio, listen(audio)) for audio in (voice(seconds=2), voice(seconds=6)))
+    short, long = (full_features(audio, contours_of(audio)) for audio in (voice(seconds=2), voice(seconds=6)))
     assert np.delete(long, DECLINE) == pytest.approx(np.delete(short, DECLINE), abs=1.0)
 
 
 def test_swells_are_counted_as_syllables() -> None:
     audio = voice(seconds=5)
-    assert full_features(audio, listen(audio))[38] == pytest.approx(4, abs=0.5)
+    assert full_features(audio, contours_of(audio))[38] == pytest.approx(4, abs=0.5)
 
 
 def test_a_whisper_has_no_pitch_and_says_so() -> None:
     whisper = Audio(np.random.default_rng(0).normal(0, 0.05, SAMPLE_RATE_HZ))
-    features = full_features(whisper, replace(listen(whisper), f0_hz=np.zeros(101)))
+    features = full_features(whisper, replace(contours_of(whisper), f0_hz=np.zeros(101)))
     assert np.isnan(features[PITCH])
     assert features[39] == 0
     assert not np.isnan(features[:39]).any()

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.acoustic.contours import contours_of
 from app.acoustic.vocal_effort import effort_features
 from app.acoustic.voice_quality import voice_quality
 from app.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray
-from training.agitation.corpus import listen
 
 ALPHA, FLUX, PITCH_SLOPE, TILT_WITH_LOUDNESS, PITCH_WITH_LOUDNESS, SPECTRUM = 4, 12, 18, 27, 31, slice(56, 66)
 TIME_S = np.arange(2 * SAMPLE_RATE_HZ) / SAMPLE_RATE_HZ
@@ -23,7 +23,7 @@ def voice(f0_hz: FloatArray | float, fall: FloatArray | float = 1.0, loudness: F
 
 
 def effort(audio: Audio) -> FloatArray:
-    heard = listen(audio)
+    heard = contours_of(audio)
     return effort_of(audio, heard)
 
 
@@ -68,6 +68,6 @@ def test_neither_level_nor_length_matters() -> None:
 
 def test_without_a_voice_only_what_needs_none_is_known() -> None:
     whisper = Audio(np.random.default_rng(0).normal(0, 0.05, SAMPLE_RATE_HZ))
-    heard = listen(whisper)
+    heard = contours_of(whisper)
     features = effort_of(whisper, replace(heard, f0_hz=np.zeros(101)))
     assert np.isnan(features).tolist() == [True] * 12 + [False] * 2 + [True] * 18 + [False] * 34

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.acoustic.contours import contours_of
 from app.acoustic.vocal_motion import motion_features
 from app.acoustic.voice_quality import voice_quality
 from app.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray
-from training.agitation.corpus import listen
 
 ENERGY_STEP, PITCH_DECLINE, ENERGY_DECLINE, FLUX_WITH_ENERGY, NEAR_10_DB, BANDS = 0, 5, 6, 12, 21, slice(24, 34)
 ENERGY_STEADINESS = 22
@@ -25,7 +25,7 @@ def voice(
 
 
 def motion(audio: Audio) -> FloatArray:
-    return motion_of(audio, listen(audio))
+    return motion_of(audio, contours_of(audio))
 
 
 def motion_of(audio: Audio, heard: Contours) -> FloatArray:
@@ -74,6 +74,6 @@ def test_neither_level_nor_length_matters() -> None:
 
 def test_without_a_voice_only_bands_are_known() -> None:
     whisper = Audio(np.random.default_rng(0).normal(0, 0.05, SAMPLE_RATE_HZ))
-    heard = listen(whisper)
+    heard = contours_of(whisper)
     features = motion_of(whisper, replace(heard, f0_hz=np.zeros(101)))
     assert np.isnan(features).tolist() == [True] * 24 + [False] * 10
