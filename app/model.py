@@ -13,8 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.floating]
-"""Of any precision."""
-
 SingleArray = NDArray[np.float32]
 
 SAMPLE_RATE_HZ = 16_000
@@ -87,8 +85,7 @@ class Notice:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Audio:
-    """One mono signal at `SAMPLE_RATE_HZ`; samples are floats, full scale is ±1. What is decoded is single precision,
-    as fine as a recording of 24 bits."""
+    """One mono signal at `SAMPLE_RATE_HZ`; full scale is ±1. Single precision once decoded, as fine as 24 bits."""
 
     samples: FloatArray
 
@@ -139,8 +136,7 @@ class Filler:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Contours:
-    """Frame-wise measures, one row a frame (`FRAME_SHIFT_S`): energy in dB, f0 in Hz (0 where unvoiced), 12 MFCC, and
-    the levels in dB of the Mel bands that those are made of."""
+    """One row a frame (`FRAME_SHIFT_S`): energy in dB, f0 in Hz (0: unvoiced), 12 MFCC, and their Mel bands in dB."""
 
     energy_db: FloatArray
     f0_hz: FloatArray
@@ -270,8 +266,7 @@ class GivenFunction:
 
 @dataclass(frozen=True, slots=True)
 class Movement:
-    """A behaviour class that could show a function (paper §3.4), before clock and neighbours are asked. `name` is an
-    entry of the behaviour table."""
+    """A behaviour class, `name` in its table, that could show a function (paper §3.4), clock and neighbours aside."""
 
     name: str
     first: int
