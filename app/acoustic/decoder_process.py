@@ -80,8 +80,8 @@ class DecoderProcess:
     def align(self, audio: bytes, words: Sequence[Pronunciations]) -> Decoded | None:
         """The phones of each word; None when the decoder finds no path.
 
-        `audio` is 16-bit mono at 16 kHz; Raises ServiceError
-        `aligner_crashed` when the worker dies over it or takes longer than the time limit; the next call has a new one.
+        `audio` is 16-bit mono at 16 kHz. Raises ServiceError `aligner_crashed` when the worker dies over it or takes
+        longer than the time limit; the next call has a new one.
         """
         answer = self._answer(audio, words, more=False)
         if answer["words"] is None:

@@ -72,9 +72,6 @@ LOWEST_FILLER_SCORE = -48.0
 MOST_WORDS_KNOWN = 20_000
 """By one decoder: some ten megabytes."""
 
-LONGEST_KEPT_BYTES = 2 * 16_000 * 15
-"""A decoder keeps the memory that the longest audio took; after longer than this it is let go."""
-
 NOTHING = "(NULL)"
 """What pocketsphinx calls the step of a grammar that no word takes."""
 
@@ -121,8 +118,6 @@ class Listener:
         decoder = self._knowing(words, search)
         _listen(decoder, audio, words)
         heard = _placed(decoder, audio)
-        if len(audio) > LONGEST_KEPT_BYTES:
-            self._kept = _Pupil(NARROW)
         by_a_pause = _are_by_a_pause([each for each, _ in heard])
         doubtful = [_is_doubtful(each, by_a_pause=by) for (each, _), by in zip(heard, by_a_pause, strict=True)]
         return _merged(heard, doubtful)
