@@ -1,6 +1,6 @@
 """The errors a user can meet. Each has a stable `code` and a message that says what, where and what would be right.
 
-They are raised where the mistake is found and caught only at the doors (`app.cli`, `app.api`).
+They are raised where the mistake is found and caught only at the doors (`understudy.cli`, `understudy.api`).
 """
 
 from dataclasses import dataclass
@@ -33,7 +33,7 @@ class UnsupportedFormatError(InputError):
 
 
 class TooLargeError(InputError):
-    """The input passes a limit of `app.settings`."""
+    """The input passes a limit of `understudy.settings`."""
 
 
 class ServiceError(UnderstudyError):

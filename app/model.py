@@ -108,8 +108,8 @@ class Word:
     """A word of the transcript; without audio it has no interval, no phones and nothing of what follows.
 
     How it stands out, in [0, 1]: the stressed ratio is the paper's (§3.1.5), prominence is ours and needs phones, and
-    emphasis is whichever of them is set, on a scale of its own (`app.acoustic.emphasis`), by which all else goes.
-    `spread` tells that its times were guessed from loudness alone.
+    emphasis is whichever of them is set, on a scale of its own (`understudy.acoustic.stress.emphasis`), by which all
+    else goes. `spread` tells that its times were guessed from loudness alone.
     """
 
     index: int
@@ -290,7 +290,7 @@ class Alternative:
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
+class BehaviorCandidates:
     """A function that wants to be shown, and all that could show it; at least one alternative."""
 
     function: Function

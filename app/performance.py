@@ -1,33 +1,32 @@
 """The whole way of a line, in order: read it and you have read the paper's Figure 2, up to the schedule.
 
-Every stage is a pure function over the values of `app.model`; what they need besides (models, rules, tables) is loaded
-once into an `Understudy` and never changes. The doors (`app.cli`, `app.api`) call this module and know nothing of the
-stages; the forms in which results leave (BML, TextGrid, CTM) are passed on from here.
+Every stage is a pure function over the values of `understudy.model`; what they need besides (models, rules, tables) is
+loaded once into an `Understudy` and never changes. The doors (`understudy.cli`, `understudy.api`) call this module and
+know nothing of the stages; the forms in which results leave (BML, TextGrid, CTM) are passed on from here.
 """
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial, reduce
-from pathlib import Path
 from typing import Self
 
-from app.acoustic.agitation import AgitationModel
-from app.acoustic.alignment import Aligner, Alignment
-from app.acoustic.background import doubts
-from app.acoustic.contours import contours_of
-from app.acoustic.decoding import AudioLimits, decode
-from app.acoustic.emphasis import Measure, with_emphasis
-from app.acoustic.prominence import prominence
-from app.acoustic.speaker import SpeakerReference
-from app.acoustic.stress import stress
-from app.acoustic.timings import read_timings, to_ctm, to_textgrid
-from app.bml.characters import Characters
-from app.bml.documents import DialectName, TimeForm
-from app.bml.listening import listen
-from app.bml.scheduling import schedule
-from app.bml.visemes import visemes
-from app.bml.writer import CORE_FORM, BmlForm, write_bml, write_bml_json
-from app.model import (
+from .acoustic.agitation.agitation import AgitationModel
+from .acoustic.agitation.speaker import SpeakerReference
+from .acoustic.alignment.alignment import Aligner, Alignment
+from .acoustic.alignment.timings import read_timings, to_ctm, to_textgrid
+from .acoustic.contours import contours_of
+from .acoustic.signal.background import doubts
+from .acoustic.signal.decoding import AudioLimits, decode
+from .acoustic.stress.emphasis import Measure, with_emphasis
+from .acoustic.stress.prominence import prominence
+from .acoustic.stress.stress import stress
+from .bml.choice.characters import Characters
+from .bml.choice.listening import listen
+from .bml.choice.scheduling import schedule
+from .bml.choice.visemes import visemes
+from .bml.markup.documents import DialectName, TimeForm
+from .bml.writing.writer import CORE_FORM, BmlForm, write_bml, write_bml_json
+from .model import (
     Agitation,
     Audio,
     Contours,
@@ -44,39 +43,39 @@ from app.model import (
     Utterance,
     Word,
 )
-from app.realizer.realizing import Realizer
-from app.resources import resource_folder
-from app.rules.derivation import FunctionRules, derive_functions
-from app.rules.mapping import MappingRules, offer_movements
-from app.settings import Settings
-from app.syntax.parser import Parser
-from app.transcript import read_transcript
+from .realizer.realizing import Realizer
+from .resources import RULES, resource_folder
+from .rules.derivation import FunctionRules, derive_functions
+from .rules.mapping import MappingRules, offer_movements
+from .settings import Settings
+from .syntax.parser import Parser
+from .transcript import read_transcript
 
 __all__ = [
-    "Aligned",
+    "AcousticModels",
+    "AlignedLine",
     "Analysis",
+    "BehaviorModels",
     "BmlForm",
-    "Body",
     "DialectName",
-    "Ears",
-    "Heard",
+    "LanguageModels",
     "Line",
-    "Mind",
     "Options",
     "Progress",
+    "SignalAnalysis",
     "SpeakerReference",
     "TimeForm",
     "Timings",
     "Understudy",
     "align",
     "analyze",
-    "hear",
+    "analyze_signal",
+    "find_functions",
+    "find_functions_in_all",
+    "make_reference",
     "perform",
-    "refer",
     "to_ctm",
     "to_textgrid",
-    "understand",
-    "understand_all",
     "write_bml",
     "write_bml_json",
     "write_listener",
@@ -87,10 +86,8 @@ Progress = Callable[[str], None]
 
 DEFAULT_CHARACTER = "default"
 
-RULES = Path(__file__).resolve().parent / "rules"
 
-
-def unheard(_stage: str) -> None:
+def no_progress(_stage: str) -> None:
     """The progress of a performance that nobody watches."""
 
 
@@ -128,7 +125,7 @@ class Options:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Heard:
+class SignalAnalysis:
     """What the signal alone says."""
 
     audio: Audio
@@ -138,7 +135,7 @@ class Heard:
 
 
 @dataclass(frozen=True, slots=True)
-class Aligned:
+class AlignedLine:
     """The words in time, and the fillers heard between them; `duration_s` is the audio's."""
 
     words: tuple[Word, ...]
@@ -154,11 +151,11 @@ class Analysis:
     utterance: Utterance
     functions: tuple[Function, ...]
     notices: tuple[Notice, ...] = ()
-    heard: Heard | None = field(default=None, repr=False, compare=False)
+    heard: SignalAnalysis | None = field(default=None, repr=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
-class Ears:
+class AcousticModels:
     """What hearing needs (paper §3.1). The aligner runs in a process of its own, started by the first line and ended by
     `close` (or a `with` block)."""
 
@@ -167,7 +164,7 @@ class Ears:
     agitation: AgitationModel
 
     @classmethod
-    def load(cls, settings: Settings) -> "Ears":
+    def load(cls, settings: Settings) -> "AcousticModels":
         """Raises ServiceError when a model is missing or broken."""
         models, lexicon = resource_folder("models"), resource_folder("lexicon")
         return cls(
@@ -187,7 +184,7 @@ class Ears:
 
 
 @dataclass(frozen=True, slots=True)
-class Mind:
+class LanguageModels:
     """What understanding needs (paper §3.2, §3.3)."""
 
     settings: Settings
@@ -195,7 +192,7 @@ class Mind:
     rules: FunctionRules
 
     @classmethod
-    def load(cls, settings: Settings) -> "Mind":
+    def load(cls, settings: Settings) -> "LanguageModels":
         """Raises AuthoringError with every mistake in words and rules, ServiceError when the parser does not load."""
         return cls(
             settings=settings,
@@ -205,14 +202,14 @@ class Mind:
 
 
 @dataclass(frozen=True, slots=True)
-class Body:
+class BehaviorModels:
     """What moving needs (paper §3.4, §3.5)."""
 
     characters: Characters
     rules: MappingRules
 
     @classmethod
-    def load(cls) -> "Body":
+    def load(cls) -> "BehaviorModels":
         """Raises AuthoringError with every mistake in characters, behaviour table and mapping rules."""
         characters = Characters.load(resource_folder("lexicon"))
         return cls(characters=characters, rules=MappingRules.load(RULES, characters.behavior_names))
@@ -222,18 +219,23 @@ class Body:
 class Understudy:
     """The whole of it, loaded once and shared by threads. `close` (or a `with` block) ends the aligner's process."""
 
-    ears: Ears
-    mind: Mind
-    body: Body
+    acoustic: AcousticModels
+    language: LanguageModels
+    behavior: BehaviorModels
     realizer: Realizer
 
     @classmethod
     def load(cls, settings: Settings) -> "Understudy":
         realizer = Realizer.load(resource_folder("lexicon"))
-        return cls(ears=Ears.load(settings), mind=Mind.load(settings), body=Body.load(), realizer=realizer)
+        return cls(
+            acoustic=AcousticModels.load(settings),
+            language=LanguageModels.load(settings),
+            behavior=BehaviorModels.load(),
+            realizer=realizer,
+        )
 
     def close(self) -> None:
-        self.ears.close()
+        self.acoustic.close()
 
     def __enter__(self) -> Self:
         return self
@@ -242,17 +244,17 @@ class Understudy:
         self.close()
 
 
-def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = unheard) -> Performance:
+def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress) -> Performance:
     """The performance of a recorded line (paper §3, Figure 2).
 
     Raises InputError for audio, text, timings, functions or options that cannot be used.
     """
-    character = understudy.body.characters.named(options.character)
+    character = understudy.behavior.characters.named(options.character)
     analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
     progress("mapping")
-    wishes = offer_movements(understudy.body.rules, analysis.utterance, analysis.functions, seed=options.seed)
+    candidates = offer_movements(understudy.behavior.rules, analysis.utterance, analysis.functions, seed=options.seed)
     progress("schedule")
-    behaviors = schedule(wishes, analysis.utterance, character, seed=options.seed, mode=options.mode)
+    behaviors = schedule(candidates, analysis.utterance, character, seed=options.seed, mode=options.mode)
     lips, lip_notices = visemes(analysis.utterance.words, analysis.utterance.duration_s or 0.0)
     performance = Performance(
         utterance=analysis.utterance,
@@ -263,7 +265,7 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
         notices=analysis.notices + lip_notices,
         visemes=lips,
     )
-    return reduce(partial(_heard_by, understudy.body.characters), options.listeners, performance)
+    return reduce(partial(_heard_by, understudy.behavior.characters), options.listeners, performance)
 
 
 def listener_part(performance: Performance, listening: Listening) -> Performance:
@@ -300,86 +302,94 @@ def analyze(
     *,
     agitation: Level | None = None,
     reference: SpeakerReference | None = None,
-    progress: Progress = unheard,
+    progress: Progress = no_progress,
 ) -> Analysis:
     """What is heard, said and meant (paper §3.1 to §3.3)."""
-    ears, mind = understudy.ears, understudy.mind
-    transcript = read_transcript(line.text, max_characters=mind.settings.max_text_characters)
-    heard = hear(ears, line.audio, progress, reference=reference)
-    timed, thresholds = hear_words(ears, heard, transcript, line.timings, progress)
+    acoustic, language = understudy.acoustic, understudy.language
+    transcript = read_transcript(line.text, max_characters=language.settings.max_text_characters)
+    heard = analyze_signal(acoustic, line.audio, progress, reference=reference)
+    timed, thresholds = align_words(acoustic, heard, transcript, line.timings, progress)
     progress("parse")
     utterance = Utterance(
         words=timed.words,
-        parse=mind.parser.parse(timed.words),
+        parse=language.parser.parse(timed.words),
         agitation=_certain(agitation) if agitation else heard.agitation,
         thresholds=thresholds,
         duration_s=heard.audio.duration_s,
         fillers=timed.fillers,
     )
     progress("functions")
-    functions = derive_functions(mind.rules, utterance, given=line.functions)
+    functions = derive_functions(language.rules, utterance, given=line.functions)
     return Analysis(utterance, functions, heard.notices + timed.notices, heard)
 
 
-def understand(mind: Mind, text: str) -> Analysis:
+def find_functions(language: LanguageModels, text: str) -> Analysis:
     """What the words alone say and mean: nothing is heard, so nothing has a time (paper §3.2, §3.3)."""
-    [analysis] = understand_all(mind, [read_transcript(text, max_characters=mind.settings.max_text_characters)])
+    [analysis] = find_functions_in_all(
+        language, [read_transcript(text, max_characters=language.settings.max_text_characters)]
+    )
     return analysis
 
 
-def understand_all(mind: Mind, lines: Sequence[tuple[Word, ...]]) -> Iterator[Analysis]:
+def find_functions_in_all(language: LanguageModels, lines: Sequence[tuple[Word, ...]]) -> Iterator[Analysis]:
     """The same for the words of several lines, which are parsed together: that takes half the time."""
-    for words, parse in zip(lines, mind.parser.parse_all(lines), strict=True):
+    for words, parse in zip(lines, language.parser.parse_all(lines), strict=True):
         utterance = Utterance(words=words, parse=parse)
-        yield Analysis(utterance, derive_functions(mind.rules, utterance))
+        yield Analysis(utterance, derive_functions(language.rules, utterance))
 
 
-def hear(ears: Ears, audio: bytes, progress: Progress = unheard, *, reference: SpeakerReference | None = None) -> Heard:
+def analyze_signal(
+    acoustic: AcousticModels,
+    audio: bytes,
+    progress: Progress = no_progress,
+    *,
+    reference: SpeakerReference | None = None,
+) -> SignalAnalysis:
     """What the signal alone says: its contours and the speaker's agitation (paper §3.1.1 to §3.1.4)."""
     progress("decode")
-    signal, notices = decode(audio, _limits(ears.settings))
+    signal, notices = decode(audio, _limits(acoustic.settings))
     progress("contours")
     contours = contours_of(signal)
     progress("agitation")
-    agitation = ears.agitation.agitation(signal, contours, reference)
-    return Heard(signal, contours, agitation, notices + doubts(contours.energy_db))
+    agitation = acoustic.agitation.agitation(signal, contours, reference)
+    return SignalAnalysis(signal, contours, agitation, notices + doubts(contours.energy_db))
 
 
-def hear_words(
-    ears: Ears,
-    heard: Heard,
+def align_words(
+    acoustic: AcousticModels,
+    heard: SignalAnalysis,
     transcript: tuple[Word, ...],
     timings: Timings | None = None,
-    progress: Progress = unheard,
+    progress: Progress = no_progress,
 ) -> tuple[Alignment, StressThresholds]:
     """The words in time with how they stand out, and the utterance's own thresholds (paper §3.1.5)."""
     progress("align")
-    timed = _timed(ears, heard.audio, transcript, timings)
+    timed = _timed(acoustic, heard.audio, transcript, timings)
     progress("stress")
     words, thresholds = stress(prominence(timed.words, heard.contours), heard.contours)
-    settings = ears.settings
+    settings = acoustic.settings
     measure = Measure(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
     return replace(timed, words=with_emphasis(words, measure)), thresholds
 
 
-def refer(ears: Ears, recordings: Sequence[Heard]) -> SpeakerReference:
+def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis]) -> SpeakerReference:
     """How the speaker of these recordings, one or more, usually sounds."""
-    features = [ears.agitation.describe(heard.audio, heard.contours) for heard in recordings]
-    return SpeakerReference.of(ears.agitation.feature_set, features)
+    features = [acoustic.agitation.describe(heard.audio, heard.contours) for heard in recordings]
+    return SpeakerReference.of(acoustic.agitation.feature_set, features)
 
 
-def align(ears: Ears, line: Line) -> Aligned:
+def align(acoustic: AcousticModels, line: Line) -> AlignedLine:
     """The words and phones of a line in time."""
-    transcript = read_transcript(line.text, max_characters=ears.settings.max_text_characters)
-    signal, notices = decode(line.audio, _limits(ears.settings))
-    timed = _timed(ears, signal, transcript, line.timings)
-    return Aligned(timed.words, signal.duration_s, notices + timed.notices, timed.fillers)
+    transcript = read_transcript(line.text, max_characters=acoustic.settings.max_text_characters)
+    signal, notices = decode(line.audio, _limits(acoustic.settings))
+    timed = _timed(acoustic, signal, transcript, line.timings)
+    return AlignedLine(timed.words, signal.duration_s, notices + timed.notices, timed.fillers)
 
 
-def _timed(ears: Ears, audio: Audio, transcript: tuple[Word, ...], timings: Timings | None) -> Alignment:
+def _timed(acoustic: AcousticModels, audio: Audio, transcript: tuple[Word, ...], timings: Timings | None) -> Alignment:
     """The words in time: as the caller timed them, else as the aligner hears them."""
     if timings is None:
-        return ears.aligner.listen(audio, transcript)
+        return acoustic.aligner.listen(audio, transcript)
     return Alignment(read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s), ())
 
 

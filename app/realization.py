@@ -10,40 +10,40 @@ from enum import StrEnum
 from pathlib import Path
 from types import MappingProxyType
 
-from app.bml.delivery import emphases_s, phrases
-from app.bml.reader import read_bml
-from app.bml.resolving import Resolved, resolve
-from app.bml.speech import speech_of
-from app.bml.visemes import visemes
-from app.errors import InputError
-from app.model import Behavior, FloatArray, Level, Notice, Performance, Schedule, Word
-from app.performance import Ears, Heard, Progress, hear, hear_words, unheard
-from app.realizer.diphthongs import with_glides
-from app.realizer.exporting.arkit_csv import to_arkit_csv
-from app.realizer.exporting.avatar import to_avatar_glb
-from app.realizer.exporting.bvh import to_bvh
-from app.realizer.exporting.clip_json import to_clip_json
-from app.realizer.exporting.glb import to_glb
-from app.realizer.exporting.viseme_list import to_viseme_text
-from app.realizer.exporting.vrma import to_vrma
-from app.realizer.lips import viseme_weights
-from app.realizer.motion import Motion
-from app.realizer.realizing import Realizer, realize
-from app.realizer.sheet import draw_sheet, moments_of
-from app.realizer.speed_plot import draw_speeds
-from app.transcript import read_transcript
+from .bml.choice.delivery import emphases_s, phrases
+from .bml.choice.visemes import visemes
+from .bml.markup.speech import speech_of
+from .bml.reading.reader import read_bml
+from .bml.reading.resolving import Resolved, resolve
+from .errors import InputError
+from .model import Behavior, FloatArray, Level, Notice, Performance, Schedule, Word
+from .performance import AcousticModels, Progress, SignalAnalysis, align_words, analyze_signal, no_progress
+from .realizer.body.motion import Motion
+from .realizer.exporting.arkit_csv import to_arkit_csv
+from .realizer.exporting.avatar import to_avatar_glb
+from .realizer.exporting.bvh import to_bvh
+from .realizer.exporting.clip_json import to_clip_json
+from .realizer.exporting.glb import to_glb
+from .realizer.exporting.viseme_list import to_viseme_text
+from .realizer.exporting.vrma import to_vrma
+from .realizer.face.diphthongs import with_glides
+from .realizer.face.lips import viseme_weights
+from .realizer.pictures.contact_sheet import draw_sheet, moments_of
+from .realizer.pictures.speed_plot import draw_speeds
+from .realizer.realizing import Realizer, realize
+from .transcript import read_transcript
 
 __all__ = [
+    "AvatarOptions",
+    "BmlInput",
     "MotionFormat",
+    "PreparedSchedule",
     "Realized",
     "Realizer",
-    "Sheet",
-    "Staged",
-    "Wearer",
     "format_of",
+    "prepare_schedule",
     "realize",
     "schedule_of",
-    "stage",
     "write_motion",
 ]
 
@@ -73,7 +73,7 @@ _RIGS: Mapping[MotionFormat, str] = MappingProxyType({MotionFormat.BVH: MIXAMO})
 
 
 @dataclass(frozen=True, slots=True)
-class Wearer:
+class AvatarOptions:
     """Who is to wear the motion: the rig whose names joints go by in BVH and the clip, and the avatar, a GLB or VRM
     file, that a GLB has instead of our mannequin."""
 
@@ -81,7 +81,7 @@ class Wearer:
     avatar: bytes | None = None
 
 
-OURS = Wearer()
+OURS = AvatarOptions()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -93,7 +93,7 @@ class Realized:
 
 
 @dataclass(frozen=True, slots=True)
-class Sheet:
+class BmlInput:
     """A BML file that is to be played: its content, its name in messages, and the recording of its speech."""
 
     bml: bytes
@@ -102,7 +102,7 @@ class Sheet:
 
 
 @dataclass(frozen=True, slots=True)
-class Staged:
+class PreparedSchedule:
     """A schedule ready for the realizer, and what was guessed or left out on the way."""
 
     schedule: Schedule
@@ -125,14 +125,14 @@ def schedule_of(performance: Performance) -> Schedule:
     )
 
 
-def stage(
-    ears: Ears,
-    sheet: Sheet,
+def prepare_schedule(
+    acoustic: AcousticModels,
+    sheet: BmlInput,
     *,
     agitation: Level | None = None,
     character: str | None = None,
-    progress: Progress = unheard,
-) -> Staged:
+    progress: Progress = no_progress,
+) -> PreparedSchedule:
     """What a BML file has the body do, in the time of its recording.
 
     `agitation` overrides what the voice says, and `character` who is named in the file. Raises WrongBmlError,
@@ -140,8 +140,8 @@ def stage(
     """
     document, notices = read_bml(sheet.bml, sheet.name)
     speech = speech_of(document)
-    heard = None if sheet.audio is None else hear(ears, sheet.audio, progress)
-    words, word_notices = _words(ears, heard, speech.text if speech else "", progress)
+    heard = None if sheet.audio is None else analyze_signal(acoustic, sheet.audio, progress)
+    words, word_notices = _words(acoustic, heard, speech.text if speech else "", progress)
     progress("resolve")
     resolved = resolve(document, words)
     level = agitation or resolved.agitation or (heard.agitation.level if heard else Level.MEDIUM)
@@ -149,11 +149,13 @@ def stage(
     named = replace(schedule, character=character or resolved.character or DEFAULT_CHARACTER)
     unheard_lips = _lips_unheard() if speech and not heard and not schedule.visemes else ()
     heard_notices = heard.notices if heard else ()
-    return Staged(named, (*notices, *heard_notices, *word_notices, *resolved.notices, *lip_notices, *unheard_lips))
+    return PreparedSchedule(
+        named, (*notices, *heard_notices, *word_notices, *resolved.notices, *lip_notices, *unheard_lips)
+    )
 
 
 def _words(
-    ears: Ears, heard: Heard | None, text: str, progress: Progress
+    acoustic: AcousticModels, heard: SignalAnalysis | None, text: str, progress: Progress
 ) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
     """The words of the speech where the recording has them."""
     if heard is None:
@@ -161,12 +163,12 @@ def _words(
     if not text:
         message = "the BML says no words to look for in the recording; give its <speech> a <text>"
         return (), (Notice("speech_missing", message),)
-    transcript = read_transcript(text, max_characters=ears.settings.max_text_characters)
-    timed, _thresholds = hear_words(ears, heard, transcript, None, progress)
+    transcript = read_transcript(text, max_characters=acoustic.settings.max_text_characters)
+    timed, _thresholds = align_words(acoustic, heard, transcript, None, progress)
     return timed.words, timed.notices
 
 
-def _schedule(resolved: Resolved, heard: Heard | None, level: Level) -> tuple[Schedule, tuple[Notice, ...]]:
+def _schedule(resolved: Resolved, heard: SignalAnalysis | None, level: Level) -> tuple[Schedule, tuple[Notice, ...]]:
     spoken_s = [word.interval.end_s for word in resolved.words if word.interval]
     heard_s = heard.audio.duration_s if heard else 0.0
     lips, notices = visemes(resolved.words, heard_s) if heard else ((), ())
@@ -200,7 +202,7 @@ def format_of(name: str) -> MotionFormat:
     return max(fitting, key=lambda each: len(each.value))
 
 
-def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, wearer: Wearer = OURS) -> bytes:
+def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, wearer: AvatarOptions = OURS) -> bytes:
     """The motion in a format, for whoever wears it.
 
     Raises InputError `unknown_skeleton` and `unknown_avatar`, UndecodableError `avatar_undecodable`.

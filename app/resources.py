@@ -2,9 +2,12 @@
 
 from pathlib import Path
 
-from app.errors import ServiceError
+from .errors import ServiceError
 
 _PACKAGE = Path(__file__).resolve().parent
+
+RULES = _PACKAGE / "rules"
+"""The rule files, which lie beside the code that runs them."""
 
 
 def resource_folder(name: str) -> Path:

@@ -6,8 +6,8 @@ from typing import Literal
 from pydantic import Field, ValidationError
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
-from app.acoustic.emphasis import PROMINENT, STRESSED
-from app.errors import InputError
+from .acoustic.stress.emphasis import PROMINENT, STRESSED
+from .errors import InputError
 
 PREFIX = "UNDERSTUDY_"
 

@@ -6,8 +6,8 @@ A dash or a smiley that stands alone is a word too and keeps its number, though 
 import re
 import unicodedata
 
-from app.errors import InputError, TooLargeError
-from app.model import Word
+from .errors import InputError, TooLargeError
+from .model import Word
 
 MAX_PUNCTUATION_RUN = 8
 """Longest run of characters that are neither letter nor digit that a parser is given (`with_short_runs`)."""

@@ -13,8 +13,8 @@ import time
 from collections import defaultdict
 from pathlib import Path
 
-from app.performance import Line, Options, Understudy, perform, write_bml
-from app.settings import Settings
+from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.settings import Settings
 
 LINES = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech" / "lines"
 TEXT_STAGES = ("parse", "functions", "mapping", "schedule", "write")

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from app.performance import Understudy
-from app.settings import Settings
+from understudy.performance import Understudy
+from understudy.settings import Settings
 
 SHARED_LINES = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech" / "lines"
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from app import errors
-from app.api.problems import status_of
-from app.errors import AuthoringError, Mistake, UnderstudyError
+from understudy import errors
+from understudy.api.problems import status_of
+from understudy.errors import AuthoringError, Mistake, UnderstudyError
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCUMENTED = dict(re.findall(r"^\| `(\w+)` \| (\w+) \|", (ROOT / "docs/errors.md").read_text(), re.MULTILINE))

@@ -6,10 +6,19 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import InputError
-from app.model import Behavior, Channel, Level, Performance
-from app.performance import Line, Options, Understudy, perform, write_bml
-from app.realization import MotionFormat, Realized, Sheet, format_of, realize, schedule_of, stage, write_motion
+from understudy.errors import InputError
+from understudy.model import Behavior, Channel, Level, Performance
+from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.realization import (
+    BmlInput,
+    MotionFormat,
+    Realized,
+    format_of,
+    prepare_schedule,
+    realize,
+    schedule_of,
+    write_motion,
+)
 
 AUDIO_FOLDER = Path(__file__).parent / "audio"
 AUDIO = (AUDIO_FOLDER / "figure8.flac").read_bytes()
@@ -31,7 +40,7 @@ def in_core_bml(behavior: Behavior) -> Behavior:
 
 def test_bml_with_its_recording_is_staged_as_performed(understudy: Understudy, performance: Performance) -> None:
     direct = schedule_of(performance)
-    staged = stage(understudy.ears, Sheet(write_bml(performance), Path("a.bml"), AUDIO))
+    staged = prepare_schedule(understudy.acoustic, BmlInput(write_bml(performance), Path("a.bml"), AUDIO))
     assert staged.notices == ()
     assert staged.schedule.words == direct.words
     assert staged.schedule.visemes == direct.visemes
@@ -51,20 +60,20 @@ def test_bml_with_its_recording_is_staged_as_performed(understudy: Understudy, p
 
 
 def test_what_the_caller_says_goes_before_what_is_heard(understudy: Understudy, performance: Performance) -> None:
-    sheet = Sheet(write_bml(performance), Path("a.bml"), AUDIO)
-    staged = stage(understudy.ears, sheet, agitation=Level.HIGH, character="reserved")
+    sheet = BmlInput(write_bml(performance), Path("a.bml"), AUDIO)
+    staged = prepare_schedule(understudy.acoustic, sheet, agitation=Level.HIGH, character="reserved")
     assert (staged.schedule.agitation, staged.schedule.character) == (Level.HIGH, "reserved")
 
 
 def test_without_the_recording_lips_stay_shut_and_it_is_said(understudy: Understudy, performance: Performance) -> None:
-    staged = stage(understudy.ears, Sheet(write_bml(performance), Path("a.bml")))
+    staged = prepare_schedule(understudy.acoustic, BmlInput(write_bml(performance), Path("a.bml")))
     assert staged.schedule.visemes == ()
     assert [notice.code for notice in staged.notices] == ["lips_unheard"]
 
 
 def test_a_recording_without_words_is_said(understudy: Understudy) -> None:
     bml = b'<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="c"/>'
-    staged = stage(understudy.ears, Sheet(bml, Path("a.bml"), AUDIO))
+    staged = prepare_schedule(understudy.acoustic, BmlInput(bml, Path("a.bml"), AUDIO))
     assert [notice.code for notice in staged.notices] == ["speech_missing"]
 
 

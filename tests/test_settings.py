@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from app.errors import InputError
-from app.settings import PREFIX, Settings, read_settings
+from understudy.errors import InputError
+from understudy.settings import PREFIX, Settings, read_settings
 
 DOCUMENTED = dict(
     re.findall(

@@ -2,8 +2,8 @@
 
 import pytest
 
-from app.errors import InputError, TooLargeError
-from app.transcript import MAX_PUNCTUATION_RUN, MAX_WORD_CHARACTERS, read_transcript, with_short_runs
+from understudy.errors import InputError, TooLargeError
+from understudy.transcript import MAX_PUNCTUATION_RUN, MAX_WORD_CHARACTERS, read_transcript, with_short_runs
 
 
 def _texts(text: str) -> list[str]:

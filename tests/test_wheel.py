@@ -16,8 +16,9 @@ def test_the_wheel_performs_away_from_the_checkout(tmp_path: Path) -> None:
     zipfile.ZipFile(wheel).extractall(installed)
     program = (
         "import sys; sys.path.insert(0, sys.argv[1])\n"
-        "import app; assert app.__file__.startswith(sys.argv[1]), app.__file__\n"
-        "from app.cli.main import main; sys.argv[:] = ['understudy', 'functions', '--text', 'No, not those.']; main()"
+        "import understudy; assert understudy.__file__.startswith(sys.argv[1]), understudy.__file__\n"
+        "from understudy.cli.main import main\n"
+        "sys.argv[:] = ['understudy', 'functions', '--text', 'No, not those.']; main()"
     )
     run = subprocess.run(
         [sys.executable, "-c", program, str(installed)], cwd=tmp_path, check=True, capture_output=True, text=True

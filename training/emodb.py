@@ -7,8 +7,8 @@ listeners' judgements from 0 (none) to 3. A line without stress ("." or "(") beg
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.acoustic.decoding import AudioLimits, decode
-from app.model import Audio, Interval
+from understudy.acoustic.signal.decoding import AudioLimits, decode
+from understudy.model import Audio, Interval
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,9 +1,9 @@
-"""Fits the weights of `app.acoustic.prominence` to the stress that listeners heard in syllables.
+"""Fits the weights of `understudy.acoustic.stress.prominence` to the stress that listeners heard in syllables.
 
     python -m training.prominence [--speech FOLDER]
 
 Data: EmoDB (`training/emodb.py`), six speakers of German. A syllable counts as stressed from a mean judgement of
-`STRESSED` on. `python -m benchmarks.prominence` fits with the same function, speaker by speaker held out.
+`STRESSED` on. `python -m benchmarks.acoustic.prominence` fits with the same function, speaker by speaker held out.
 """
 
 import argparse
@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 from sklearn.linear_model import LogisticRegression
 
-from app.acoustic.contours import contours_of
-from app.acoustic.prominence import cues, log_odds
-from app.model import FloatArray
 from training.emodb import read_judged
+from understudy.acoustic.contours import contours_of
+from understudy.acoustic.stress.prominence import cues, log_odds
+from understudy.model import FloatArray
 
 SPEECH = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech"
 STRESSED = 1.5

@@ -1,11 +1,11 @@
-"""Fits the weights of `app.acoustic.voicing.WEIGHED` to laryngograph references.
+"""Fits the weights of `understudy.acoustic.pitch.voicing.WEIGHED` to laryngograph references.
 
     python -m training.voicing [--fda FOLDER]
 
-Data: the sentences of odd number of the FDA evaluation database (`benchmarks.pitch` tells of it and reports the even
-ones), clean and with white noise and babble at 20 and 10 dB, and noise without a voice. A clean frame counts as much
-as `CLEAN_WEIGHT` others, for most lines are recorded in a studio. The errors it prints are cross-validated, each
-sentence judged by weights fitted without it; the last line is fitted to all.
+Data: the sentences of odd number of the FDA evaluation database (`benchmarks.acoustic.pitch` tells of it and reports
+the even ones), clean and with white noise and babble at 20 and 10 dB, and noise without a voice. A clean frame counts
+as much as `CLEAN_WEIGHT` others, for most lines are recorded in a studio. The errors it prints are cross-validated,
+each sentence judged by weights fitted without it; the last line is fitted to all.
 """
 
 import argparse
@@ -15,10 +15,19 @@ from typing import NamedTuple
 import numpy as np
 from sklearn.linear_model import LogisticRegression
 
-from app.acoustic.pitch import pitch_if_voiced
-from app.acoustic.voicing import Voicing, voiced_frames
-from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
-from benchmarks.pitch import FDA, REFERENCE_SHIFT_S, Recording, at_references, babble, read_recording, white, with_noise
+from benchmarks.acoustic.pitch import (
+    FDA,
+    REFERENCE_SHIFT_S,
+    Recording,
+    at_references,
+    babble,
+    read_recording,
+    white,
+    with_noise,
+)
+from understudy.acoustic.pitch.pitch import pitch_if_voiced
+from understudy.acoustic.pitch.voicing import Voicing, voiced_frames
+from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
 CLEAN_WEIGHT = 5.0
 FOLDS = 5

@@ -1,8 +1,8 @@
 """What is measured of a signal frame by frame, before anything is judged by it."""
 
-from app.acoustic.pitch import track_f0
-from app.acoustic.spectrum import energy_db, mel_db, mfcc
-from app.model import Audio, Contours
+from ..model import Audio, Contours
+from .pitch.pitch import track_f0
+from .signal.spectrum import energy_db, mel_db, mfcc
 
 
 def contours_of(audio: Audio) -> Contours:

@@ -5,17 +5,17 @@ from contextlib import ExitStack, asynccontextmanager
 
 from fastapi import FastAPI
 
-from app import __version__
-from app.api.body_limit import BodyLimit
-from app.api.capacity import Capacity
-from app.api.metrics import Measured, Metrics
-from app.api.problems import answer_errors_as_problems
-from app.api.reloading import reloading
-from app.api.routes import router
-from app.api.service import Service
-from app.catalogue import Catalogue
-from app.performance import Understudy
-from app.settings import Settings
+from .. import __version__
+from ..authoring.catalogue import Catalogue
+from ..performance import Understudy
+from ..settings import Settings
+from .body_limit import BodyLimit
+from .capacity import Capacity
+from .metrics import Measured, Metrics
+from .problems import answer_errors_as_problems
+from .reloading import reloading
+from .routes import router
+from .service import Service
 
 DESCRIPTION = "Performs a spoken line in an actor's stead: audio and words in, a BML schedule of movements out."
 
@@ -32,7 +32,7 @@ def create_app(settings: Settings, understudy: Understudy | None = None, *, relo
             loaded = understudy or stack.enter_context(Understudy.load(settings))
             capacity = Capacity(settings.max_concurrent)
             stack.callback(capacity.close)
-            catalogue = Catalogue.of(loaded.mind.rules, loaded.body.characters, loaded.body.rules)
+            catalogue = Catalogue.of(loaded.language.rules, loaded.behavior.characters, loaded.behavior.rules)
             metrics.watch(lambda: capacity.busy)
             app.state.service = Service(settings, loaded, catalogue, capacity, metrics)
             if reload:

@@ -2,7 +2,7 @@
 
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from app.errors import TooLargeError
+from ..errors import TooLargeError
 
 
 class BodyLimit:

@@ -7,8 +7,8 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Self, TypeVar
 
-from app.errors import ServiceError
-from app.performance import Progress
+from ..errors import ServiceError
+from ..performance import Progress
 
 Result = TypeVar("Result")
 

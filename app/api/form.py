@@ -1,6 +1,6 @@
 """Reads a multipart form into memory: every part's bytes, nothing on disk, nothing guessed.
 
-The size of the whole is limited where the bytes come in (`app.api.body_limit`).
+The size of the whole is limited where the bytes come in (`understudy.api.body_limit`).
 """
 
 from collections.abc import Collection
@@ -11,7 +11,7 @@ from python_multipart.exceptions import FormParserError
 from python_multipart.multipart import MultipartParser, parse_options_header
 from starlette.requests import Request
 
-from app.errors import InputError, UndecodableError, UnsupportedFormatError
+from ..errors import InputError, UndecodableError, UnsupportedFormatError
 
 if TYPE_CHECKING:
     from python_multipart.multipart import MultipartCallbacks

@@ -12,11 +12,11 @@ from threading import Event, Thread
 
 from starlette.datastructures import State
 
-from app.api.service import Service
-from app.authoring import files_in_use, read_again
-from app.catalogue import Catalogue
-from app.errors import UnderstudyError
-from app.watching import LOOK_EVERY_S, saves
+from ..authoring.catalogue import Catalogue
+from ..authoring.inspection import files_in_use, read_again
+from ..authoring.watching import LOOK_EVERY_S, saves
+from ..errors import UnderstudyError
+from .service import Service
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -38,7 +38,7 @@ def reloaded(service: Service) -> Service:
     """The service with the files as they are now; the old one, with the reason, when they have mistakes."""
     try:
         understudy = read_again(service.understudy)
-        catalogue = Catalogue.of(understudy.mind.rules, understudy.body.characters, understudy.body.rules)
+        catalogue = Catalogue.of(understudy.language.rules, understudy.behavior.characters, understudy.behavior.rules)
     except UnderstudyError as error:
         _LOGGER.error("nothing reloaded, what was loaded before stays:\n%s", error.message)
         return replace(service, not_reloaded=error.message)

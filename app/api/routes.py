@@ -11,29 +11,29 @@ from fastapi import APIRouter, Request, Response
 from starlette.exceptions import HTTPException
 from starlette.responses import PlainTextResponse
 
-from app.answers import Answer, FunctionsAnswer, PerformAnswer
-from app.api.capacity import Deadline
-from app.api.form import Part, read_form
-from app.api.metrics import MEDIA_TYPE as METRICS
-from app.api.negotiation import preferred
-from app.api.problems import MEDIA_TYPE as PROBLEM
-from app.api.service import Shared
-from app.api.speaker import with_reference
-from app.catalogue import Kind
-from app.errors import InputError, UnsupportedFormatError
-from app.given_functions import read_functions
-from app.library_answers import CharactersAnswer, GesturesAnswer, RulesAnswer
-from app.model import Notice
-from app.performance import Line, Options, Progress, Understudy, perform, understand, write_bml, write_listener
-from app.questions import (
-    RealizeQuestion,
+from ..authoring.catalogue import Kind
+from ..errors import InputError, UnsupportedFormatError
+from ..model import Notice
+from ..performance import Line, Options, Progress, Understudy, find_functions, perform, write_bml, write_listener
+from ..realization import AvatarOptions, BmlInput, MotionFormat, Realized, prepare_schedule, realize, write_motion
+from ..schemas.given_functions import read_functions
+from ..schemas.library import CharactersResponse, GesturesResponse, RulesResponse
+from ..schemas.requests import (
+    RealizeOptions,
     read_object,
     read_options,
-    read_question,
     read_realize_options,
+    read_request,
     read_timings,
 )
-from app.realization import MotionFormat, Realized, Sheet, Wearer, realize, stage, write_motion
+from ..schemas.responses import FunctionsResponse, PerformResponse, ResponseModel
+from .capacity import Deadline
+from .form import Part, read_form
+from .metrics import MEDIA_TYPE as METRICS
+from .negotiation import preferred
+from .problems import MEDIA_TYPE as PROBLEM
+from .service import Shared
+from .speaker import with_reference
 
 XML = "application/xml"
 JSON = "application/json"
@@ -73,7 +73,7 @@ _FUNCTIONS_BODY = {
     }
 }
 _ERRORS: dict[int | str, dict[str, Any]] = {"4XX": {"content": {PROBLEM: {}}}, "5XX": {"content": {PROBLEM: {}}}}
-_PERFORMED: dict[int | str, dict[str, Any]] = {200: {"content": {XML: {}}, "model": PerformAnswer}}
+_PERFORMED: dict[int | str, dict[str, Any]] = {200: {"content": {XML: {}}, "model": PerformResponse}}
 
 _REALIZED: dict[int | str, dict[str, Any]] = {200: {"content": {JSON: {}, GLB: {}, BVH: {}}}}
 _REALIZE_BODY = {
@@ -129,39 +129,39 @@ async def post_realize(request: Request, shared: Shared) -> Response:
     return await shared.capacity.run(work, deadline)
 
 
-@router.post("/functions", response_model=FunctionsAnswer, responses=_ERRORS, openapi_extra=_FUNCTIONS_BODY)
+@router.post("/functions", response_model=FunctionsResponse, responses=_ERRORS, openapi_extra=_FUNCTIONS_BODY)
 async def post_functions(request: Request, shared: Shared) -> Response:
     """What words alone do."""
     if request.headers.get("content-type", "").partition(";")[0].strip().lower() != JSON:
         raise UnsupportedFormatError("media_type", f'send {JSON}: {{"text": "…"}}')
     deadline = Deadline.starting_now(shared.settings.deadline_s)
-    question = read_question(read_object(await deadline.within(request.body()), "body"))
-    analysis = await shared.capacity.run(lambda _: understand(shared.understudy.mind, question.text), deadline)
-    return _json(FunctionsAnswer.of(analysis, question.id))
+    question = read_request(read_object(await deadline.within(request.body()), "body"))
+    analysis = await shared.capacity.run(lambda _: find_functions(shared.understudy.language, question.text), deadline)
+    return _json(FunctionsResponse.of(analysis, question.id))
 
 
-@router.get("/characters", response_model=CharactersAnswer)
+@router.get("/characters", response_model=CharactersResponse)
 def get_characters(shared: Shared) -> Response:
     """Who can perform, and how they move."""
-    return _json(CharactersAnswer.of(shared.catalogue.characters.by_name.values()))
+    return _json(CharactersResponse.of(shared.catalogue.characters.by_name.values()))
 
 
-@router.get("/gestures", response_model=GesturesAnswer)
+@router.get("/gestures", response_model=GesturesResponse)
 def get_gestures(shared: Shared) -> Response:
     """The library of gestures: what shows which lexeme, and how it is made at each level of agitation."""
-    return _json(GesturesAnswer.of(shared.understudy.realizer.library.definitions))
+    return _json(GesturesResponse.of(shared.understudy.realizer.library.definitions))
 
 
-@router.get("/rules", response_model=RulesAnswer)
+@router.get("/rules", response_model=RulesResponse)
 def get_rules(shared: Shared) -> Response:
     """Every function rule, mapping rule and table entry."""
-    return _json(RulesAnswer.of(item for item in shared.catalogue.items if item.kind is not Kind.WORD))
+    return _json(RulesResponse.of(item for item in shared.catalogue.items if item.kind is not Kind.WORD))
 
 
-@router.get("/lexicon", response_model=RulesAnswer)
+@router.get("/lexicon", response_model=RulesResponse)
 def get_lexicon(shared: Shared) -> Response:
     """Every word and phrase."""
-    return _json(RulesAnswer.of(item for item in shared.catalogue.items if item.kind is Kind.WORD))
+    return _json(RulesResponse.of(item for item in shared.catalogue.items if item.kind is Kind.WORD))
 
 
 @router.get("/healthz")
@@ -212,8 +212,8 @@ def _options(form: dict[str, Part]) -> Options:
 class _Asked:
     """BML that is to be played, how, and for whom."""
 
-    sheet: Sheet
-    question: RealizeQuestion
+    sheet: BmlInput
+    question: RealizeOptions
     avatar: bytes | None = None
 
 
@@ -221,15 +221,15 @@ async def _asked(request: Request) -> _Asked:
     """Raises InputError `field_missing`, UnsupportedFormatError `media_type`, and what the form's own checks raise."""
     sent = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if sent in _BML_TYPES:
-        return _Asked(Sheet(await request.body(), Path("bml")), RealizeQuestion())
+        return _Asked(BmlInput(await request.body(), Path("bml")), RealizeOptions())
     if sent != "multipart/form-data":
         raise UnsupportedFormatError("media_type", f"send BML as {XML}, or multipart/form-data with bml and audio")
     form = await read_form(request, REALIZE_FIELDS)
     if "bml" not in form:
         raise InputError("field_missing", "the field bml is missing; send the BML that is to be played", field="bml")
     content = {name: part.content for name, part in form.items()}
-    question = read_realize_options(content["options"]) if "options" in content else RealizeQuestion()
-    sheet = Sheet(content["bml"], Path(form["bml"].file_name or "bml"), content.get("audio"))
+    question = read_realize_options(content["options"]) if "options" in content else RealizeOptions()
+    sheet = BmlInput(content["bml"], Path(form["bml"].file_name or "bml"), content.get("audio"))
     return _Asked(sheet, question, content.get("avatar"))
 
 
@@ -238,14 +238,14 @@ def _realized(understudy: Understudy, asked: _Asked, media_type: str, progress: 
     question, realizer = asked.question, understudy.realizer
     if question.skeleton:
         realizer.rig(question.skeleton)
-    staged = stage(
-        understudy.ears, asked.sheet, agitation=question.agitation, character=question.character, progress=progress
+    staged = prepare_schedule(
+        understudy.acoustic, asked.sheet, agitation=question.agitation, character=question.character, progress=progress
     )
     progress("realize")
     motion = realize(realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed)
     progress("export")
     realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
-    wearer = Wearer(question.skeleton, asked.avatar)
+    wearer = AvatarOptions(question.skeleton, asked.avatar)
     content = write_motion(realized, realizer, _MOTION_FORMATS[media_type], wearer)
     return Response(content, media_type=media_type, headers=_headers(staged.notices))
 
@@ -271,9 +271,9 @@ def _performed(
     progress("write")
     bml = write_bml(performance, options.form)
     listeners = {each.name: write_listener(performance, each, options.form) for each in performance.listeners}
-    content = bml if media_type == XML else PerformAnswer.of(performance, bml, listeners).to_json()
+    content = bml if media_type == XML else PerformResponse.of(performance, bml, listeners).to_json()
     return Response(content, media_type=media_type, headers=_headers(performance.notices))
 
 
-def _json(answer: Answer) -> Response:
+def _json(answer: ResponseModel) -> Response:
     return Response(answer.to_json(), media_type=JSON)

@@ -5,11 +5,11 @@ from typing import Annotated
 
 from fastapi import Depends, Request
 
-from app.api.capacity import Capacity
-from app.api.metrics import Metrics
-from app.catalogue import Catalogue
-from app.performance import Understudy
-from app.settings import Settings
+from ..authoring.catalogue import Catalogue
+from ..performance import Understudy
+from ..settings import Settings
+from .capacity import Capacity
+from .metrics import Metrics
 
 
 @dataclass(frozen=True, slots=True)

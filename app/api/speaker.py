@@ -3,10 +3,10 @@
 from dataclasses import replace
 from pathlib import PurePath
 
-from app.api.form import Part
-from app.errors import InputError
-from app.performance import Options, Understudy, hear, refer
-from app.references import read_reference
+from ..errors import InputError
+from ..performance import Options, Understudy, analyze_signal, make_reference
+from ..schemas.references import read_reference
+from .form import Part
 
 
 def with_reference(options: Options, part: Part | None, understudy: Understudy) -> Options:
@@ -24,7 +24,7 @@ def with_reference(options: Options, part: Part | None, understudy: Understudy) 
     if PurePath(name).suffix.lower() == ".json":
         return replace(options, reference=read_reference(part.content, name))
     try:
-        heard = hear(understudy.ears, part.content)
+        heard = analyze_signal(understudy.acoustic, part.content)
     except InputError as error:
         raise type(error)(error.code, f"reference: {error.message}", field="reference") from None
-    return replace(options, reference=refer(understudy.ears, [heard]))
+    return replace(options, reference=make_reference(understudy.acoustic, [heard]))

@@ -1,7 +1,7 @@
-"""`python -m app.cli`: the same as the installed command `understudy`."""
+"""`python -m understudy.cli`: the same as the installed command `understudy`."""
 
 import sys
 
-from app.cli.main import main
+from .main import main
 
 sys.exit(main())

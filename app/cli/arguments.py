@@ -5,11 +5,11 @@ from collections.abc import Callable
 from functools import partial
 from typing import NoReturn
 
-from app import __version__
-from app.bml.documents import DialectName, TimeForm
-from app.errors import InputError
-from app.model import Hand, Level, Mode
-from app.realizer.motion import FRAME_RATES_HZ
+from .. import __version__
+from ..bml.markup.documents import DialectName, TimeForm
+from ..errors import InputError
+from ..model import Hand, Level, Mode
+from ..realizer.body.motion import FRAME_RATES_HZ
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
 """Adds a command, given its name and what it does."""
@@ -50,7 +50,7 @@ def _add(add_parser: Callable[..., argparse.ArgumentParser], name: str, does: st
 
 
 def _voices() -> argparse.ArgumentParser:
-    """`--quiet` and `--json-log`, before or after the command's name; `app.cli.log` looks for them."""
+    """`--quiet` and `--json-log`, before or after the command's name; `understudy.cli.log` looks for them."""
     parser = argparse.ArgumentParser(add_help=False)
     voice = parser.add_mutually_exclusive_group()
     voice.add_argument("--quiet", action="store_true", help="say nothing on standard error but errors")

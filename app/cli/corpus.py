@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from app.errors import InputError
-from app.questions import read_object, read_question
-from app.transcript import read_transcript
+from ..errors import InputError
+from ..schemas.requests import read_object, read_request
+from ..transcript import read_transcript
 
 
 def read_corpus(name: str, *, max_characters: int) -> Iterator[str]:
@@ -22,7 +22,7 @@ def read_corpus(name: str, *, max_characters: int) -> Iterator[str]:
 def _text(line: bytes, place: str, *, max_characters: int) -> str:
     try:
         is_json = line.lstrip().startswith(b"{")
-        text = read_question(read_object(line, "line")).text if is_json else line.decode()
+        text = read_request(read_object(line, "line")).text if is_json else line.decode()
         read_transcript(text, max_characters=max_characters)
     except InputError as error:
         raise InputError(error.code, f"{place}: {error.message}", field="corpus") from None

@@ -7,7 +7,7 @@ import os
 import sys
 from pathlib import Path
 
-from app.errors import InputError, TooLargeError, UndecodableError
+from ..errors import InputError, TooLargeError, UndecodableError
 
 STANDARD = "-"
 LARGEST_CHARACTER_BYTES = 4

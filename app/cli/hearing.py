@@ -4,28 +4,30 @@ import os
 from collections.abc import Sequence
 from pathlib import PurePath
 
-from app.cli.files import read_bytes
-from app.cli.log import Log
-from app.errors import InputError
-from app.performance import Ears, Heard, SpeakerReference, hear, refer
-from app.references import read_reference
+from ..errors import InputError
+from ..performance import AcousticModels, SignalAnalysis, SpeakerReference, analyze_signal, make_reference
+from ..schemas.references import read_reference
+from .files import read_bytes
+from .log import Log
 
 LARGEST_REFERENCE_BYTES = 1 << 20
 
 
-def hear_file(ears: Ears, path: str, log: Log, reference: SpeakerReference | None = None) -> Heard:
+def hear_file(
+    acoustic: AcousticModels, path: str, log: Log, reference: SpeakerReference | None = None
+) -> SignalAnalysis:
     """What the file says; warnings are told. Raises InputError as `hear` does, naming the file of several."""
     name = shown(path)
-    audio = read_bytes(path, limit=ears.settings.max_audio_bytes, field="audio")
+    audio = read_bytes(path, limit=acoustic.settings.max_audio_bytes, field="audio")
     try:
-        heard = hear(ears, audio, reference=reference)
+        heard = analyze_signal(acoustic, audio, reference=reference)
     except InputError as error:
         raise InputError(error.code, f"{name}: {error.message}", field=error.field) from None
     log.warnings(heard.notices, of=name)
     return heard
 
 
-def speaker_reference(ears: Ears, paths: Sequence[str] | None, log: Log) -> SpeakerReference | None:
+def speaker_reference(acoustic: AcousticModels, paths: Sequence[str] | None, log: Log) -> SpeakerReference | None:
     """The reference that `--reference` names: recordings, or one .json of `understudy reference`.
 
     Raises InputError `usage`, `reference_unreadable`, and as `hear_file` does.
@@ -34,7 +36,7 @@ def speaker_reference(ears: Ears, paths: Sequence[str] | None, log: Log) -> Spea
         return None
     stored = [path for path in paths if PurePath(path).suffix.lower() == ".json"]
     if not stored:
-        return refer(ears, [hear_file(ears, path, log) for path in paths])
+        return make_reference(acoustic, [hear_file(acoustic, path, log) for path in paths])
     if len(paths) > 1:
         raise InputError("usage", f"{stored[0]}: --reference takes recordings, or one .json alone", field="reference")
     content = read_bytes(stored[0], limit=LARGEST_REFERENCE_BYTES, field="reference")

@@ -2,13 +2,13 @@
 
 import argparse
 
-from app.cli.files import STANDARD, read_bytes, read_text
-from app.errors import InputError
-from app.given_functions import read_functions
-from app.model import GivenFunction
-from app.performance import Line, Timings
-from app.questions import read_timings
-from app.settings import Settings
+from ..errors import InputError
+from ..model import GivenFunction
+from ..performance import Line, Timings
+from ..schemas.given_functions import read_functions
+from ..schemas.requests import read_timings
+from ..settings import Settings
+from .files import STANDARD, read_bytes, read_text
 
 
 def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:

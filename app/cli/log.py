@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from app.errors import AuthoringError, InputError, UnderstudyError
-from app.model import Notice
+from ..errors import AuthoringError, InputError, UnderstudyError
+from ..model import Notice
 
 
 class Voice(StrEnum):

@@ -1,7 +1,8 @@
 """The command `understudy`: reads its arguments, runs one command, and turns every foreseen mistake into one line.
 
-Exit codes: 0 done, 2 the input is wrong, 130 interrupted. A command is the module of its name in `app.cli.commands`
-with a function `run(arguments, log) -> int`; it is imported when it is called, so that `understudy --help` is quick.
+Exit codes: 0 done, 2 the input is wrong, 130 interrupted. A command is the module of its name in
+`understudy.cli.commands` with a function `run(arguments, log) -> int`; it is imported when it is called, so that
+`understudy --help` is quick.
 """
 
 import importlib
@@ -10,9 +11,9 @@ import sys
 from collections.abc import Sequence
 from typing import cast
 
-from app.cli.arguments import make_parser
-from app.cli.log import Log
-from app.errors import UnderstudyError
+from ..errors import UnderstudyError
+from .arguments import make_parser
+from .log import Log
 
 WRONG_INPUT = 2
 INTERRUPTED = 130
@@ -24,7 +25,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     log = Log.for_arguments(argv)
     try:
         arguments = make_parser().parse_args(argv)
-        command = importlib.import_module(f"app.cli.commands.{arguments.command}")
+        command = importlib.import_module(f".commands.{arguments.command}", __package__)
         code = cast(int, command.run(arguments, log))
         sys.stdout.flush()
     except UnderstudyError as error:

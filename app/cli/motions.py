@@ -4,12 +4,21 @@ import argparse
 from collections.abc import Sequence
 from dataclasses import replace
 
-from app.cli.files import read_bytes, require_writable, write
-from app.cli.log import Log
-from app.cli.plot import require_plot
-from app.errors import InputError
-from app.realization import PICTURES, Realized, Realizer, Staged, Wearer, format_of, realize, write_motion
-from app.realizer.motion import Decision
+from ..errors import InputError
+from ..realization import (
+    PICTURES,
+    AvatarOptions,
+    PreparedSchedule,
+    Realized,
+    Realizer,
+    format_of,
+    realize,
+    write_motion,
+)
+from ..realizer.body.motion import Decision
+from .files import read_bytes, require_writable, write
+from .log import Log
+from .plot import require_plot
 
 LARGEST_AVATAR_BYTES = 256 << 20
 
@@ -26,7 +35,7 @@ def require_motions(names: Sequence[str], *, field: str) -> None:
 
 
 def write_motions(
-    names: Sequence[str], realizer: Realizer, staged: Staged, arguments: argparse.Namespace, log: Log
+    names: Sequence[str], realizer: Realizer, staged: PreparedSchedule, arguments: argparse.Namespace, log: Log
 ) -> None:
     """Realizes the schedule once and writes it to every name; decisions are told."""
     if not names:
@@ -42,12 +51,12 @@ def write_motions(
         log.note("\n".join(_told(decision) for decision in motion.decisions))
 
 
-def _wearer(arguments: argparse.Namespace, realizer: Realizer) -> Wearer:
+def _wearer(arguments: argparse.Namespace, realizer: Realizer) -> AvatarOptions:
     """Raises InputError `unknown_skeleton` and `file_unreadable` before anything is realized."""
     if arguments.skeleton:
         realizer.rig(arguments.skeleton)
     avatar = read_bytes(arguments.avatar, limit=LARGEST_AVATAR_BYTES, field="avatar") if arguments.avatar else None
-    return Wearer(arguments.skeleton, avatar)
+    return AvatarOptions(arguments.skeleton, avatar)
 
 
 def _told(decision: Decision) -> str:

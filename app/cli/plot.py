@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from app.errors import InputError, ServiceError
-from app.model import (
+from ..errors import InputError, ServiceError
+from ..model import (
     EMPHASISED,
     FRAME_SHIFT_S,
     SAMPLE_RATE_HZ,
@@ -26,7 +26,7 @@ from app.model import (
     StressThresholds,
     Word,
 )
-from app.performance import Analysis, Heard
+from ..performance import Analysis, SignalAnalysis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -61,7 +61,7 @@ def require_plot(name: str) -> None:
         ) from None
 
 
-def plot(analysis: Analysis, heard: Heard) -> bytes:
+def plot(analysis: Analysis, heard: SignalAnalysis) -> bytes:
     """The picture, as PNG; matplotlib must be there (`require_plot`)."""
     from matplotlib.figure import Figure
 
@@ -79,7 +79,7 @@ def plot(analysis: Analysis, heard: Heard) -> bytes:
     return content.getvalue()
 
 
-def _draw(rows: list[Axes], analysis: Analysis, heard: Heard) -> None:
+def _draw(rows: list[Axes], analysis: Analysis, heard: SignalAnalysis) -> None:
     utterance = analysis.utterance
     _draw_words(rows[0], utterance.words)
     _draw_waveform(rows[1], heard.audio.samples)

@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator, Sequence
 
-from app.authoring import Trace, Unused
-from app.catalogue import shown_path
-from app.model import Word
-from app.rules.program import Rule
-from app.rules.tracing import Firing, NearMiss, Said
+from ..authoring.catalogue import shown_path
+from ..authoring.inspection import Trace, Unused
+from ..model import Word
+from ..rules.chaining.tracing import Firing, NearMiss, Said
+from ..rules.program.program import Rule
 
 MOST_NEAR_MISSES = 12
 WORDS_COLUMN = 64

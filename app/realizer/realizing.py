@@ -10,22 +10,22 @@ from pathlib import Path
 
 import numpy as np
 
-from app.model import Behavior, Channel, FloatArray, Schedule, SyncPoints
-from app.realizer.collisions import clear
-from app.realizer.exporting.retargeting import Rig, find_rig, load_rigs
-from app.realizer.expressions import realized_faces, unknown_faces
-from app.realizer.face import face
-from app.realizer.face_tables import FaceTables
-from app.realizer.gaze import gaze
-from app.realizer.gesture_plan import GesturePlan
-from app.realizer.gesturing import gesture
-from app.realizer.head import head
-from app.realizer.idle import idle
-from app.realizer.library import Library
-from app.realizer.motion import Motion
-from app.realizer.planning import plan_gestures
-from app.realizer.skeleton import Skeleton
-from app.realizer.unplayed import unplayed
+from ..model import Behavior, Channel, FloatArray, Schedule, SyncPoints
+from .arms.collisions import clear
+from .body.motion import Motion
+from .body.skeleton import Skeleton
+from .exporting.retargeting import Rig, find_rig, load_rigs
+from .face.expressions import realized_faces, unknown_faces
+from .face.face import face
+from .face.face_tables import FaceTables
+from .gestures.gesture_plan import GesturePlan
+from .gestures.library import Library
+from .head_and_gaze.gaze import gaze
+from .head_and_gaze.head import head
+from .scheduling.gesturing import gesture
+from .scheduling.planning import plan_gestures
+from .scheduling.unplayed import unplayed
+from .torso.idle import idle
 
 
 @dataclass(frozen=True, slots=True, eq=False)

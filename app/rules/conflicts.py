@@ -4,9 +4,9 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from app.authored import Entry
-from app.model import Function
-from app.rules.chainer import Fact
+from ..model import Function
+from ..yaml_files import Entry
+from .chaining.chainer import Fact
 
 
 class Conflicts(Entry):

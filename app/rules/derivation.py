@@ -11,16 +11,16 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TypeVar
 
-from app.authored import Source
-from app.errors import AuthoringError, Mistake
-from app.model import Because, Function, GivenFunction, Utterance
-from app.rules.chainer import Derivation, Fact, derive
-from app.rules.conflicts import Conflicts, resolved
-from app.rules.facts import utterance_facts
-from app.rules.given import GIVEN, GIVEN_RULE, given_facts
-from app.rules.lexicon import Lexicon
-from app.rules.priorities import Priorities
-from app.rules.program import Program, load_program
+from ..errors import AuthoringError, Mistake
+from ..model import Because, Function, GivenFunction, Utterance
+from ..yaml_files import Source
+from .chaining.chainer import Derivation, Fact, derive
+from .chaining.facts import utterance_facts
+from .conflicts import Conflicts, resolved
+from .given import GIVEN, GIVEN_RULE, given_facts
+from .lexicon import Lexicon
+from .priorities import Priorities
+from .program.program import Program, load_program
 
 Loaded = TypeVar("Loaded")
 

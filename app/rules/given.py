@@ -5,10 +5,10 @@ They take part in the derivation as facts, keep the priority they come with, and
 
 from collections.abc import Mapping, Sequence
 
-from app.errors import InputError
-from app.model import Because, GivenFunction
-from app.rules.chainer import Fact
-from app.rules.priorities import Priorities
+from ..errors import InputError
+from ..model import Because, GivenFunction
+from .chaining.chainer import Fact
+from .priorities import Priorities
 
 GIVEN_PRIORITY = 10.0
 """Above all that rules derive, so that the movements for it win as well, unless the caller says otherwise."""

@@ -11,8 +11,8 @@ from operator import itemgetter
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
-from app.errors import AuthoringError, Mistake
-from app.rules.tree import Argument
+from ..errors import AuthoringError, Mistake
+from .language.tree import Argument
 
 Environment: TypeAlias = list[Any]
 """The slots of a rule while it is matched: its constants, the values of its variables, the facts it joined."""

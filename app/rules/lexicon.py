@@ -16,10 +16,10 @@ from typing import Literal
 
 from pydantic import Field, field_validator
 
-from app.authored import Entry, Source, all_or_every_mistake
-from app.errors import AuthoringError, Mistake
-from app.model import Token, Utterance
-from app.rules.facts import bare
+from ..errors import AuthoringError, Mistake
+from ..model import Token, Utterance
+from ..yaml_files import Entry, Source, all_or_every_mistake
+from .chaining.facts import bare
 
 _HYPHENATED = re.compile(r"\w+(-\w+)+$")
 """One word in parts, which mean nothing by themselves: "uh-huh" is no "uh"."""

@@ -4,7 +4,7 @@ The rules in `app/rules/behaviors/` each offer alternatives for a function. Thos
 are one pool, in which every alternative draws a lot. The lots depend on the seed, on the line's text and on what the
 function is (class, subtype, words) alone: lines vary among each other, and a function that comes or goes leaves the
 luck of the others as it was. Which alternative wins is settled over the whole line, where clock, hands and neighbours
-are known (`app/bml/choosing.py`).
+are known (`app/bml/choice/choosing.py`).
 """
 
 import random
@@ -13,11 +13,11 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.errors import AuthoringError, Mistake
-from app.model import Alternative, Function, Level, Movement, Utterance, Wish
-from app.rules.chainer import Call, Choice, Fact, derive
-from app.rules.facts import utterance_facts
-from app.rules.program import Program, load_program
+from ..errors import AuthoringError, Mistake
+from ..model import Alternative, BehaviorCandidates, Function, Level, Movement, Utterance
+from .chaining.chainer import Call, Choice, Fact, derive
+from .chaining.facts import utterance_facts
+from .program.program import Program, load_program
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ class MappingRules:
 
 def offer_movements(
     rules: MappingRules, utterance: Utterance, functions: Iterable[Function], *, seed: int
-) -> tuple[Wish, ...]:
+) -> tuple[BehaviorCandidates, ...]:
     """What could show each kept function, in order of the functions' words (paper §3.4).
 
     Where nothing was heard the agitation counts as medium. Raises AuthoringError for a rule that calls a behaviour on
@@ -57,7 +57,7 @@ def offer_movements(
     pools = _pools(rules, utterance, kept)
     text = " ".join(word.text for word in utterance.words)
     return tuple(
-        Wish(kept[fact], tuple(_alternatives(pool, kept[fact], f"{seed} {text}")))
+        BehaviorCandidates(kept[fact], tuple(_alternatives(pool, kept[fact], f"{seed} {text}")))
         for fact, pool in sorted(pools.items(), key=lambda item: _place(kept[item[0]]))
     )
 

@@ -10,11 +10,11 @@ from typing import Annotated
 
 from pydantic import ConfigDict, Field, RootModel
 
-from app.authored import Source
-from app.errors import Mistake
-from app.rules.chainer import Fact
-from app.rules.lexicon import LexicalEntry
-from app.rules.program import Rule
+from ..errors import Mistake
+from ..yaml_files import Source
+from .chaining.chainer import Fact
+from .lexicon import LexicalEntry
+from .program.program import Rule
 
 Priority = Annotated[float, Field(gt=0, le=100)]
 

@@ -5,8 +5,8 @@ outer one or beside it, never half over its edge in the tree. Heads are dependab
 edges are not (F 73): anchor on the head. Spans are words of the transcript; punctuation never counts.
 """
 
-from app.model import Clause, Token
-from app.syntax.tree import Tree, base_label
+from ..model import Clause, Token
+from .tree import Tree, base_label
 
 _CLAUSAL_LABELS = frozenset({"csubj", "ccomp", "xcomp", "advcl", "acl", "parataxis", "conj"})
 _PREDICATE_PARTS = frozenset({"VERB", "AUX"})

@@ -7,7 +7,7 @@ where it lets "be" govern the predicate, the predicate here governs "be" (`cop`)
 
 from dataclasses import replace
 
-from app.model import Token
+from ..model import Token
 
 _LABELS = {
     "acomp": "xcomp",

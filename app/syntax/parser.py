@@ -15,14 +15,14 @@ from itertools import accumulate
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from app.errors import ServiceError
-from app.model import Parse, Token, Word
-from app.syntax.clauses import find_clauses
-from app.syntax.phrases import find_phrases
-from app.syntax.sentences import sentence_starts
-from app.syntax.tokens import Scheme, read_tokens, scheme_of
-from app.syntax.tree import Tree
-from app.transcript import with_short_runs
+from ..errors import ServiceError
+from ..model import Parse, Token, Word
+from ..transcript import with_short_runs
+from .clauses import find_clauses
+from .phrases import find_phrases
+from .sentences import sentence_starts
+from .tokens import Scheme, read_tokens, scheme_of
+from .tree import Tree
 
 if TYPE_CHECKING:
     from spacy.language import Language
@@ -65,14 +65,14 @@ class Parser:
     def parse(self, words: tuple[Word, ...]) -> Parse:
         """Tokens, phrases and clauses of a line, each with the numbers of its words; all empty without words.
 
-        Runs of punctuation are shortened for the tokenizer (`app.transcript.with_short_runs`). The same words and
-        pauses always give the same parse.
+        Runs of punctuation are shortened for the tokenizer (`understudy.transcript.with_short_runs`). The same words
+        and pauses always give the same parse.
         """
         [parse] = self.parse_all([words])
         return parse
 
     def parse_all(self, lines: Sequence[tuple[Word, ...]]) -> tuple[Parse, ...]:
-        """The same parses as line by line, faster: the network reads them together (benchmarks/corpus_rate.py)."""
+        """The same parses as line by line, faster: the network reads them together."""
         with self._turn, self._pipeline.memory_zone():
             made = [self._document(words) for words in lines]
             documents = self._pipeline.pipe((document for document, _ in made), batch_size=max(1, len(lines)))

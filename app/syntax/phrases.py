@@ -9,8 +9,8 @@ spans the subject. Spans are words of the transcript; punctuation never counts.
 
 from collections.abc import Iterator
 
-from app.model import Phrase, Token
-from app.syntax.tree import Tree, base_label, is_inner
+from ..model import Phrase, Token
+from .tree import Tree, base_label, is_inner
 
 NOUN = "noun"
 VERB = "verb"

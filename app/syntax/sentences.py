@@ -7,7 +7,7 @@ marked the ends, a pause is a hesitation and ends nothing.
 import re
 from itertools import pairwise
 
-from app.model import Word
+from ..model import Word
 
 LONG_PAUSE_S = 0.5
 """A silence from which on a pause between two words of an unpunctuated line ends a sentence."""

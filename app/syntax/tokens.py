@@ -1,7 +1,7 @@
 """The one adapter from spaCy's documents to our records: a `Doc` in, `Token`s with Universal Dependencies labels out.
 
 The labels of the token's governor are read as they are from a pipeline with Universal Dependencies labels; those of a
-ClearNLP pipeline, spaCy's own for English, are translated, tree and all (`app.syntax.clearnlp`).
+ClearNLP pipeline, spaCy's own for English, are translated, tree and all (`understudy.syntax.clearnlp`).
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from collections.abc import Iterable, Sequence
 from enum import StrEnum
 from typing import TYPE_CHECKING
 
-from app.model import Token
-from app.syntax.clearnlp import to_universal
+from ..model import Token
+from .clearnlp import to_universal
 
 if TYPE_CHECKING:
     from spacy.tokens import Doc

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from app.model import Token
+from ..model import Token
 
 
 @dataclass(frozen=True, slots=True)

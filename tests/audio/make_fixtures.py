@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from app.model import FloatArray
+from understudy.model import FloatArray
 
 TRUTH = Path(__file__).parent
 EXAMPLES = TRUTH.parents[1] / "examples"

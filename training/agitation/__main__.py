@@ -3,20 +3,20 @@
     python -m training.agitation --speech ../shared/data/speech --output models/agitation
 
 Some fifteen minutes of two processors, nearly all of it measuring the features; --features FILE keeps them. The recipe
-is chosen over all speakers as `python -m benchmarks.agitation` chooses it within each fold; that tells how well models
-so trained do on unknown speakers.
+is chosen over all speakers as `python -m benchmarks.acoustic.agitation` chooses it within each fold; that tells how
+well models so trained do on unknown speakers.
 """
 
 import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.acoustic.agitation import save
 from training.agitation.choosing import choose
 from training.agitation.conditions import TRAINING_CONDITIONS
 from training.agitation.corpus import CORPORA, describe, read_recordings
 from training.agitation.fuzzy_svm import train
 from training.agitation.measuring import measured
+from understudy.acoustic.agitation.agitation import save
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

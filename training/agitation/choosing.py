@@ -11,8 +11,6 @@ from itertools import product
 import numpy as np
 from scipy.special import log_softmax
 
-from app.acoustic.agitation import squared_distances
-from app.model import FloatArray
 from training.agitation.corpus import Samples
 from training.agitation.fuzzy_svm import (
     Recipe,
@@ -22,6 +20,8 @@ from training.agitation.fuzzy_svm import (
     standards,
     typical_speaker,
 )
+from understudy.acoustic.agitation.agitation import squared_distances
+from understudy.model import FloatArray
 
 FEATURES: Mapping[str, tuple[int, ...]] = {"paper": (12,), "full": (115, 149)}
 """So many from the first; the last 34 of `full` tell how the voice moves."""

@@ -10,8 +10,8 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import soxr
 
-from app.model import SAMPLE_RATE_HZ, Audio
 from training.agitation.degradations import by_telephone, degraded, in_white_noise
+from understudy.model import SAMPLE_RATE_HZ, Audio
 
 Condition = Callable[[Audio, np.random.Generator], Audio]
 

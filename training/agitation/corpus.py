@@ -17,10 +17,10 @@ import numpy as np
 import soundfile
 from numpy.typing import NDArray
 
-from app.acoustic.contours import contours_of
-from app.acoustic.utterance_features import FEATURE_SETS
-from app.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 from training.agitation.conditions import Condition
+from understudy.acoustic.agitation.utterance_features import FEATURE_SETS
+from understudy.acoustic.contours import contours_of
+from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 
 LEVELS = {"low": Level.LOW, "mid": Level.MEDIUM, "high": Level.HIGH}
 

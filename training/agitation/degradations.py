@@ -5,7 +5,7 @@ Each recording is changed in its own way, drawn with the generator given.
 
 import numpy as np
 
-from app.model import SAMPLE_RATE_HZ, Audio, FloatArray
+from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
 EQUALISATION_DB = 4.0
 """Deviation of the gain's first cosine over the Mel scale; the k-th of four is fainter by the root of k."""

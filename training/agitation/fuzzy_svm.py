@@ -17,10 +17,10 @@ from scipy.optimize import minimize
 from scipy.special import log_softmax
 from sklearn.svm import SVC
 
-from app.acoustic.agitation import AgitationModel, FuzzySvm, squared_distances
-from app.acoustic.speaker import SpeakerReference, TypicalSpeaker
-from app.model import FloatArray, Level
 from training.agitation.corpus import Samples
+from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm, squared_distances
+from understudy.acoustic.agitation.speaker import SpeakerReference, TypicalSpeaker
+from understudy.model import FloatArray, Level
 
 CALIBRATION_FOLDS = 4
 

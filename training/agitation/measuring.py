@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
-from app.acoustic.utterance_features import FEATURE_SETS
-from app.model import FloatArray
 from training.agitation.conditions import Condition
 from training.agitation.corpus import Recording, measure
+from understudy.acoustic.agitation.utterance_features import FEATURE_SETS
+from understudy.model import FloatArray
 
 Measured = Mapping[str, Mapping[str, FloatArray]]
 """By feature set and condition; each of shape (recordings, features)."""

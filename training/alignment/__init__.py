@@ -1,1 +1,1 @@
-"""Makes `models/alignment/` from the half of TIMIT that `benchmarks.alignment` does not report on."""
+"""Makes `models/alignment/` from the half of TIMIT that `benchmarks.acoustic.alignment` does not report on."""

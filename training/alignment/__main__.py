@@ -19,9 +19,11 @@ from pathlib import Path
 
 import numpy as np
 
-from app.acoustic.alignment import Aligner
-from app.acoustic.boundaries import BoundaryModel, kernel
-from app.acoustic.boundary_views import (
+from training.alignment.degradations import by_telephone, equalised, in_a_room, in_noise
+from training.alignment.timit import Sentence, read_beginnings, read_sentences
+from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.boundaries import BoundaryModel, kernel
+from understudy.acoustic.alignment.boundary_views import (
     BANDS,
     CONTEXT_STEPS,
     BoundaryView,
@@ -31,12 +33,10 @@ from app.acoustic.boundary_views import (
     levels_around,
     mel_levels,
 )
-from app.acoustic.phone_boundaries import boundaries, touch
-from app.errors import InputError
-from app.model import Audio, FloatArray, Word
-from app.transcript import read_transcript
-from training.alignment.degradations import by_telephone, equalised, in_a_room, in_noise
-from training.alignment.timit import Sentence, read_beginnings, read_sentences
+from understudy.acoustic.alignment.phone_boundaries import boundaries, touch
+from understudy.errors import InputError
+from understudy.model import Audio, FloatArray, Word
+from understudy.transcript import read_transcript
 
 ROOT = Path(__file__).resolve().parents[2]
 KIND_WEIGHT, GAP_WEIGHT, SPECTRUM_WEIGHT = 0.7, 0.3, 0.75

@@ -2,14 +2,14 @@
 
 The decoder errs otherwise in degraded speech, and the spectrum at a boundary looks otherwise: a model taught by clean
 speech alone leaves boundaries there where the decoder has them. Each function takes samples at 16 kHz and gives as
-many. `benchmarks/degraded_audio.py` has degradations of its own, with other noise and another codec.
+many. `benchmarks/acoustic/degraded_audio.py` has degradations of its own, with other noise and another codec.
 """
 
 import numpy as np
 import soxr
 from scipy.signal import butter, fftconvolve, sosfilt
 
-from app.model import SAMPLE_RATE_HZ, FloatArray
+from understudy.model import SAMPLE_RATE_HZ, FloatArray
 
 NOISE_DB = (-25.0, -8.0)
 """Against the speech."""

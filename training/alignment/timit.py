@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from app.model import SAMPLE_RATE_HZ, Audio, Interval
+from understudy.model import SAMPLE_RATE_HZ, Audio, Interval
 
 FULL_SCALE = 0.95
 BEFORE_DAMAGE_S = 0.100

@@ -3,7 +3,7 @@
     python -m training.parser --treebanks ../shared/data/treebanks --output models/parser
 
 About 35 minutes on one core (set OMP_NUM_THREADS=1). The corpora and checkpoints stay in --work (a temporary folder
-unless given). Only the train and dev files are read; `python -m benchmarks.parser` reports on the test files.
+unless given). Only the train and dev files are read; `python -m benchmarks.syntax.parser` reports on the test files.
 """
 
 import argparse

@@ -1,1 +1,1 @@
-"""One module a command; `app.cli.main` imports the one that is called."""
+"""One module a command; `understudy.cli.main` imports the one that is called."""

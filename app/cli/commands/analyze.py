@@ -2,15 +2,15 @@
 
 import argparse
 
-from app.answers import AnalysisAnswer
-from app.cli.files import require_writable, write, write_standard
-from app.cli.hearing import speaker_reference
-from app.cli.lines import read_line
-from app.cli.log import Log
-from app.cli.plot import plot, require_plot
-from app.model import Level
-from app.performance import Understudy, analyze
-from app.settings import read_settings
+from ...model import Level
+from ...performance import Understudy, analyze
+from ...schemas.responses import AnalysisResponse
+from ...settings import read_settings
+from ..files import require_writable, write, write_standard
+from ..hearing import speaker_reference
+from ..lines import read_line
+from ..log import Log
+from ..plot import plot, require_plot
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -21,10 +21,10 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         require_writable(arguments.plot, field="plot")
     level = arguments.agitation and Level(arguments.agitation)
     with Understudy.load(settings) as understudy:
-        reference = speaker_reference(understudy.ears, arguments.reference, log)
+        reference = speaker_reference(understudy.acoustic, arguments.reference, log)
         analysis = analyze(understudy, line, agitation=level, reference=reference, progress=log.stage)
     if arguments.plot and analysis.heard is not None:
         write(arguments.plot, plot(analysis, analysis.heard))
-    write_standard(AnalysisAnswer.of(analysis).to_json(indent=2) + b"\n")
+    write_standard(AnalysisResponse.of(analysis).to_json(indent=2) + b"\n")
     log.warnings(analysis.notices)
     return 0

@@ -2,17 +2,17 @@
 
 import argparse
 
-from app.catalogue import load_characters
-from app.cli.files import write_standard
-from app.cli.log import Log
-from app.library_answers import CharacterAnswer
+from ...authoring.catalogue import load_characters
+from ...schemas.library import CharacterResponse
+from ..files import write_standard
+from ..log import Log
 
 
 def run(arguments: argparse.Namespace, _log: Log) -> int:
     characters = load_characters()
     if arguments.action == "show":
         character = characters.named(arguments.name)
-        write_standard(CharacterAnswer.of(character).to_json(indent=2) + b"\n")
+        write_standard(CharacterResponse.of(character).to_json(indent=2) + b"\n")
     else:
         listed = (f"{character.name:16s} {character.description}\n" for character in characters.by_name.values())
         write_standard("".join(listed).encode())

@@ -13,44 +13,44 @@ from dataclasses import dataclass
 from io import BufferedIOBase
 from typing import cast
 
-from app.answers import FunctionsAnswer, MistakeAnswer
-from app.cli.files import write_standard
-from app.cli.log import Log
-from app.errors import InputError
-from app.model import Word
-from app.performance import Mind, understand, understand_all
-from app.questions import line_id, read_object, read_question
-from app.settings import read_settings
-from app.transcript import read_transcript
+from ...errors import InputError
+from ...model import Word
+from ...performance import LanguageModels, find_functions, find_functions_in_all
+from ...schemas.requests import line_id, read_object, read_request
+from ...schemas.responses import FunctionsResponse, MistakeResponse
+from ...settings import read_settings
+from ...transcript import read_transcript
+from ..files import write_standard
+from ..log import Log
 
 MOST_TOGETHER = 32
 READ_BYTES = 65_536
 
 
 def run(arguments: argparse.Namespace, _log: Log) -> int:
-    mind = Mind.load(read_settings())
+    language = LanguageModels.load(read_settings())
     if arguments.text is None:
         gc.freeze()  # what is loaded stays; looking through it again and again takes a tenth of the time
-        _answer_lines(mind, cast(BufferedIOBase, sys.stdin.buffer))
+        _answer_lines(language, cast(BufferedIOBase, sys.stdin.buffer))
     else:
-        analysis = understand(mind, arguments.text)
-        write_standard(FunctionsAnswer.of(analysis).to_json() + b"\n")
+        analysis = find_functions(language, arguments.text)
+        write_standard(FunctionsResponse.of(analysis).to_json() + b"\n")
     return 0
 
 
-def _answer_lines(mind: Mind, stream: BufferedIOBase) -> None:
+def _answer_lines(language: LanguageModels, stream: BufferedIOBase) -> None:
     """Raises InputError `lines_wrong` after the last line when some were wrong."""
     wrong: list[int] = []
     before = 0
     for lines in waiting_lines(stream):
-        spoken = [_read(line, mind.settings.max_text_characters) if line.strip() else None for line in lines]
-        analyses = understand_all(mind, [asked.words for asked in spoken if isinstance(asked, _Asked)])
+        spoken = [_read(line, language.settings.max_text_characters) if line.strip() else None for line in lines]
+        analyses = find_functions_in_all(language, [asked.words for asked in spoken if isinstance(asked, _Asked)])
         for number, asked in enumerate(spoken, start=before + 1):
-            if isinstance(asked, MistakeAnswer):
+            if isinstance(asked, MistakeResponse):
                 wrong.append(number)
                 write_standard(asked.to_json() + b"\n")
             elif asked is not None:
-                write_standard(FunctionsAnswer.of(next(analyses), asked.id).to_json() + b"\n")
+                write_standard(FunctionsResponse.of(next(analyses), asked.id).to_json() + b"\n")
         before += len(lines)
     if wrong:
         raise InputError("lines_wrong", f"standard input: {len(wrong)} lines are wrong, the first is line {wrong[0]}")
@@ -75,11 +75,11 @@ class _Asked:
     words: tuple[Word, ...]
 
 
-def _read(line: bytes, max_characters: int) -> _Asked | MistakeAnswer:
+def _read(line: bytes, max_characters: int) -> _Asked | MistakeResponse:
     fields: dict[str, object] = {}
     try:
         fields = read_object(line, "line")
-        question = read_question(fields)
+        question = read_request(fields)
         return _Asked(question.id, read_transcript(question.text, max_characters=max_characters))
     except InputError as error:
-        return MistakeAnswer.of(error, line_id(fields))
+        return MistakeResponse.of(error, line_id(fields))

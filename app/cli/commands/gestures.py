@@ -4,22 +4,22 @@ import argparse
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from app.catalogue import load_gestures
-from app.cli.files import require_writable, write, write_standard
-from app.cli.gesture_listings import counts, explanation, headline, place
-from app.cli.log import Log
-from app.cli.plot import require_plot
-from app.errors import InputError
-from app.library_answers import GesturesAnswer
-from app.model import Hand, Level, Notice
-from app.proofreading import check_files
-from app.realizer.clips import clip as clip_of
-from app.realizer.gesture import Clip, Definition
-from app.realizer.key_poses import key_poses
-from app.realizer.library import SUFFIX, gesture_files, read_definitions
-from app.realizer.plausibility import doubts
-from app.realizer.sheet import Still, draw_stills
-from app.realizer.skeleton import Skeleton
+from ...authoring.catalogue import load_gestures
+from ...authoring.proofreading import check_files
+from ...errors import InputError
+from ...model import Hand, Level, Notice
+from ...realizer.arms.key_poses import key_poses
+from ...realizer.arms.plausibility import doubts
+from ...realizer.body.skeleton import Skeleton
+from ...realizer.gestures.clips import clip as clip_of
+from ...realizer.gestures.gesture import Clip, Definition
+from ...realizer.gestures.library import SUFFIX, gesture_files, read_definitions
+from ...realizer.pictures.contact_sheet import Still, draw_stills
+from ...schemas.library import GesturesResponse
+from ..files import require_writable, write, write_standard
+from ..gesture_listings import counts, explanation, headline, place
+from ..log import Log
+from ..plot import require_plot
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -52,7 +52,7 @@ def _tell_doubts(definitions: Iterable[Definition], log: Log) -> None:
 def _list(arguments: argparse.Namespace, _log: Log) -> None:
     library = load_gestures()
     if arguments.json:
-        write_standard(GesturesAnswer.of(library.definitions).to_json(indent=2) + b"\n")
+        write_standard(GesturesResponse.of(library.definitions).to_json(indent=2) + b"\n")
     else:
         _print([*map(headline, library.definitions), "", *counts(library)])
 

@@ -4,16 +4,9 @@ import argparse
 from dataclasses import replace
 from pathlib import PurePath
 
-from app.answers import PerformanceAnswer
-from app.cli.files import STANDARD, require_writable, write
-from app.cli.hearing import speaker_reference
-from app.cli.lines import read_line
-from app.cli.log import Log
-from app.cli.motions import require_motions, write_motions
-from app.cli.summary import summary
-from app.errors import InputError
-from app.model import Level, Mode
-from app.performance import (
+from ...errors import InputError
+from ...model import Level, Mode
+from ...performance import (
     BmlForm,
     DialectName,
     Options,
@@ -24,9 +17,16 @@ from app.performance import (
     write_bml_json,
     write_listener,
 )
-from app.questions import listener_names
-from app.realization import Staged, schedule_of
-from app.settings import read_settings
+from ...realization import PreparedSchedule, schedule_of
+from ...schemas.requests import listener_names
+from ...schemas.responses import PerformanceResponse
+from ...settings import read_settings
+from ..files import STANDARD, require_writable, write
+from ..hearing import speaker_reference
+from ..lines import read_line
+from ..log import Log
+from ..motions import require_motions, write_motions
+from ..summary import summary
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -42,13 +42,13 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         form=_form(arguments),
     )
     with Understudy.load(settings) as understudy:
-        options = replace(options, reference=speaker_reference(understudy.ears, arguments.reference, log))
+        options = replace(options, reference=speaker_reference(understudy.acoustic, arguments.reference, log))
         performance = perform(understudy, line, options, log.stage)
         if arguments.realize:
-            staged = Staged(schedule_of(performance), performance.notices)
+            staged = PreparedSchedule(schedule_of(performance), performance.notices)
             write_motions(arguments.realize, understudy.realizer, staged, arguments, log)
     if arguments.trace:
-        write(arguments.trace, PerformanceAnswer.of_performance(performance).to_json(indent=2) + b"\n")
+        write(arguments.trace, PerformanceResponse.of_performance(performance).to_json(indent=2) + b"\n")
     written = write_bml_json if (arguments.output or "").lower().endswith(".json") else write_bml
     write(arguments.output or STANDARD, written(performance, options.form))
     for listening in performance.listeners:

@@ -2,11 +2,11 @@
 
 import argparse
 
-from app.cli.files import read_bytes, write_standard
-from app.cli.log import Log
-from app.model import FRAME_SHIFT_S, Contours
-from app.performance import Ears, hear
-from app.settings import read_settings
+from ...model import FRAME_SHIFT_S, Contours
+from ...performance import AcousticModels, analyze_signal
+from ...settings import read_settings
+from ..files import read_bytes, write_standard
+from ..log import Log
 
 HEADER = "time_s,f0_hz,energy_db"
 
@@ -14,7 +14,7 @@ HEADER = "time_s,f0_hz,energy_db"
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     audio = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
-    heard = hear(Ears.load(settings), audio, log.stage)
+    heard = analyze_signal(AcousticModels.load(settings), audio, log.stage)
     write_standard(_csv(heard.contours).encode())
     log.warnings(heard.notices)
     return 0

@@ -3,15 +3,15 @@
 import argparse
 from pathlib import Path
 
-from app.cli.files import STANDARD, read_bytes
-from app.cli.log import Log
-from app.cli.motions import require_motions, write_motions
-from app.errors import InputError
-from app.model import Level
-from app.performance import Ears
-from app.realization import Realizer, Sheet, stage
-from app.resources import resource_folder
-from app.settings import read_settings
+from ...errors import InputError
+from ...model import Level
+from ...performance import AcousticModels
+from ...realization import BmlInput, Realizer, prepare_schedule
+from ...resources import resource_folder
+from ...settings import read_settings
+from ..files import STANDARD, read_bytes
+from ..log import Log
+from ..motions import require_motions, write_motions
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -23,11 +23,11 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     if arguments.audio:
         audio = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
     bml = read_bytes(arguments.bml, limit=settings.max_body_bytes, field="bml")
-    sheet = Sheet(bml, Path("standard input" if arguments.bml == STANDARD else arguments.bml), audio)
+    sheet = BmlInput(bml, Path("standard input" if arguments.bml == STANDARD else arguments.bml), audio)
     level = arguments.agitation and Level(arguments.agitation)
     realizer = Realizer.load(resource_folder("lexicon"))
-    with Ears.load(settings) as ears:
-        staged = stage(ears, sheet, agitation=level, character=arguments.character, progress=log.stage)
+    with AcousticModels.load(settings) as acoustic:
+        staged = prepare_schedule(acoustic, sheet, agitation=level, character=arguments.character, progress=log.stage)
     log.warnings(staged.notices)
     write_motions(arguments.output, realizer, staged, arguments, log)
     return 0

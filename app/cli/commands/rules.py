@@ -6,19 +6,19 @@ from collections.abc import Iterable, Sequence
 from itertools import chain
 from pathlib import Path
 
-from app.authoring import files_in_use, find_unused, trace, trace_one
-from app.catalogue import Catalogue
-from app.cli.corpus import read_corpus
-from app.cli.files import write_standard
-from app.cli.listings import counts, explanation, headline
-from app.cli.log import Log
-from app.cli.traces import trace_lines, unused_lines
-from app.errors import AuthoringError
-from app.library_answers import RulesAnswer
-from app.performance import Body, Mind
-from app.proofreading import check_files, check_files_in_use
-from app.settings import read_settings
-from app.watching import LOOK_EVERY_S, saves
+from ...authoring.catalogue import Catalogue
+from ...authoring.inspection import files_in_use, find_unused, trace, trace_one
+from ...authoring.proofreading import check_files, check_files_in_use
+from ...authoring.watching import LOOK_EVERY_S, saves
+from ...errors import AuthoringError
+from ...performance import BehaviorModels, LanguageModels
+from ...schemas.library import RulesResponse
+from ...settings import read_settings
+from ..corpus import read_corpus
+from ..files import write_standard
+from ..listings import counts, explanation, headline
+from ..log import Log
+from ..traces import trace_lines, unused_lines
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -61,7 +61,7 @@ def _until_the_next_look() -> bool:
 def _list(arguments: argparse.Namespace, _log: Log) -> None:
     items = Catalogue.load().items
     if arguments.json:
-        write_standard(RulesAnswer.of(items).to_json(indent=2) + b"\n")
+        write_standard(RulesResponse.of(items).to_json(indent=2) + b"\n")
     else:
         _print([*map(headline, items), "", *counts(items)])
 
@@ -72,18 +72,18 @@ def _explain(arguments: argparse.Namespace, _log: Log) -> None:
 
 
 def _trace(arguments: argparse.Namespace, _log: Log) -> None:
-    mind, body = Mind.load(read_settings()), Body.load()
+    language, behavior = LanguageModels.load(read_settings()), BehaviorModels.load()
     if arguments.rule is None:
-        found = trace(mind, body, arguments.text)
+        found = trace(language, behavior, arguments.text)
     else:
-        found = trace_one(mind, body, arguments.text, rule=arguments.rule)
+        found = trace_one(language, behavior, arguments.text, rule=arguments.rule)
     _print(trace_lines(found))
 
 
 def _unused(arguments: argparse.Namespace, _log: Log) -> None:
     settings = read_settings()
     texts = read_corpus(arguments.corpus, max_characters=settings.max_text_characters)
-    _print(unused_lines(find_unused(Mind.load(settings), Body.load(), texts)))
+    _print(unused_lines(find_unused(LanguageModels.load(settings), BehaviorModels.load(), texts)))
 
 
 def _print(lines: Iterable[str]) -> None:

@@ -8,11 +8,11 @@ import argparse
 
 import uvicorn
 
-from app.api.application import create_app
-from app.cli.log import Log
-from app.performance import Line, Options, Understudy, perform
-from app.resources import resource_folder
-from app.settings import read_settings
+from ...api.application import create_app
+from ...performance import Line, Options, Understudy, perform
+from ...resources import resource_folder
+from ...settings import read_settings
+from ..log import Log
 
 GRACE_S = 10
 """How long requests under way may go on when the service stops."""

@@ -7,10 +7,10 @@ head's are in the world, the eyes' in the head.
 
 import numpy as np
 
-from app.model import FloatArray
-from app.realizer.motion import SHAPES, Motion
-from app.realizer.rotations import rotate
-from app.realizer.skeleton import Skeleton, forward
+from ...model import FloatArray
+from ..body.motion import SHAPES, Motion
+from ..body.skeleton import Skeleton, forward
+from ..geometry.rotations import rotate
 
 _EYE = ("Blink", "LookDown", "LookIn", "LookOut", "LookUp", "Squint", "Wide")
 _BOTH_SIDES = ("Smile", "Frown", "Dimple", "Stretch")

@@ -2,22 +2,22 @@
 
 Its rest pose may be any: where an arm, a leg or a finger does not point as in our T-pose (an A-pose does not), it is
 first turned there, by the least turn. What the rig does not name stays as it is. Face shapes go to every mesh that has
-targets of ARKit's names. Conventions as in `app.realizer.exporting.avatar_reading`.
+targets of ARKit's names. Conventions as in `understudy.realizer.exporting.avatar_reading`.
 """
 
 from collections.abc import Mapping
 
 import numpy as np
 
-from app.model import FloatArray
-from app.realizer.exporting.avatar_reading import Avatar, local_matrix, read_avatar, target_names
-from app.realizer.exporting.events import described
-from app.realizer.exporting.gltf import Accessors, Tracks, binary
-from app.realizer.exporting.retargeting import Rig
-from app.realizer.mannequin_body import t_pose_m
-from app.realizer.motion import SHAPES, Motion
-from app.realizer.rotations import IDENTITY, about, between, inverse, multiply, normalized, of_one_sign, rotate
-from app.realizer.skeleton import FINGERS, SIDES, Skeleton, forward
+from ...model import FloatArray
+from ..body.motion import SHAPES, Motion
+from ..body.skeleton import FINGERS, SIDES, Skeleton, forward
+from ..geometry.rotations import IDENTITY, about, between, inverse, multiply, normalized, of_one_sign, rotate
+from ..mannequin.body import t_pose_m
+from .avatar_reading import Avatar, local_matrix, read_avatar, target_names
+from .events import described
+from .gltf import Accessors, Tracks, binary
+from .retargeting import Rig
 
 _POINTED: tuple[tuple[str, str], ...] = (
     ("UpperArm", "LowerArm"),

@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from app.errors import InputError, UndecodableError
-from app.model import FloatArray
-from app.realizer.exporting.retargeting import Rig
-from app.realizer.rotations import IDENTITY, multiply, normalized, rotate
-from app.realizer.skeleton import SIDES
+from ...errors import InputError, UndecodableError
+from ...model import FloatArray
+from ..body.skeleton import SIDES
+from ..geometry.rotations import IDENTITY, multiply, normalized, rotate
+from .retargeting import Rig
 
 Tree = dict[str, Any]
 

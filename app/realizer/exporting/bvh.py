@@ -10,10 +10,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from app.model import FloatArray
-from app.realizer.exporting.retargeting import Rig
-from app.realizer.motion import Motion
-from app.realizer.skeleton import FINGERS, Offset, Skeleton
+from ...model import FloatArray
+from ..body.motion import Motion
+from ..body.skeleton import FINGERS, Offset, Skeleton
+from .retargeting import Rig
 
 CENTIMETRES = 100.0
 DECIMALS = 4

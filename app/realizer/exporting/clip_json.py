@@ -12,14 +12,14 @@ from itertools import chain, repeat
 
 import numpy as np
 
-from app.model import FloatArray
-from app.realizer.exporting.events import described
-from app.realizer.exporting.gltf import Json
-from app.realizer.exporting.retargeting import Rig
-from app.realizer.face_tables import VISEMES
-from app.realizer.motion import SHAPES, Motion
-from app.realizer.rotations import of_one_sign
-from app.realizer.skeleton import Skeleton
+from ...model import FloatArray
+from ..body.motion import SHAPES, Motion
+from ..body.skeleton import Skeleton
+from ..face.face_tables import VISEMES
+from ..geometry.rotations import of_one_sign
+from .events import described
+from .gltf import Json
+from .retargeting import Rig
 
 FORMAT, VERSION = "understudy-clip", 1
 ROTATION_DECIMALS, PLACE_DECIMALS, WEIGHT_DECIMALS = 5, 4, 4
@@ -28,8 +28,8 @@ ROTATION_DECIMALS, PLACE_DECIMALS, WEIGHT_DECIMALS = 5, 4, 4
 def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig, *, visemes: FloatArray | None = None) -> bytes:
     """The clip with the rig's names of the joints; a line a track.
 
-    `visemes` are weights (T, 15) for rigs that have visemes as shapes (`app.realizer.lips.viseme_weights`); they stand
-    for the mouth's blendshapes, not beside them.
+    `visemes` are weights (T, 15) for rigs that have visemes as shapes (`understudy.realizer.face.lips.viseme_weights`);
+    they stand for the mouth's blendshapes, not beside them.
     """
     content = io.BytesIO()
     content.write(b"{\n")

@@ -1,7 +1,7 @@
 """What a motion is of, for programs that play it: when each behaviour's sync points fall, and what was decided."""
 
-from app.realizer.exporting.gltf import Json
-from app.realizer.motion import Motion
+from ..body.motion import Motion
+from .gltf import Json
 
 
 def described(motion: Motion) -> dict[str, Json]:

@@ -8,15 +8,15 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.model import FloatArray
-from app.realizer.exporting.events import described
-from app.realizer.exporting.gltf import Accessors, Json, Tracks, binary, joint_nodes
-from app.realizer.mannequin import COLOURS, Mannequin, Part, joined
-from app.realizer.mannequin_body import t_pose_m
-from app.realizer.mannequin_face import FACE_SHAPES
-from app.realizer.motion import Motion
-from app.realizer.rotations import of_one_sign
-from app.realizer.skeleton import Skeleton
+from ...model import FloatArray
+from ..body.motion import Motion
+from ..body.skeleton import Skeleton
+from ..geometry.rotations import of_one_sign
+from ..mannequin.body import t_pose_m
+from ..mannequin.face import FACE_SHAPES
+from ..mannequin.mannequin import COLOURS, Mannequin, Part, joined
+from .events import described
+from .gltf import Accessors, Json, Tracks, binary, joint_nodes
 
 
 def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:

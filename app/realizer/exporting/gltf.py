@@ -11,10 +11,10 @@ from typing import Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from app import __version__
-from app.model import FloatArray
-from app.realizer.mannequin_surface import IntArray
-from app.realizer.skeleton import Skeleton
+from ... import __version__
+from ...model import FloatArray
+from ..body.skeleton import Skeleton
+from ..mannequin.surface import IntArray
 
 Json: TypeAlias = "str | int | float | bool | Sequence[Json] | Mapping[str, Json] | None"
 Target = Literal["ARRAY_BUFFER", "ELEMENT_ARRAY_BUFFER"]

@@ -11,9 +11,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
-from app.authored import Entry, Source, all_or_every_mistake
-from app.errors import AuthoringError, InputError
-from app.realizer.skeleton import SIDES, Skeleton
+from ...errors import AuthoringError, InputError
+from ...yaml_files import Entry, Source, all_or_every_mistake
+from ..body.skeleton import SIDES, Skeleton
 
 Axis = Literal["+X", "-X", "+Y", "-Y", "+Z", "-Z"]
 

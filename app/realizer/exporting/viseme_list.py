@@ -7,7 +7,7 @@ form); the last line is `sil`. Gaps between visemes are `sil`. The JSON form has
 import json
 from collections.abc import Iterator, Sequence
 
-from app.model import Viseme
+from ...model import Viseme
 
 SILENCE = "sil"
 FORMAT, VERSION = "understudy-visemes", 1

@@ -12,13 +12,13 @@ from types import MappingProxyType
 
 import numpy as np
 
-from app.model import FloatArray
-from app.realizer.exporting.events import described
-from app.realizer.exporting.gltf import Accessors, Json, Tracks, binary, joint_nodes
-from app.realizer.mannequin_face import VISEME_MIXTURES
-from app.realizer.motion import SHAPES, Motion
-from app.realizer.rotations import of_one_sign, slerp
-from app.realizer.skeleton import Skeleton
+from ...model import FloatArray
+from ..body.motion import SHAPES, Motion
+from ..body.skeleton import Skeleton
+from ..geometry.rotations import of_one_sign, slerp
+from ..mannequin.face import VISEME_MIXTURES
+from .events import described
+from .gltf import Accessors, Json, Tracks, binary, joint_nodes
 
 EXTENSION = "VRMC_vrm_animation"
 FRAME_RATE_HZ = 30

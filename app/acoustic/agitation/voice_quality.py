@@ -1,0 +1,103 @@
+"""How a voice sounds apart from its pitch and its vowels, one value every 10 ms: breathy and lax, or clear and pressed.
+
+Frame k is centred on k × `FRAME_SHIFT_S`, as all contours are; the signal counts as silent outside itself. Spectra are
+of 64 ms Hann frames, long enough for three periods of a low voice. No measure depends on the recording's level. Single
+precision moves the cepstral peak by up to 0.4 dB in frames with next to nothing in the treble, and its median over an
+utterance by 0.03 of the spread between recordings at most.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import fft
+
+from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
+from ..signal.frames import blocks_of_frames
+from .peak_slope import peak_slope
+
+LEAST_RANGE = 1e-10
+"""Power, relative to the loudest, below which nothing is told apart (100 dB), so that silence has a spectrum too."""
+
+_LEAST_POWER = 1e-20
+"""Of what counts as the loudest: digital silence."""
+
+_FRAME = round(0.064 * SAMPLE_RATE_HZ)
+_FFT = 2 * _FRAME
+_HANN = np.hanning(_FRAME + 1)[:-1].astype(np.float32)
+_LOWEST_F0_HZ = 90
+"""Of deeper voices, mostly creaky, the likeness after this one's period is taken; the agitation models know it so."""
+
+_LAGS_ASIDE = np.arange(-3, 4)
+_LEAST_PERIODIC, _MOST_PERIODIC = 1e-3, 1 - 1e-4
+_WINDOW_CORRELATION = np.correlate(_HANN, _HANN, "full")[_FRAME - 1 :]
+_WINDOW_LIKENESS = _WINDOW_CORRELATION / _WINDOW_CORRELATION[0]
+_SHORTEST_PERIOD, _LONGEST_PERIOD = SAMPLE_RATE_HZ // 500, SAMPLE_RATE_HZ // 60
+_TILT_BANDS_HZ = ((50, 1000), (1000, 5000))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class VoiceQuality:
+    """Frame-wise measures, shape (frames,) each; the first means something where the frame is voiced only.
+
+    harmonicity_db: power of the periodic part over that of the rest (Boersma 1993), from the autocorrelation at the
+        period, which is taken off the window's own; as low as can be where the frame is unvoiced.
+    cepstral_peak_db: how far the cepstrum's peak between 60 and 500 Hz stands out of the line through it (Hillenbrand,
+        Cleveland & Erickson 1994).
+    tilt_db: power from 1 to 5 kHz over power from 50 Hz to 1 kHz.
+    peak_slope: how the strongest swings rise from octave to octave (`understudy.acoustic.agitation.peak_slope`).
+    """
+
+    harmonicity_db: FloatArray
+    cepstral_peak_db: FloatArray
+    tilt_db: FloatArray
+    peak_slope: FloatArray
+
+
+def voice_quality(audio: Audio, f0_hz: FloatArray) -> VoiceQuality:
+    """The measures of `audio`, whose pitch is `f0_hz` (frames,), 0 where unvoiced."""
+    harmonicity_db, cepstral_peak_db, tilt_db = np.empty((3, len(f0_hz)))
+    for block, frames in blocks_of_frames(audio.samples, _FRAME, len(f0_hz)):
+        power = _power(frames)
+        harmonicity_db[block] = _harmonicity_db(power, f0_hz[block])
+        cepstral_peak_db[block] = _cepstral_peak_db(power)
+        tilt_db[block] = _tilt_db(power)
+    return VoiceQuality(harmonicity_db, cepstral_peak_db, tilt_db, peak_slope(audio.samples))
+
+
+def _power(frames: SingleArray) -> SingleArray:
+    """The power of each frame at each frequency (frames × frequencies)."""
+    power: SingleArray = np.abs(fft.rfft(frames * _HANN, _FFT))
+    np.square(power, out=power)
+    power += LEAST_RANGE * np.maximum(power.max(axis=1, keepdims=True), _LEAST_POWER)
+    return power
+
+
+def _harmonicity_db(power: SingleArray, f0_hz: FloatArray) -> FloatArray:
+    voiced = f0_hz > 0
+    near = np.rint(SAMPLE_RATE_HZ / np.maximum(f0_hz[voiced, None], _LOWEST_F0_HZ)).astype(int) + _LAGS_ASIDE
+    autocorrelation = fft.dct(power[voiced], type=1)
+    likeness = np.take_along_axis(autocorrelation, near, axis=1) / autocorrelation[:, :1] / _WINDOW_LIKENESS[near]
+    periodic = np.full(len(f0_hz), _LEAST_PERIODIC)
+    periodic[voiced] = np.clip(likeness.max(axis=1), _LEAST_PERIODIC, _MOST_PERIODIC)
+    decibels: FloatArray = 10 * np.log10(periodic / (1 - periodic))
+    return decibels
+
+
+def _cepstral_peak_db(power: SingleArray) -> FloatArray:
+    decibels = np.log10(power[:, ::2])
+    decibels *= 10 / (_FFT // 2)
+    cepstrum = fft.dct(decibels, type=1, overwrite_x=True)[:, _SHORTEST_PERIOD : _LONGEST_PERIOD + 1]
+    level_db = 20 * np.log10(np.maximum(np.abs(cepstrum), 1e-6))
+    centred = np.arange(level_db.shape[1]) - (level_db.shape[1] - 1) / 2
+    slope = np.sum(level_db * centred, axis=1) / np.sum(centred**2)
+    peak = level_db.argmax(axis=1)
+    line = level_db.mean(axis=1) + slope * centred[peak]
+    prominence: FloatArray = np.take_along_axis(level_db, peak[:, None], axis=1)[:, 0] - line
+    return prominence
+
+
+def _tilt_db(power: SingleArray) -> FloatArray:
+    bins = (np.array(_TILT_BANDS_HZ) * _FFT) // SAMPLE_RATE_HZ
+    low, high = (power[:, first:last].sum(axis=1) for first, last in bins)
+    decibels: FloatArray = 10 * np.log10(high / low)
+    return decibels

@@ -1,0 +1,173 @@
+"""Words and phones in time: where in the recording each word of the transcript is spoken.
+
+Forced alignment with pocketsphinx in two passes, words and then their phones, at 100 frames a second, after which
+`boundaries` moves what is not quite in place; `benchmarks/acoustic/alignment.py` measures both. Phones are ARPABET
+without stress digits; their `stress` is None, for the dictionary has none. A word for which nothing is spoken ("—")
+keeps its number and has no interval and no phones.
+"""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Self
+
+from pocketsphinx import get_model_path
+
+from ...errors import InputError
+from ...model import Audio, Filler, FloatArray, Interval, Notice, Phone, Word
+from ..pronunciation.normalisation import Normaliser
+from ..pronunciation.pronunciation import Pronouncer, Pronunciation
+from .boundaries import BoundaryModel
+from .decoder_process import Decoded, DecodedPhone, DecoderProcess
+from .decoder_signal import FRAMES_PER_S
+from .fit import check_fit
+from .pieces import decode_in_pieces
+from .spreading import spread
+
+WINDOW_DELAY_S = 0.0078
+"""A phone begins so long after its first frame does: half of what the window is longer than the step."""
+
+
+@dataclass(frozen=True, slots=True)
+class Alignment:
+    """The words in time, what is to be said about them, and the fillers that were heard between them."""
+
+    words: tuple[Word, ...]
+    notices: tuple[Notice, ...]
+    fillers: tuple[Filler, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Spoken:
+    """A transcript word that is spoken, with the pronunciations of its tokens."""
+
+    word: Word
+    tokens: tuple[str, ...]
+    pronunciations: tuple[Pronunciation, ...]
+
+
+class Aligner:
+    """Loaded once, shared by threads; the decoder works in a process of its own that the first line starts."""
+
+    def __init__(self, models: Path, lexicon: Path, *, refined: bool = True) -> None:
+        """`models` holds `pronunciation/` and `alignment/`, `lexicon` holds `abbreviations.yaml`.
+
+        Without `refined` the times are the decoder's own, as the training of what refines them needs. Raises
+        ServiceError when a model is missing or broken, AuthoringError for the abbreviations.
+        """
+        dictionary = Path(get_model_path()) / "en-us" / "cmudict-en-us.dict"
+        self._pronouncer = Pronouncer.load(dictionary, models / "pronunciation" / "graphones.npz")
+        self._normaliser = Normaliser.load(lexicon / "abbreviations.yaml", self._pronouncer.dictionary.keys())
+        self._boundaries = BoundaryModel.load(models / "alignment" / "boundaries.npz") if refined else None
+        self._process = DecoderProcess()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self.close()
+
+    def warm_up(self) -> None:
+        """Starts the decoder's process, so that the first line need not wait for it."""
+        self._process.start()
+
+    def close(self) -> None:
+        """Ends the decoder's process; a later `align` starts another."""
+        self._process.close()
+
+    def align(self, audio: Audio, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
+        """`words` with the intervals and phones that `audio` gives them, and notices; see `listen`."""
+        alignment = self.listen(audio, words)
+        return alignment.words, alignment.notices
+
+    def listen(self, audio: Audio, words: tuple[Word, ...]) -> Alignment:
+        """`words` with the intervals and phones that `audio` gives them, and the fillers between them.
+
+        Notices: `pronunciation_guessed`, `word_unreadable`, `transcript_suspect`, `alignment_low_confidence`. Raises
+        InputError `transcript_unspoken` (nothing to say in it) and `transcript_mismatch` (another text than the
+        audio's), ServiceError `aligner_crashed`.
+        """
+        spoken, notices = self._pronounced(words)
+        decoded = self._decoded(audio.samples, spoken)
+        if decoded is None:
+            timed, fit_notices = spread(audio, _expected(spoken))
+            fillers: tuple[Filler, ...] = ()
+        else:
+            timed = _timed(spoken, decoded.words, audio.duration_s)
+            timed = self._boundaries.refine(audio, timed) if self._boundaries else timed
+            fit_notices = check_fit(audio, timed, decoded.words)
+            fillers = tuple(Filler(each.label, _interval(each, audio.duration_s)) for each in decoded.fillers)
+        in_time = {word.index: word for word in timed}
+        return Alignment(tuple(in_time.get(word.index, word) for word in words), notices + fit_notices, fillers)
+
+    def _decoded(self, samples: FloatArray, spoken: list[_Spoken]) -> Decoded | None:
+        """The phones of the words; None when the decoder finds no path."""
+        words = [[" ".join(phones) for phones in each.variants] for word in spoken for each in word.pronunciations]
+        return decode_in_pieces(self._process, samples, words)
+
+    def _pronounced(self, words: tuple[Word, ...]) -> tuple[list[_Spoken], tuple[Notice, ...]]:
+        spoken, unreadable, guessed = [], [], []
+        for word, tokens in zip(words, self._normaliser.spoken(words), strict=True):
+            said = [(token, found) for token in tokens if (found := self._pronouncer.pronounce(token))]
+            guessed += [token for token, found in said if found.guessed]
+            if said:
+                spoken.append(_Spoken(word, *zip(*said, strict=True)))
+            elif any(map(str.isalnum, word.text)):
+                unreadable.append(word)
+        if not spoken:
+            raise InputError(
+                "transcript_unspoken",
+                "nothing in the text can be spoken; send the English words of the line",
+                field="text",
+            )
+        return spoken, (*_guessed(guessed), *_unreadable(unreadable))
+
+
+def _timed(spoken: list[_Spoken], decoded: list[list[DecodedPhone]], duration_s: float) -> tuple[Word, ...]:
+    remaining = iter(decoded)
+    words = []
+    for each in spoken:
+        phones = tuple(_phone(phone, duration_s) for _ in each.tokens for phone in next(remaining))
+        interval = Interval(phones[0].interval.start_s, phones[-1].interval.end_s)
+        words.append(replace(each.word, interval=interval, phones=phones))
+    return tuple(words)
+
+
+def _phone(phone: DecodedPhone, duration_s: float) -> Phone:
+    return Phone(phone.label, _interval(phone, duration_s))
+
+
+def _interval(phone: DecodedPhone, duration_s: float) -> Interval:
+    first = phone.first_frame
+    return Interval(_seconds(first, duration_s), _seconds(first + phone.frames, duration_s))
+
+
+def _seconds(frame: int, duration_s: float) -> float:
+    """When a frame begins, to the millisecond."""
+    time_s = round(frame / FRAMES_PER_S + WINDOW_DELAY_S, 3)
+    return min(max(time_s, 0.0), duration_s)
+
+
+def _expected(spoken: list[_Spoken]) -> tuple[Word, ...]:
+    """The words with the phones they should have, at no time yet."""
+    nowhere = Interval(0.0, 0.0)
+    return tuple(
+        replace(
+            each.word,
+            phones=tuple(Phone(label, nowhere) for said in each.pronunciations for label in said.variants[0]),
+        )
+        for each in spoken
+    )
+
+
+def _guessed(tokens: list[str]) -> tuple[Notice, ...]:
+    if not tokens:
+        return ()
+    names = ", ".join(dict.fromkeys(tokens))
+    return (Notice("pronunciation_guessed", f"not in the dictionary, pronounced by guess: {names}"),)
+
+
+def _unreadable(words: list[Word]) -> tuple[Notice, ...]:
+    if not words:
+        return ()
+    names = ", ".join(f"{word.index} ({word.text})" for word in words)
+    return (Notice("word_unreadable", f"not in the Latin alphabet, left without a time: word {names}"),)

@@ -1,0 +1,145 @@
+"""What the boundary model sees of a boundary: the spectrum around it, the sounds that meet, and how long they are.
+
+The spectrum is log Mel levels every `STEP_S` relative to each band's loud frames, so that neither the recording's level
+nor its equalisation matters. Levels are kept at half precision, for half an hour of audio has 360,000 steps.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import NDArray
+from scipy import fft
+
+from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
+from ..signal.mel import mel_filters
+from ..signal.products import product
+from .phone_boundaries import Boundary
+
+STEP_S = 0.005
+STEP_SAMPLES = round(STEP_S * SAMPLE_RATE_HZ)
+WINDOW_SAMPLES = 256
+FRAMES_AT_ONCE = 500
+
+BANDS = 16
+LOWEST_HZ, HIGHEST_HZ = 60.0, 7600.0
+CONTEXT_STEPS = 14
+LOUD_SHARE = 0.95
+NOISE_AMPLITUDE = 1e-4
+"""Relative to the peak: digital silence then looks like a quiet room."""
+
+SHORTEST_GAP_S, TYPICAL_GAP_S, LONGEST_GAP_S = 0.020, 0.060, 0.300
+"""Between neighbouring boundaries, as far as the model cares."""
+
+_KINDS = (
+    frozenset({"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"}),
+    frozenset({"M", "N", "NG"}),
+    frozenset({"L", "R", "W", "Y"}),
+    frozenset({"S", "Z", "SH", "ZH", "CH", "JH"}),
+    frozenset({"F", "V", "TH", "DH"}),
+    frozenset({"HH"}),
+    frozenset({"P", "T", "K"}),
+    frozenset({"B", "D", "G"}),
+    frozenset({None}),
+)
+"""Vowels, nasals, approximants, sibilants, other fricatives, HH, voiceless and voiced stops, silence."""
+
+_KIND_NUMBERS = {name: number for number, kind in enumerate(_KINDS) for name in kind}
+
+_WINDOW = np.hanning(WINDOW_SAMPLES).astype(np.float32)
+_NOISE_POWER = np.float32(NOISE_AMPLITUDE**2 * np.sum(_WINDOW**2))
+_MEL_FILTERS = np.ascontiguousarray(
+    mel_filters(WINDOW_SAMPLES, bands=BANDS, lowest_hz=LOWEST_HZ, highest_hz=HIGHEST_HZ).T, dtype=np.float32
+)
+
+Levels = NDArray[np.float16]
+Points = NDArray[np.float32]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Places:
+    """Boundaries as arrays: their times (n,), the gaps to the boundaries before and after (n, 2), seconds, and the
+    numbers of the kinds of the sounds before and after (n, 2)."""
+
+    times_s: FloatArray
+    gaps_s: FloatArray
+    kinds: NDArray[np.int8]
+
+    @classmethod
+    def of(cls, found: Sequence[Boundary]) -> Self:
+        """Of all boundaries of an audio, in order; before the first and after the last there is a long gap."""
+        times_s = np.array([boundary.time_s for boundary in found])
+        between_s = np.concatenate([[LONGEST_GAP_S], np.diff(times_s), [LONGEST_GAP_S]])
+        kinds = [[_KIND_NUMBERS[boundary.left], _KIND_NUMBERS[boundary.right]] for boundary in found]
+        return cls(times_s, np.column_stack([between_s[:-1], between_s[1:]]), np.array(kinds, np.int8))
+
+    @property
+    def at_silence(self) -> NDArray[np.bool_]:
+        """Whether one of the two sounds is silence (n,)."""
+        silent: NDArray[np.bool_] = (self.kinds == _KIND_NUMBERS[None]).any(axis=1)
+        return silent
+
+    def part(self, first: int, end: int) -> "Places":
+        """The places from number `first` to before `end`."""
+        return Places(self.times_s[first:end], self.gaps_s[first:end], self.kinds[first:end])
+
+    def shifted(self, by_s: FloatArray) -> "Places":
+        """Each boundary later by so much, its neighbours where they are."""
+        return Places(self.times_s + by_s, self.gaps_s + np.column_stack([by_s, -by_s]), self.kinds)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BoundaryView:
+    """How places become the points that a kernel compares: levels around them less `mean` (steps × bands,) times
+    `basis` (steps × bands, components), beside kinds and logarithms of gaps by their weights."""
+
+    mean: Points
+    basis: Points
+    kind_weight: float
+    gap_weight: float
+
+    def points(self, levels: Levels, places: Places) -> Points:
+        """One row for each place."""
+        kinds = (places.kinds[:, :, None] == np.arange(len(_KINDS))).reshape(len(places.kinds), -1)
+        gaps = np.log(places.gaps_s.clip(SHORTEST_GAP_S, LONGEST_GAP_S) / TYPICAL_GAP_S)
+        spectra = (levels_around(levels, places.times_s) - self.mean) @ self.basis
+        return np.hstack([self.kind_weight * kinds, self.gap_weight * gaps, spectra]).astype(np.float32)
+
+
+def levels_around(levels: Levels, times_s: FloatArray) -> Points:
+    """The levels from `CONTEXT_STEPS` before to as many after each time, the ends repeated beyond the audio; shape
+    (times, steps × bands), step by step."""
+    steps = np.round(times_s / STEP_S).astype(int)
+    around = np.clip(steps[:, None] + np.arange(-CONTEXT_STEPS, CONTEXT_STEPS + 1), 0, len(levels) - 1)
+    return levels[around].reshape(len(times_s), -1).astype(np.float32)
+
+
+def mel_levels(samples: FloatArray) -> Levels:
+    """Log Mel energies every `STEP_S`, relative to each band's loud frames; shape (steps, bands)."""
+    peak = max(samples.max(initial=0.0), -samples.min(initial=0.0)) or 1.0
+    levels: Levels = np.empty((len(samples) // STEP_SAMPLES + 1, BANDS), np.float16)
+    for first in range(0, len(levels), FRAMES_AT_ONCE):
+        end = min(first + FRAMES_AT_ONCE, len(levels))
+        levels[first:end] = _log_mel(_frames(samples, first, end) / peak)
+    loud = int(LOUD_SHARE * (len(levels) - 1))
+    levels -= np.array([np.partition(band, loud)[loud] for band in levels.T])
+    return levels
+
+
+def _frames(samples: FloatArray, first: int, end: int) -> FloatArray:
+    """The samples around the steps from `first` to before `end`, zeros beyond both ends; shape (steps, window)."""
+    start, stop = first * STEP_SAMPLES - WINDOW_SAMPLES // 2, (end - 1) * STEP_SAMPLES + WINDOW_SAMPLES // 2
+    piece = samples[max(start, 0) : stop]
+    before = max(-start, 0)
+    padded = np.pad(piece, (before, stop - start - before - len(piece)))
+    return sliding_window_view(padded, WINDOW_SAMPLES)[::STEP_SAMPLES]
+
+
+def _log_mel(frames: FloatArray) -> SingleArray:
+    """In single precision, at half the cost."""
+    power = np.abs(fft.rfft(frames.astype(np.float32, copy=False) * _WINDOW))
+    np.square(power, out=power)
+    power += _NOISE_POWER
+    return np.log(product(power, _MEL_FILTERS))

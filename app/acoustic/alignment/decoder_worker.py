@@ -1,0 +1,291 @@
+"""The process in which pocketsphinx works: whatever the native library does, it does not do it to the service.
+
+Run by path, it imports nothing of ours. It reads requests from standard input until that ends, as it does when the
+parent dies, and answers each on standard output:
+
+    request  one line of JSON {"words": [[pronunciation, …], …], "bytes": n, "more": m}, then n bytes of 16-bit audio at
+             16 kHz; m tells whether the audio goes on after these bytes, and the text perhaps after these words
+    answer   one line of JSON {"words": [[[label, first frame, frames, score], …], …], "fillers": [[text, first frame,
+             frames, score], …]}, or {"words": null}: no path. If there is more, only {"spans": [[is word, first
+             frame, frames], …]} of the words and fillers that were heard, roughly: enough to find the pauses.
+
+A pronunciation is a string of phones between spaces; every word has one or more. The usual decoder is kept, for to make
+one takes as long as to hear .2 s of speech; no answer depends on earlier requests, since all it remembers is words.
+
+The first pass listens by a grammar: the words in their order, "um" and "uh" between them where they are far likelier
+than nothing, and, if there is more, an end after any word. The second, by a decoder of its own that is less thorough,
+aligns the phones within the words that were heard. A filler that turns out too short, fits poorly or has no pause
+beside it is none: its sound belongs to the word beside it.
+
+Four fifths of the time go into densities of the acoustic model, so the search is narrow at first, and two densities
+are added up for a state, not the usual four; only what then fits badly, as in noise, is searched widely
+(`python -m benchmarks.acoustic.searches` compares them).
+"""
+
+import json
+import sys
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import BinaryIO
+
+from pocketsphinx import AlignmentEntry, Decoder
+
+FRAMES_PER_S = 100
+"""At 125 a boundary lies nearer, but not once it is refined (`understudy.acoustic.alignment.boundaries`), for a quarter
+more time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """How widely is searched: paths less likely than `beam` times the best are dropped, the likelihood of a state is
+    the sum of its `densities` best, and these are sought afresh in each frame or `every` so many."""
+
+    beam: float
+    densities: int
+    every: int = 1
+
+
+ROUGH = Search(1e-48, 1)
+"""Enough to find pauses by."""
+
+NARROW = Search(1e-48, 2)
+WIDE = Search(1e-200, 2)
+"""Nothing is pruned that noise makes unlikely for a while."""
+
+PLACING = Search(1e-48, 4, every=2)
+"""Within words that are found, where no phone begins far from where it would by a finer search."""
+
+SURE_SCORE = -35.0
+"""A frame, on average, as all scores here: what fits as well by the narrow search is what the wide one finds."""
+
+LONGEST_SURE_FRAMES = 3 * FRAMES_PER_S // 5
+
+SILENCE_PROBABILITY = 0.1
+"""Of a pause between two words. By pocketsphinx's own .005 a breath before a line, or hiss in a pause, is rather taken
+for the first sound of the next word."""
+
+FILLERS = {"um": "AH M", "uh": "AH"}
+FILLER_PROBABILITY = 1e-12
+SHORTEST_FILLER_FRAMES = 18
+LOWEST_FILLER_SCORE = -48.0
+"""What fits worse is a breath, a click, or part of a word."""
+
+MOST_WORDS_KNOWN = 20_000
+"""By one decoder: some ten megabytes."""
+
+NOTHING = "(NULL)"
+"""What pocketsphinx calls the step of a grammar that no word takes."""
+
+Phone = tuple[str, int, int, int]
+"""Label, first frame, frames, score; so are words and fillers told."""
+
+Span = tuple[bool, int, int]
+"""Whether it is a word, first frame, frames."""
+
+HeardPhones = list[tuple[Phone, list[Phone]]]
+"""Words (by `_name`) and fillers in order, each with its phones."""
+
+
+def main(requests: BinaryIO, answers: BinaryIO) -> None:
+    """Answers requests until there are no more."""
+    listener = Listener()
+    while line := requests.readline():
+        request = json.loads(line)
+        answer = listener.answer_to(requests.read(request["bytes"]), request["words"], more=request["more"])
+        answers.write(json.dumps(answer).encode() + b"\n")
+        answers.flush()
+
+
+class Listener:
+    """Keeps the decoder of the narrow search; others are made when they are needed."""
+
+    def __init__(self) -> None:
+        self._kept = _Pupil(NARROW)
+
+    def answer_to(self, audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
+        """The answer to a request."""
+        if more:
+            spans = self._spans(audio, words, ROUGH)
+            return {"spans": self._spans(audio, words, WIDE) or [] if spans is None else spans}
+        heard = self.aligned(audio, words, NARROW)
+        if not _is_sure(heard):
+            heard = self.aligned(audio, words, WIDE)
+        spoken = [phones for each, phones in heard if each[0] not in FILLERS]
+        fillers = [each for each, _ in heard if each[0] in FILLERS]
+        return {"words": spoken if len(spoken) == len(words) else None, "fillers": fillers}
+
+    def aligned(self, audio: bytes, words: list[list[str]], search: Search) -> HeardPhones:
+        """All the words and the fillers that are believed; nothing when there is no path."""
+        decoder = self._knowing(words, search)
+        _listen(decoder, audio, words)
+        heard = _placed(decoder, audio)
+        by_a_pause = _are_by_a_pause([each for each, _ in heard])
+        doubtful = [_is_doubtful(each, by_a_pause=by) for (each, _), by in zip(heard, by_a_pause, strict=True)]
+        return _merged(heard, doubtful)
+
+    def _spans(self, audio: bytes, words: list[list[str]], search: Search) -> list[Span] | None:
+        """Where the first of the words are, as many as are heard before the audio ends; None when there is no path."""
+        decoder = self._knowing(words, search)
+        _listen(decoder, audio, words, more=True)
+        if decoder.hyp() is None:
+            return None
+        heard = [segment for segment in decoder.seg() if _is_one_of_ours(segment.word)]
+        return [
+            (segment.word not in FILLERS, segment.start_frame, segment.end_frame + 1 - segment.start_frame)
+            for segment in heard
+        ]
+
+    def _knowing(self, words: list[list[str]], search: Search) -> Decoder:
+        """A decoder that knows the words and the fillers."""
+        if search != NARROW:
+            return _Pupil(search).taught(words)
+        if self._kept.is_full:
+            self._kept = _Pupil(NARROW)
+        return self._kept.taught(words)
+
+
+class _Pupil:
+    """A decoder and the pronunciations it has learnt; it never forgets one."""
+
+    def __init__(self, search: Search) -> None:
+        self._decoder = _decoder(search)
+        self._names = set(FILLERS)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether it should make room for one that knows nothing yet."""
+        return len(self._names) > MOST_WORDS_KNOWN
+
+    def taught(self, words: list[list[str]]) -> Decoder:
+        """The decoder, now that it knows these words."""
+        for pronunciation in (each for variants in words for each in variants):
+            name = _name(pronunciation)
+            if name not in self._names:
+                self._decoder.add_word(name, pronunciation, False)
+                self._names.add(name)
+        return self._decoder
+
+
+def _name(pronunciation: str) -> str:
+    """What the decoder calls what is so pronounced."""
+    return pronunciation.replace(" ", "_")
+
+
+def _is_sure(heard: HeardPhones) -> bool:
+    """Whether the words are heard, fit well, and none is stretched over what may be music."""
+    words = [(each, phones) for each, phones in heard if each[0] not in FILLERS]
+    fit = sum(score - SURE_SCORE * frames for (_, _, frames, score), _ in words)
+    longest = max((frames for _, phones in words for _, _, frames, _ in phones), default=0)
+    return bool(words) and fit >= 0 and longest <= LONGEST_SURE_FRAMES
+
+
+def _decoder(search: Search) -> Decoder:
+    """A decoder that knows the fillers alone."""
+    decoder = Decoder(
+        lm=None,
+        dict=None,
+        bestpath=False,
+        frate=FRAMES_PER_S,
+        topn=search.densities,
+        ds=search.every,
+        beam=search.beam,
+        pbeam=search.beam,
+        wbeam=search.beam,
+        silprob=SILENCE_PROBABILITY,
+        loglevel="FATAL",
+    )
+    for name, phones in FILLERS.items():
+        decoder.add_word(name, phones, False)
+    return decoder
+
+
+def _listen(decoder: Decoder, audio: bytes, words: list[list[str]], *, more: bool = False) -> None:
+    """The first pass, for the words in their order."""
+    last = len(words)
+    spoken = [(place, place + 1, 1.0, _name(each)) for place, variants in enumerate(words) for each in variants]
+    fillers = [(place, place, FILLER_PROBABILITY, name) for place in range(last + 1) for name in FILLERS]
+    ends = [(0, last, 1.0), *((place, last, 1.0, name) for place, _, _, name in spoken if place < last - 1)]
+    decoder.add_fsg("line", decoder.create_fsg("line", 0, last, [*spoken, *fillers, *(ends if more else ())]))
+    decoder.activate_search("line")
+    _decode(decoder, audio)
+
+
+def _placed(decoder: Decoder, audio: bytes) -> HeardPhones:
+    """What the decoder just heard, with its phones; nothing when it found no path, or one without words. A phone must
+    be read while its word is there.
+
+    The phones are placed by a new decoder: where densities are not sought in each frame, one that is kept goes by those
+    of earlier audio.
+    """
+    if decoder.hyp() is None or any(segment.word == NOTHING for segment in decoder.seg()):
+        return []
+    decoder.set_alignment()
+    placer = _decoder(PLACING)
+    placer.set_alignment(decoder.get_alignment())
+    _decode(placer, audio)
+    heard = [(_told(word), [_told(phone) for phone in word]) for word in placer.get_alignment()]
+    return [(each, phones) for each, phones in heard if _is_one_of_ours(each[0])]
+
+
+def _is_one_of_ours(name: str) -> bool:
+    """Neither a pause nor a noise of pocketsphinx's own, "<sil>" or "[NOISE]"."""
+    return name[0].isalpha()
+
+
+def _told(entry: AlignmentEntry) -> Phone:
+    return entry.name, entry.start, entry.duration, entry.score
+
+
+def _is_doubtful(heard: Phone, *, by_a_pause: bool) -> bool:
+    """A filler that is too short, fits too poorly, or has no pause beside it, as the drawn out end of a line has none:
+    what goes on without one is part of a word."""
+    name, _, frames, score = heard
+    is_sound = frames >= SHORTEST_FILLER_FRAMES and score >= LOWEST_FILLER_SCORE * frames
+    return name in FILLERS and not (is_sound and by_a_pause)
+
+
+def _are_by_a_pause(heard: list[Phone]) -> list[bool]:
+    """Whether there is a pause between each and a neighbour; the silence at the ends of the audio is none."""
+    pauses = [not _touch(one, other) for one, other in pairwise(heard)]
+    return [any(beside) for beside in zip([False, *pauses], [*pauses, False], strict=True)][: len(heard)]
+
+
+def _merged(heard: HeardPhones, doubtful: list[bool]) -> HeardPhones:
+    """Without what is doubtful. Its frames go to the word before it, or else after it, if there is no pause between:
+    they are the end or the beginning of that word's sound."""
+    kept: HeardPhones = []
+    left: Phone | None = None
+    for (each, phones), is_doubtful in zip(heard, doubtful, strict=True):
+        if is_doubtful and kept and _touch(kept[-1][0], each):
+            word, sounds = kept[-1]
+            kept[-1] = _joined(word, each), [*sounds[:-1], _joined(sounds[-1], each)]
+        elif is_doubtful:
+            left = each
+        elif left and _touch(left, each):
+            kept.append((_joined(each, left), [_joined(phones[0], left), *phones[1:]]))
+        else:
+            kept.append((each, phones))
+    return kept
+
+
+def _touch(one: Phone, other: Phone) -> bool:
+    return one[1] + one[2] == other[1]
+
+
+def _joined(phone: Phone, neighbour: Phone) -> Phone:
+    """A phone with the frames of its neighbour."""
+    name, first, frames, score = phone
+    return name, min(first, neighbour[1]), frames + neighbour[2], score + neighbour[3]
+
+
+def _decode(decoder: Decoder, audio: bytes) -> None:
+    """From the state of a new decoder: pocketsphinx 5.1 calls `start_stream` deprecated and unnecessary, but without it
+    ten of 26 recordings were heard otherwise after others."""
+    decoder.start_stream()
+    decoder.start_utt()
+    decoder.process_raw(audio, full_utt=True)
+    decoder.end_utt()
+
+
+if __name__ == "__main__":
+    main(sys.stdin.buffer, sys.stdout.buffer)

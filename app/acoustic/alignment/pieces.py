@@ -1,0 +1,108 @@
+"""Aligns long audio piece by piece: the decoder's time grows with the square of the words it is given at once.
+
+The decoder first listens roughly to a stretch that holds many sentences, given more words than can be said in it, and
+tells where it heard them. The stretch is cut in clear pauses between words, and each piece is then aligned as a line of
+its own would be; what lies after the last cut begins the next stretch. Nothing is cut by loudness, so music or noise
+between sentences does not matter.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+
+from ...model import SAMPLE_RATE_HZ, FloatArray
+from .decoder_process import Decoded, DecodedPhone, DecoderProcess, Pronunciations, Span
+from .decoder_signal import FRAME_SAMPLES, FRAMES_PER_S, PADDING_FRAMES, pcm
+from .sustained import decode_speech
+
+STRETCH_FRAMES = 30 * FRAMES_PER_S
+PIECE_FRAMES = 12 * FRAMES_PER_S
+"""Longer pieces are not made if there is a pause to cut in: the decoder's time grows with the words it is given."""
+
+LONGEST_WHOLE_S = 40.0
+"""Audio that is no longer is one piece, for the wider the decoder's view, the surer it is."""
+
+CLEAR_PAUSE_FRAMES = FRAMES_PER_S // 5
+UNSURE_FRAMES = 2 * FRAMES_PER_S
+"""What is heard so near the end of a stretch may change with what follows."""
+
+MOST_PHONES_PER_S = 25.0
+"""Nobody speaks faster."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """An end of a piece: this many words come before this frame."""
+
+    words: int
+    frame: int
+
+
+def decode_in_pieces(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> Decoded | None:
+    """The phones of all `words`, frames counted from the first sample; None when the decoder finds no path.
+
+    Raises what `DecoderProcess.align` does; its time limit holds for each piece.
+    """
+    found: list[list[DecodedPhone]] = []
+    fillers: list[DecodedPhone] = []
+    for start, end in pairwise(_cuts(process, samples, words)):
+        piece = samples[start.frame * FRAME_SAMPLES : end.frame * FRAME_SAMPLES]
+        said = words[start.words : end.words]
+        if not said:
+            continue
+        if len(_sayable(said, len(piece) / SAMPLE_RATE_HZ)) < len(said):
+            return None
+        decoded = decode_speech(process, piece, said)
+        if decoded is None:
+            return None
+        decoded = decoded.later(start.frame)
+        found += decoded.words
+        fillers += decoded.fillers
+    return Decoded(found, fillers)
+
+
+def cuts_in_pauses(spans: Sequence[Span], frames: int) -> list[Cut]:
+    """Where to cut a stretch of so many frames, given what is heard in it, up to what is surely heard.
+
+    Each piece ends in the last clear pause that leaves it no longer than `PIECE_FRAMES`, or in the next one. With no
+    clear pause the stretch ends in its longest; with no word, where the unsure part begins.
+    """
+    sure = frames - UNSURE_FRAMES
+    words = np.cumsum([span.is_word for span in spans], dtype=int).tolist()
+    pauses = [
+        (following.first_frame - span.end_frame, Cut(count, min((span.end_frame + following.first_frame) // 2, sure)))
+        for count, (span, following) in zip(words, pairwise([*spans, Span(False, frames, 0)]), strict=True)
+        if span.end_frame <= sure
+    ]
+    clear = [cut for length, cut in pauses if length >= CLEAR_PAUSE_FRAMES]
+    if not clear:
+        return [max(pauses, key=lambda pause: pause[0])[1] if pauses else Cut(0, sure)]
+    cuts = [Cut(0, 0)]
+    for cut, following_cut in pairwise(clear):
+        if following_cut.frame - cuts[-1].frame > PIECE_FRAMES:
+            cuts.append(cut)
+    return [*cuts[1:], clear[-1]]
+
+
+def _cuts(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> Iterator[Cut]:
+    """The beginning, every cut, and the end."""
+    frames = -(-len(samples) // FRAME_SAMPLES)
+    last = Cut(0, 0)
+    yield last
+    while last.words < len(words) and frames - last.frame > LONGEST_WHOLE_S * FRAMES_PER_S:
+        stretch = samples[last.frame * FRAME_SAMPLES :][: STRETCH_FRAMES * FRAME_SAMPLES]
+        heard = process.find(pcm(stretch), _sayable(words[last.words :], STRETCH_FRAMES / FRAMES_PER_S))
+        spans = [replace(span, first_frame=span.first_frame - PADDING_FRAMES) for span in heard]
+        before = last
+        for cut in cuts_in_pauses(spans, STRETCH_FRAMES):
+            last = Cut(before.words + cut.words, before.frame + cut.frame)
+            yield last
+    yield Cut(len(words), frames)
+
+
+def _sayable(words: Sequence[Pronunciations], duration_s: float) -> Sequence[Pronunciations]:
+    """The first of the words, as many as can be said in this time."""
+    counts = np.cumsum([len(variants[0].split()) for variants in words])
+    return words[: int(np.searchsorted(counts, MOST_PHONES_PER_S * duration_s, side="right"))]

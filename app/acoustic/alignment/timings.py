@@ -1,0 +1,245 @@
+"""Words timed elsewhere, read and written: JSON (the answer of `align`), Praat TextGrid, and CTM.
+
+Times are seconds from the start of the audio. A file's words are matched to the transcript's in order and must be the
+same but for case, accents and punctuation. Words of the transcript that nobody speaks ("—") may be missing in a file,
+and are left out of TextGrid and CTM.
+
+    TextGrid  a tier "words", or else the only tier of intervals, or the first whose name has "word" in it; a tier
+              "phones" if there is one, each phone belonging to the word its middle lies in. Empty labels are silence.
+    CTM       lines of "name channel start duration word [confidence]"; lines that begin with ";;" are comments.
+"""
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from praatio.utilities import textgrid_io  # type: ignore[import-untyped]
+from praatio.utilities.errors import PraatioException  # type: ignore[import-untyped]
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from ...errors import InputError, UndecodableError, UnsupportedFormatError
+from ...model import Interval, Phone, Word
+from ..pronunciation.normalisation import fold
+
+FORMATS = ("json", "textgrid", "ctm")
+TOLERANCE_S = 0.005
+"""Times may overlap or pass the audio's end by this much: rounding in the files of other tools."""
+
+_SILENCES = frozenset({"", "sil", "sp", "spn", "pau", "<eps>", "<sil>"})
+_NEGATIVE_TIME = re.compile(r"xmin\s*=\s*-[\d.]*[1-9]")
+_STRESSED = re.compile(r"([A-Z]+)([012])")
+
+
+class _TimedPhone(BaseModel):
+    model_config = ConfigDict(extra="ignore", frozen=True)
+
+    label: str
+    start_s: float
+    end_s: float
+    stress: int | None = None
+
+
+class _TimedWord(BaseModel):
+    model_config = ConfigDict(extra="ignore", frozen=True)
+
+    text: str
+    start_s: float | None = None
+    end_s: float | None = None
+    phones: tuple[_TimedPhone, ...] = ()
+
+
+class _TimedWords(BaseModel):
+    """The JSON of `align`, as far as it is read."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True)
+
+    words: tuple[_TimedWord, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Timed:
+    """A word of a file, in time."""
+
+    text: str
+    interval: Interval
+    phones: tuple[Phone, ...] = ()
+
+
+def read_timings(content: bytes, format: str, words: tuple[Word, ...], *, duration_s: float) -> tuple[Word, ...]:  # noqa: A002
+    """`words` with the intervals, and the phones if there are any, that `content` gives them.
+
+    Raises UnsupportedFormatError `timings_format`, UndecodableError `timings_unreadable`, and InputError
+    `timings_words_differ`, `timings_not_a_time`, `timings_out_of_order`, `timings_beyond_audio`.
+    """
+    readers = {"json": _from_json, "textgrid": _from_textgrid, "ctm": _from_ctm}
+    if format not in readers:
+        raise UnsupportedFormatError(
+            "timings_format", f"words in time cannot be read from {format!r}; send {', '.join(FORMATS)}", field="words"
+        )
+    try:
+        text = content.decode("utf-16" if content[:2] in {b"\xff\xfe", b"\xfe\xff"} else "utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise _unreadable(format, f"byte {error.start} is no {error.encoding}") from None
+    timed = tuple(readers[format](text))
+    _check_times(timed, duration_s)
+    return _matched(timed, words, duration_s)
+
+
+def to_textgrid(words: tuple[Word, ...], duration_s: float) -> str:
+    """A Praat TextGrid (long form) with the tiers "words" and "phones"."""
+    end_s = max([duration_s, *(word.interval.end_s for word in words if word.interval)])
+    tiers = {
+        "words": [(*_span(word.interval), word.text) for word in words if word.interval],
+        "phones": [(*_span(phone.interval), phone.label) for word in words for phone in word.phones],
+    }
+    grid = {
+        "xmin": 0,
+        "xmax": end_s,
+        "tiers": [
+            {"class": "IntervalTier", "name": name, "xmin": 0, "xmax": end_s, "entries": entries}
+            for name, entries in tiers.items()
+        ],
+    }
+    return str(textgrid_io.getTextgridAsStr(grid, "long_textgrid", includeBlankSpaces=True))
+
+
+def to_ctm(words: tuple[Word, ...], name: str) -> str:
+    """CTM lines for the recording `name`, channel 1, times to the millisecond; white space in the name becomes "_"."""
+    name = "_".join(name.split()) or "audio"
+    return "".join(
+        f"{name} 1 {word.interval.start_s:.3f} {word.interval.duration_s:.3f} {word.text}\n"
+        for word in words
+        if word.interval is not None
+    )
+
+
+def _from_json(text: str) -> Iterator[_Timed]:
+    try:
+        read = _TimedWords.model_validate(json.loads(text))
+    except (json.JSONDecodeError, RecursionError) as error:
+        raise _unreadable("json", str(error)) from None
+    except ValidationError as error:
+        first = error.errors()[0]
+        raise _unreadable("json", f"{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
+    for word in read.words:
+        if word.start_s is not None and word.end_s is not None:
+            phones = tuple(
+                Phone(phone.label, Interval(phone.start_s, phone.end_s), phone.stress) for phone in word.phones
+            )
+            yield _Timed(word.text, Interval(word.start_s, word.end_s), phones)
+
+
+def _from_ctm(text: str) -> Iterator[_Timed]:
+    for number, line in enumerate(text.splitlines(), start=1):
+        fields = line.split()
+        if not fields or line.startswith(";;"):
+            continue
+        try:
+            start_s, duration_s, word = float(fields[2]), float(fields[3]), fields[4]
+        except (IndexError, ValueError):
+            raise _unreadable("ctm", f"line {number} is not 'name channel start duration word'") from None
+        if word.lower() not in _SILENCES:
+            yield _Timed(word, Interval(start_s, round(start_s + duration_s, 6)))
+
+
+def _from_textgrid(text: str) -> Iterator[_Timed]:
+    tiers = _interval_tiers(text)
+    names = [name for name in tiers if name.lower() == "words"] or [name for name in tiers if "word" in name.lower()]
+    name = names[0] if names else next(iter(tiers)) if len(tiers) == 1 else None
+    if name is None:
+        raise _unreadable("textgrid", f"it has no tier 'words' but {', '.join(map(repr, tiers)) or 'none'}")
+    phones = [phone for tier in tiers if tier.lower() in {"phones", "phonemes"} for phone in tiers[tier]]
+    for start_s, end_s, label in tiers[name]:
+        if label.strip().lower() not in _SILENCES:
+            inside = [phone for phone in phones if start_s <= (phone[0] + phone[1]) / 2 < end_s]
+            yield _Timed(label.strip(), Interval(start_s, end_s), tuple(_phone(*phone) for phone in inside))
+
+
+def _interval_tiers(text: str) -> dict[str, list[tuple[float, float, str]]]:
+    """The entries of each tier of intervals."""
+    if _NEGATIVE_TIME.search(text):  # praatio would drop the sign
+        raise _unreadable("textgrid", "it has a time below 0")
+    try:
+        return {
+            str(tier["name"]): [(float(start_s), float(end_s), str(label)) for start_s, end_s, label in tier["entries"]]
+            for tier in textgrid_io.parseTextgridStr(text, includeEmptyIntervals=False)["tiers"]
+            if tier["class"] == "IntervalTier"
+        }
+    except (PraatioException, ValueError, LookupError, AttributeError, TypeError, RecursionError) as error:
+        raise _unreadable("textgrid", " ".join(str(error).split()) or "its layout is not Praat's") from None
+
+
+def _phone(start_s: float, end_s: float, label: str) -> Phone:
+    """ "EH1" is EH with stress 1."""
+    stressed = _STRESSED.fullmatch(label)
+    interval = Interval(start_s, end_s)
+    return Phone(stressed[1], interval, int(stressed[2])) if stressed else Phone(label, interval)
+
+
+def _check_times(timed: tuple[_Timed, ...], duration_s: float) -> None:
+    """Every time is one, and words follow each other inside the audio."""
+    for number, word in enumerate(timed):
+        for interval in (word.interval, *(phone.interval for phone in word.phones)):
+            if not (math.isfinite(interval.start_s) and math.isfinite(interval.end_s)):
+                raise _wrong("timings_not_a_time", number, word, "has a time that is no number")
+            if interval.start_s < 0 or interval.end_s < interval.start_s:
+                raise _wrong("timings_out_of_order", number, word, "must start at 0 or later and end after its start")
+            if interval.end_s > duration_s + TOLERANCE_S:
+                raise _wrong("timings_beyond_audio", number, word, f"must end within the audio's {duration_s:.3f} s")
+        _check_phones(number, word)
+    for number, (one, following) in enumerate(pairwise(timed), start=1):
+        if following.interval.start_s < one.interval.end_s - TOLERANCE_S:
+            raise _wrong("timings_out_of_order", number, following, f"must not start before {one.text!r} ends")
+
+
+def _check_phones(number: int, word: _Timed) -> None:
+    edges_s = [edge for phone in word.phones for edge in _span(phone.interval)]
+    inside = [word.interval.start_s, *edges_s, word.interval.end_s] if edges_s else []
+    if any(later < earlier - TOLERANCE_S for earlier, later in pairwise(inside)):
+        raise _wrong("timings_out_of_order", number, word, "must hold its phones, one after the other")
+
+
+def _matched(timed: tuple[_Timed, ...], words: tuple[Word, ...], duration_s: float) -> tuple[Word, ...]:
+    """Each transcript word with the next word of the file; those that nobody speaks may be missing there."""
+    remaining = list(timed)
+    matched = []
+    for word in words:
+        if remaining and _spelling(remaining[0].text) == _spelling(word.text):
+            found = remaining.pop(0)
+            interval = Interval(found.interval.start_s, min(found.interval.end_s, duration_s))
+            matched.append(replace(word, interval=interval, phones=found.phones))
+        elif _spelling(word.text):
+            there = f"has {remaining[0].text!r}" if remaining else "ends"
+            raise _differ(f"word {word.index} of the text is {word.text!r} where the timings' file {there}")
+        else:
+            matched.append(word)
+    if remaining:
+        raise _differ(f"the timings' file goes on with {remaining[0].text!r} after the text's {len(words)} words")
+    return tuple(matched)
+
+
+def _spelling(text: str) -> str:
+    """What two spellings of a word have in common; empty when it has neither letter nor digit."""
+    return "".join(character for character in fold(text).lower() if character.isalnum())
+
+
+def _span(interval: Interval) -> tuple[float, float]:
+    return interval.start_s, interval.end_s
+
+
+def _wrong(code: str, number: int, word: _Timed, what: str) -> InputError:
+    start_s, end_s = _span(word.interval)
+    return InputError(
+        code, f"entry {number} of the timings, {word.text!r} from {start_s} to {end_s} s, {what}", field="words"
+    )
+
+
+def _differ(message: str) -> InputError:
+    return InputError("timings_words_differ", message + "; time the words of this text", field="words")
+
+
+def _unreadable(name: str, why: str) -> UndecodableError:
+    return UndecodableError("timings_unreadable", f"the timings are no {name} with words in time: {why}", field="words")

@@ -1,0 +1,85 @@
+"""Summation of residual harmonics (SRH): how much the spectrum of the voice's source speaks for each f0.
+
+For each candidate f, SRH sums the amplitudes at its first harmonics and subtracts those half way between, so that
+neither the octave above nor the one below wins. Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing
+detection and pitch estimation based on residual harmonics" (Interspeech 2011).
+
+Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. Amplitudes are of 100 ms Blackman frames, every 2 Hz,
+linear in between. Where nothing above 3.5 kHz is looked at, the residual is taken at half the rate: in 74 files of five
+corpora the same frames were voiced, and of 10,504 voiced ones a single f0 moved by more than 0.1 %.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+from scipy import fft
+
+from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
+from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, frame_count
+from .residual import prediction_residual
+
+LOWEST_F0_HZ = 20
+HIGHEST_F0_HZ = 500
+HARMONICS = 5
+BIN_HZ = 2
+CANDIDATES_HZ = np.arange(LOWEST_F0_HZ, HIGHEST_F0_HZ + 1, BIN_HZ, dtype=np.float64)
+
+_WINDOW_S = 0.100
+_SEARCHED_BINS = HARMONICS * HIGHEST_F0_HZ // BIN_HZ + 1
+_AT_ONCE = 16
+"""Frames transformed together: so few that their spectra fit into the processor's cache."""
+
+_STRETCH = 4000
+_MARGIN = 1600
+"""Frames of which the residual is taken at once, and the samples on either side that those at its ends look at. Both
+are whole numbers of steps of the residual's own frames, so that these lie where they would in the whole."""
+
+
+def summed_harmonics(samples: FloatArray, band_hz: int) -> Iterator[tuple[slice, SingleArray]]:
+    """Block by block which frames they are, and the SRH of each candidate in them (candidates × frames).
+
+    The energy from 0 Hz to `band_hz`, at least that of the highest harmonic, is brought to one in each frame.
+    """
+    decimation = 1 if band_hz > SAMPLE_RATE_HZ // 4 else 2
+    rate_hz = SAMPLE_RATE_HZ // decimation
+    window = np.blackman(round(_WINDOW_S * rate_hz) + 1)[:-1].astype(np.float32)
+    padded = np.zeros((_AT_ONCE, rate_hz // BIN_HZ), dtype=np.float32)
+    for block, frames in _frames_of_residual(samples, len(window), decimation):
+        amplitudes = np.empty((len(frames), band_hz // BIN_HZ), dtype=np.float32)
+        for first in range(0, len(frames), _AT_ONCE):
+            some = frames[first : first + _AT_ONCE]
+            np.multiply(some, window, out=padded[: len(some), : len(window)])
+            spectra = fft.rfft(padded[: len(some)])[:, : amplitudes.shape[1]]
+            np.abs(spectra, out=amplitudes[first : first + _AT_ONCE])
+        yield block, _eq_3(amplitudes)
+
+
+def _frames_of_residual(samples: FloatArray, length: int, decimation: int) -> Iterator[tuple[slice, SingleArray]]:
+    """Block by block which frames they are, and their samples; the residual of the whole is never there at once."""
+    count = frame_count(len(samples))
+    for first in range(0, count, _STRETCH):
+        begin = max(first * SHIFT_SAMPLES - _MARGIN, 0)
+        stretch = samples[begin : (first + _STRETCH) * SHIFT_SAMPLES + _MARGIN]
+        residual = prediction_residual(stretch, decimation=decimation)
+        some = min(_STRETCH, count - first)
+        centre, shift = (first * SHIFT_SAMPLES - begin) // decimation, SHIFT_SAMPLES // decimation
+        for block, frames in blocks_of_frames(residual, length, some, shift=shift, centre=centre):
+            yield slice(first + block.start, first + block.stop), frames
+
+
+def _eq_3(amplitudes: SingleArray) -> SingleArray:
+    """E(f) + Σ E(k f) − E((k − ½) f), k = 2 … `HARMONICS`, for every candidate f, E being the amplitudes (frames ×
+    frequencies) over the root of their energy, which counts as if the rest of the spectrum were as strong."""
+    searched = amplitudes[:, :_SEARCHED_BINS].T.copy()
+    low, high = LOWEST_F0_HZ // BIN_HZ, HIGHEST_F0_HZ // BIN_HZ
+    total = searched[low : high + 1].copy()
+    for k in range(2, HARMONICS + 1):
+        total += searched[k * low : k * high + 1 : k]
+        step = 2 * k - 1
+        total[::2] -= searched[step * low // 2 : step * high // 2 + 1 : step]
+        below = searched[step * (low + 1) // 2 : step * (high - 1) // 2 + 1 : step]
+        above = searched[step * (low + 1) // 2 + 1 : step * (high - 1) // 2 + 2 : step]
+        total[1::2] -= (below + above) / 2
+    energy = np.vecdot(amplitudes, amplitudes) * (SAMPLE_RATE_HZ / 2 / amplitudes.shape[1])
+    total /= np.sqrt(np.maximum(energy, np.finfo(np.float32).tiny))
+    return total

@@ -1,0 +1,113 @@
+"""How loud the voice's own band is in each frame, and after what time it repeats itself there.
+
+The band holds a voice's strongest harmonics. Its autocorrelation in windows of 40 ms is nearer to the moment than
+harmonics summed in a window of 100 ms, but takes twice the period for the period as readily: it can mend an f0 that is
+nearly right, not find one (cf. Boersma, "Accurate short-term analysis of the fundamental frequency …", 1993, whose
+division by the window's autocorrelation is used).
+
+Frames are those of `understudy.acoustic.signal.frames`.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import fft
+
+from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
+from ..signal.frames import BLOCK, blocks_of_frames, frame_count
+from ..signal.peaks import peak_offsets
+from ..signal.products import product
+
+LOWEST_HZ, HIGHEST_HZ = 60, 1000
+"""The band: rumble lies below it, hiss above."""
+
+LOUD_PERCENTILE, QUIET_PERCENTILE = 95.0, 10.0
+WIDEST_BELOW_LOUD_DB = 25.0
+WIDEST_ABOVE_QUIET_DB = 20.0
+"""Beyond these, more tells nothing more: silence is silent at -25 dB, and a studio is no better than a quiet room."""
+
+REACH_OCTAVES = 0.4
+OCTAVE_PENALTY = 0.5
+"""Correlation that a period one octave off would have to be better by."""
+
+WINDOW_S = 0.040
+PERIODS_IN_WINDOW = 3
+"""Deeper voices, fewer of whose periods a window holds, are left as they were found (Boersma's limit)."""
+
+_STEP_OCTAVES = 0.02
+_STEPS = np.arange(-REACH_OCTAVES, REACH_OCTAVES + _STEP_OCTAVES / 2, _STEP_OCTAVES)
+_WINDOW = round(WINDOW_S * SAMPLE_RATE_HZ)
+_LONGEST_LAG = _WINDOW * 3 // 4
+_FFT = 1200
+"""At least a window and the longest lag, lest the correlation go round."""
+
+_FIRST_BIN, _LAST_BIN = -(-LOWEST_HZ * _FFT // SAMPLE_RATE_HZ), HIGHEST_HZ * _FFT // SAMPLE_RATE_HZ
+_HANN = np.hanning(_WINDOW + 1)[:-1].astype(np.float32)
+_WINDOW_CORRELATION = np.correlate(_HANN, _HANN, "full")[_WINDOW - 1 :][: _LONGEST_LAG + 2]
+_LEAST_ENERGY = 1e-10
+
+_TURNS = 2 * np.pi / _FFT * np.outer(np.arange(_FIRST_BIN, _LAST_BIN + 1), np.arange(_LONGEST_LAG + 2))
+_CORRELATING = (2 / _FFT * np.cos(_TURNS) * _WINDOW_CORRELATION[0] / _WINDOW_CORRELATION).astype(np.float32)
+"""From the power at each frequency of the band to the autocorrelation at each lag, freed of the window's (frequencies ×
+lags): a tenth of the frequencies, for which a product with a matrix is quicker than a transform."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Levels:
+    """The band's energy in each frame: how far under the loud frames (<= 0) and over the quiet ones (>= 0)."""
+
+    below_loud_db: FloatArray
+    above_quiet_db: FloatArray
+
+
+def band_power(samples: FloatArray) -> SingleArray:
+    """The power of each frame at each frequency of the band (frames × frequencies)."""
+    power = np.empty((frame_count(len(samples)), _LAST_BIN + 1 - _FIRST_BIN), dtype=np.float32)
+    for block, frames in blocks_of_frames(samples, _WINDOW, len(power)):
+        spectra = fft.rfft(frames * _HANN, _FFT)[:, _FIRST_BIN : _LAST_BIN + 1]
+        power[block] = np.square(np.abs(spectra))
+    return power
+
+
+def band_levels(power: SingleArray) -> Levels:
+    """How loud each frame is among those of the signal, whose `band_power` this is."""
+    level_db = 10 * np.log10(np.sum(power, axis=1, dtype=np.float64) + _LEAST_ENERGY)
+    loud_db, quiet_db = np.percentile(level_db, [LOUD_PERCENTILE, QUIET_PERCENTILE])
+    return Levels(
+        below_loud_db=np.clip(level_db - loud_db, -WIDEST_BELOW_LOUD_DB, 0),
+        above_quiet_db=np.clip(level_db - quiet_db, 0, WIDEST_ABOVE_QUIET_DB),
+    )
+
+
+def periods_nearby(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The f0 in Hz near `f0_hz` (> 0) after whose period each frame repeats itself best, and how well, -1 to 1.
+
+    `power` is the signal's `band_power`.
+    """
+    nearby_hz, correlation = np.empty((2, len(f0_hz)))
+    for start in range(0, len(f0_hz), BLOCK):
+        block = slice(start, start + BLOCK)
+        nearby_hz[block], correlation[block] = _mended(power[block], f0_hz[block])
+    return nearby_hz, correlation
+
+
+def _mended(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The f0 near that of each frame and the correlation there."""
+    correlations = _correlations(power, SAMPLE_RATE_HZ / f0_hz[:, None] * np.exp2(-_STEPS))
+    mendable = f0_hz >= PERIODS_IN_WINDOW / WINDOW_S
+    merits = np.where(mendable[:, None], correlations, 0.0) - OCTAVE_PENALTY * np.abs(_STEPS)
+    best = np.argmax(merits, axis=1)[:, None]
+    steps = _STEPS[best] + _STEP_OCTAVES * peak_offsets(merits, best)
+    return f0_hz * np.exp2(steps[:, 0]), np.take_along_axis(correlations, best, axis=1)[:, 0]
+
+
+def _correlations(power: SingleArray, lags: FloatArray) -> FloatArray:
+    """Autocorrelation of each frame's band at its own lags, in samples, freed of the window's (frames × lags)."""
+    freed = product(power, _CORRELATING)
+    freed /= freed[:, :1] + np.float32(_LEAST_ENERGY)
+    lags = np.minimum(lags, _LONGEST_LAG)
+    below = lags.astype(np.intp)
+    share = lags - below
+    before, after = (np.take_along_axis(freed, below + step, axis=1) for step in (0, 1))
+    interpolated: FloatArray = np.clip((1 - share) * before + share * after, -1, 1)
+    return interpolated

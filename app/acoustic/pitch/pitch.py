@@ -1,0 +1,198 @@
+"""The fundamental frequency of a voice, frame by frame: summation of residual harmonics (SRH).
+
+Inverse filtering by linear prediction takes the vocal tract off the signal (`understudy.acoustic.pitch.residual`); what
+remains of a voiced sound is a train of pulses, whose spectrum has even peaks at the multiples of f0
+(`understudy.acoustic.pitch.harmonics`). Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing detection
+and pitch estimation based on residual harmonics" (Interspeech 2011).
+
+Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. `TUNED` departs from `PUBLISHED` in seven things,
+measured together by `benchmarks.acoustic.pitch`:
+- A path of least cost through each frame's ten best candidates takes the place of the best candidate of each frame
+  alone: most octave errors vanish. Faint frames have less of a say in it: other voices are heard in them, or none.
+- By eq. 3 the triple of f0 is as strong as f0 when the harmonics are even, since the valleys of its comb meet none; so
+  are the odd multiples beyond. Part of the SRH at f / 3, f / 5 or f / 7, whichever is most, is taken off that at f in
+  the search: f0 itself has little there.
+- Not the energy of the whole spectrum is brought to one, but that below 3.5 kHz, counted as if the rest were as
+  strong. Wide bands give the same; speech that was recorded at 8 kHz keeps its voicing.
+- Where the voice moves fast, the window of 100 ms blurs; the period is sought again nearby in one of 40 ms.
+- Voicing is decided by more than the SRH (`understudy.acoustic.pitch.voicing`).
+- The second pass looks further down than an octave below the speaker's median, where sentences end in creaky voice.
+A parabola tells where between the candidates each peak is highest.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
+from ..signal.best_path import best_path
+from ..signal.frames import BLOCK, frame_count
+from ..signal.peaks import is_peak, peak_offsets
+from .harmonics import BIN_HZ, CANDIDATES_HZ, LOWEST_F0_HZ, summed_harmonics
+from .periodicity import WIDEST_BELOW_LOUD_DB, Levels, band_levels, band_power, periods_nearby
+from .voicing import SRH_ALONE, WEIGHED, Voicing, measures, voiced_frames
+
+ODD_DIVISORS = (3, 5, 7)
+RANGE_THRESHOLD = 0.1
+"""SRH above which a frame is trusted when the speaker's range is estimated from the first pass."""
+
+_CANDIDATES_PER_FRAME = 10
+
+_Halves = NDArray[np.float16]
+"""SRH is kept at half precision: of half an hour there are 43 million."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tuning:
+    """What may be set.
+
+    speaker_range: the multiples of the first pass's median between which the second pass searches.
+    unit_energy_band_hz: the energy from 0 Hz to here is brought to one.
+    octave_cost: SRH that a step of one octave between neighbouring frames costs the path; larger steps cost no more.
+    faintest_weight: how much the path heeds frames 25 dB under the loud, which count 1.
+    submultiple_share: the share of the SRH at f / 3, f / 5 or f / 7 that is taken off that at f.
+    mends: whether the f0 so found is moved to the best period nearby (`understudy.acoustic.pitch.periodicity`).
+    voicing: how it is decided which frames are voiced.
+    """
+
+    speaker_range: tuple[float, float]
+    unit_energy_band_hz: int
+    octave_cost: float
+    faintest_weight: float
+    submultiple_share: float
+    mends: bool
+    voicing: Voicing
+
+
+PUBLISHED = Tuning(
+    speaker_range=(0.5, 2.0),
+    unit_energy_band_hz=SAMPLE_RATE_HZ // 2,
+    octave_cost=0.0,
+    faintest_weight=1.0,
+    submultiple_share=0.0,
+    mends=False,
+    voicing=SRH_ALONE,
+)
+TUNED = Tuning(
+    speaker_range=(0.4, 2.0),
+    unit_energy_band_hz=3500,
+    octave_cost=0.15,
+    faintest_weight=0.05,
+    submultiple_share=0.35,
+    mends=True,
+    voicing=WEIGHED,
+)
+
+
+def track_f0(audio: Audio, tuning: Tuning = TUNED) -> FloatArray:
+    """f0 in Hz of each frame, 0 where unvoiced; `1 + len(samples) // 160` frames (paper §3.1.3, eq. 3)."""
+    f0_hz, evidence = pitch_if_voiced(audio, tuning)
+    return np.where(voiced_frames(evidence, tuning.voicing), f0_hz, 0.0)
+
+
+def pitch_if_voiced(audio: Audio, tuning: Tuning = TUNED) -> tuple[FloatArray, FloatArray]:
+    """The best f0 in Hz of every frame, voiced or not, and what speaks for its being voiced (`voicing.measures`)."""
+    candidates = _best_candidates(audio.samples, tuning)
+    power = band_power(audio.samples)
+    levels = band_levels(power)
+    gains = candidates.merits * _frame_weights(levels, tuning.faintest_weight)[:, None]
+    path = best_path(gains, candidates.octaves, tuning.octave_cost)
+    f0_hz, srh = (_along(path, each) for each in (candidates.f0_hz, candidates.srh))
+    mended_hz, correlation = periods_nearby(power, f0_hz)
+    return mended_hz if tuning.mends else f0_hz, measures(srh, correlation, levels)
+
+
+def _along(path: NDArray[np.intp], table: FloatArray) -> FloatArray:
+    """The value of every frame in the column that the path takes there."""
+    return np.take_along_axis(table, path[:, None], axis=1)[:, 0].astype(np.float64)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Candidates:
+    """The ten best of every frame (frames × 10).
+
+    numbers: which of `CANDIDATES_HZ` they are.
+    merits: what the search goes by; minus infinity where a frame has fewer than ten.
+    f0_hz: where the parabola through it and its neighbours has its peak.
+    srh: its SRH.
+    """
+
+    numbers: NDArray[np.uint8]
+    merits: SingleArray
+    f0_hz: SingleArray
+    srh: _Halves
+
+    @property
+    def octaves(self) -> FloatArray:
+        """log2 of the candidates in Hz."""
+        return np.log2(CANDIDATES_HZ).astype(np.float32)[self.numbers]
+
+
+def _best_candidates(samples: FloatArray, tuning: Tuning) -> _Candidates:
+    """The greatest local maxima in the speaker's range, the ends of which count as maxima where SRH rises to them."""
+    halves, searched = _first_pass(samples, tuning)
+    shape = (halves.shape[1], _CANDIDATES_PER_FRAME)
+    numbers, srh = np.empty(shape, dtype=np.uint8), np.empty(shape, dtype=np.float16)
+    merits_of_best, f0_hz = np.empty((2, *shape), dtype=np.float32)
+    for first in range(0, halves.shape[1], BLOCK):
+        block = slice(first, first + BLOCK)
+        strengths = halves[: searched.stop + 1, block].astype(np.float32)
+        merits = _merits(strengths, tuning.submultiple_share).T.copy()
+        peaks = np.where(is_peak(merits[:, searched]), merits[:, searched], np.float32(-np.inf))
+        best = np.argpartition(-peaks, _CANDIDATES_PER_FRAME, axis=1)[:, :_CANDIDATES_PER_FRAME]
+        columns = best + searched.start
+        merits_of_best[block] = np.take_along_axis(peaks, best, axis=1)
+        numbers[block] = columns
+        f0_hz[block] = CANDIDATES_HZ[columns] + BIN_HZ * peak_offsets(merits, columns)
+        srh[block] = np.take_along_axis(strengths, columns.T, axis=0).T
+    return _Candidates(numbers, merits_of_best, f0_hz, srh)
+
+
+def _first_pass(samples: FloatArray, tuning: Tuning) -> tuple[_Halves, slice]:
+    """The SRH of each frame (candidates × frames), and the candidates in the speaker's range: all of them where no
+    frame is to be trusted."""
+    halves = np.empty((len(CANDIDATES_HZ), frame_count(len(samples))), dtype=np.float16)
+    trusted = []
+    for block, strengths in summed_harmonics(samples, tuning.unit_energy_band_hz):
+        merits = _merits(strengths, tuning.submultiple_share)
+        trusted.append(merits.argmax(axis=0)[merits.max(axis=0) > RANGE_THRESHOLD])
+        halves[:, block] = strengths
+    trusted_hz = CANDIDATES_HZ[np.concatenate(trusted)]
+    if not len(trusted_hz):
+        return halves, slice(0, len(CANDIDATES_HZ))
+    first, last = np.searchsorted(CANDIDATES_HZ, np.median(trusted_hz) * np.array(tuning.speaker_range))
+    return halves, slice(int(first), min(int(last) + 1, len(CANDIDATES_HZ)))
+
+
+def _merits(strengths: SingleArray, submultiple_share: float) -> SingleArray:
+    """What the search goes by, of the first so many candidates (candidates × frames): the SRH less a share of the
+    greatest at an odd submultiple, if there is one."""
+    if not submultiple_share:
+        return strengths
+    merits = np.zeros_like(strengths)
+    for first, below, share in _SUBMULTIPLES:
+        count = max(len(strengths) - first, 0)
+        interpolated = strengths[below[:count]] * (1 - share[:count])
+        interpolated += strengths[below[:count] + 1] * share[:count]
+        np.maximum(merits[first:], interpolated, out=merits[first:])
+    merits *= np.float32(-submultiple_share)
+    merits += strengths
+    return merits
+
+
+def _submultiples(divisor: int) -> tuple[int, NDArray[np.intp], SingleArray]:
+    """The first candidate f for which f / divisor is one; of all from there, the candidate below f / divisor and how
+    far from it to the next that is (candidates × 1)."""
+    places = (CANDIDATES_HZ / divisor - LOWEST_F0_HZ) / BIN_HZ
+    first = int(np.argmax(places >= 0))
+    below = np.floor(places[first:]).astype(np.intp)
+    return first, below, (places[first:] - below).astype(np.float32)[:, None]
+
+
+_SUBMULTIPLES = tuple(map(_submultiples, ODD_DIVISORS))
+
+
+def _frame_weights(levels: Levels, faintest: float) -> FloatArray:
+    """1 where the voice is loud, falling with its level in dB to `faintest`."""
+    return faintest + (1 - faintest) * (1 + levels.below_loud_db / WIDEST_BELOW_LOUD_DB)

@@ -1,0 +1,154 @@
+"""Guesses how an unknown word is pronounced from how known words are spelled.
+
+A graphone is a chunk of one or two letters with the phones it spells, "ph:F" or "x:K_S". The model is an n-gram over
+graphones; the pronunciation is read off the likeliest sequence whose letters make up the word, found with a beam
+(Bisani & Ney 2008). `training/pronunciation/` makes the model, `models/pronunciation/README.md` tells how well it does.
+
+On disk (`graphones.npz`, no pickles) the n-grams are a trie. An n-gram of order k is a row of order k: the row of its
+context in order k − 1, times 1024, plus its last graphone. The rows are sorted; `keys_k` holds their differences.
+"""
+
+import zipfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import ServiceError
+from ...model import FloatArray
+
+GRAPHONE_BITS = 10
+START, END = 1, 2
+BEAM = 24
+LONGEST_CHUNK = 2
+
+State = tuple[int, int]
+"""A context: how many graphones of it count, and its row in that order of the trie."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Order:
+    """The n-grams of one length: sorted keys, natural logs, and the row one order down without the first graphone.
+
+    All as fine as on disk and no finer, for there are 400,000.
+    """
+
+    keys: NDArray[np.int32]
+    log_probability: FloatArray
+    log_backoff: FloatArray
+    suffix: NDArray[np.int32]
+
+    def row(self, context: int, graphone: int) -> int | None:
+        key = (context << GRAPHONE_BITS) | graphone
+        row = int(np.searchsorted(self.keys, key))
+        return row if row < len(self.keys) and self.keys[row] == key else None
+
+
+@dataclass(frozen=True, slots=True)
+class _Hypothesis:
+    """A guess for the first letters of a word; hypotheses in the same state are rivals."""
+
+    score: float
+    state: State
+    phones: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class GraphoneModel:
+    """The loaded model; immutable, shared by threads."""
+
+    spellings: dict[str, tuple[tuple[int, tuple[str, ...]], ...]]
+    orders: tuple[_Order, ...]
+
+    @classmethod
+    def load(cls, path: Path) -> "GraphoneModel":
+        """Raises ServiceError `model_unreadable` when the file is missing or is no such model."""
+        try:
+            with np.load(path, allow_pickle=False) as arrays:
+                graphones = [str(graphone) for graphone in arrays["graphones"]]
+                orders = _orders(dict(arrays))
+        except (OSError, KeyError, ValueError, zipfile.BadZipFile) as error:
+            raise ServiceError("model_unreadable", f"{path} is no pronunciation model: {error}") from None
+        return cls(_by_letters(graphones), orders)
+
+    def pronounce(self, word: str) -> tuple[str, ...]:
+        """The likeliest ARPABET phones of `word`, lower-case a to z; empty when no graphones spell it."""
+        reached: list[list[_Hypothesis]] = [[] for _ in range(len(word) + 1)]
+        reached[0] = [_Hypothesis(0.0, self._initial(), ())]
+        for position in range(len(word)):
+            for hypothesis in _best(reached[position]):
+                for length in range(1, min(LONGEST_CHUNK, len(word) - position) + 1):
+                    chunk = word[position : position + length]
+                    reached[position + length].extend(self._extensions(hypothesis, chunk))
+        finals = [self._extended(hypothesis, END, ()) for hypothesis in _best(reached[-1])]
+        spoken = [final for final in finals if final.phones]
+        return max(spoken, key=lambda final: final.score).phones if spoken else ()
+
+    def _initial(self) -> State:
+        row = self.orders[0].row(0, START)
+        return (1, row) if row is not None else (0, 0)
+
+    def _extensions(self, hypothesis: _Hypothesis, chunk: str) -> Iterator[_Hypothesis]:
+        for graphone, phones in self.spellings.get(chunk, ()):
+            yield self._extended(hypothesis, graphone, phones)
+
+    def _extended(self, hypothesis: _Hypothesis, graphone: int, phones: tuple[str, ...]) -> _Hypothesis:
+        log_probability, state = self._step(hypothesis.state, graphone)
+        return _Hypothesis(hypothesis.score + log_probability, state, hypothesis.phones + phones)
+
+    def _step(self, state: State, graphone: int) -> tuple[float, State]:
+        """Log probability of `graphone` after `state`, backing off as far as needed, and the state after it."""
+        log_weight = 0.0
+        length, context = state
+        while True:
+            order = self.orders[length]
+            row = order.row(context, graphone)
+            if row is not None:
+                following = (length + 1, row) if length + 1 < len(self.orders) else (length, int(order.suffix[row]))
+                return log_weight + float(order.log_probability[row]), following
+            if length == 0:
+                return -np.inf, (0, 0)
+            shorter = self.orders[length - 1]
+            log_weight += float(shorter.log_backoff[context])
+            length, context = length - 1, int(shorter.suffix[context])
+
+
+def _best(hypotheses: list[_Hypothesis]) -> list[_Hypothesis]:
+    """The `BEAM` best, one for each state."""
+    best: dict[State, _Hypothesis] = {}
+    for hypothesis in hypotheses:
+        rival = best.get(hypothesis.state)
+        if rival is None or hypothesis.score > rival.score:
+            best[hypothesis.state] = hypothesis
+    return sorted(best.values(), key=lambda hypothesis: -hypothesis.score)[:BEAM]
+
+
+def _by_letters(graphones: list[str]) -> dict[str, tuple[tuple[int, tuple[str, ...]], ...]]:
+    """Graphones with their numbers, by their letters; number 0 is none, START and END have no letters."""
+    spellings: dict[str, list[tuple[int, tuple[str, ...]]]] = {}
+    for number, graphone in enumerate(graphones):
+        letters, colon, phones = graphone.partition(":")
+        if colon:
+            spellings.setdefault(letters, []).append((number, tuple(phones.split("_")) if phones else ()))
+    return {letters: tuple(choices) for letters, choices in spellings.items()}
+
+
+def _orders(arrays: dict[str, NDArray[Any]]) -> tuple[_Order, ...]:
+    orders: list[_Order] = []
+    for length in range(1, int(arrays["order"]) + 1):
+        keys = np.cumsum(arrays[f"keys_{length}"], dtype=np.int32)
+        log_probability, log_backoff = (arrays[f"log_{name}_{length}"] for name in ("probability", "backoff"))
+        orders.append(_Order(keys, log_probability, log_backoff, _suffixes(keys, orders)))
+    return tuple(orders)
+
+
+def _suffixes(keys: NDArray[np.int32], shorter: list[_Order]) -> NDArray[np.int32]:
+    """For each n-gram the row, one order down, of the n-gram without its first graphone (row 0: the empty one)."""
+    if not shorter:
+        return np.zeros(len(keys), dtype=np.int32)
+    context, graphone = keys >> GRAPHONE_BITS, keys & ((1 << GRAPHONE_BITS) - 1)
+    wanted = (shorter[-1].suffix[context] << GRAPHONE_BITS) | graphone
+    return np.asarray(np.searchsorted(shorter[-1].keys, wanted), dtype=np.int32)

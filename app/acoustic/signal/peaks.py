@@ -1,0 +1,26 @@
+"""Peaks along the rows of a table whose columns are samples of a curve; an edge is its own neighbour."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...model import FloatArray
+
+
+def is_peak(curves: FloatArray) -> NDArray[np.bool_]:
+    """Whether each value is no less than the ones beside it."""
+    peak = np.ones(curves.shape, dtype=np.bool_)
+    peak[:, 1:] &= curves[:, 1:] >= curves[:, :-1]
+    peak[:, :-1] &= curves[:, :-1] >= curves[:, 1:]
+    return peak
+
+
+def peak_offsets(curves: FloatArray, columns: NDArray[np.intp]) -> FloatArray:
+    """How far beside its column, in columns (−½ to ½), the parabola through a peak and its neighbours is highest."""
+    width = curves.shape[1]
+    rows = width * np.arange(len(curves))[:, None]
+    beside = (np.maximum(columns - 1, 0), columns, np.minimum(columns + 1, width - 1))
+    before, at, after = (curves.take(rows + each).astype(np.float64) for each in beside)
+    curvature = before - 2 * at + after
+    bent = curvature < 0
+    offsets = np.where(bent, (before - after) / np.where(bent, 2 * curvature, 1.0), 0.0)
+    return np.clip(offsets, -0.5, 0.5)

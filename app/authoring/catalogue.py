@@ -1,0 +1,169 @@
+"""What authors edit: every rule, word, mapping and table entry, listed with its place.
+
+Files are named relative to the folder that holds the package, `app/rules/…` and `lexicon/…` in a checkout.
+"""
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from enum import StrEnum
+from pathlib import Path
+
+from ..bml.choice.characters import Character, Characters
+from ..errors import InputError
+from ..realizer.gestures.library import Library
+from ..resources import RULES, resource_folder
+from ..rules.derivation import FunctionRules
+from ..rules.lexicon import SLOT, LexicalEntry
+from ..rules.mapping import MappingRules
+from ..rules.program.program import Mention, Rule
+from ..yaml_files import Source
+
+__all__ = ["Catalogue", "Character", "Item", "Kind", "load_characters", "load_gestures"]
+
+
+class Kind(StrEnum):
+    """What an item is."""
+
+    FUNCTION = "function"
+    BEHAVIOR = "behavior"
+    BML = "bml"
+    WORD = "word"
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """One thing that an author can change. `class_name` and `subtype` are those of the function it speaks of, if any;
+    `comment` is what its author says of it, `source` what it is. `needs` and `gives` are facts as rules write them, a
+    movement being one of its name."""
+
+    kind: Kind
+    name: str
+    class_name: str | None
+    subtype: str | None
+    file: str
+    line: int
+    comment: str
+    source: str
+    needs: tuple[Mention, ...]
+    gives: tuple[Mention, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Catalogue:
+    """All items in the order function rules, mapping rules, table entries, words; and the characters."""
+
+    items: tuple[Item, ...]
+    characters: Characters
+
+    @classmethod
+    def load(cls) -> "Catalogue":
+        """Raises AuthoringError for the first kind of file that has mistakes, with all of that kind."""
+        lexicon = resource_folder("lexicon")
+        functions = FunctionRules.load(RULES, lexicon / "en")
+        characters = load_characters()
+        return cls.of(functions, characters, MappingRules.load(RULES, characters.behavior_names))
+
+    @classmethod
+    def of(cls, functions: FunctionRules, characters: Characters, mappings: MappingRules) -> "Catalogue":
+        """The catalogue of what is loaded already."""
+        items = (
+            *(_rule_item(Kind.FUNCTION, rule, rule.asserts) for rule in functions.program.rules),
+            *(_rule_item(Kind.BEHAVIOR, rule, rule.joins) for rule in mappings.program.rules),
+            *_table_items(resource_folder("lexicon") / "behaviors.yaml", characters.behavior_names),
+            *(_word_item(entry, entry.subtype) for entry in functions.lexicon.entries if entry.subtype is not None),
+        )
+        return cls(items, characters)
+
+    def named(self, name: str) -> tuple[Item, ...]:
+        """The items of that name, capital letters aside; raises InputError `unknown_name`."""
+        found = tuple(item for item in self.items if item.name.lower() == name.lower())
+        if not found:
+            close = get_close_matches(name, sorted({item.name for item in self.items}), n=3)
+            hint = f"; did you mean {' or '.join(close)}?" if close else "; see rules list"
+            raise InputError("unknown_name", f"no rule, behaviour or word is called {name!r}{hint}", field="name")
+        return found
+
+    def that_lead_to(self, item: Item) -> tuple[Item, ...]:
+        """The items that can bring about what `item` needs; not those that raise functions of any class."""
+        return tuple(other for other in self.items if _feeds(other, item))
+
+    def that_follow(self, item: Item) -> tuple[Item, ...]:
+        """The items that make something of what `item` brings about; not those that take functions of any class."""
+        return tuple(other for other in self.items if _feeds(item, other))
+
+
+def load_characters() -> Characters:
+    """Raises AuthoringError with every mistake in the behaviour table and the characters."""
+    return Characters.load(resource_folder("lexicon"))
+
+
+def load_gestures() -> Library:
+    """Raises AuthoringError with every mistake in the gestures."""
+    return Library.load(resource_folder("lexicon") / "gestures")
+
+
+def shown_path(path: Path) -> str:
+    """The path as it is told to authors."""
+    root = RULES.parents[1]
+    return str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
+
+
+def _rule_item(kind: Kind, rule: Rule, mentions: Sequence[Mention]) -> Item:
+    """A rule, by the first function it asserts or maps."""
+    function = next((mention for mention in mentions if mention.predicate == "fcn"), None)
+    return Item(
+        kind=kind,
+        name=rule.name,
+        class_name=function.arguments[0] if function else None,
+        subtype=function.arguments[1] if function else None,
+        file=shown_path(rule.path),
+        line=rule.line,
+        comment=rule.comment,
+        source=rule.source,
+        needs=rule.joins,
+        gives=(*rule.asserts, *(Mention(call, ()) for call in rule.calls)),
+    )
+
+
+def _feeds(giver: Item, taker: Item) -> bool:
+    """Whether one can bring about what the other needs, as far as their constants tell."""
+    return any(_is_one(given, needed) for given in giver.gives for needed in taker.needs)
+
+
+def _is_one(given: Mention, needed: Mention) -> bool:
+    """Whether a fact can be both; a function of any class counts as none."""
+    pairs = list(zip(given.arguments, needed.arguments, strict=False))
+    if given.predicate != needed.predicate or (given.predicate == "fcn" and "$" in (pairs[0][0][0], pairs[0][1][0])):
+        return False
+    return all(
+        one[0] in "$_" or other[0] in "$_" or set(one.split("|")) & set(other.split("|")) for one, other in pairs
+    )
+
+
+def _table_items(path: Path, names: Collection[str]) -> Iterator[Item]:
+    source = Source(path)
+    for name in sorted(names):
+        line = source.mistake(("behaviors", name), "").line
+        text = source.lines[line - 1].strip()
+        yield Item(Kind.BML, name, None, None, shown_path(path), line, "", text, needs=(Mention(name, ()),), gives=())
+
+
+def _word_item(entry: LexicalEntry, subtype: str) -> Item:
+    conditions = entry.conditions.model_dump(exclude_defaults=True, exclude={"words", "subtype", "example"})
+    said = [
+        f"{key}: {value if isinstance(value, str) else ', '.join(sorted(value))}" for key, value in conditions.items()
+    ]
+    example = [f"example: {entry.example.replace(SLOT, entry.phrase)}"] if entry.example else []
+    return Item(
+        kind=Kind.WORD,
+        name=entry.phrase,
+        class_name=entry.class_name,
+        subtype=subtype,
+        file=shown_path(entry.path),
+        line=entry.line,
+        comment="",
+        source="\n".join([*said, *example]),
+        needs=(),
+        gives=(Mention("lexical", (entry.class_name, subtype)),),
+    )

@@ -1,0 +1,123 @@
+"""What an author asks of rules and words at work: why a line came out so, what no line of a corpus ever uses, and to
+have them read again.
+
+Nothing is heard in a trace, so what asks for stress, pauses or agitation finds nothing (agitation counts as medium).
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from pathlib import Path
+
+from ..errors import InputError
+from ..model import Function, Level, Utterance
+from ..performance import BehaviorModels, LanguageModels, Understudy
+from ..realizer.realizing import Realizer
+from ..resources import RULES, resource_folder
+from ..rules.chaining.chainer import Derivation, Fact, derive
+from ..rules.chaining.facts import utterance_facts
+from ..rules.chaining.matching import FactBase
+from ..rules.chaining.tracing import RuleTrace, fires, trace_rule, trace_rules
+from ..rules.derivation import FunctionRules, derive_facts, derive_functions
+from ..rules.lexicon import LexicalEntry
+from ..rules.mapping import MappingRules
+from ..rules.program.program import Program, Rule
+from ..transcript import read_transcript
+
+
+@dataclass(frozen=True, slots=True)
+class Trace:
+    """A text, and what the rules that find functions and those that map them made of it."""
+
+    utterance: Utterance
+    functions: RuleTrace
+    mappings: RuleTrace
+
+
+@dataclass(frozen=True, slots=True)
+class Unused:
+    """Rules that never fired and entries of the lexicon that were never found, in the order of their files."""
+
+    rules: tuple[Rule, ...]
+    words: tuple[LexicalEntry, ...]
+
+
+def trace(language: LanguageModels, behavior: BehaviorModels, text: str) -> Trace:
+    """Which rules fired and which nearly did. Raises InputError for a text that cannot be used."""
+    utterance, found, mapped = _derived(language, behavior, text)
+    return Trace(
+        utterance, trace_rules(language.rules.program, found.facts), trace_rules(behavior.rules.program, mapped.facts)
+    )
+
+
+def trace_one(language: LanguageModels, behavior: BehaviorModels, text: str, *, rule: str) -> Trace:
+    """Where one rule fired, or came nearest. Raises InputError `unknown_name` where there is no such rule."""
+    of_functions, of_mappings = language.rules.program, behavior.rules.program
+    program, chosen = _named(rule, (of_functions, of_mappings))
+    utterance, found, mapped = _derived(language, behavior, text)
+    nothing = RuleTrace((), ())
+    if program is of_functions:
+        return Trace(utterance, trace_rule(program, chosen, found.facts), nothing)
+    return Trace(utterance, nothing, trace_rule(program, chosen, mapped.facts))
+
+
+def find_unused(language: LanguageModels, behavior: BehaviorModels, texts: Iterable[str]) -> Unused:
+    """What none of the texts uses. An entry that always lies within a longer one of its class counts as unused."""
+    waiting = (list(language.rules.program.rules), list(behavior.rules.program.rules))
+    words = {id(entry): entry for entry in language.rules.lexicon.entries if entry.subtype is not None}
+    for text in texts:
+        utterance, *derived = _derived(language, behavior, text)
+        for match in language.rules.lexicon.matches(utterance):
+            words.pop(id(match.entry), None)
+        for rules, derivation in zip(waiting, derived, strict=True):
+            rules[:] = _still_unused(rules, derivation)
+    return Unused(tuple(rule for rules in waiting for rule in rules), tuple(words.values()))
+
+
+def files_in_use() -> tuple[Path, ...]:
+    """The folders of what authors edit."""
+    return RULES, resource_folder("lexicon")
+
+
+def read_again(understudy: Understudy) -> Understudy:
+    """The same acoustic and parser with rules, words, tables, characters and gestures as their files say now.
+
+    The aligner keeps the abbreviations that it began with. Raises AuthoringError when something does not load.
+    """
+    rules, lexicon = files_in_use()
+    language = replace(understudy.language, rules=FunctionRules.load(rules, lexicon / "en"))
+    return replace(understudy, language=language, behavior=BehaviorModels.load(), realizer=Realizer.load(lexicon))
+
+
+def _still_unused(rules: Sequence[Rule], derivation: Derivation) -> list[Rule]:
+    """The rules that did not fire; those that are no fact's first reason are looked for one by one."""
+    fired = {reason.rule for reason in derivation.reasons.values()} | {choice.rule for choice in derivation.choices}
+    base = FactBase.of(derivation.facts)
+    silent = (rule for rule in rules if rule.name not in fired)
+    return [rule for rule in silent if rule.kind == "choose" or not fires(rule, base)]
+
+
+def _derived(language: LanguageModels, behavior: BehaviorModels, text: str) -> tuple[Utterance, Derivation, Derivation]:
+    words = read_transcript(text, max_characters=language.settings.max_text_characters)
+    utterance = Utterance(words=words, parse=language.parser.parse(words))
+    return utterance, derive_facts(language.rules, utterance), _mapped(behavior.rules, utterance, language.rules)
+
+
+def _mapped(mappings: MappingRules, utterance: Utterance, rules: FunctionRules) -> Derivation:
+    """What the mapping rules derive from the functions that are kept."""
+    kept = {_fact(function): function.priority for function in derive_functions(rules, utterance) if function.kept}
+    given = (*utterance_facts(utterance), Fact("agitation", (Level.MEDIUM.value,)), *kept)
+    return derive(mappings.program, given, annotations=kept)
+
+
+def _fact(function: Function) -> Fact:
+    return Fact("fcn", (function.class_name, function.subtype, function.first, function.last + 1))
+
+
+def _named(name: str, programs: Iterable[Program]) -> tuple[Program, Rule]:
+    rules = {rule.name: (program, rule) for program in programs for rule in program.rules}
+    if name not in rules:
+        close = get_close_matches(name, rules, n=3)
+        hint = f"; did you mean {' or '.join(close)}?" if close else "; see rules list"
+        raise InputError("unknown_name", f"no rule is called {name!r}{hint}", field="rule")
+    return rules[name]

@@ -1,0 +1,181 @@
+"""Proofreads what authors edit: all that is in use, or files that are not in use yet."""
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from types import MappingProxyType
+
+from ..acoustic.pronunciation.normalisation import Normaliser
+from ..bml.choice.characters import Characters
+from ..bml.choice.table import BehaviorEntry, load_table
+from ..errors import AuthoringError, InputError, Mistake
+from ..model import Channel, Hand, Level
+from ..realizer.body.skeleton import Skeleton
+from ..realizer.exporting.retargeting import load_rigs
+from ..realizer.face.face_tables import FaceTables
+from ..realizer.gestures.aliases import ALIASES, read_aliases
+from ..realizer.gestures.gesture import Definition
+from ..realizer.gestures.library import SUFFIX, Library, gesture_files, read_definitions
+from ..resources import RULES, resource_folder
+from ..rules.conflicts import Conflicts
+from ..rules.derivation import FunctionRules
+from ..rules.lexicon import Lexicon
+from ..rules.mapping import MappingRules
+from ..rules.priorities import Priorities
+from ..rules.program.program import load_program
+from ..yaml_files import Source
+from .catalogue import load_characters, load_gestures
+from .watching import AUTHORED
+
+VOCABULARY = RULES / "vocabulary.rules"
+Check = Callable[[], object]
+"""Loads something; raises AuthoringError when it cannot be loaded."""
+
+NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
+    {
+        "conflicts.yaml": lambda file: Source(file).validated(Conflicts),
+        "priorities.yaml": Priorities.load,
+        "abbreviations.yaml": lambda file: Normaliser.load(file, ()),
+        "behaviors.yaml": load_table,
+        "face.yaml": FaceTables.load,
+        ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
+    }
+)
+"""What reads the YAML files that are told by their names; the others hold words, in folders `characters` and
+`retarget` a character or the joints' names in a rig."""
+
+
+def check_files_in_use() -> None:
+    """Checks all that the program uses; raises AuthoringError with every mistake.
+
+    Mapping rules are checked against the behaviour table, so mistakes in the table hide theirs; whether there are
+    gestures for all of the table shows when there are no other mistakes.
+    """
+    lexicon = resource_folder("lexicon")
+    mistakes = _mistakes_of(
+        partial(FunctionRules.load, RULES, lexicon / "en"),
+        partial(Normaliser.load, lexicon / "en" / "abbreviations.yaml", ()),
+        lambda: MappingRules.load(RULES, load_characters().behavior_names),
+        load_gestures,
+        partial(FaceTables.load, lexicon / "face.yaml"),
+        partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
+    ) or _mistakes_of(lambda: check_coverage(lexicon, load_gestures()))
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+
+
+def check_coverage(lexicon: Path, library: Library) -> None:
+    """Raises AuthoringError with every entry of the table or of a character for which the library has no gesture, at
+    each level of agitation and with the entry's hand, or either."""
+    table = load_table(lexicon / "behaviors.yaml")
+    source = Source(lexicon / "behaviors.yaml")
+    mistakes = [found for name in table.lines for found in _unshown(source, table.entry(name), library)]
+    for character in Characters.load(lexicon).by_name.values():
+        source = Source(lexicon / "characters" / f"{character.name}.yaml")
+        for entry in character.entries.values():
+            usual = table.entry(entry.name)
+            if (entry.lexeme, entry.hand) != (usual.lexeme, usual.hand):
+                mistakes += _unshown(source, entry, library)
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+
+
+def check_files(paths: Iterable[Path]) -> int:
+    """Checks these files, and all that authors edit in these folders, instead of those in use; their number.
+
+    Rule files are read as one program, after the vocabulary in use unless a file of that name is among them, gesture
+    files as one library.
+    Raises AuthoringError with every mistake in them (or, when they are right, in what they are read together with),
+    InputError `no_authored_file` for a path that holds none.
+    """
+    files = [file for path in paths for file in _authored_files(path)]
+    rules = [file for file in files if file.suffix == ".rules"]
+    gestures = [file for file in files if file.suffix == SUFFIX]
+    checks = dict(_check_of(file) for file in files if file.suffix == ".yaml")
+    mistakes = _mistakes_of(partial(_load_rules, rules), partial(read_definitions, gestures), *checks.values())
+    if mistakes:
+        raise AuthoringError(tuple(mistake for mistake in mistakes if mistake.path in files) or tuple(mistakes))
+    return len(files)
+
+
+def _unshown(source: Source, entry: BehaviorEntry, library: Library) -> Iterator[Mistake]:
+    if entry.channel is not Channel.GESTURE:
+        return
+    for hand in (entry.hand,) if entry.hand else (Hand.LEFT, Hand.RIGHT):
+        missing = [level for level in Level if not library.clips(entry.lexeme, level, hand)]
+        if missing:
+            told = f"no gesture shows {entry.lexeme} at {', '.join(missing)} agitation with hand {hand}"
+            yield source.mistake(("behaviors", entry.name), told)
+
+
+def _authored_files(path: Path) -> list[Path]:
+    """The files that `path` is or holds, by their full names."""
+    inside = sorted(path.resolve().rglob("*")) if path.is_dir() else [path.resolve()]
+    files = [file for file in inside if file.suffix in AUTHORED and file.is_file()]
+    if not files:
+        raise InputError(
+            "no_authored_file", f"{path}: no .rules, .yaml or .gesture file is there; give a file or folder of them"
+        )
+    for file in files:
+        _require_text(file)
+    return files
+
+
+def _require_text(file: Path) -> None:
+    try:
+        file.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError("file_unreadable", f"{file}: cannot be read as UTF-8 text: {error}") from None
+
+
+def _load_rules(files: Sequence[Path]) -> None:
+    vocabulary = [] if any(file.name == VOCABULARY.name for file in files) else [VOCABULARY]
+    load_program([*vocabulary, *files], behaviors=load_characters().behavior_names)
+
+
+def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:
+    """What reads a YAML file, keyed so that files which are read together are read once."""
+    folder = file.parent
+    if file.name in NAMED_FILES:
+        return (file.name, file), partial(NAMED_FILES[file.name], file)
+    if folder.name == "characters":
+        return ("characters", folder), partial(_load_characters, folder.parent)
+    if folder.name == "retarget":
+        return ("rigs", folder), partial(load_rigs, folder, Skeleton.standing())
+    return ("words", folder), partial(_load_words, folder)
+
+
+def _load_characters(lexicon: Path) -> None:
+    """Raises InputError `no_behavior_table` when the characters have no table to change."""
+    if not (lexicon / "behaviors.yaml").is_file():
+        raise InputError("no_behavior_table", f"{lexicon}: characters need the behaviors.yaml that they change here")
+    Characters.load(lexicon)
+
+
+def _definitions_beside(aliases: Path) -> tuple[Definition, ...]:
+    return read_definitions(gesture_files([aliases.parent]))
+
+
+def _load_words(folder: Path) -> None:
+    """Also refuses a file that nothing would read."""
+    files = sorted(folder.glob("*.yaml"))
+    unread = [file for file in files if file.name not in NAMED_FILES and "class" not in _keys(file)]
+    if unread:
+        raise AuthoringError(tuple(Mistake(file, 1, 1, "a file of words begins with its `class`") for file in unread))
+    Lexicon.load(folder)
+
+
+def _keys(file: Path) -> Collection[str]:
+    value = Source(file).value
+    return value if isinstance(value, dict) else ()
+
+
+def _mistakes_of(*checks: Check) -> list[Mistake]:
+    """The mistakes that the checks raise, each once: gestures are read for their aliases too."""
+    mistakes: list[Mistake] = []
+    for check in checks:
+        try:
+            check()
+        except AuthoringError as error:
+            mistakes += error.mistakes
+    return list(dict.fromkeys(mistakes))

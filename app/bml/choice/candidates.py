@@ -1,0 +1,150 @@
+"""A movement as a behaviour on the clock, before it meets its neighbours (paper §3.5).
+
+It is timed by the word it is anchored to: the stressed vowel of that word, or the word's start where its phones are
+not known. Nothing happens before 0: a gesture or head movement for which there is no time before its word is not kept,
+and says why; faces, gazes and eyes, which have no stroke to be late, come a little later instead. Retractions may run
+past the end. Times are seconds.
+"""
+
+from dataclasses import dataclass, replace
+from math import floor
+
+from ...model import Behavior, Interval, Movement, Phone, SyncPoints, Word
+from .idle_behaviors import IdleBehavior
+from .phases import Placing, Window, placed
+from .table import STROKED, Anchor, BehaviorEntry
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedBehavior:
+    """A behaviour with what it is timed by."""
+
+    behavior: Behavior
+    placing: Placing
+
+    @property
+    def firm_end_s(self) -> float:
+        """The earliest it can be over without loss of stroke or hold."""
+        sync = self.behavior.sync
+        return min(sync.end, (sync.relax or sync.end) + self.placing.timing.retraction.shortest_s)
+
+    @property
+    def stroke_end_s(self) -> float:
+        """The earliest it can be over without loss of stroke: its hold is as short as can be."""
+        sync, timing = self.behavior.sync, self.placing.timing
+        if sync.stroke_end is None:
+            return self.firm_end_s
+        return min(self.firm_end_s, sync.stroke_end + timing.hold.shortest_s + timing.retraction.shortest_s)
+
+
+def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], name: str) -> PlacedBehavior:
+    """The movement as `entry` makes it, with `name` for its id; kept is false where it cannot be timed."""
+    words = [word for word in timed if movement.first <= word.index <= movement.last]
+    if words:
+        at_s, until_s = stressed_vowel_s(_anchor(entry.anchor, words)), interval_of(words[-1]).end_s
+    else:
+        at_s = until_s = max((interval_of(word).end_s for word in timed if word.index < movement.first), default=0.0)
+    placing = _placing(entry, at_s, until_s)
+    sync = placed(placing, Window())
+    reason = None
+    if not words:
+        reason = "none of its words is spoken"
+    elif sync is None:
+        reason = f"it would have to begin before the audio to strike at {at_s:.3f} s"
+    behavior = replace(
+        _behavior(entry, name, sync or _late(placing), movement.first, movement.last),
+        priority=movement.priority,
+        rule=movement.rule,
+        function=movement.function,
+        kept=reason is None,
+        reason=reason,
+    )
+    return PlacedBehavior(behavior, placing)
+
+
+def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:
+    """What the body does by itself, with the least priority."""
+    placing = _placing(entry, idle.at_s, idle.at_s)
+    behavior = _behavior(entry, name, placed(placing, Window()) or _late(placing), idle.word, idle.word)
+    return PlacedBehavior(replace(behavior, reason=idle.reason), placing)
+
+
+def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> PlacedBehavior:
+    """What the body does by itself for the whole of a free interval, which must have room for its shortest phases."""
+    timing = entry.timing
+    retraction_s = min(timing.retraction.usual_s, interval.duration_s / 4)
+    at_s = interval.start_s + min(timing.preparation.usual_s + timing.stroke.usual_s, interval.duration_s / 2)
+    placing = Placing(timing, at_s, interval.end_s - retraction_s, entry.channel in STROKED)
+    sync = placed(placing, Window(interval.start_s, interval.end_s))
+    assert sync is not None, "the interval has room for it"
+    name = f"own.{entry.name}.{interval.start_s:.3f}"
+    return PlacedBehavior(replace(_behavior(entry, name, sync, word, word), reason=reason), placing)
+
+
+def stressed_vowel_s(word: Word) -> float:
+    """Where the vowel of a timed word's stressed syllable begins; the word's start where its vowels are not known.
+
+    The vowel with the primary stress; where phones come without stress digits, the longest that is no AH, for length
+    is the strongest cue of stress and AH is what English weakens to (`../shared/alignment.md`, "Stress").
+    """
+    vowels = [phone for phone in word.phones if phone.label in _VOWELS]
+    if not vowels:
+        return interval_of(word).start_s
+    return max(vowels, key=_strength).interval.start_s
+
+
+def interval_of(word: Word) -> Interval:
+    """The interval of a word that has one."""
+    assert word.interval is not None, "only timed words are asked"
+    return word.interval
+
+
+_VOWELS = frozenset(["AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"])
+
+_DIGIT_RANKS = {None: 0, 0: 0, 2: 1, 1: 2}
+"""How strong ARPABET's stress digits are: 1 is the primary stress, 2 the secondary."""
+
+
+def _strength(vowel: Phone) -> tuple[int, bool, float]:
+    return _DIGIT_RANKS[vowel.stress], vowel.label != "AH", round(vowel.interval.duration_s, 3)
+
+
+def _anchor(anchor: Anchor, words: list[Word]) -> Word:
+    """The word a stroke falls on; of equally emphasised words the last."""
+    if anchor is Anchor.FIRST:
+        return words[0]
+    if anchor is Anchor.LAST:
+        return words[-1]
+    return max(reversed(words), key=lambda word: word.emphasis or 0.0)
+
+
+def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> Placing:
+    stroked = entry.channel in STROKED
+    earliest_s = 0.0 if stroked else entry.timing.preparation.shortest_s
+    return Placing(entry.timing, max(floor(at_s * 1000) / 1000, earliest_s), until_s, stroked)
+
+
+def _late(placing: Placing) -> SyncPoints:
+    """How the behaviour would go if it began at 0."""
+    timing = placing.timing
+    at_s = timing.preparation.usual_s + timing.alignment * timing.stroke.usual_s
+    sync = placed(replace(placing, at_s=at_s, until_s=at_s), Window())
+    assert sync is not None, "its usual preparation has room"
+    return sync
+
+
+def _behavior(entry: BehaviorEntry, name: str, sync: SyncPoints, first: int, last: int) -> Behavior:
+    return Behavior(
+        id=name,
+        kind=entry.channel,
+        lexeme=entry.lexeme,
+        sync=sync,
+        first=first,
+        last=last,
+        priority=0.0,
+        hand=entry.hand,
+        amount=entry.amount,
+        target=entry.target,
+        direction=entry.direction,
+        repetitions=entry.repetitions,
+    )

@@ -1,0 +1,162 @@
+"""Characters: overlays on the one behaviour table, so that what a character does not say stays as the table has it.
+
+`lexicon/characters/NAME.yaml` gives the character NAME. Every mistake in the table and in all characters is reported
+at once.
+"""
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
+from pathlib import Path
+from types import MappingProxyType
+from typing import Literal, TypeVar
+
+from pydantic import Field
+
+from ...errors import AuthoringError, InputError, Mistake
+from ...model import Channel, Hand
+from ...yaml_files import Entry, Source, all_or_every_mistake
+from .saccades import TALKING
+from .table import BehaviorChange, BehaviorEntry, BehaviorTable, changed, did_you_mean, load_table, mistakes_of
+
+Value = TypeVar("Value")
+
+
+@dataclass(frozen=True, slots=True)
+class Character:
+    """How one character moves: its own entries of the table, the hand it prefers, strokes a minute of speech.
+
+    `strokes_per_unit` is the most before the hands rest, `amplitude` how large its movements are (1 as in the table, in
+    `entries` already), `stillness` how little it moves without need (0 to 1), `eye_contact` the share of time in which
+    it looks at the listener while it talks, `rest_poses` the postures between which it changes.
+    """
+
+    name: str
+    description: str
+    handedness: Hand
+    gestures_per_minute: float
+    strokes_per_unit: int
+    amplitude: float
+    stillness: float
+    eye_contact: float
+    rest_poses: tuple[str, ...]
+    entries: Mapping[str, BehaviorEntry]
+
+
+@dataclass(frozen=True, slots=True)
+class Characters:
+    """All characters by name, in alphabetical order."""
+
+    by_name: Mapping[str, Character]
+    behavior_names: frozenset[str]
+
+    @classmethod
+    def load(cls, lexicon: Path) -> "Characters":
+        """The table and the characters of a lexicon folder. Raises AuthoringError with every mistake."""
+        table = _attempt(partial(load_table, lexicon / "behaviors.yaml"))
+        sheets = [_attempt(partial(_Sheet.read, path)) for path in sorted((lexicon / "characters").glob("*.yaml"))]
+        if isinstance(table, AuthoringError):
+            mistakes = (sheet.mistakes for sheet in sheets if isinstance(sheet, AuthoringError))
+            raise AuthoringError(tuple(chain(table.mistakes, *mistakes)))
+        characters = all_or_every_mistake(
+            sheet if isinstance(sheet, AuthoringError) else _attempt(partial(sheet.overlaid, table)) for sheet in sheets
+        )
+        by_name = {character.name: character for character in characters}
+        return cls(MappingProxyType(by_name), frozenset(table.lines))
+
+    def named(self, name: str) -> Character:
+        """The character of that name; raises InputError `unknown_character`."""
+        if name not in self.by_name:
+            raise InputError(
+                "unknown_character",
+                f"there is no character {name!r}{did_you_mean(name, self.by_name)}; "
+                f"there are {', '.join(self.by_name) or 'none'}",
+                field="character",
+            )
+        return self.by_name[name]
+
+
+class _CharacterFile(Entry):
+    description: str = Field(min_length=1)
+    handedness: Literal["left", "right"]
+    gestures_per_minute: float = Field(ge=0, le=60)
+    strokes_per_unit: int = Field(default=3, ge=1, le=20)
+    amplitude: float = Field(default=1.0, ge=0.1, le=2)
+    stillness: float = Field(default=0.0, ge=0, le=1)
+    eye_contact: float = Field(default=TALKING.eye_contact, ge=0.05, le=0.95)
+    rest_poses: tuple[str, ...] = ("rest_on_left_leg", "rest_on_right_leg")
+    behaviors: dict[str, BehaviorChange] = Field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class _Sheet:
+    """A character's file, valid by itself."""
+
+    source: Source
+    file: _CharacterFile
+
+    @classmethod
+    def read(cls, path: Path) -> "_Sheet":
+        if not _NAME.fullmatch(path.stem):
+            raise AuthoringError(
+                (Mistake(path, 1, 1, "a character's file is named in letters, digits and _, a letter first"),)
+            )
+        source = Source(path)
+        return cls(source, source.validated(_CharacterFile))
+
+    def overlaid(self, table: BehaviorTable) -> Character:
+        """The character over `table`; raises AuthoringError for changes of what is not there or makes no sense."""
+        mistakes = [self.source.mistake(tuple(place), message) for *place, message in self._mistakes(table)]
+        if mistakes:
+            raise AuthoringError(tuple(mistakes))
+        entries = {
+            name: _sized(table.entry(name, self.file.behaviors.get(name)), self.file.amplitude) for name in table.lines
+        }
+        return Character(
+            name=self.source.path.stem,
+            description=self.file.description,
+            handedness=Hand(self.file.handedness),
+            gestures_per_minute=self.file.gestures_per_minute,
+            strokes_per_unit=self.file.strokes_per_unit,
+            amplitude=self.file.amplitude,
+            stillness=self.file.stillness,
+            eye_contact=self.file.eye_contact,
+            rest_poses=self.file.rest_poses,
+            entries=MappingProxyType(entries),
+        )
+
+    def _mistakes(self, table: BehaviorTable) -> Iterator[tuple[str, ...]]:
+        for name, change in self.file.behaviors.items():
+            if name not in table.lines:
+                yield "behaviors", name, f"the table has no behaviour {name!r}{did_you_mean(name, table.lines)}"
+                continue
+            for key, message in mistakes_of(changed(table.lines[name], change), table.timings):
+                yield "behaviors", name, key, message
+        for name in self.file.rest_poses:
+            if name not in table.lines or table.lines[name].channel is not Channel.POSTURE:
+                postures = [each for each, line in table.lines.items() if line.channel is Channel.POSTURE]
+                yield "rest_poses", f"{name!r} is no posture of the table{did_you_mean(name, postures)}"
+
+
+_USUAL_GESTURE = 0.5
+"""The size of a gesture whose entry does not say it."""
+
+
+def _sized(entry: BehaviorEntry, amplitude: float) -> BehaviorEntry:
+    """The entry as large as the character makes it; gazes go where they go, and eyes close or do not."""
+    if entry.channel not in (Channel.GESTURE, Channel.HEAD, Channel.FACE):
+        return entry
+    amount = _USUAL_GESTURE if entry.channel is Channel.GESTURE and entry.amount is None else entry.amount
+    return entry if amount is None else replace(entry, amount=min(1.0, amount * amplitude))
+
+
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+
+
+def _attempt(load: Callable[[], Value]) -> Value | AuthoringError:
+    try:
+        return load()
+    except AuthoringError as error:
+        return error

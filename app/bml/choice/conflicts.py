@@ -1,0 +1,145 @@
+"""Behaviours that overlap on a channel, or are too close to be played: who came first stays (paper §3.5).
+
+Candidates come in the order of their priority. Gestures compete hand by hand, everything else channel by channel, and a
+look aside, which turns the head, competes with what the head does. One that does not fit beside those taken before is
+shortened to what its phases need at least; a look whose head is taken goes to the eyes alone. If that is not enough,
+the retraction of its predecessor gives way to its preparation, and then its hold, which joins the two into one gesture
+unit (§3.8); if that is not enough either, it loses, with the winner's id and the reason.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from ...model import Behavior, Channel, Hand
+from .candidates import PlacedBehavior
+from .phases import Window, placed
+from .table import GLANCE, LOOK
+
+Kept = tuple[PlacedBehavior, ...]
+"""The candidates taken so far; none overlaps another on a channel or hand."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fitted:
+    """A candidate as it fits, and all that are kept with it."""
+
+    candidate: PlacedBehavior
+    kept: Kept
+
+    @property
+    def shortened(self) -> bool:
+        return self.candidate.behavior.reason is not None
+
+
+def resolve(candidates: Iterable[PlacedBehavior], kept: Kept = ()) -> tuple[Kept, tuple[Behavior, ...]]:
+    """The candidates that fit beside those kept, by priority, and those that do not."""
+    lost: list[Behavior] = []
+    for candidate in sorted(candidates, key=_rank):
+        outcome = fitted(candidate, kept)
+        if isinstance(outcome, Fitted):
+            kept = outcome.kept
+        else:
+            lost.append(outcome)
+    return kept, tuple(lost)
+
+
+def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
+    """The candidate among the kept; its behaviour as a loser where it does not fit."""
+    rivals = [other for other in kept if compete(other.behavior, candidate.behavior)]
+    earlier = [other for other in rivals if other.placing.at_s <= candidate.placing.at_s]
+    later = [other for other in rivals if other.placing.at_s > candidate.placing.at_s]
+    begin_s = max((other.behavior.sync.end for other in earlier), default=0.0)
+    finish_s = min((other.behavior.sync.start for other in later), default=Window().to_s)
+    sync = candidate.behavior.sync
+    if begin_s <= sync.start and sync.end <= finish_s:
+        return Fitted(candidate, (*kept, candidate))
+    heads = [other.behavior for other in rivals if other.behavior.kind is Channel.HEAD and _overlap(candidate, other)]
+    if candidate.behavior.kind is Channel.GAZE and heads:
+        return fitted(_with_the_eyes_alone(candidate, heads[0]), kept)
+    neighbour = _neighbour(candidate, earlier, later)
+    within = _within(candidate, Window(begin_s, finish_s), neighbour)
+    if within is not None:
+        return Fitted(within, (*kept, within))
+    for end_s in (_without_retraction, _without_hold):
+        within = within or _within(candidate, Window(max(map(end_s, earlier), default=0.0), finish_s), neighbour)
+    if within is None:
+        return beaten(candidate.behavior, neighbour)
+    return Fitted(within, (*(_making_way(other, within) if other in earlier else other for other in kept), within))
+
+
+def beaten(behavior: Behavior, winner: Behavior) -> Behavior:
+    """The behaviour as the loser against one that leaves it too little time."""
+    standing = "also has" if winner.priority == behavior.priority else "has"
+    against = "" if winner.priority == behavior.priority else f", not {behavior.priority:g}"
+    reason = f"too close to {winner.lexeme}, which {standing} priority {winner.priority:g}{against}"
+    return replace(behavior, kept=False, lost_to=winner.id, reason=reason)
+
+
+def compete(one: Behavior, other: Behavior) -> bool:
+    """Whether two behaviours move the same part of the body."""
+    if one.kind is not other.kind:
+        return _turns_the_head(one, other) or _turns_the_head(other, one)
+    return one.kind is not Channel.GESTURE or one.hand is other.hand or Hand.BOTH in (one.hand, other.hand)
+
+
+def _turns_the_head(gaze: Behavior, head: Behavior) -> bool:
+    """Whether `gaze` has the head look aside while `head` moves it."""
+    return gaze.lexeme == LOOK and gaze.direction is not None and head.kind is Channel.HEAD
+
+
+def _overlap(one: PlacedBehavior, other: PlacedBehavior) -> bool:
+    return one.behavior.sync.start < other.behavior.sync.end and other.behavior.sync.start < one.behavior.sync.end
+
+
+def _with_the_eyes_alone(look: PlacedBehavior, head: Behavior) -> PlacedBehavior:
+    reason = f"with the eyes alone: the head has its {head.lexeme}"
+    return replace(look, behavior=replace(look.behavior, lexeme=GLANCE, reason=reason))
+
+
+def _rank(candidate: PlacedBehavior) -> tuple[float, float, str]:
+    behavior = candidate.behavior
+    return -behavior.priority, candidate.placing.at_s, behavior.id
+
+
+def _within(candidate: PlacedBehavior, window: Window, neighbour: Behavior) -> PlacedBehavior | None:
+    """The candidate in a window that a neighbour leaves; None when it does not fit."""
+    sync = placed(candidate.placing, window)
+    if sync is None:
+        return None
+    reason = candidate.behavior.reason or _shortened_beside(neighbour)
+    return replace(candidate, behavior=replace(candidate.behavior, sync=sync, reason=reason))
+
+
+def _without_retraction(earlier: PlacedBehavior) -> float:
+    return earlier.firm_end_s
+
+
+def _without_hold(earlier: PlacedBehavior) -> float:
+    return earlier.stroke_end_s
+
+
+def _making_way(earlier: PlacedBehavior, later: PlacedBehavior) -> PlacedBehavior:
+    """The earlier one, its retraction, and if need be its hold, over where the later begins."""
+    start_s = later.behavior.sync.start
+    if earlier.behavior.sync.end <= start_s:
+        return earlier
+    reason = earlier.behavior.reason or _shortened_beside(later.behavior)
+    sync = earlier.behavior.sync
+    relax_s = None if sync.relax is None else min(sync.relax, start_s)
+    sync = replace(sync, relax=relax_s, end=start_s)
+    return replace(earlier, behavior=replace(earlier.behavior, sync=sync, reason=reason))
+
+
+def _shortened_beside(neighbour: Behavior) -> str:
+    return f"shortened beside {neighbour.lexeme}"
+
+
+def _neighbour(
+    candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
+) -> Behavior:
+    """The rival that leaves the candidate too little time: the one before it, unless it fits behind that."""
+    if earlier:
+        before = max(earlier, key=lambda other: other.firm_end_s)
+        if not later or placed(candidate.placing, Window(before.firm_end_s)) is None:
+            return before.behavior
+    return min(later, key=lambda other: other.behavior.sync.start).behavior

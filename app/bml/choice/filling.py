@@ -1,0 +1,84 @@
+"""What head and eyes do where nothing was asked of them: they are never quite still (paper §6).
+
+Between the movements that show something the head drifts by a few degrees and the eyes go aside and come back. These
+are put where their channel is free, so they never compete. A still character drifts less often and less far.
+"""
+
+import random
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from ...model import Channel, Interval, Utterance, Word
+from .candidates import PlacedBehavior, filler
+from .characters import Character
+from .conflicts import Kept
+from .saccades import Habit, glances
+from .table import DRIFTS, BehaviorEntry
+
+DRIFT_S = (1.0, 2.2)
+"""How long a drift takes, from the first movement to rest."""
+
+GAZE_RANGE_DEGREES = 60.0
+"""The angle of a gaze of amount 1."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """A stretch of the line to be filled, in whose words, for whom and with which luck."""
+
+    words: tuple[Word, ...]
+    end_s: float
+    character: Character
+    generator: random.Random
+
+    @classmethod
+    def of(cls, utterance: Utterance, timed: tuple[Word, ...], character: Character, seed: str) -> "Rest":
+        ends = [word.interval.end_s for word in timed if word.interval is not None]
+        text = " ".join(word.text for word in utterance.words)
+        return cls(timed, utterance.duration_s or ends[-1], character, random.Random(f"{seed} {text}"))
+
+
+def fillers(kept: Kept, rest: Rest, habit: Habit) -> tuple[PlacedBehavior, ...]:
+    """Drifts of the head and saccades in the time that the kept leave free."""
+    return (*_drifts(kept, rest), *_saccades(kept, rest, habit))
+
+
+def free(kept: Kept, channel: Channel, end_s: float) -> Iterator[Interval]:
+    """The stretches of a line in which nothing is kept on a channel."""
+    begin_s = 0.0
+    taken = (each.behavior.sync for each in kept if each.behavior.kind is channel)
+    for sync in sorted(taken, key=lambda sync: sync.start):
+        if sync.start > begin_s:
+            yield Interval(begin_s, sync.start)
+        begin_s = max(begin_s, sync.end)
+    if end_s > begin_s:
+        yield Interval(begin_s, end_s)
+
+
+def _drifts(kept: Kept, rest: Rest) -> Iterator[PlacedBehavior]:
+    shortest_s, _ = DRIFT_S
+    activity = 1 - rest.character.stillness
+    for gap in free(kept, Channel.HEAD, rest.end_s):
+        start_s = gap.start_s
+        while gap.end_s - start_s >= shortest_s:
+            interval = Interval(start_s, min(start_s + rest.generator.uniform(*DRIFT_S), gap.end_s))
+            start_s = interval.end_s
+            entry = rest.character.entries[rest.generator.choice(DRIFTS)]
+            amount = (entry.amount or 0.0) * rest.generator.uniform(0.5, 1.0) * activity
+            if rest.generator.random() < activity:
+                yield _filler(replace(entry, amount=amount), interval, rest, "the head is never quite still")
+
+
+def _saccades(kept: Kept, rest: Rest, habit: Habit) -> Iterator[PlacedBehavior]:
+    entry = rest.character.entries["saccade"]
+    for gap in free(kept, Channel.GAZE, rest.end_s):
+        for glance in glances(gap, habit, rest.generator):
+            amount = glance.angle_degrees / GAZE_RANGE_DEGREES
+            aside = replace(entry, direction=glance.direction, amount=amount)
+            yield _filler(aside, glance.interval, rest, "the eyes wander off and come back")
+
+
+def _filler(entry: BehaviorEntry, interval: Interval, rest: Rest, reason: str) -> PlacedBehavior:
+    begun = [word.index for word in rest.words if word.interval and word.interval.start_s <= interval.start_s]
+    word = begun[-1] if begun else rest.words[0].index
+    return filler(entry, interval, word, reason)

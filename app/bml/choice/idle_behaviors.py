@@ -1,0 +1,111 @@
+"""What the body does by itself at moments of the speech: blinks, breath, a look at the listener, a change of posture.
+
+People blink about 26 times a minute while they talk (Bentivoglio et al. 1997), rather where they pause or a phrase
+ends. They look at the listener as they begin and hand over the turn (Kendon 1967), breathe in as they pause, and shift
+their weight as they turn to another matter (Cassell et al. 2001): here, where a sentence begins after a pause. These
+have no rule and no function, but a reason.
+"""
+
+import random
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import cycle, pairwise
+
+from ...model import Interval, Utterance, Word
+
+BLINKS_PER_MINUTE = 26.0
+
+_SHORTEST_BETWEEN_BLINKS_S = 0.8
+_NEAR_S = 0.8
+"""How far a blink that is due waits for a pause or phrase end, or comes before its time for one."""
+_SHORTEST_PAUSE_S = 0.2
+_SHORTEST_BREATH_S = 0.35
+_SHORTEST_BETWEEN_SHIFTS_S = 5.0
+_SENTENCE_ENDS = (".", "?", "!", "…")
+
+
+@dataclass(frozen=True, slots=True)
+class IdleBehavior:
+    """A behaviour of the table that no function asks for: when, in which word, why."""
+
+    name: str
+    at_s: float
+    word: int
+    reason: str
+
+
+def idle_behaviors(
+    utterance: Utterance, timed: tuple[Word, ...], seed: int, *, rest_poses: Sequence[str] = ()
+) -> Iterator[IdleBehavior]:
+    """All of it until the sound or the last of the `timed` words ends; without `rest_poses` the posture stays."""
+    yield IdleBehavior("gaze_opening", 0.0, timed[0].index, "looks at the listener as the line begins")
+    intervals = [(word.index, word.interval) for word in timed if word.interval is not None]
+    last, interval = intervals[-1]
+    yield IdleBehavior("gaze_return", interval.start_s, last, "looks at the listener as the turn ends")
+    yield from _breaths(intervals)
+    yield from _shifts(timed, rest_poses)
+    yield from blinks(utterance, timed, f"{seed}")
+
+
+def blinks(utterance: Utterance, timed: tuple[Word, ...], seed: str) -> Iterator[IdleBehavior]:
+    """The blinks of a line. Lines of other words blink at other times, the same line always at the same."""
+    intervals = [(word.index, word.interval) for word in timed if word.interval is not None]
+    generator = random.Random(f"{seed} blinks {' '.join(word.text for word in utterance.words)}")
+    chances = dict(_chances(utterance, timed))
+    end_s = utterance.duration_s or intervals[-1][1].end_s
+    for at_s in _blinks(sorted(chances), end_s, generator):
+        word = max((index for index, interval in intervals if interval.start_s <= at_s), default=intervals[0][0])
+        yield IdleBehavior("blink", at_s, word, chances.get(at_s, "blinks now and then"))
+
+
+def _breaths(intervals: list[tuple[int, Interval]]) -> Iterator[IdleBehavior]:
+    for (word, before), (_, after) in pairwise(intervals):
+        if after.start_s - before.end_s >= _SHORTEST_BREATH_S:
+            yield IdleBehavior("breath", (before.end_s + after.start_s) / 2, word, "breathes in as the voice pauses")
+
+
+def _shifts(timed: tuple[Word, ...], rest_poses: Sequence[str]) -> Iterator[IdleBehavior]:
+    """From one rest pose to the next where a sentence begins after a pause."""
+    if not rest_poses:
+        return
+    poses = cycle((*rest_poses[1:], rest_poses[0]))
+    last_s = -_SHORTEST_BETWEEN_SHIFTS_S
+    for word, following in pairwise(timed):
+        if word.interval is None or following.interval is None or not _ends_sentence(word.text):
+            continue
+        start_s = following.interval.start_s
+        if start_s - word.interval.end_s < _SHORTEST_PAUSE_S or start_s < last_s + _SHORTEST_BETWEEN_SHIFTS_S:
+            continue
+        yield IdleBehavior(next(poses), start_s, following.index, "shifts posture as another sentence begins")
+        last_s = start_s
+
+
+def _ends_sentence(text: str) -> bool:
+    return text.rstrip("\"'”’)").endswith(_SENTENCE_ENDS)
+
+
+def _chances(utterance: Utterance, timed: tuple[Word, ...]) -> Iterator[tuple[float, str]]:
+    """Where a blink is likely, and why: where phrases end, and where the voice pauses."""
+    phrase_ends = {phrase.last for phrase in utterance.parse.phrases}
+    for word, following in zip(timed, (*timed[1:], None), strict=True):
+        if word.interval is None:
+            continue
+        if word.index in phrase_ends or following is None:
+            yield word.interval.end_s, "blinks as a phrase ends"
+        elif following.interval and following.interval.start_s - word.interval.end_s >= _SHORTEST_PAUSE_S:
+            yield word.interval.end_s, "blinks in a pause"
+
+
+def _blinks(chances: list[float], end_s: float, generator: random.Random) -> Iterator[float]:
+    usual_s = 60 / BLINKS_PER_MINUTE
+    due_s, last_s = generator.uniform(0.3, usual_s), -_SHORTEST_BETWEEN_BLINKS_S
+    while due_s < end_s:
+        near = [
+            time_s
+            for time_s in chances
+            if abs(time_s - due_s) <= _NEAR_S and time_s >= last_s + _SHORTEST_BETWEEN_BLINKS_S
+        ]
+        last_s = min(near, key=lambda time_s: abs(time_s - due_s), default=due_s)
+        yield last_s
+        due_s = last_s + _SHORTEST_BETWEEN_BLINKS_S
+        due_s += generator.expovariate(1 / (usual_s - _SHORTEST_BETWEEN_BLINKS_S))

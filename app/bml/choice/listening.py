@@ -1,0 +1,102 @@
+"""What a listener does while a line is spoken to him (paper §3.6): generic feedback, driven by the speaker.
+
+The speaker's head movements come back, as in a mirror, after half a second. Beyond the paper the listener nods where
+the speaker pauses or ends a phrase (Yngve's back channels), blinks there, and looks at the speaker by the statistics of
+people who listen (`saccades.py`). Times are seconds of the speaker's audio.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from itertools import pairwise
+from types import MappingProxyType
+
+from ...model import Behavior, Channel, Utterance, Word
+from .candidates import PlacedBehavior, placed_idle
+from .characters import Character
+from .conflicts import resolve
+from .filling import Rest, fillers
+from .idle_behaviors import IdleBehavior, blinks
+from .phases import Placing
+from .saccades import LISTENING
+from .scheduling import numbered
+
+MIRROR_DELAY_S = 0.5
+"""Paper §3.6."""
+
+MIRRORED_SIZE = 0.6
+"""A mirrored movement is smaller than the speaker's."""
+
+NOD = "small_nod"
+REACTION_S = 0.4
+"""From the end of the speaker's phrase to the moment of the nod."""
+
+SHORTEST_BETWEEN_NODS_S = 2.5
+SHORTEST_PAUSE_S = 0.2
+
+_SIDES: Mapping[str, str] = MappingProxyType({"LEFT": "RIGHT", "RIGHT": "LEFT"})
+
+
+def listen(
+    behaviors: Iterable[Behavior], utterance: Utterance, listener: Character, *, speaker: str, seed: int
+) -> tuple[Behavior, ...]:
+    """The listener's behaviours in order of time; none when no word has a time. `speaker` is whom he looks at."""
+    timed = tuple(word for word in utterance.words if word.interval is not None)
+    if not timed:
+        return ()
+    luck = f"{seed} {listener.name} listens"
+    mirrored = [_mirrored(behavior, listener) for behavior in behaviors if _is_mirrored(behavior)]
+    candidates = [
+        IdleBehavior("gaze_opening", 0.0, timed[0].index, "looks at the speaker"),
+        *_nods(utterance, timed),
+        *blinks(utterance, timed, luck),
+    ]
+    own = [
+        placed_idle(idle, listener.entries[idle.name], f"own.{number:04d}") for number, idle in enumerate(candidates)
+    ]
+    kept, lost = resolve([*mirrored, *own])
+    kept += fillers(kept, Rest.of(utterance, timed, listener, luck), LISTENING)
+    all_behaviors = numbered([*(each.behavior for each in kept), *lost])
+    return tuple(
+        replace(behavior, target=speaker) if behavior.kind is Channel.GAZE else behavior for behavior in all_behaviors
+    )
+
+
+def _is_mirrored(behavior: Behavior) -> bool:
+    """The head movements that mean something; the speaker's drifting is not answered."""
+    return behavior.kept and behavior.kind is Channel.HEAD and behavior.function is not None
+
+
+def _mirrored(behavior: Behavior, listener: Character) -> PlacedBehavior:
+    """The movement as in a mirror: the other's left is opposite one's right."""
+    lexeme = "_".join(_SIDES.get(part, part) for part in behavior.lexeme.split("_"))
+    amount = None if behavior.amount is None else behavior.amount * MIRRORED_SIZE * listener.amplitude
+    sync = behavior.sync.shifted(MIRROR_DELAY_S)
+    mirrored = replace(
+        behavior,
+        id=f"mirrored.{behavior.id}",
+        lexeme=lexeme,
+        sync=sync,
+        amount=None if amount is None else min(1.0, amount),
+        rule=None,
+        function=None,
+        lost_to=None,
+        reason=f"mirrors the speaker's {behavior.lexeme}",
+    )
+    timing = listener.entries[NOD].timing
+    at_s = sync.stroke_end if sync.stroke_end is not None else sync.end
+    return PlacedBehavior(mirrored, Placing(timing, at_s, sync.end, stroked=True))
+
+
+def _nods(utterance: Utterance, timed: tuple[Word, ...]) -> Iterator[IdleBehavior]:
+    """Where the speaker pauses or ends a phrase, not too often."""
+    phrase_ends = {phrase.last for phrase in utterance.parse.phrases}
+    last_s = -SHORTEST_BETWEEN_NODS_S
+    for word, following in pairwise(timed):
+        if word.interval is None or following.interval is None:
+            continue
+        end_s = word.interval.end_s
+        pauses = following.interval.start_s - end_s >= SHORTEST_PAUSE_S
+        if (pauses or word.index in phrase_ends) and end_s >= last_s + SHORTEST_BETWEEN_NODS_S:
+            reason = "nods as the speaker pauses" if pauses else "nods as the speaker's phrase ends"
+            yield IdleBehavior(NOD, end_s + REACTION_S, word.index, reason)
+            last_s = end_s

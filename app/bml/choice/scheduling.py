@@ -1,0 +1,72 @@
+"""From candidates to a timed schedule (paper §3.4, §3.5): what is done, when it begins, strikes and ends, with which
+hand.
+
+How a movement is timed by its word is in `candidates.py`, which alternatives are taken in `choosing.py`, what does not
+fit together is settled in `conflicts.py`, what the body does by itself is in `unasked.py`.
+"""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from ...model import Behavior, BehaviorCandidates, Channel, Mode, Utterance
+from .candidates import interval_of, placed_idle
+from .characters import Character
+from .choosing import Line, choose
+from .conflicts import resolve
+from .filling import Rest, fillers
+from .idle_behaviors import idle_behaviors
+from .modes import in_mode
+from .saccades import TALKING
+
+PAUSE_S = 0.5
+"""A line has its share of the pause between lines. It makes up for the gestures that find no place in their line, so
+that the rates of `benchmarks/bml/schedule.py` come out as set."""
+
+
+def schedule(
+    candidates: Iterable[BehaviorCandidates],
+    utterance: Utterance,
+    character: Character,
+    *,
+    seed: int,
+    mode: Mode = Mode.SEMANTIC,
+) -> tuple[Behavior, ...]:
+    """The behaviours in order of time, those that were dropped among them; none at all when no word has a time.
+
+    Head, eyes and face are the same in every mode. The kept ones do not overlap on a channel (or hand), and their sync
+    points are in order and not before 0.
+    """
+    timed = tuple(word for word in utterance.words if word.interval is not None)
+    if not timed:
+        return ()
+    duration_s = utterance.duration_s or interval_of(timed[-1]).end_s
+    candidates, line = tuple(candidates), Line(timed, character, most_gestures(character, duration_s))
+    kept, lost = choose(candidates, line)
+    kept, lost = in_mode(mode, (kept, lost), candidates, line, seed)
+    own = [
+        placed_idle(idle, character.entries[idle.name], f"own.{number:04d}")
+        for number, idle in enumerate(idle_behaviors(utterance, timed, seed, rest_poses=character.rest_poses))
+    ]
+    kept, own_lost = resolve(own, kept)
+    rest = Rest.of(utterance, timed, character, f"{seed} rest")
+    kept += fillers(kept, rest, replace(TALKING, eye_contact=character.eye_contact))
+    return numbered([*(candidate.behavior for candidate in kept), *lost, *own_lost])
+
+
+def most_gestures(character: Character, duration_s: float) -> int:
+    """How many gestures the character makes at most in a line of this length, with the pause that goes with a line."""
+    return round(character.gestures_per_minute * (duration_s + PAUSE_S) / 60)
+
+
+def numbered(behaviors: Iterable[Behavior]) -> tuple[Behavior, ...]:
+    """The behaviours in order of time, their ids such as `gesture1` in that order."""
+    in_time = sorted(behaviors, key=lambda behavior: (behavior.sync.start, not behavior.kept, behavior.id))
+    counts = dict.fromkeys(Channel, 0)
+    names = {}
+    for behavior in in_time:
+        counts[behavior.kind] += 1
+        names[behavior.id] = f"{behavior.kind}{counts[behavior.kind]}"
+    return tuple(
+        replace(behavior, id=names[behavior.id], lost_to=behavior.lost_to and names[behavior.lost_to])
+        for behavior in in_time
+    )

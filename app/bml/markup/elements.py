@@ -1,0 +1,219 @@
+"""What BML is made of, as one table: elements, their attributes and sync points, and what may stand inside them.
+
+The writer, the reader and the JSON form all follow this table. It holds BML 1.0 core as strict realizers read it
+(shared/bml.md), with `faceFacs` of the core extensions, and the part of SmartBody's dialect that we write. The core is
+closed: an unknown name in its namespaces is a mistake. SmartBody's is open: what is not here is kept and reported.
+"""
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from types import MappingProxyType
+
+from .documents import DialectName
+
+CORE = "http://www.bml-initiative.org/bml/bml-1.0"
+CORE_EXTENSIONS = "http://www.bml-initiative.org/bml/coreextensions-1.0"
+SBM = "http://ict.usc.edu"
+"""The namespace of the attributes that SmartBody adds to its own dialect, `sbm:` in its files."""
+
+
+class Kind(StrEnum):
+    """What an attribute's text says."""
+
+    TEXT = "a text"
+    ID = "an id: a letter, then letters, digits, _ and . (a - breaks references)"
+    NUMBER = "a fixed decimal"
+    SHARE = "a fixed decimal from 0 to 1"
+    COUNT = "a whole number"
+    TIME = "a time: fixed decimal seconds, or behaviour:point, with + or - seconds after it if need be"
+
+
+@dataclass(frozen=True, slots=True)
+class Attribute:
+    """`one_of` lists the only values there are (all, if empty); `beyond` matches those of known extensions."""
+
+    kind: Kind = Kind.TEXT
+    required: bool = False
+    one_of: frozenset[str] = frozenset()
+    beyond: re.Pattern[str] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ElementKind:
+    """An element: attributes in the order in which they are written, `syncs` those that are sync points, in order of
+    time. Text stands between its parts if `mixed`; whatever its author likes stands inside if `free`."""
+
+    name: str
+    namespace: str
+    attributes: Mapping[str, Attribute]
+    syncs: tuple[str, ...] = ()
+    parts: Mapping[str, "ElementKind"] = field(default_factory=dict)
+    needs: str | None = None
+    mixed: bool = False
+    free: bool = False
+
+    @property
+    def qualified(self) -> str:
+        """The name as XML tools give it."""
+        return f"{{{self.namespace}}}{self.name}" if self.namespace else self.name
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """The roots that a document of it may have; in `namespaces` (without one: "") an unknown name is a mistake."""
+
+    name: DialectName
+    title: str
+    roots: Mapping[str, ElementKind]
+    namespaces: frozenset[str] = frozenset()
+
+
+STROKED = ("start", "ready", "strokeStart", "stroke", "strokeEnd", "relax", "end")
+REACHED = ("start", "ready", "relax", "end")
+FACIAL = ("start", "attackPeak", "relax", "end")
+ENDS = ("start", "end")
+STROKED_SMARTBODY = ("start", "ready", "stroke_start", "stroke", "stroke_end", "relax", "end")
+
+
+def _kind(
+    name: str,
+    attributes: Mapping[str, Attribute] | None = None,
+    *,
+    syncs: tuple[str, ...] = (),
+    parts: Iterable[ElementKind] = (),
+    needs: str | None = None,
+    mixed: bool = False,
+    free: bool = False,
+    namespace: str = CORE,
+) -> ElementKind:
+    """A row; every sync point is an attribute too."""
+    every = {**(attributes or {}), **dict.fromkeys(syncs, _TIME)}
+    inside = MappingProxyType({part.name: part for part in parts})
+    return ElementKind(name, namespace, MappingProxyType(every), syncs, inside, needs, mixed, free)
+
+
+def _any(**attributes: Attribute) -> dict[str, Attribute]:
+    """The attributes of a behaviour: its id, then its own."""
+    return {"id": _ID, **attributes}
+
+
+def _one_of(values: str, *, required: bool = False, beyond: str | None = None) -> Attribute:
+    return Attribute(one_of=frozenset(values.split()), required=required, beyond=re.compile(beyond) if beyond else None)
+
+
+_ID = Attribute(Kind.ID, required=True)
+_OWN_ID = Attribute(Kind.ID)
+_TEXT = Attribute()
+_NEEDED = Attribute(required=True)
+_TIME = Attribute(Kind.TIME)
+_SHARE = Attribute(Kind.SHARE)
+_NUMBER = Attribute(Kind.NUMBER)
+_COUNT = Attribute(Kind.COUNT)
+_REFERENCE = Attribute(Kind.TIME, required=True)
+
+_HANDS = _one_of("LEFT_HAND RIGHT_HAND BOTH_HANDS")
+_GAZE = {
+    "target": _NEEDED,
+    "influence": _one_of("EYES HEAD NECK SHOULDER TORSO WAIST LEGS WHOLE"),
+    "offsetAngle": _NUMBER,
+    "offsetDirection": _one_of("LEFT RIGHT UP DOWN UPLEFT UPRIGHT DOWNLEFT DOWNRIGHT POLAR"),
+}
+
+_DESCRIPTION = _kind("description", {"priority": Attribute(Kind.COUNT, required=True), "type": _NEEDED}, free=True)
+_MARK = _kind("sync", {"id": _ID})
+_SPOKEN = _kind("text", parts=[_MARK], mixed=True)
+_STANCE = _kind("stance", {"type": _one_of("STANDING SITTING CROUCHING LYING", required=True)})
+_POSE = _kind("pose", {"part": _NEEDED, "lexeme": _NEEDED})
+
+_BEHAVIORS = (
+    _kind("speech", _any(), syncs=ENDS, parts=[_SPOKEN, _DESCRIPTION], needs="text"),
+    _kind("gesture", _any(lexeme=_NEEDED, mode=_HANDS), syncs=STROKED, parts=[_DESCRIPTION]),
+    _kind("pointing", _any(target=_NEEDED, mode=_HANDS), syncs=STROKED, parts=[_DESCRIPTION]),
+    _kind("head", _any(lexeme=_NEEDED, repetition=_COUNT, amount=_SHARE), syncs=STROKED, parts=[_DESCRIPTION]),
+    _kind("headDirectionShift", _any(target=_NEEDED), syncs=ENDS, parts=[_DESCRIPTION]),
+    _kind("gaze", _any(**_GAZE), syncs=REACHED, parts=[_DESCRIPTION]),
+    _kind("gazeShift", _any(**_GAZE), syncs=ENDS, parts=[_DESCRIPTION]),
+    _kind("faceLexeme", _any(lexeme=_NEEDED, amount=_SHARE), syncs=FACIAL, parts=[_DESCRIPTION]),
+    _kind(
+        "faceFacs",
+        _any(au=Attribute(Kind.COUNT, required=True), side=_one_of("LEFT RIGHT BOTH"), amount=_SHARE),
+        syncs=FACIAL,
+        namespace=CORE_EXTENSIONS,
+    ),
+    _kind("posture", _any(), syncs=REACHED, parts=[_STANCE, _POSE, _DESCRIPTION]),
+    _kind("postureShift", _any(), syncs=ENDS, parts=[_STANCE, _POSE, _DESCRIPTION]),
+    _kind("locomotion", _any(target=_NEEDED, manner=_TEXT), syncs=ENDS, parts=[_DESCRIPTION]),
+    _kind("wait", _any(**{"max-wait": _NUMBER}), syncs=ENDS),
+)
+_MEETING = _kind("sync", {"ref": _REFERENCE})
+_CONSTRAINT = _kind(
+    "constraint",
+    parts=[
+        _kind("synchronize", parts=[_MEETING], needs="sync"),
+        _kind("before", {"ref": _REFERENCE}, parts=[_MEETING], needs="sync"),
+        _kind("after", {"ref": _REFERENCE}, parts=[_MEETING], needs="sync"),
+    ],
+)
+_BLOCK = _kind(
+    "bml",
+    {"id": _ID, "characterId": _OWN_ID, "composition": _one_of("MERGE APPEND REPLACE", beyond=r"[A-Z]+-AFTER\(.+\)")},
+    parts=[*_BEHAVIORS, _kind("required", parts=[*_BEHAVIORS, _CONSTRAINT]), _CONSTRAINT],
+)
+BML_CORE = Dialect(
+    DialectName.BML, "BML 1.0 core", MappingProxyType({"bml": _BLOCK}), frozenset({CORE, CORE_EXTENSIONS, ""})
+)
+
+_JOINTS = f"{{{SBM}}}joint-range"
+
+
+def _own(name: str, attributes: Mapping[str, Attribute], *, syncs: tuple[str, ...] = ()) -> ElementKind:
+    """A behaviour of SmartBody's dialect: an id is welcome, not required."""
+    every = {"id": _OWN_ID, **attributes, "priority": _COUNT}
+    return _kind(name, every, syncs=syncs, namespace="")
+
+
+_FILE = _kind("file", {"ref": _NEEDED}, namespace="")
+_SPEECH_PARTS = (
+    _kind("text", parts=[_kind("sync", {"id": _ID, "time": _NUMBER}, namespace="")], mixed=True, namespace=""),
+    _kind("description", {"level": _COUNT, "type": _TEXT}, parts=[_FILE], namespace=""),
+)
+_GESTURE = {
+    **dict.fromkeys(("lexeme", "type", "style", "emotion"), _TEXT),
+    "mode": _HANDS,
+    **dict.fromkeys(("prestroke_hold", "poststroke_hold"), _TEXT),
+    _JOINTS: _TEXT,
+    **dict.fromkeys((f"{{{SBM}}}frequency", f"{{{SBM}}}scale"), _NUMBER),
+}
+_LIPS = {"viseme": _NEEDED, "articulation": _NUMBER}
+_OWN_BLOCK = _kind(
+    "bml",
+    {"id": _OWN_ID},
+    parts=[
+        _kind("speech", {"id": _OWN_ID, "type": _TEXT}, syncs=ENDS, parts=_SPEECH_PARTS, mixed=True, namespace=""),
+        _own("gesture", _GESTURE, syncs=STROKED_SMARTBODY),
+        _own("head", {"type": _NEEDED, "repeats": _NUMBER, "amount": _NUMBER}, syncs=STROKED_SMARTBODY),
+        _own(
+            "gaze",
+            {"target": _TEXT, "direction": _TEXT, "angle": _NUMBER, _JOINTS: _TEXT},
+            syncs=STROKED_SMARTBODY,
+        ),
+        _own("face", {"type": _NEEDED, "au": _TEXT, "side": _TEXT, "amount": _NUMBER}, syncs=STROKED_SMARTBODY),
+        _own("saccade", {"mode": _TEXT}, syncs=STROKED_SMARTBODY),
+        _own("body", {"posture": _NEEDED}, syncs=STROKED_SMARTBODY),
+        _own("lips", _LIPS, syncs=REACHED),
+    ],
+    namespace="",
+)
+_ACT = _kind(
+    "act",
+    parts=[_kind("participant", {"id": _NEEDED, "role": _TEXT}, namespace=""), _OWN_BLOCK],
+    needs="bml",
+    namespace="",
+)
+SMARTBODY = Dialect(
+    DialectName.SMARTBODY, "SmartBody's dialect", MappingProxyType({"act": _ACT, "bml": _OWN_BLOCK}), frozenset()
+)
+
+DIALECTS: Mapping[DialectName, Dialect] = MappingProxyType({each.name: each for each in (BML_CORE, SMARTBODY)})

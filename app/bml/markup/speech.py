@@ -1,0 +1,76 @@
+"""What a BML document has said, and where its marks stand in it.
+
+A mark stands before the word that follows it: mark `w3` of "I <sync id='w1'/>have …" is the moment at which "have"
+begins. SmartBody's marks may say their own time; those of the core have none but what the recording tells.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from ...model import Word
+from .documents import Document, Element, Time
+
+
+@dataclass(frozen=True, slots=True)
+class Speech:
+    """The first speech of a document: its text, by `marks` how many of its words come before each mark, and by
+    `mark_times_s` the time of those marks that say it, in seconds from the start of the speech."""
+
+    id: str
+    text: str
+    start: Time | None
+    marks: Mapping[str, int]
+    mark_times_s: Mapping[str, float]
+
+
+def behaviors_of(document: Document) -> Iterator[Element]:
+    """The behaviours and constraints of the document's block, those that are required too."""
+    blocks = [part for part in document.root.children if part.name == "bml"]
+    for part in (blocks[0] if blocks else document.root).children:
+        if part.name == "required":
+            yield from part.children
+        else:
+            yield part
+
+
+def speech_of(document: Document) -> Speech | None:
+    """The document's first speech; None when nothing is said."""
+    found = next((element for element in behaviors_of(document) if element.name == "speech"), None)
+    return None if found is None else _speech(found)
+
+
+def mark_s(mark: str, speech: Speech, words: tuple[Word, ...]) -> float | None:
+    """The time of a mark in seconds from the start of the speech; None when nothing tells it."""
+    if mark in speech.mark_times_s:
+        return speech.mark_times_s[mark]
+    if mark not in speech.marks:
+        return None
+    timed = [word for word in words if word.interval]
+    for word in timed:
+        if word.interval and word.index >= speech.marks[mark]:
+            return word.interval.start_s
+    last = timed[-1].interval if timed else None
+    return last.end_s if last else None
+
+
+def _speech(element: Element) -> Speech:
+    text, marks, times_s = "", {}, {}
+    whole = next((part for part in element.children if part.name == "text"), element)
+    for part in whole.content:
+        if isinstance(part, str):
+            text += part
+            continue
+        name, time_s = part.id, part.attributes.get("time")
+        if part.name == "sync" and name is not None:
+            marks[name] = len(text.split())
+            if isinstance(time_s, float):
+                times_s[name] = time_s
+    start = element.attributes.get("start")
+    return Speech(
+        id=element.id or "speech",
+        text=" ".join(text.split()),
+        start=None if isinstance(start, str) else start,
+        marks=MappingProxyType(marks),
+        mark_times_s=MappingProxyType(times_s),
+    )

@@ -1,0 +1,97 @@
+"""The text of an attribute and the value it stands for.
+
+Numbers are fixed decimals, three places or as many as it takes to say the number exactly, never `1e-05`. White space
+around a value, and more than one space inside, mean nothing.
+"""
+
+import re
+from decimal import Decimal
+from math import isfinite
+
+from .documents import Reference, Value
+from .elements import Attribute, Kind
+
+PLACES = 3
+
+_ID = re.compile(r"[A-Za-z][A-Za-z0-9_.]*")
+_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)", re.ASCII)
+_COUNT = re.compile(r"\d{1,9}", re.ASCII)
+_REFERENCE = re.compile(
+    r"(?:(?P<block>[A-Za-z_][\w.-]*):)?(?P<behavior>[A-Za-z_][\w.-]*):(?P<point>[A-Za-z_][\w.-]*?)"
+    r"(?:\s*(?P<sign>[+-])\s*(?P<offset>\d+(?:\.\d*)?|\.\d+))?",
+    re.ASCII,
+)
+
+
+def value_of(text: str, attribute: Attribute) -> Value:
+    """What `text` says; raises ValueError, with the reason, when it cannot be said by `attribute`."""
+    text = " ".join(text.split())
+    if not text:
+        raise ValueError("is empty; leave it out")
+    if (
+        attribute.one_of
+        and text not in attribute.one_of
+        and not (attribute.beyond and attribute.beyond.fullmatch(text))
+    ):
+        raise ValueError(f"is none of {', '.join(sorted(attribute.one_of))}")
+    try:
+        return _value(text, attribute.kind)
+    except ValueError:
+        raise ValueError(f"is not {attribute.kind}") from None
+
+
+def text_of(value: Value) -> str:
+    """The text that says `value`."""
+    if isinstance(value, Reference):
+        block = f"{value.block}:" if value.block else ""
+        offset = f"{'-' if value.offset_s < 0 else '+'}{_fixed(abs(value.offset_s))}" if value.offset_s else ""
+        return f"{block}{value.behavior}:{value.point}{offset}"
+    return _fixed(value) if isinstance(value, float) else str(value)
+
+
+def _value(text: str, kind: Kind) -> Value:
+    match kind:
+        case Kind.TEXT:
+            return text
+        case Kind.ID:
+            return _matching(_ID, text)
+        case Kind.COUNT:
+            return int(_matching(_COUNT, text))
+        case Kind.NUMBER:
+            return _number(text)
+        case Kind.SHARE:
+            return _share(_number(text))
+        case Kind.TIME:
+            return _number(text) if _NUMBER.fullmatch(text) else _reference(text)
+
+
+def _matching(pattern: re.Pattern[str], text: str) -> str:
+    if not pattern.fullmatch(text):
+        raise ValueError(text)
+    return text
+
+
+def _number(text: str) -> float:
+    number = float(_matching(_NUMBER, text))
+    if not isfinite(number):
+        raise ValueError(text)
+    return number + 0.0  # turns -0.0, which would be written as it is, into 0.0
+
+
+def _share(number: float) -> float:
+    if not 0 <= number <= 1:
+        raise ValueError(number)
+    return number
+
+
+def _reference(text: str) -> Reference:
+    found = _REFERENCE.fullmatch(text)
+    if found is None:
+        raise ValueError(text)
+    offset_s = _number(f"{found['sign']}{found['offset']}") if found["offset"] else 0.0
+    return Reference(found["behavior"], found["point"], offset_s, found["block"])
+
+
+def _fixed(number: float) -> str:
+    short = f"{number:.{PLACES}f}"
+    return short if float(short) == number else f"{Decimal(repr(number)):f}"

@@ -1,0 +1,127 @@
+"""Sync points on the clock: of points that are absolute or told from each other to seconds from the block's start.
+
+A behaviour of which nothing is said begins at 0. Points that nothing tells lie at usual distances from those that are
+told (`usual_s`), between two of them in proportion. Nothing comes before 0: where only references would have it so, the
+whole block comes later.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from types import MappingProxyType
+
+from ..markup.documents import Reference, Time
+
+Points = dict[str, float]
+"""The times of a behaviour's sync points by name, in order, seconds."""
+
+_STROKED_FACE = (0.17, 0.0, 0.0, 0.0, 0.60, 0.30)
+_USUAL_S: Mapping[tuple[str, int], tuple[float, ...]] = MappingProxyType(
+    {
+        ("gesture", 7): (0.45, 0.0, 0.30, 0.20, 0.10, 0.53),
+        ("pointing", 7): (0.45, 0.0, 0.21, 0.14, 0.30, 0.53),
+        ("head", 7): (0.15, 0.0, 0.18, 0.12, 0.0, 0.20),
+        ("gaze", 4): (0.15, 0.60, 0.15),
+        ("gaze", 7): (0.15, 0.0, 0.0, 0.0, 0.60, 0.15),
+        ("gazeShift", 2): (0.30,),
+        ("headDirectionShift", 2): (0.40,),
+        ("faceLexeme", 4): (0.17, 0.60, 0.30),
+        ("faceFacs", 4): (0.17, 0.60, 0.30),
+        ("face", 7): _STROKED_FACE,
+        ("posture", 4): (0.70, 2.00, 0.70),
+        ("postureShift", 2): (0.70,),
+        ("body", 7): (0.70, 0.0, 0.0, 0.0, 0.0, 0.0),
+        ("lips", 4): (0.03, 0.06, 0.03),
+    }
+)
+"""From each sync point to the next, by element and how many points it has: phases as lexicon/behaviors.yaml has them.
+"""
+
+
+def usual_s(name: str, points: int) -> tuple[float, ...]:
+    """The usual time from each of an element's sync points to the next."""
+    return _USUAL_S.get((name, points), (0.5,) * (points - 1))
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """The points of one behaviour: `names` in order, `usual_s` between them, `times` those that the document tells."""
+
+    id: str
+    names: tuple[str, ...]
+    usual_s: tuple[float, ...]
+    times: Mapping[str, Time]
+
+
+def on_the_clock(
+    wanted: Sequence[Wanted], known: Mapping[tuple[str, str], float]
+) -> tuple[Mapping[str, Points], tuple[str, ...]]:
+    """The points of every behaviour by its id, and the ids of those whose times nothing tells: they refer to what is
+    not there, or to each other in a circle. `known` are the points of the speech, by its id and their names."""
+    told: dict[tuple[str, str], float] = dict(known)
+    found: dict[str, Points] = {}
+    waiting = list(wanted)
+    while waiting:
+        ready = [each for each in waiting if all(_is_told(time, told) for time in each.times.values())]
+        if not ready:
+            break
+        for each in ready:
+            found[each.id] = completed(each, {name: _seconds(time, told) for name, time in each.times.items()})
+            told |= {(each.id, name): time_s for name, time_s in found[each.id].items()}
+        waiting = [each for each in waiting if each.id not in found]
+    return _from_zero(found, wanted), tuple(each.id for each in waiting)
+
+
+def _from_zero(found: Mapping[str, Points], wanted: Sequence[Wanted]) -> Mapping[str, Points]:
+    """Later as a whole, when its first point is before 0 and no time is absolute; else with what is before 0 at 0."""
+    first_s = min((time_s for points in found.values() for time_s in points.values()), default=0.0)
+    if first_s >= 0:
+        return found
+    fixed = any(not isinstance(time, Reference) for each in wanted for time in each.times.values())
+    delay_s = 0.0 if fixed else -first_s
+    return {
+        name: {point: max(0.0, round(time_s + delay_s, 3)) for point, time_s in points.items()}
+        for name, points in found.items()
+    }
+
+
+def completed(wanted: Wanted, times_s: Mapping[str, float]) -> Points:
+    """All points of a behaviour of which some are told; a point that comes before an earlier one is moved to it."""
+    fixed: dict[int, float] = {}
+    for place, name in enumerate(wanted.names):
+        if name in times_s:
+            fixed[place] = max(times_s[name], *fixed.values()) if fixed else times_s[name]
+    if not fixed:
+        fixed = {0: 0.0}
+    places = sorted(fixed)
+    points = _before(fixed[places[0]], wanted.usual_s[: places[0]])
+    for left, right in pairwise(places):
+        points += _between(fixed[left], fixed[right], wanted.usual_s[left:right])
+    points.append(fixed[places[-1]])
+    for usual_s in wanted.usual_s[places[-1] :]:
+        points.append(points[-1] + usual_s)
+    return {name: round(time_s, 3) + 0.0 for name, time_s in zip(wanted.names, points, strict=True)}
+
+
+def _before(time_s: float, usual_s: Sequence[float]) -> list[float]:
+    """The points before the first that is told, nearer to each other where 0 is near."""
+    whole_s = sum(usual_s)
+    share = min(1.0, max(0.0, time_s) / whole_s) if whole_s else 0.0
+    return [time_s - share * sum(usual_s[place:]) for place in range(len(usual_s))]
+
+
+def _between(from_s: float, to_s: float, usual_s: Sequence[float]) -> list[float]:
+    """The first of two points that are told, and those between them."""
+    whole_s = sum(usual_s)
+    shares = [length_s / whole_s for length_s in usual_s] if whole_s else [1 / len(usual_s)] * len(usual_s)
+    return [from_s + (to_s - from_s) * sum(shares[:place]) for place in range(len(usual_s))]
+
+
+def _is_told(time: Time, told: Iterable[tuple[str, str]]) -> bool:
+    return not isinstance(time, Reference) or (time.behavior, time.point) in told
+
+
+def _seconds(time: Time, told: Mapping[tuple[str, str], float]) -> float:
+    if isinstance(time, Reference):
+        return told[time.behavior, time.point] + time.offset_s
+    return float(time)

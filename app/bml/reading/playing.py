@@ -1,0 +1,141 @@
+"""What an element of a BML document has the body do, in our words: the other way round from
+`understudy.bml.writing.blocks` and `understudy.bml.writing.smartbody`.
+
+What core BML does not say is not known: a gesture's size and priority, for one. Faces that have no word of ours are
+their FACS action unit, `AU12`, with the side in `direction`.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import partial
+from types import MappingProxyType
+
+from ...model import Behavior, Channel, Hand, SyncPoints
+from ..choice.faces import ACTION_UNITS
+from ..choice.table import GLANCE, LOOK, SHIFT
+from ..markup.documents import Element
+from ..markup.elements import SBM
+from ..writing.blocks import GAZE_RANGE_DEGREES, MODES
+
+_HANDS: Mapping[str, Hand] = MappingProxyType({mode: hand for hand, mode in MODES.items()})
+_WORDS_OF_UNITS: Mapping[int, str] = MappingProxyType({unit: lexeme for lexeme, unit in ACTION_UNITS.items()})
+_EYES_ALONE = "EYES"
+_BLINK = 45
+_PRIORITY_STEP = 10
+_USUAL_HEAD = 0.5
+
+SHIFTS = frozenset({"gazeShift", "headDirectionShift", "postureShift", "body"})
+"""Elements whose end is when the new state is reached, which then lasts."""
+
+
+def played(element: Element, name: str, sync: SyncPoints) -> Behavior | None:
+    """The behaviour of an element, with `name` for its id; None when a body that only moves does not play it."""
+    make = _MAKERS.get(element.name)
+    return None if make is None else make(element, _blank(element, name, sync))
+
+
+Making = Callable[[Element, Behavior], Behavior | None]
+"""Fills in what the element says; None when that is nothing we know."""
+
+
+def _blank(element: Element, name: str, sync: SyncPoints) -> Behavior:
+    priority = element.attributes.get("priority")
+    return Behavior(
+        id=name,
+        kind=Channel.GESTURE,
+        lexeme="",
+        sync=sync,
+        first=0,
+        last=0,
+        priority=priority / _PRIORITY_STEP if isinstance(priority, int) else 0.0,
+        hand=_HANDS.get(_text(element, "mode") or ""),
+    )
+
+
+def _gesture(element: Element, blank: Behavior) -> Behavior | None:
+    lexeme = _text(element, "lexeme") or _text(element, "type")
+    return replace(blank, lexeme=lexeme) if lexeme else None
+
+
+def _pointing(element: Element, blank: Behavior) -> Behavior:
+    return replace(blank, lexeme="POINT", target=_text(element, "target"))
+
+
+def _head(element: Element, blank: Behavior) -> Behavior | None:
+    lexeme = _text(element, "lexeme") or _text(element, "type")
+    if lexeme is None:
+        return None
+    often = _number(element, "repetition") or _number(element, "repeats")
+    amount = _number(element, "amount")
+    return replace(
+        blank,
+        kind=Channel.HEAD,
+        lexeme=lexeme,
+        amount=_USUAL_HEAD if amount is None else amount,
+        repetitions=None if often is None else max(1, round(often)),
+    )
+
+
+def _gaze(element: Element, blank: Behavior, *, shifts: bool = False) -> Behavior:
+    joints = _text(element, "influence") or _text(element, f"{{{SBM}}}joint-range")
+    direction = _text(element, "offsetDirection") or _text(element, "direction")
+    angle = _number(element, "offsetAngle") or _number(element, "angle")
+    aside = direction is not None and angle is not None
+    return replace(
+        blank,
+        kind=Channel.GAZE,
+        lexeme=GLANCE if joints == _EYES_ALONE and not shifts else SHIFT if shifts else LOOK,
+        target=_text(element, "target"),
+        direction=direction if aside else None,
+        amount=min(1.0, abs(angle) / GAZE_RANGE_DEGREES) if aside and angle is not None else None,
+    )
+
+
+def _face(element: Element, blank: Behavior) -> Behavior | None:
+    """`faceLexeme`, `faceFacs` and SmartBody's `face`."""
+    amount = _number(element, "amount")
+    face = replace(blank, kind=Channel.FACE, amount=1.0 if amount is None else amount)
+    lexeme = _text(element, "lexeme")
+    if lexeme:
+        return replace(face, lexeme=lexeme)
+    unit = str(element.attributes.get("au", ""))
+    if not unit.isdecimal():
+        return None
+    side = (_text(element, "side") or "BOTH").upper()
+    word = _WORDS_OF_UNITS.get(int(unit)) if side == "BOTH" else None
+    kind = Channel.EYES if int(unit) == _BLINK else Channel.FACE
+    return replace(face, kind=kind, lexeme=word or f"AU{int(unit)}", direction=None if side == "BOTH" else side)
+
+
+def _posture(element: Element, blank: Behavior) -> Behavior | None:
+    poses = (_text(part, "lexeme") for part in element.children if part.name == "pose")
+    lexeme = _text(element, "posture") or next(poses, None)
+    return replace(blank, kind=Channel.POSTURE, lexeme=lexeme) if lexeme else None
+
+
+_MAKERS: Mapping[str, Making] = MappingProxyType(
+    {
+        "gesture": _gesture,
+        "pointing": _pointing,
+        "head": _head,
+        "gaze": _gaze,
+        "gazeShift": partial(_gaze, shifts=True),
+        "headDirectionShift": partial(_gaze, shifts=True),
+        "faceLexeme": _face,
+        "faceFacs": _face,
+        "face": _face,
+        "posture": _posture,
+        "postureShift": _posture,
+        "body": _posture,
+    }
+)
+
+
+def _text(element: Element, name: str) -> str | None:
+    found = element.attributes.get(name)
+    return found if isinstance(found, str) and found else None
+
+
+def _number(element: Element, name: str) -> float | None:
+    found = element.attributes.get(name)
+    return float(found) if isinstance(found, int | float) else None

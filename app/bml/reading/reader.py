@@ -1,0 +1,124 @@
+"""BML as XML into a document: BML 1.0 core or SmartBody's dialect, told by the root, with every mistake at its place.
+
+In the core every name of its namespaces must be known. Elements and attributes of other namespaces are extensions:
+they are kept as they are, and reported; SmartBody's dialect, which has many more names than ours, is read the same way
+throughout. White space between elements means nothing, white space in attributes no more than one space. What is
+inside a `description` is its author's own.
+"""
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from itertools import islice
+from pathlib import Path
+
+from ...errors import Mistake, TooLargeError, WrongBmlError
+from ...model import Notice
+from ..markup.documents import Document, Element, Place, Value
+from ..markup.elements import DIALECTS, Dialect, ElementKind
+from ..markup.mistakes import is_foreign, kind_of, local, mistakes_of, typed
+from ..markup.parsing import NotXmlError, ReadingLimits, parse
+
+MOST_MISTAKES = 100
+"""No more mistakes, and no more foreign names, of a file are told."""
+
+_MOST_IN_MESSAGE = 5
+_DEFAULT_LIMITS = ReadingLimits()
+
+
+def read_bml(
+    content: bytes, path: Path, limits: ReadingLimits = _DEFAULT_LIMITS
+) -> tuple[Document, tuple[Notice, ...]]:
+    """The document, and a Notice `bml_foreign` for every name in it that is not of its dialect.
+
+    `path` names the file in messages. Raises WrongBmlError `bml_wrong` with every mistake, and TooLargeError
+    `bml_too_large`.
+    """
+    if len(content) > limits.max_bytes:
+        message = f"{path}: {len(content)} bytes of BML; no more than {limits.max_bytes} are read"
+        raise TooLargeError("bml_too_large", message, field="bml")
+    try:
+        root = parse(content, limits)
+    except NotXmlError as error:
+        raise _wrong_bml(content, path, [(error.place, error.message)]) from None
+    found = _dialect_of(root)
+    if found is None:
+        message = f"the outermost element is <{root.name[:100]}>; write <bml> of BML 1.0, or SmartBody's <act>"
+        raise _wrong_bml(content, path, [(root.place or Place(1, 1), message)])
+    dialect, kind = found
+    mistakes = list(islice(mistakes_of(root, kind, dialect), MOST_MISTAKES))
+    if mistakes:
+        raise _wrong_bml(content, path, mistakes)
+    return Document(dialect.name, _element(root, kind)), _foreign(root, kind, dialect)
+
+
+def _dialect_of(root: Element) -> tuple[Dialect, ElementKind] | None:
+    kinds = ((dialect, dialect.roots.get(local(root.name))) for dialect in DIALECTS.values())
+    return next(((dialect, kind) for dialect, kind in kinds if kind and kind.qualified == root.name), None)
+
+
+def _element(element: Element, kind: ElementKind | None) -> Element:
+    """The element with the values of its attributes, under its name in the table."""
+    if kind is None or kind.free:
+        parts = tuple(part if isinstance(part, str) else _element(part, None) for part in element.content)
+    else:
+        parts = tuple(_content(element, kind))
+    if kind is None:
+        return Element(element.name, _single_spaced(element.attributes), parts, element.place)
+    attributes = typed(element, kind)
+    others = {name: text for name, text in element.attributes.items() if name not in kind.attributes}
+    return Element(kind.name, attributes | _single_spaced(others), parts, element.place)
+
+
+def _content(element: Element, kind: ElementKind) -> Iterator[Element | str]:
+    speaks = any(isinstance(part, str) and part.strip() for part in element.content)
+    for part in element.content:
+        if isinstance(part, Element):
+            yield _element(part, kind_of(part, kind))
+        elif speaks:
+            yield part
+
+
+def _single_spaced(attributes: Mapping[str, Value]) -> dict[str, Value]:
+    return {name: " ".join(str(text).split()) for name, text in attributes.items()}
+
+
+def _foreign(root: Element, kind: ElementKind, dialect: Dialect) -> tuple[Notice, ...]:
+    """One for each foreign name, with the line where it is first met."""
+    met = list(_foreign_names(root, kind, dialect))
+    counts = Counter(name for name, _ in met)
+    lines = {name: place.line for name, place in reversed(met)}
+    return tuple(
+        Notice(
+            "bml_foreign", f"{name} (line {lines[name]}, {count} in all) is not of {dialect.title}; it is kept as it is"
+        )
+        for name, count in counts.most_common(MOST_MISTAKES)
+    )
+
+
+def _foreign_names(element: Element, kind: ElementKind, dialect: Dialect) -> Iterator[tuple[str, Place]]:
+    place = element.place or Place(1, 1)
+    for name in element.attributes:
+        if name not in kind.attributes and is_foreign(name, dialect):
+            yield f"the attribute {name}", place
+    for name, attribute in kind.attributes.items():
+        if attribute.one_of and name in element.attributes and element.attributes[name] not in attribute.one_of:
+            yield f"{name}={element.attributes[name]!r}", place
+    if kind.free:
+        return
+    for part in element.children:
+        inside = kind_of(part, kind)
+        if inside:
+            yield from _foreign_names(part, inside, dialect)
+        else:
+            yield f"<{part.name}>", part.place or place
+
+
+def _wrong_bml(content: bytes, path: Path, found: list[tuple[Place, str]]) -> WrongBmlError:
+    lines = content.decode(errors="replace").split("\n")
+    mistakes = tuple(
+        Mistake(path, place.line, place.column, message, lines[place.line - 1].rstrip("\r").replace("\t", " "))
+        for place, message in found
+    )
+    told = "; ".join(f"line {mistake.line}: {mistake.message}" for mistake in mistakes[:_MOST_IN_MESSAGE])
+    more = f"; and {len(mistakes) - _MOST_IN_MESSAGE} more" if len(mistakes) > _MOST_IN_MESSAGE else ""
+    return WrongBmlError("bml_wrong", f"{path}: {told}{more}", mistakes=mistakes)

@@ -1,0 +1,233 @@
+"""A BML document as behaviours whose times are all known, for a realizer: the way back from
+`understudy.bml.writing.writer`.
+
+Times are seconds from the start of the block. The marks of the speech lie where its words are heard; where nothing was
+heard and the marks say no time, every word is given `GUESSED_WORD_S`, and a Notice says so when it mattered. What a
+body that only moves cannot play, and what has no time, is left out with a Notice. SmartBody's gazes last until the
+next.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import TypeGuard
+
+from ...model import Behavior, Channel, Interval, Level, Notice, SyncPoints, Viseme, Word
+from ..choice.table import GLANCE, SHIFT
+from ..choice.visemes import OPENINGS
+from ..markup.documents import DialectName, Document, Element, Reference, Time
+from ..markup.elements import DIALECTS, ElementKind
+from ..markup.speech import Speech, behaviors_of, mark_s, speech_of
+from .constraints import constraints_missed, synchronized
+from .phase_completion import Points, Wanted, on_the_clock, usual_s
+from .playing import SHIFTS, played
+
+GUESSED_WORD_S = 0.35
+"""About 170 words a minute."""
+
+_NAMES: Mapping[str, str] = {"strokeStart": "stroke_start", "strokeEnd": "stroke_end", "attackPeak": "ready"}
+_STYLES: Mapping[str, Level] = {"low": Level.LOW, "mid": Level.MEDIUM, "medium": Level.MEDIUM, "high": Level.HIGH}
+_STROKED = frozenset({Channel.GESTURE, Channel.HEAD})
+_UNPLAYED = ("a body alone has no way to play it", "one recording has one speech, the first")
+
+
+@dataclass(frozen=True, slots=True)
+class Resolved:
+    """What a document has a body do, in order of time, and the words of its speech in the time of the block. Visemes,
+    agitation and character are there where the document says them, as SmartBody's dialect may."""
+
+    behaviors: tuple[Behavior, ...]
+    words: tuple[Word, ...]
+    visemes: tuple[Viseme, ...]
+    agitation: Level | None
+    character: str | None
+    notices: tuple[Notice, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """A behaviour of the document, the id it goes by, and its points."""
+
+    element: Element
+    wanted: Wanted
+
+
+def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
+    """The behaviours of a document of which `words` are what its speech says, timed from the start of the recording."""
+    speech = speech_of(document)
+    spoken = _spoken(speech, words) if speech else None
+    asked = list(_asked(document))
+    wanted = synchronized([each.wanted for each in asked], document)
+    points, lost = on_the_clock([*([spoken] if spoken else []), *wanted], {})
+    elements = {each.wanted.id: each.element for each in asked}
+    behaviors = _lasting(list(_behaviors(elements, points)), document.dialect)
+    start_s = points[spoken.id]["start"] if spoken and spoken.id in points else 0.0
+    notices = (
+        *_guessed(wanted, speech, words),
+        *(Notice("bml_untimed", f"{name}: its times refer to what has none; it is not played") for name in lost),
+        *_not_played(document, elements, behaviors, lost),
+        *constraints_missed(document, points),
+    )
+    return Resolved(
+        behaviors=tuple(sorted((_worded(each, words, start_s) for each in behaviors), key=_start_s)),
+        words=tuple(_shifted(word, start_s) for word in words),
+        visemes=tuple(_visemes(elements, points)),
+        agitation=_agitation(elements.values()),
+        character=_character(document.root),
+        notices=notices,
+    )
+
+
+def _spoken(speech: Speech, words: tuple[Word, ...]) -> Wanted:
+    """The speech: its start, its marks and its end, as far apart as they are heard or guessed."""
+    times_s = {mark: _heard_or_guessed_s(mark, speech, words) for mark in [*speech.marks]}
+    intervals = [word.interval.end_s for word in words if word.interval]
+    guessed_s = GUESSED_WORD_S * len(speech.text.split())
+    times_s["end"] = max([intervals[-1] if intervals else guessed_s, *times_s.values()])
+    ordered = sorted(times_s.items(), key=lambda found: found[1])
+    gaps_s = [later - earlier for earlier, later in pairwise([0.0, *(time_s for _name, time_s in ordered)])]
+    start = {} if speech.start is None else {"start": speech.start}
+    return Wanted(speech.id, ("start", *(name for name, _time_s in ordered)), tuple(gaps_s), start)
+
+
+def _heard_or_guessed_s(mark: str, speech: Speech, words: tuple[Word, ...]) -> float:
+    heard_s = mark_s(mark, speech, words)
+    return GUESSED_WORD_S * speech.marks[mark] if heard_s is None else heard_s
+
+
+def _asked(document: Document) -> Iterator[_Asked]:
+    kinds = _kinds(document.dialect)
+    for number, element in enumerate(behaviors_of(document), start=1):
+        kind = kinds.get(element.name)
+        if kind is None or not kind.syncs or element.name == "speech":
+            continue
+        times: dict[str, Time] = {}
+        for name in kind.syncs:
+            time = element.attributes.get(name)
+            if isinstance(time, float | Reference):
+                times[name] = time
+        name = element.id or f"{element.name}.{number}"
+        yield _Asked(element, Wanted(name, kind.syncs, usual_s(element.name, len(kind.syncs)), times))
+
+
+def _kinds(dialect: DialectName) -> dict[str, ElementKind]:
+    """Every behaviour of the dialect by name."""
+    roots = DIALECTS[dialect].roots
+    parts = dict(roots["bml"].parts)
+    if "required" in parts:
+        parts |= parts["required"].parts
+    return parts
+
+
+def _behaviors(elements: Mapping[str, Element], points: Mapping[str, Points]) -> Iterator[Behavior]:
+    for name, element in elements.items():
+        if name in points:
+            behavior = played(element, name, _sync(element, points[name]))
+            if behavior:
+                yield behavior if behavior.kind in _STROKED else replace(behavior, sync=_reached(behavior.sync))
+
+
+def _sync(element: Element, points: Points) -> SyncPoints:
+    if element.name in SHIFTS:
+        end_s = points["end"] if "ready" not in points else points["ready"]
+        return SyncPoints(start=points["start"], ready=end_s, relax=end_s, end=end_s)
+    return SyncPoints(**{_NAMES.get(name, name): time_s for name, time_s in points.items()})
+
+
+def _reached(sync: SyncPoints) -> SyncPoints:
+    """Without the points of a stroke, which faces, gazes and postures have not."""
+    return SyncPoints(start=sync.start, ready=sync.ready, relax=sync.relax, end=sync.end)
+
+
+def _lasting(behaviors: list[Behavior], dialect: DialectName) -> list[Behavior]:
+    """SmartBody's gazes last until the next one begins."""
+    if dialect is not DialectName.SMARTBODY:
+        return behaviors
+    gazes = sorted((each for each in behaviors if each.kind is Channel.GAZE), key=lambda each: each.sync.start)
+    until_s = {each.id: later.sync.start for each, later in pairwise(gazes)}
+    return [_until(each, until_s.get(each.id)) if each.kind is Channel.GAZE else each for each in behaviors]
+
+
+def _until(gaze: Behavior, end_s: float | None) -> Behavior:
+    """A gaze that stays, until another begins if one does."""
+    if gaze.lexeme != GLANCE or end_s is None:
+        reached_s = gaze.sync.ready if gaze.sync.ready is not None else gaze.sync.end
+        reached_s = reached_s if end_s is None else min(reached_s, end_s)
+        return replace(gaze, lexeme=SHIFT, sync=SyncPoints(gaze.sync.start, reached_s, reached_s, relax=reached_s))
+    ready_s = min(gaze.sync.ready if gaze.sync.ready is not None else end_s, end_s)
+    return replace(gaze, sync=SyncPoints(start=gaze.sync.start, ready=ready_s, relax=end_s, end=end_s))
+
+
+def _start_s(behavior: Behavior) -> float:
+    return behavior.sync.start
+
+
+def _worded(behavior: Behavior, words: Sequence[Word], start_s: float) -> Behavior:
+    """With the number of the word during which it happens."""
+    at_s = behavior.sync.start if behavior.sync.stroke is None else behavior.sync.stroke
+    begun = [word.index for word in words if word.interval and word.interval.start_s + start_s <= at_s]
+    return replace(behavior, first=begun[-1], last=begun[-1]) if begun else behavior
+
+
+def _shifted(word: Word, delay_s: float) -> Word:
+    """The word as spoken `delay_s` later."""
+    if not delay_s or word.interval is None:
+        return word
+    phones = tuple(replace(phone, interval=_later(phone.interval, delay_s)) for phone in word.phones)
+    return replace(word, interval=_later(word.interval, delay_s), phones=phones)
+
+
+def _later(interval: Interval, delay_s: float) -> Interval:
+    return Interval(interval.start_s + delay_s, interval.end_s + delay_s)
+
+
+def _visemes(elements: Mapping[str, Element], points: Mapping[str, Points]) -> Iterator[Viseme]:
+    """The shapes of the mouth that the document itself says."""
+    for name, element in elements.items():
+        label = element.attributes.get("viseme")
+        if element.name == "lips" and label in OPENINGS and name in points:
+            articulation = element.attributes.get("articulation", 1.0)
+            share = float(articulation) if isinstance(articulation, int | float) else 1.0
+            interval = Interval(points[name]["start"], points[name]["end"])
+            yield Viseme(str(label), interval, share, OPENINGS[str(label)] * share)
+
+
+def _agitation(elements: Iterable[Element]) -> Level | None:
+    """The level that most gestures of the document have for a style."""
+    styles = Counter(_STYLES.get(str(each.attributes.get("style", ""))) for each in elements if each.name == "gesture")
+    del styles[None]
+    return styles.most_common(1)[0][0] if styles else None
+
+
+def _character(root: Element) -> str | None:
+    """Who is to move: BML's `characterId`, SmartBody's participant."""
+    participants = (part.id for part in root.children if part.name == "participant")
+    named = root.attributes.get("characterId") or next(participants, None)
+    return named if isinstance(named, str) else None
+
+
+def _guessed(wanted: Sequence[Wanted], speech: Speech | None, words: tuple[Word, ...]) -> Iterator[Notice]:
+    """Whether anything is told from words whose times are guessed."""
+    if speech is None or speech.mark_times_s or any(word.interval for word in words):
+        return
+    refs = {ref.point for each in wanted for ref in each.times.values() if _is_of(ref, speech.id)}
+    if refs - {"start"}:
+        message = f"no recording tells when the words are spoken: {GUESSED_WORD_S} s is taken for each; send the audio"
+        yield Notice("speech_untimed", message)
+
+
+def _is_of(time: Time, speech: str) -> TypeGuard[Reference]:
+    return isinstance(time, Reference) and time.behavior == speech
+
+
+def _not_played(
+    document: Document, elements: Mapping[str, Element], behaviors: Sequence[Behavior], lost: Sequence[str]
+) -> Iterator[Notice]:
+    """One for each kind of element that comes to nothing."""
+    every = Counter(element.name for element in behaviors_of(document))
+    told = (*(behavior.id for behavior in behaviors), *lost)
+    every -= Counter(elements[name].name for name in told if name in elements)
+    every -= Counter({"speech": 1, "constraint": every["constraint"], "lips": every["lips"]})
+    for name, count in every.items():
+        yield Notice("bml_not_played", f"<{name}> ({count} in all) is not played: {_UNPLAYED[name == 'speech']}")

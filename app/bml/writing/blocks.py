@@ -1,0 +1,118 @@
+"""The schedule of a performance as a document of BML 1.0 core: the speech, then the kept behaviours in order of time.
+
+The speech carries a mark before every word, `w0`, `w1`, …, and one after the last. Nothing of ours that BML has no
+attribute for goes in; the performance has it all.
+"""
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+
+from ...model import Behavior, Channel, Hand, Performance, Word
+from ..choice.faces import ACTION_UNITS
+from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
+from ..markup.marks import SPEECH, clock, to_milli
+
+GAZE_RANGE_DEGREES = 60.0
+"""How far beside its target a gaze of amount 1 goes."""
+
+MODES: Mapping[Hand, str] = MappingProxyType(
+    {Hand.LEFT: "LEFT_HAND", Hand.RIGHT: "RIGHT_HAND", Hand.BOTH: "BOTH_HANDS"}
+)
+_INFLUENCES: Mapping[str, str] = MappingProxyType({"LOOK": "NECK", "GLANCE": "EYES", "SHIFT": "NECK"})
+"""The joints that take part in our gaze lexemes; the suite of the reference realizers uses NECK."""
+
+_SYNC_NAMES: Mapping[str, str] = MappingProxyType({"stroke_start": "strokeStart", "stroke_end": "strokeEnd"})
+_FACE_SYNC_NAMES: Mapping[str, str] = MappingProxyType({"ready": "attackPeak"})
+
+Times = Mapping[str, Time]
+
+
+def to_core(performance: Performance, timing: TimeForm) -> Document:
+    """The document of one block; its times are seconds to the millisecond, or from the marks of the speech.
+
+    Where nothing is said, as by a listener, there is no speech.
+    """
+    words = performance.utterance.words
+    timed = clock(words, timing, mark="w{}".format)
+    behaviors = (_element(each, timed(each.sync)) for each in performance.behaviors if each.kept)
+    speech = (_speech(words),) if words else ()
+    attributes: dict[str, Value] = {"id": "bml1", "characterId": performance.character}
+    return Document(DialectName.BML, Element("bml", attributes, (*speech, *behaviors)))
+
+
+def _speech(words: tuple[Word, ...]) -> Element:
+    text = Element("text", content=tuple(_marked(words)))
+    return Element("speech", {"id": SPEECH, "start": 0.0}, (text,))
+
+
+def _marked(words: tuple[Word, ...]) -> Iterator[Element | str]:
+    for number, word in enumerate(words):
+        yield Element("sync", {"id": f"w{number}"})
+        yield f"{word.text} "
+    yield Element("sync", {"id": f"w{len(words)}"})
+
+
+def _element(behavior: Behavior, times: Times) -> Element:
+    match behavior.kind:
+        case Channel.GESTURE:
+            return _gesture(behavior, times)
+        case Channel.HEAD:
+            return _head(behavior, times)
+        case Channel.GAZE:
+            return _gaze(behavior, times)
+        case Channel.FACE | Channel.EYES:
+            return _face(behavior, times)
+        case Channel.POSTURE:
+            return _posture(behavior, times)
+
+
+def _gesture(behavior: Behavior, times: Times) -> Element:
+    mode = {"mode": MODES[behavior.hand]} if behavior.hand else {}
+    return Element("gesture", {**_named(behavior), **mode, **_spelt(times, _SYNC_NAMES)})
+
+
+def _head(behavior: Behavior, times: Times) -> Element:
+    repetition = {"repetition": behavior.repetitions} if behavior.repetitions is not None else {}
+    return Element("head", {**_named(behavior), **repetition, **_amount(behavior), **_spelt(times, _SYNC_NAMES)})
+
+
+def _gaze(behavior: Behavior, times: Times) -> Element:
+    """A `gaze`, from which the eyes come back, or the `gazeShift`, which has no more than a start and an end."""
+    attributes: dict[str, Value] = {"id": behavior.id, "target": behavior.target or ""}
+    attributes["influence"] = _INFLUENCES[behavior.lexeme]
+    if behavior.direction is not None and behavior.amount is not None:
+        attributes["offsetAngle"] = to_milli(behavior.amount * GAZE_RANGE_DEGREES)
+        attributes["offsetDirection"] = behavior.direction
+    if behavior.lexeme == "SHIFT":
+        return Element("gazeShift", {**attributes, **_ends(times)})
+    return Element("gaze", {**attributes, **times})
+
+
+def _face(behavior: Behavior, times: Times) -> Element:
+    spelt = _spelt(times, _FACE_SYNC_NAMES)
+    if behavior.lexeme in ACTION_UNITS:
+        unit: dict[str, Value] = {"id": behavior.id, "au": ACTION_UNITS[behavior.lexeme], "side": "BOTH"}
+        return Element("faceFacs", {**unit, **_amount(behavior), **spelt})
+    return Element("faceLexeme", {**_named(behavior), **_amount(behavior), **spelt})
+
+
+def _posture(behavior: Behavior, times: Times) -> Element:
+    stance = Element("stance", {"type": "STANDING"})
+    pose = Element("pose", {"part": "WHOLEBODY", "lexeme": behavior.lexeme})
+    return Element("postureShift", {"id": behavior.id, **_ends(times)}, (stance, pose))
+
+
+def _named(behavior: Behavior) -> dict[str, Value]:
+    return {"id": behavior.id, "lexeme": behavior.lexeme}
+
+
+def _amount(behavior: Behavior) -> dict[str, Value]:
+    return {} if behavior.amount is None else {"amount": to_milli(behavior.amount)}
+
+
+def _spelt(times: Times, names: Mapping[str, str]) -> Times:
+    return {names.get(name, name): time for name, time in times.items()}
+
+
+def _ends(times: Times) -> Times:
+    return {"start": times["start"], "end": times["end"]}

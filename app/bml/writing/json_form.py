@@ -1,0 +1,33 @@
+"""A BML document as JSON, for those who would rather not parse XML; docs/bml-json.md has the schema.
+
+An element is an object with the keys `element`, `attributes` and `content`, the last two only where there are any.
+Numbers are numbers, a time told from another behaviour is an object, everything else is text.
+"""
+
+import json
+
+from ..markup.documents import Document, Element, Reference, Value
+
+Json = str | int | float | dict[str, "Json"] | list["Json"]
+
+
+def to_json(document: Document) -> bytes:
+    """The document as UTF-8 JSON, indented; the same document gives the same bytes."""
+    told: Json = {"dialect": document.dialect.value, "root": _element(document.root)}
+    return json.dumps(told, ensure_ascii=False, indent=1).encode() + b"\n"
+
+
+def _element(element: Element) -> Json:
+    told: dict[str, Json] = {"element": element.name}
+    if element.attributes:
+        told["attributes"] = {name: _value(value) for name, value in element.attributes.items()}
+    if element.content:
+        told["content"] = [part if isinstance(part, str) else _element(part) for part in element.content]
+    return told
+
+
+def _value(value: Value) -> Json:
+    if not isinstance(value, Reference):
+        return value
+    block: dict[str, Json] = {"block": value.block} if value.block else {}
+    return {**block, "behavior": value.behavior, "point": value.point, "offset_s": value.offset_s}

@@ -1,0 +1,200 @@
+"""The schedule of a performance in SmartBody's dialect (shared/bml.md, "SmartBody dialect"), with lip sync.
+
+SmartBody knows fewer words than we do. A gesture or head movement that it has no word for goes as the nearest it has
+(`GESTURES`, `HEADS`); a gesture lexeme that is in neither goes as it is, for a character that has such a gesture. Faces
+are action units, a blink too; a gaze stays until the next, so one that comes back is two; a posture is the name of one
+of the character's own. Gestures give `stroke` and `relax`, all that its scheduler takes together.
+"""
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+
+from ...model import Behavior, Channel, Level, Performance, Viseme, Word
+from ..choice.faces import ACTION_UNITS
+from ..choice.visemes import SILENCE
+from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
+from ..markup.elements import SBM
+from ..markup.marks import SPEECH, clock, to_milli
+from .blocks import GAZE_RANGE_DEGREES, MODES
+
+_GESTURES_OF_TYPES: Mapping[str, str] = MappingProxyType(
+    {
+        "RHYTHM": "BEAT CHOP COUNT COUNT_FIRST COUNT_LAST COUNT_NEXT FAST PALM_BEAT QUOTES ROLL SLOW START",
+        "YOU": "GIVE OFFER OPEN_HAND PALM_UP",
+        "ME": "BRING_BACK COME_CLOSER HAND_ON_HEART",
+        "HERE": "NEAR NOW SET_DOWN",
+        "LEFT": "PLACE_LEFT POINT_LEFT",
+        "RIGHT": "PLACE_RIGHT POINT_RIGHT",
+        "CENTER": "BETWEEN HOLD NARROW PATH_FORWARD POINT_FRONT PUT_IN SHORT SWEEP_FORWARD THROUGH",
+        "ASIDE": "BACK DISMISS OVER_SHOULDER PASS_BY PATH_ASIDE PUSH_AWAY SET_ASIDE SWEEP_AWAY TAKE_OUT THERE",
+        "CONTRAST": "COMPARATIVE COMPARATIVE_BIGGER COMPARATIVE_EQUAL COMPARATIVE_LONGER COMPARATIVE_SMALLER "
+        "PULL_APART TURN_OVER WEIGH",
+        "OBLIGATION": "FIST HEAVY INSIST",
+        "UNCERTAINTY": "SHRUG THINK WAVER WORD_SEARCH",
+        "INCLUSIVITY": "ACCEPT GATHER JOIN",
+        "EMPTY": "FALL FLAT HEIGHT_LOW PALMS_OUT STROKE_SOFTLY",
+        "SURROUND": "CIRCLE CONTAIN FULL HEIGHT_HIGH LIFT_LIGHTLY LONG OPEN_UP RISE ROUND SWEEP_ALL UP WIDE",
+        "STOP": "DOWN WALL",
+        "GREETING": "FAREWELL",
+        "INTENSIFIER_POSITIVE": "PINCH PRECISION",
+    }
+)
+GESTURES: Mapping[str, str] = MappingProxyType(
+    {lexeme: name for name, lexemes in _GESTURES_OF_TYPES.items() for lexeme in lexemes.split()}
+)
+"""Our gesture lexemes and the nearest types of SmartBody's sets; those of the same name are not listed."""
+
+HEADS: Mapping[str, str] = MappingProxyType(
+    {
+        **dict.fromkeys(("RAISE", "LOWER", "TILT_LEFT_NOD", "TILT_RIGHT_NOD"), "NOD"),
+        **dict.fromkeys(("SWAY", "TURN_LEFT", "TURN_RIGHT"), "SHAKE"),
+        **dict.fromkeys(("TILT_LEFT", "TILT_RIGHT"), "TOSS"),
+    }
+)
+"""Our head lexemes and the nearest of its three types."""
+
+UNITS_OF_LEXEMES: Mapping[str, tuple[int, ...]] = MappingProxyType(
+    {
+        "OBLIQUE_BROWS": (1, 4),
+        "RAISE_BROWS": (1, 2),
+        "LOWER_BROWS": (4,),
+        "LOWER_MOUTH_CORNERS": (15,),
+        "RAISE_MOUTH_CORNERS": (12,),
+        "OPEN_MOUTH": (26,),
+        "OPEN_LIPS": (25,),
+        "WIDEN_EYES": (5,),
+        "CLOSE_EYES": (43,),
+    }
+)
+"""The action units of the core's face lexemes; those of one side are the same with LEFT or RIGHT in the name."""
+
+_STYLES: Mapping[Level, str] = MappingProxyType({Level.LOW: "low", Level.MEDIUM: "mid", Level.HIGH: "high"})
+_JOINTS: Mapping[str, str] = MappingProxyType({"LOOK": "EYES NECK", "GLANCE": "EYES", "SHIFT": "EYES NECK"})
+_JOINT_RANGE = f"{{{SBM}}}joint-range"
+
+_PRIORITY_STEP = 10
+"""SmartBody's priorities are whole numbers; ours differ by tenths."""
+
+Times = Mapping[str, Time]
+
+
+def to_smartbody(performance: Performance, timing: TimeForm, *, audio_name: str | None = None) -> Document:
+    """The document of one act; `audio_name` is the recording's, without ending, as SmartBody looks for it."""
+    words = performance.utterance.words
+    timed = clock(words, timing, mark=lambda number: f"T{2 * number}")
+    agitation = performance.utterance.agitation
+    style = _STYLES[agitation.level] if agitation else None
+    block = (
+        *((_speech(words, audio_name),) if words else ()),
+        *(_lips(shape) for shape in performance.visemes if shape.label != SILENCE),
+        Element("saccade", {"mode": "talk" if words else "listen", "start": 0.0}),
+        *(
+            element
+            for behavior in performance.behaviors
+            if behavior.kept
+            for element in _elements(behavior, timed(behavior.sync), style)
+        ),
+    )
+    actor = Element("participant", {"id": performance.character, "role": "actor"})
+    return Document(DialectName.SMARTBODY, Element("act", content=(actor, Element("bml", content=block))))
+
+
+def _speech(words: tuple[Word, ...], audio_name: str | None) -> Element:
+    text = Element("text", content=tuple(_marked(words)))
+    recording = Element("file", {"ref": audio_name}) if audio_name else None
+    description = Element("description", {"level": 1, "type": "audio/x-wav"}, (recording,)) if recording else None
+    return Element("speech", {"id": SPEECH, "start": 0.0}, (text, description) if description else (text,))
+
+
+def _marked(words: tuple[Word, ...]) -> Iterator[Element | str]:
+    """Every word in time between the mark where it begins and the mark where it ends."""
+    for word in words:
+        if word.interval is None:
+            yield f"{word.text} "
+            continue
+        yield Element("sync", {"id": f"T{2 * word.index}", "time": to_milli(word.interval.start_s)})
+        yield f"{word.text} "
+        yield Element("sync", {"id": f"T{2 * word.index + 1}", "time": to_milli(word.interval.end_s)})
+
+
+def _lips(shape: Viseme) -> Element:
+    """A shape is reached over its first quarter and left over its last."""
+    start_s, end_s = shape.interval.start_s, shape.interval.end_s
+    quarter_s = shape.interval.duration_s / 4
+    syncs = {"start": start_s, "ready": start_s + quarter_s, "relax": end_s - quarter_s, "end": end_s}
+    times = {name: to_milli(time_s) for name, time_s in syncs.items()}
+    return Element("lips", {"viseme": shape.label, "articulation": to_milli(shape.articulation), **times})
+
+
+def _elements(behavior: Behavior, times: Times, style: str | None) -> Iterator[Element]:
+    match behavior.kind:
+        case Channel.GESTURE:
+            yield _gesture(behavior, times, style)
+        case Channel.HEAD:
+            yield _head(behavior, times)
+        case Channel.GAZE:
+            yield from _gazes(behavior, times)
+        case Channel.FACE | Channel.EYES:
+            yield from _faces(behavior, times)
+        case Channel.POSTURE:
+            yield Element("body", {"id": behavior.id, "posture": behavior.lexeme, **_some(times, "start", "end")})
+
+
+def _gesture(behavior: Behavior, times: Times, style: str | None) -> Element:
+    attributes: dict[str, Value] = {"id": behavior.id, "type": GESTURES.get(behavior.lexeme, behavior.lexeme)}
+    if style:
+        attributes["style"] = style
+    if behavior.hand:
+        attributes["mode"] = MODES[behavior.hand]
+    attributes["priority"] = _priority(behavior)
+    return Element("gesture", {**attributes, **_some(times, "stroke", "relax")})
+
+
+def _head(behavior: Behavior, times: Times) -> Element:
+    attributes: dict[str, Value] = {"id": behavior.id, "type": HEADS.get(behavior.lexeme, behavior.lexeme)}
+    if behavior.repetitions is not None:
+        attributes["repeats"] = float(behavior.repetitions)
+    return Element("head", {**attributes, **_amount(behavior), "priority": _priority(behavior), **times})
+
+
+def _gazes(behavior: Behavior, times: Times) -> Iterator[Element]:
+    """The gaze, and the one that brings the eyes back to its target."""
+    target: dict[str, Value] = {"target": behavior.target or "", _JOINT_RANGE: _JOINTS[behavior.lexeme]}
+    aside: dict[str, Value] = {}
+    if behavior.direction is not None and behavior.amount is not None:
+        aside = {"direction": behavior.direction, "angle": to_milli(behavior.amount * GAZE_RANGE_DEGREES)}
+    yield Element("gaze", {"id": behavior.id, **target, **aside, "start": times["start"]})
+    if aside and behavior.lexeme != "SHIFT":
+        yield Element("gaze", {"id": f"{behavior.id}.back", **target, "start": times.get("relax", times["end"])})
+
+
+def _faces(behavior: Behavior, times: Times) -> Iterator[Element]:
+    """An element for each action unit, numbered from the second on."""
+    side, units = _units(behavior.lexeme)
+    for number, unit in enumerate(units, start=1):
+        name = behavior.id if number == 1 else f"{behavior.id}.{number}"
+        attributes: dict[str, Value] = {"id": name, "type": "facs", "au": str(unit), "side": side}
+        yield Element("face", {**attributes, **_amount(behavior), "priority": _priority(behavior), **times})
+
+
+def _units(lexeme: str) -> tuple[str, tuple[int, ...]]:
+    """The side of the face, and the action units of a lexeme."""
+    if lexeme in ACTION_UNITS:
+        return "both", (ACTION_UNITS[lexeme],)
+    for side in ("LEFT", "RIGHT"):
+        whole = lexeme.replace(f"_{side}_BROW", "_BROWS").replace(f"_{side}_MOUTH_CORNER", "_MOUTH_CORNERS")
+        if whole != lexeme:
+            return side.lower(), UNITS_OF_LEXEMES[whole]
+    return "both", UNITS_OF_LEXEMES[lexeme]
+
+
+def _amount(behavior: Behavior) -> dict[str, Value]:
+    return {} if behavior.amount is None else {"amount": to_milli(behavior.amount)}
+
+
+def _some(times: Times, *names: str) -> Times:
+    return {name: times[name] for name in names if name in times}
+
+
+def _priority(behavior: Behavior) -> int:
+    return max(0, round(behavior.priority * _PRIORITY_STEP))

@@ -1,0 +1,166 @@
+"""A plan's gestures and rests as the key poses of an arm's track (Gesture Engine §5.1, §5.2).
+
+A clip's keys go where its phases are on the clock: before the stroke and after it phases may be longer or shorter than
+in the clip, the stroke never. A hold has the same pose at both ends and stirs (paper §3.8); a repetition goes back by
+its amplitude and forth again. Expressivity shapes the curve at the keys: fluidity lets it flow through them, power
+stops it short and lets it overshoot (Hartmann, Mancini & Pelachaud 2005).
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from functools import lru_cache, reduce
+
+import numpy as np
+
+from ...model import Hand
+from ..body.skeleton import Skeleton
+from ..geometry.rotations import slerp
+from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType
+from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, Repeat
+from .arms import ArmTrack, TimedPose
+from .posing import PartialPose, pose_arms
+from .rest_poses import rest_pose
+from .wrist_paths import amplitude, arm_key
+
+REST_NOISE, HOLD_NOISE, ADDED_NOISE, STROKE_NOISE = 0.6, 1.0, 0.5, 0.1
+
+_SHORTEST_KEY_S = 0.02
+"""A key that comes sooner after another says nothing new, and would bend the curve between them."""
+_BACK = 0.5
+"""The part of a repetition in which the arm goes back."""
+
+
+def arm_track(skeleton: Skeleton, side: Hand, plan: GesturePlan) -> ArmTrack:
+    """Everything that one arm does, from the first frame to the plan's end."""
+    gestures, rests = plan.of_arm(side)
+    keys = [key for rest in rests for key in _rest_keys(skeleton, rest)]
+    keys += [key for gesture in gestures for key in _gesture_keys(skeleton, gesture)]
+    if gestures and gestures[0].underway:
+        keys = _underway(skeleton, gestures[0], keys)
+    return ArmTrack(side, tuple(_apart(sorted(keys, key=lambda key: key.time_s))))
+
+
+def _underway(skeleton: Skeleton, first: ArmGesture, keys: list[TimedPose]) -> list[TimedPose]:
+    """The keys with the first frame's rest left behind by the share of the way that the first gesture has done."""
+    posed = _posed(skeleton, first)
+    start = _together(each.pose for each in posed if each.key.time_s <= first.placed.clip.markers.stroke_start)
+    at_rest = next(key for key in keys if key.time_s == 0.0)
+    parts = slerp(at_rest.pose.parts, start.over(at_rest.pose).parts, np.array(first.underway))
+    return [replace(at_rest, pose=PartialPose(parts)), *(key for key in keys if key.time_s > 0.0)]
+
+
+def _apart(keys: Iterable[TimedPose]) -> Iterator[TimedPose]:
+    """The keys without those that come too soon after another; of two, the marked one stays."""
+    last: TimedPose | None = None
+    for key in keys:
+        if last is not None and key.time_s - last.time_s < _SHORTEST_KEY_S and not (last.marked and key.marked):
+            last = key if key.marked else last
+            continue
+        if last is not None:
+            yield last
+        last = key
+    if last is not None:
+        yield last
+
+
+def _rest_keys(skeleton: Skeleton, rest: ArmRest) -> Iterator[TimedPose]:
+    pose = _resting(skeleton, rest.side, rest.pose)
+    yield TimedPose(rest.start_s, pose, noise=REST_NOISE)
+    yield TimedPose(rest.end_s, pose, noise=REST_NOISE)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Posed:
+    """A clip's key on the clock, as a pose."""
+
+    time_s: float
+    key: ClipKey
+    pose: PartialPose
+
+
+def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose]:
+    """The keys of a gesture, with its hold, and those on its way back to rest."""
+    posed = list(_posed(skeleton, gesture))
+    markers = gesture.placed.clip.markers
+    yield from (_timed(gesture, each) for each in posed if not markers.stroke_end < each.key.time_s == markers.relax)
+    start = _together(each.pose for each in posed if each.key.time_s <= markers.stroke_start)
+    end = _together(each.pose for each in posed if each.key.time_s <= markers.relax)
+    for repeat in gesture.placed.repeats:
+        yield from _repeat_keys(repeat, start, end)
+    yield TimedPose(gesture.markers.relax, end, noise=HOLD_NOISE)
+
+
+def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
+    said = [(key, arm_key(key, gesture.side)) for key in gesture.placed.clip.keys if _is_played(gesture, key)]
+    played = [(key, of_arm) for key, of_arm in said if of_arm is not None]
+    asked, placed = tuple(of_arm for _key, of_arm in played), gesture.placed
+    poses = _poses(skeleton, gesture.side, asked, amplitude(placed), placed.aim_m)
+    for (key, _of_arm), pose in zip(played, poses, strict=True):
+        yield _Posed(_on_the_clock(gesture, key.time_s), key, pose)
+
+
+@lru_cache(maxsize=1024)
+def _poses(
+    skeleton: Skeleton, side: Hand, asked: tuple[ArmKey, ...], size: float, aim_m: Position | None
+) -> tuple[PartialPose, ...]:
+    """Lines use the same keys again and again, and poses take a search for the elbow. They are never written to."""
+    from_hips_m = None if aim_m is None else np.array(aim_m) - skeleton.offsets_m[0]
+    return pose_arms(skeleton, side, asked, amplitude=size, aim_m=from_hips_m)
+
+
+@lru_cache(maxsize=64)
+def _resting(skeleton: Skeleton, side: Hand, name: str) -> PartialPose:
+    return rest_pose(skeleton, side, name).as_partial()
+
+
+def _is_played(gesture: ArmGesture, key: ClipKey) -> bool:
+    """Rest is the plan's to say, so a clip's own start and end are not played; what was cut is not either."""
+    clip, time_s = gesture.placed.clip.markers, key.time_s
+    if time_s < clip.stroke_start:
+        return gesture.blended_from is None and key.type is not FrameType.START
+    if time_s <= clip.stroke_end:
+        return True
+    if time_s <= clip.relax:
+        return not gesture.placed.repeats and gesture.markers.relax > gesture.markers.stroke_end
+    return gesture.blended_to is None and key.type is not FrameType.END
+
+
+def _on_the_clock(gesture: ArmGesture, clip_s: float) -> float:
+    """When a time of the clip falls, its phases stretched to the plan's; the stroke is only moved."""
+    clip, clock = gesture.placed.clip.markers, gesture.markers
+    if clip.stroke_start <= clip_s <= clip.stroke_end:
+        return gesture.placed.offset_s + clip_s
+    before = ((clip.start, clock.start), (clip.ready, clock.ready), (clip.stroke_start, clock.stroke_start))
+    after = ((clip.stroke_end, clock.stroke_end), (clip.relax, clock.relax), (clip.end, clock.end))
+    known = np.array(before if clip_s < clip.stroke_start else after)
+    return float(np.interp(clip_s, known[:, 0], known[:, 1]))
+
+
+def _timed(gesture: ArmGesture, posed: _Posed) -> TimedPose:
+    expressivity, kind = gesture.placed.clip.expressivity, posed.key.type
+    in_stroke = kind in {FrameType.STROKE_START, FrameType.STROKE, FrameType.STROKE_END}
+    holds = kind in {FrameType.HOLD, FrameType.RELAX, FrameType.STROKE_END}
+    tension, bias = _curve(expressivity, kind)
+    noise = HOLD_NOISE if holds else ADDED_NOISE if posed.key.noise else STROKE_NOISE
+    return TimedPose(posed.time_s, posed.pose, tension=tension, bias=bias, noise=noise, marked=in_stroke)
+
+
+def _curve(expressivity: Expressivity, kind: FrameType) -> tuple[float, float]:
+    """Tension and bias: an even 0 where fluidity and power are .5."""
+    if kind is FrameType.STROKE_END:
+        return expressivity.power - 0.5, 0.5 * (expressivity.power - 0.5)
+    return 0.5 - expressivity.fluidity, 0.0
+
+
+def _repeat_keys(repeat: Repeat, start: PartialPose, end: PartialPose) -> Iterator[TimedPose]:
+    """Wait, go back towards where the stroke began, strike again on the emphasis."""
+    turn_s = repeat.start_s + _BACK * (repeat.end_s - repeat.start_s)
+    back = slerp(end.parts, start.over(end).parts, np.array(repeat.amplitude))
+    yield TimedPose(repeat.start_s, end, noise=HOLD_NOISE)
+    yield TimedPose(turn_s, PartialPose(back), noise=STROKE_NOISE)
+    yield TimedPose(repeat.end_s, end, noise=HOLD_NOISE, marked=True)
+
+
+def _together(poses: Iterable[PartialPose]) -> PartialPose:
+    """What poses one after another come to: the last that is said of each part."""
+    return reduce(lambda below, pose: pose.over(below), poses)

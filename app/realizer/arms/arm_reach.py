@@ -1,0 +1,170 @@
+"""Inverse kinematics of an arm: where the wrist is to be → collarbone, shoulder and elbow, in closed form.
+
+Conventions: everything is the left arm's, in the hips' space of the upright body (x outwards, y up, z away, metres);
+the right arm is its mirror image. All functions work on whole arrays (…, 3) at once. The upper arm's own x axis runs
+to the elbow, and the elbow bends about its -y axis, so that the forearm moves towards its z axis.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...model import FloatArray
+from ..body.limits import within_shoulder_limits
+from ..body.skeleton import Skeleton
+from ..geometry.rotations import about, cross, dot, from_axes, from_rotation_vector, inverse, length, multiply, rotate
+
+ELBOW_FLEXION_DEG = (12.0, 136.0)
+"""How far an elbow bends in strokes of talkers (shared/motion.md)."""
+
+_MOST_BENT_DEG, _STRAIGHT_DEG = 149.0, 2.0
+_SOFTENED_M = 0.02
+_RAISED_DEG, _PROTRACTED_DEG, _RETRACTED_DEG = 24.0, 16.0, 12.0
+_SHRUG_DEG, _SLUMP_DEG = 18.0, 8.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ArmBones:
+    """The collarbone's root, the way from there to the shoulder, and the lengths of upper arm and forearm."""
+
+    root_m: FloatArray
+    collarbone_m: FloatArray
+    upper_m: float
+    lower_m: float
+
+    @classmethod
+    def of(cls, skeleton: Skeleton) -> "ArmBones":
+        """The left arm's."""
+        names = ("spine", "chest", "upperChest", "leftShoulder", "leftUpperArm", "leftLowerArm", "leftHand")
+        *trunk_m, shoulder_m, elbow_m, wrist_m = skeleton.offsets_m[skeleton.chain(*names)]
+        return cls(np.sum(trunk_m, axis=0), shoulder_m, float(length(elbow_m)[0]), float(length(wrist_m)[0]))
+
+    @property
+    def length_m(self) -> float:
+        """From the shoulder to the wrist, stretched."""
+        return self.upper_m + self.lower_m
+
+    @property
+    def shoulder_m(self) -> FloatArray:
+        """The shoulder, the collarbone at rest."""
+        return np.asarray(self.root_m + self.collarbone_m)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Reach:
+    """An arm that reaches: local rotations of `collarbone`, `upper_arm` and `elbow` (its hinge alone, without the
+    forearm's twist), the untwisted `forearm`'s orientation in the hips' space, and where elbow and wrist get to."""
+
+    collarbone: FloatArray
+    upper_arm: FloatArray
+    elbow: FloatArray
+    forearm: FloatArray
+    elbow_m: FloatArray
+    wrist_m: FloatArray
+
+
+def reach(bones: ArmBones, wrist_m: FloatArray, *, swivel_rad: FloatArray, raised: FloatArray | float = 0.0) -> Reach:
+    """The arm whose wrist is at `wrist_m` (…, 3), or as near as it can be.
+
+    What is too far or too near is pulled in smoothly, never stretched: the elbow keeps to `ELBOW_FLEXION_DEG`, and the
+    shoulder to its limits.
+    `swivel_rad` (…) turns the elbow about the line from shoulder to wrist, from its natural place outwards and up.
+    `raised` (…) in [-1, 1] is a shrug or a slump on top of what the collarbone does by itself.
+    """
+    collarbone = collarbone_for(bones, wrist_m, raised)
+    shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
+    to_wrist = wrist_m - shoulder_m
+    asked_m = np.maximum(length(to_wrist), 1e-6)
+    direction = to_wrist / asked_m
+    distance_m = _within_reach(bones, asked_m)
+    pole = rotate(from_rotation_vector(direction * swivel_rad[..., None]), elbow_direction(direction))
+    return _bent(bones, collarbone, direction, distance_m, pole)
+
+
+def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, wrist_m: FloatArray, elbow: FloatArray) -> Reach:
+    """The arm on a given `collarbone` (…, 4) whose wrist is at `wrist_m` (…, 3), its elbow towards `elbow` (…, 3)."""
+    to_wrist = wrist_m - bones.root_m - rotate(collarbone, bones.collarbone_m)
+    asked_m = np.maximum(length(to_wrist), 1e-6)
+    direction = to_wrist / asked_m
+    shortest_m, longest_m = (_distance(bones, np.radians(flexion)) for flexion in (_MOST_BENT_DEG, _STRAIGHT_DEG))
+    return _bent(bones, collarbone, direction, np.clip(asked_m, shortest_m, longest_m), _across(elbow, direction))
+
+
+def towards_elbow(upper_arm: FloatArray, elbow: FloatArray, bones: ArmBones) -> FloatArray:
+    """The direction (…, 3) of the elbow, at right angles to the line from shoulder to wrist, of an upper arm's
+    orientation (…, 4) and a hinge (…, 4); it is there in a straight arm too."""
+    to_wrist = bones.upper_m * np.array([1.0, 0.0, 0.0]) + bones.lower_m * rotate(elbow, np.array([1.0, 0.0, 0.0]))
+    aside = np.stack((to_wrist[..., 2], np.zeros_like(to_wrist[..., 0]), -to_wrist[..., 0]), axis=-1)
+    return rotate(upper_arm, aside / length(aside))
+
+
+def collarbone_for(bones: ArmBones, wrist_m: FloatArray, raised: FloatArray | float = 0.0) -> FloatArray:
+    """The collarbone's rotation for a hand at `wrist_m`: up with a high hand, forward with a far one, back with one
+    behind (towards-natural §3.4 adjusts it by the hands' height; the angles are ours, after the third of the arm's
+    elevation that the shoulder girdle takes)."""
+    ahead = (wrist_m - bones.shoulder_m) / bones.length_m
+    outwards, up, away = ahead[..., 0], ahead[..., 1], ahead[..., 2]
+    far = np.hypot(np.maximum(away, 0.0), np.maximum(-outwards, 0.0))
+    up_deg = _RAISED_DEG * _ease(up + 0.1) + np.where(np.asarray(raised) > 0, _SHRUG_DEG, _SLUMP_DEG) * raised
+    forward_deg = _PROTRACTED_DEG * _ease((far - 0.5) / 0.5) - _RETRACTED_DEG * _ease(-away / 0.5)
+    forward = about((0.0, -1.0, 0.0), np.radians(forward_deg))
+    return multiply(forward, about((0.0, 0.0, 1.0), np.radians(up_deg)))
+
+
+def elbow_direction(direction: FloatArray) -> FloatArray:
+    """Where the elbow goes to, at right angles to `direction` (…, 3), the way from the shoulder to the wrist.
+
+    The model: an elbow hangs down, a little out; behind a hand that hangs low, before the chest for one that reaches
+    across. Right for talking hands; people differ, and `swivel_rad` is there for what a pose needs.
+    """
+    low, across = np.maximum(-direction[..., 1], 0.0), np.maximum(-direction[..., 0], 0.0)
+    pole = np.stack((np.full_like(low, 0.45), 0.4 * low - 1.0, 0.9 * across - 0.45 * (1 + low)), axis=-1)
+    return _across(pole, direction)
+
+
+def _across(vector: FloatArray, direction: FloatArray) -> FloatArray:
+    """What of `vector` is at right angles to `direction`, of length 1."""
+    vector = vector - dot(vector, direction) * direction
+    return np.asarray(vector / np.maximum(length(vector), 1e-9))
+
+
+def _bent(
+    bones: ArmBones, collarbone: FloatArray, direction: FloatArray, distance_m: FloatArray, pole: FloatArray
+) -> Reach:
+    """Shoulder and elbow for a wrist at `distance_m` in a direction from the shoulder, the elbow towards `pole`."""
+    along = (bones.upper_m**2 + distance_m**2 - bones.lower_m**2) / (2 * bones.upper_m * distance_m)
+    aside = np.sqrt(np.maximum(1 - along**2, 0.0))
+    upper = direction * along + pole * aside
+    towards = direction * aside - pole * along
+    orientation = within_shoulder_limits(from_axes(upper, cross(towards, upper), towards))
+    elbow = about((0.0, -1.0, 0.0), _flexion(bones, distance_m)[..., 0])
+    forearm = multiply(orientation, elbow)
+    shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
+    elbow_m = shoulder_m + rotate(orientation, np.array([bones.upper_m, 0.0, 0.0]))
+    reached_m = elbow_m + rotate(forearm, np.array([bones.lower_m, 0.0, 0.0]))
+    return Reach(collarbone, multiply(inverse(collarbone), orientation), elbow, forearm, elbow_m, reached_m)
+
+
+def _within_reach(bones: ArmBones, distance_m: FloatArray) -> FloatArray:
+    """Distances eased into what the elbow's range allows: as they are up to 2 cm from its ends."""
+    longest, shortest = (_distance(bones, np.radians(flexion)) for flexion in ELBOW_FLEXION_DEG)
+    over = np.maximum(distance_m - (longest - _SOFTENED_M), 0.0)
+    under = np.maximum(shortest + _SOFTENED_M - distance_m, 0.0)
+    pulled_in = distance_m - over + _SOFTENED_M * -np.expm1(-over / _SOFTENED_M)
+    return np.asarray(pulled_in + under - _SOFTENED_M * -np.expm1(-under / _SOFTENED_M))
+
+
+def _distance(bones: ArmBones, flexion_rad: float) -> float:
+    """From shoulder to wrist, by the law of cosines."""
+    squared = bones.upper_m**2 + bones.lower_m**2 + 2 * bones.upper_m * bones.lower_m * np.cos(flexion_rad)
+    return float(np.sqrt(squared))
+
+
+def _flexion(bones: ArmBones, distance_m: FloatArray) -> FloatArray:
+    cosine = (distance_m**2 - bones.upper_m**2 - bones.lower_m**2) / (2 * bones.upper_m * bones.lower_m)
+    return np.asarray(np.arccos(np.clip(cosine, -1.0, 1.0)))
+
+
+def _ease(share: FloatArray) -> FloatArray:
+    share = np.clip(share, 0.0, 1.0)
+    return np.asarray(share * share * (3.0 - 2.0 * share))

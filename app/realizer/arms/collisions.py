@@ -1,0 +1,269 @@
+"""Hands and forearms kept out of the body and of each other, and joints within their limits, once the motion is made.
+
+Conventions: metres in the world, frames in time. Where a limb is inside something, its wrist and its elbow are moved
+the shortest way out; the movement swells and ebbs over the frames around, so that no speed jumps, and the arm is
+solved again for its new wrist. The hand keeps its orientation as far as its joints let it.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...model import FloatArray, Hand
+from ..body.build import BUILD
+from ..body.contacts import LIMBS, PAIRS, RADII_M, Contacts, Posed, contacts, depths_m
+from ..body.limits import MIRROR, clamped, parted_deg
+from ..body.motion import BodyMotion, Decision
+from ..body.skeleton import SIDES, Skeleton
+from ..geometry.easing import minimum_jerk
+from ..geometry.rotations import about, angle_between, dot, inverse, length, multiply, nearest_sign, rotate
+from ..gestures.wrist_turns import kept
+from .arm_reach import ArmBones, reach_by_elbow, towards_elbow
+
+_CLEARANCE_M = 0.004
+_SWELL_S = 0.18
+_ROUNDS = 8
+_ELBOW_AT_LEAST_M = 0.12
+_FARTHEST_M = 0.22
+_FASTEST_RAD_S = 19.0
+_TOLERATED_M = 0.001
+_MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])
+
+
+def _together() -> tuple[list[int], ...]:
+    """Columns of contacts that are left on one side: each limb's with trunk and legs, and all of arm with arm."""
+    whose = ["arms" if BUILD[other].part in LIMBS else BUILD[limb].joint for limb, other in PAIRS]
+    return tuple([column for column, name in enumerate(whose) if name == each] for each in dict.fromkeys(whose))
+
+
+_TOGETHER = _together()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Push:
+    """How far a wrist and an elbow (T, 3) are to be moved."""
+
+    wrist_m: FloatArray
+    elbow_m: FloatArray
+
+    def and_then(self, other: "_Push") -> "_Push":
+        wrist_m, elbow_m = self.wrist_m + other.wrist_m, self.elbow_m + other.elbow_m
+        return _Push(_at_most(wrist_m, _FARTHEST_M), _at_most(elbow_m, _FARTHEST_M))
+
+    def swelling(self, swell: int, taper: FloatArray) -> "_Push":
+        return _Push(*(taper * _swelling(push_m, swell) for push_m in (self.wrist_m, self.elbow_m)))
+
+
+def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
+    """The same motion with hands and forearms outside of torso, head, upper legs and each other, and with trunk, neck
+    and arms within their limits; and a decision for each stretch of time in which a hand had to give way, or could not
+    without a joint that jumps.
+
+    What is still inside after a round is added to the push, and the arms are solved again from where they were; so
+    the push is smooth in time however many rounds it takes."""
+    body = replace(body, rotations=clamped(skeleton, body.rotations))
+    depth_m = depths_m(skeleton, body.rotations, body.hips_m)
+    decisions = _decisions(depth_m, body.times_s)
+    if not decisions:
+        return body, ()
+    swell = _swell_frames(body.times_s)
+    rotations = body.rotations.copy()
+    for first, past in _stretches(_around(depth_m.max(axis=1) > 0, 2 * swell)):
+        there, ends = slice(first, past), (first > 0, past < len(rotations))
+        posed = Posed.of(skeleton, body.rotations[there], body.hips_m[there])
+        rotations[there], left_m = _cleared(skeleton, posed, swell, _taper(past - first, swell, ends))
+        if left_m > _TOLERATED_M:
+            decisions = (*decisions, _unsolved(body.times_s[there], left_m))
+    return replace(body, rotations=rotations), decisions
+
+
+def _taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:
+    """Nothing at the stretch's ends, beyond which nothing is moved, all of a push from `swell` frames on: (F, 1)."""
+    number = np.arange(frames)
+    from_start = number if ends[0] else np.full(frames, swell)
+    from_end = number[::-1] if ends[1] else np.full(frames, swell)
+    return minimum_jerk(np.minimum(from_start, from_end) / swell)[:, None]
+
+
+def _cleared(skeleton: Skeleton, start: Posed, swell: int, taper: FloatArray) -> tuple[FloatArray, float]:
+    """The local rotations of a stretch of frames, after the round that ends least inside anything, and how deep that
+    is; a push swells over so many frames."""
+    found = contacts(skeleton, start)
+    nothing = np.zeros((len(start.rotations), 3))
+    pushes = dict.fromkeys(SIDES, _Push(nothing, nothing))
+    way_out = np.zeros_like(found.out)
+    arms = skeleton.chain(*(side + name for side in SIDES for name in ("UpperArm", "LowerArm", "Hand")))
+    least_m, rotations = float(found.depth_m.max()), start.rotations
+    for _round in range(_ROUNDS):
+        way_out = _way_out(found, way_out)
+        one_way = _one_way(found, way_out)
+        pushes = {side: push.and_then(_push(one_way, side)) for side, push in pushes.items()}
+        swelling = {side: push.swelling(swell, taper) for side, push in pushes.items()}
+        body = start.with_arms(skeleton, _moved(skeleton, start, swelling))
+        found = contacts(skeleton, body)
+        if found.depth_m.max() < least_m and not _jumps(body.rotations[:, arms], start.rotations[:, arms], swell):
+            least_m, rotations = float(found.depth_m.max()), body.rotations
+        if found.depth_m.max() <= 0:
+            break
+    return rotations, least_m
+
+
+def _jumps(rotations: FloatArray, before: FloatArray, swell: int) -> bool:
+    """Whether one of the joints (F, J, 4) turns faster than joints should, and than they did."""
+    fastest = _FASTEST_RAD_S * _SWELL_S / swell
+    turned, did = (angle_between(each[1:], each[:-1]).max(initial=0.0) for each in (rotations, before))
+    return bool(turned > max(fastest, did))
+
+
+def _way_out(found: Contacts, known: FloatArray) -> FloatArray:
+    """On which side each contact is left, (T, P, 3): in a whole stretch of frames on the side where the limb is inside
+    the most, the same for all parts of the trunk and legs, and in every round the same. A limb that passes through
+    would otherwise be pushed back and, from the middle on, forward; one between belly and leg to and fro."""
+    way_out = known.copy()
+    deep_m = np.maximum(found.depth_m, 0.0)
+    for columns in _TOGETHER:
+        for first, past in _stretches(deep_m[:, columns].max(axis=1) > 0):
+            there = slice(first, past), columns
+            before = known[there].sum(axis=(0, 1))
+            main = before if before.any() else np.einsum("tp,tpk->k", deep_m[there], found.out[there])
+            way_out[there] = main
+    return way_out
+
+
+def _one_way(found: Contacts, way_out: FloatArray) -> Contacts:
+    """The same contacts, those that are nearer to the other side taken through to this one."""
+    wrong = (found.depth_m > 0) & (np.einsum("...k,...k->...", found.out, way_out) < 0)
+    through_m = found.depth_m + 2 * (RADII_M - found.depth_m)
+    return replace(
+        found, depth_m=np.where(wrong, through_m, found.depth_m), out=np.where(wrong[..., None], -found.out, found.out)
+    )
+
+
+def _moved(skeleton: Skeleton, body: Posed, pushes: Mapping[str, _Push]) -> FloatArray:
+    """The local rotations with both arms pushed, in the frames where they are."""
+    rotations = body.rotations.copy()
+    for side, push in pushes.items():
+        frames = np.nonzero((length(push.wrist_m) + length(push.elbow_m))[:, 0] > 1e-6)[0]
+        if len(frames):
+            pushed = _Push(push.wrist_m[frames], push.elbow_m[frames])
+            joints = skeleton.chain(*(side + name for name in ("UpperArm", "LowerArm", "Hand")))
+            rotations[frames[:, None], joints] = _solved_again(skeleton, body.frames(frames), Hand(side), pushed)
+    return rotations
+
+
+def _push(found: Contacts, side: str) -> _Push:
+    """The sum of what the contacts of an arm ask for, each only for what the others have not done in its direction.
+
+    A hand is moved by its wrist; a forearm by wrist and elbow, each by its share of the place that is inside. Where
+    both arms are in a contact, each gives way by half.
+    """
+    wrist_m, elbow_m = np.zeros((2, len(found.depth_m), 3))
+    deep_m = np.where(found.depth_m > 0, found.depth_m + _CLEARANCE_M, 0.0)
+    for column in np.nonzero(deep_m.any(axis=0))[0]:
+        ends = (BUILD[PAIRS[column][0]], found.on_limb, 1.0), (BUILD[PAIRS[column][1]], found.on_other, -1.0)
+        both = all(capsule.part in LIMBS for capsule, _place, _sign in ends)
+        for capsule, place, sign in ends:
+            if capsule.part in LIMBS and capsule.joint.startswith(side):
+                out = found.out[:, column] * (sign * deep_m[:, column] * (0.5 if both else 1.0))[:, None]
+                share = place[:, column, None] if capsule.part == "forearm" else np.ones((len(out), 1))
+                even = share**2 + (1 - share) ** 2
+                wrist_m += _beyond(out * share / even, wrist_m)
+                elbow_m += _beyond(out * (1 - share) / even, elbow_m)
+    return _Push(wrist_m, elbow_m)
+
+
+def _beyond(asked_m: FloatArray, given_m: FloatArray) -> FloatArray:
+    """What is left of `asked_m` after what `given_m` already does in its direction."""
+    size_m = np.maximum(length(asked_m), 1e-12)
+    done = np.sum(asked_m * given_m, axis=-1, keepdims=True) / size_m**2
+    return np.asarray(asked_m * np.clip(1 - done, 0.0, 1.0))
+
+
+def _at_most(push_m: FloatArray, farthest_m: float) -> FloatArray:
+    return np.asarray(push_m * np.minimum(1.0, farthest_m / np.maximum(length(push_m), 1e-12)))
+
+
+def _swelling(push_m: FloatArray, swell: int) -> FloatArray:
+    """A push (T, 3) spread over the frames around it: hardly less than asked for, and smooth in size and direction.
+
+    The largest size within reach, averaged within reach, covers every frame's own; directions are averaged twice as
+    far, and where they disagree the push is smaller."""
+    size_m = length(push_m)[:, 0]
+    if not size_m.any():
+        return push_m
+    padded = np.pad(size_m, swell, mode="constant")
+    largest = np.lib.stride_tricks.sliding_window_view(padded, 2 * swell + 1).max(axis=1)
+    bell = np.hanning(2 * swell + 3)[1:-1]
+    size_m = np.convolve(np.pad(largest, swell, mode="edge"), bell / bell.sum(), mode="valid")
+    wide = np.hanning(4 * swell + 3)[1:-1]
+    middle = slice(2 * swell, 2 * swell + len(push_m))
+    towards = np.stack([np.convolve(part, wide)[middle] for part in push_m.T], axis=-1)
+    agreed = np.convolve(length(push_m)[:, 0], wide)[middle]
+    return np.asarray(towards / np.maximum(agreed, 1e-12)[:, None] * size_m[:, None])
+
+
+def _solved_again(skeleton: Skeleton, body: Posed, side: Hand, push: _Push) -> FloatArray:
+    """Upper arm, lower arm and hand (T, 3, 4) of the arm `side`, solved for its wrist where it is pushed to and its
+    elbow swung aside."""
+    names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
+    chest, *joints = skeleton.chain("upperChest", *(side.value + name for name in names))
+    bones = ArmBones.of(skeleton)
+    at_m, turned = body.positions_m, body.orientations
+    back = inverse(turned[:, chest])
+    mirror, across = (np.ones(4), np.ones(3)) if side is Hand.LEFT else (MIRROR, _MIRRORED)
+    root_m = bones.root_m - skeleton.offsets_m[skeleton.index["leftShoulder"]]
+    wrist_m, elbow_push_m = (
+        rotate(back, vector) * across for vector in (at_m[:, joints[-1]] + push.wrist_m - at_m[:, chest], push.elbow_m)
+    )
+    before = body.rotations[:, joints]
+    collarbone, upper_arm, lower_arm = (before[:, joint] * mirror for joint in range(3))
+    elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
+    elbow = elbow + (elbow_push_m - dot(elbow_push_m, elbow) * elbow) / _ELBOW_AT_LEAST_M
+    arm = reach_by_elbow(bones, collarbone, wrist_m + root_m, elbow)
+    turn = kept(arm.forearm, multiply(back, turned[:, joints[-1]]) * mirror).clamped()
+    after = np.stack((arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand), axis=1)
+    return nearest_sign(after * mirror, before[:, 1:])
+
+
+def _without_twist(lower_arm: FloatArray) -> FloatArray:
+    return multiply(lower_arm, about((-1.0, 0.0, 0.0), np.radians(parted_deg(lower_arm, 0)[..., 0])))
+
+
+def _swell_frames(times_s: FloatArray) -> int:
+    """How many frames a push takes to swell."""
+    rate_hz = (len(times_s) - 1) / max(times_s[-1] - times_s[0], 1e-9)
+    return max(1, round(_SWELL_S * float(rate_hz)))
+
+
+def _around(inside: NDArray[np.bool_], frames: int) -> NDArray[np.bool_]:
+    """Frames no further than so many from one that is inside."""
+    return np.convolve(inside, np.ones(2 * frames + 1), mode="full")[frames : frames + len(inside)] > 0
+
+
+def _stretches(inside: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """First frame, and frame past the last, of each run of true ones: (n, 2)."""
+    padded = np.concatenate([[False], inside, [False]])
+    return np.nonzero(padded[1:] != padded[:-1])[0].reshape(-1, 2)
+
+
+def _decisions(depths: FloatArray, times_s: FloatArray) -> tuple[Decision, ...]:
+    """One for each stretch of frames in which a limb of a side was inside something."""
+    decisions = []
+    for side in SIDES:
+        own = [column for column, (limb, _other) in enumerate(PAIRS) if BUILD[limb].joint.startswith(side)]
+        depth_m = depths[:, own]
+        for first, past in _stretches(depth_m.max(axis=1) > 0):
+            column = int(np.argmax(depth_m[first:past].max(axis=0)))
+            limb, other = (BUILD[number].part for number in PAIRS[own[column]])
+            deepest_cm = 100 * depth_m[first:past].max()
+            when = f"from {times_s[first]:.2f} s to {times_s[past - 1]:.2f} s"
+            reason = f"the {side} {limb} would have been {deepest_cm:.1f} cm inside the {other} {when}"
+            decisions.append(Decision("", "moved", reason))
+    return tuple(decisions)
+
+
+def _unsolved(times_s: FloatArray, left_m: float) -> Decision:
+    when = f"between {times_s[0]:.2f} s and {times_s[-1]:.2f} s"
+    return Decision("", "kept", f"a hand or forearm stays {100 * left_m:.1f} cm inside something {when}")

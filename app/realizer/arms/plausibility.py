@@ -1,0 +1,68 @@
+"""Poses that a gesture asks for and the body cannot take (Gesture Engine §4.3): places out of reach, wrists overturned.
+
+The body comes as near as its limits let it, so these are no mistakes; but the gesture does not look as it is written.
+They are looked for where the gesture is largest.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import reduce
+
+import numpy as np
+
+from ...model import FloatArray, Hand, Level
+from ..body.skeleton import Skeleton
+from ..geometry.rotations import multiply, rotate
+from ..gestures.gesture import ArmKey, Definition, Direction
+from ..gestures.gesture_space import DIRECTIONS, sector_m
+from .posing import PartialPose, pose_arm
+
+SHORT_M = 0.03
+OFF_DEG = 25.0
+
+_FINGERS, _PALM = np.array([1.0, 0.0, 0.0]), np.array([0.0, -1.0, 0.0])
+"""Where the left hand's fingers point and its palm faces in the T-pose."""
+
+
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """What the body cannot do at one frame of a gesture, at a level of agitation."""
+
+    definition: Definition
+    time: float
+    level: Level
+    message: str
+
+
+def doubts(skeleton: Skeleton, definition: Definition) -> Iterator[Doubt]:
+    """The poses from which the body stays more than `SHORT_M` or `OFF_DEG` away."""
+    level = max(definition.levels, key=lambda one: definition.levels[one].amplitude)
+    amplitude = definition.levels[level].amplitude
+    for frame in definition.frames:
+        for key in dict.fromkeys((frame.leading, frame.other or frame.leading)):
+            if key.place is not None and not key.joints:
+                for message in _shortcomings(skeleton, key, amplitude):
+                    yield Doubt(definition, frame.time, level, message)
+
+
+def _shortcomings(skeleton: Skeleton, key: ArmKey, amplitude: float) -> Iterator[str]:
+    pose = pose_arm(skeleton, Hand.LEFT, key, amplitude=amplitude)
+    if pose.wrist_m is None or key.place is None:
+        return
+    short_m = float(np.linalg.norm(pose.wrist_m - sector_m(key.place, amplitude)))
+    if short_m > SHORT_M:
+        yield f"the wrist stays {100 * short_m:.0f} cm from its place"
+    if key.wrist is not None:
+        for what, wanted, axis in (("finger base", key.wrist.finger_base, _FINGERS), ("palm", key.wrist.palm, _PALM)):
+            off_deg = _off_deg(pose, wanted, axis)
+            if off_deg > OFF_DEG:
+                yield f"the {what} stays {off_deg:.0f}° from where it should point"
+
+
+def _off_deg(pose: PartialPose, wanted: Iterable[Direction], axis: FloatArray) -> float:
+    """The angle between the sum of the wanted directions and where an axis of the hand is; 0 when none is wanted."""
+    total = np.sum([DIRECTIONS[direction] for direction in wanted], axis=0)
+    if not np.any(total):
+        return 0.0
+    hand = reduce(multiply, pose.parts[:5])
+    return float(np.degrees(np.arccos(np.clip(rotate(hand, axis) @ total / np.linalg.norm(total), -1, 1))))

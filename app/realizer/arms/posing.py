@@ -1,0 +1,261 @@
+"""Key poses of an arm: what a gesture says in words (`ArmKey`) as rotations of joints (Gesture Engine §5.2).
+
+Conventions: joints in the skeleton's order, local rotations. Places of the wrist are in the hips' space of the upright
+body, seen from the own side as `gesture_space` has it (x outwards, y up, z away). Everything is worked out for the
+left arm; the right's is its mirror image. A `PartialPose` has a row for each part that moves by itself, so that what a
+key leaves open can be interpolated between the keys that say it.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...model import FloatArray, Hand
+from ..body.limits import MIRROR, parted_deg
+from ..body.skeleton import Skeleton
+from ..geometry.rotations import about, from_rotation_vector, inverse, length, multiply, rotate
+from ..gestures.arm_joints import PARTS
+from ..gestures.gesture import ArmKey, Depth, HandForm, HandShape, Height, Place, Sideways, Wrist
+from ..gestures.gesture_space import DIRECTIONS, sector_m
+from ..gestures.hand_shapes import finger_rows, hand_shape
+from ..gestures.wrist_turns import Turn, turned
+from .arm_reach import ArmBones, Reach, collarbone_for, reach
+
+ARM_ROWS, WRIST_ROWS, HAND_ROWS = slice(0, 3), slice(3, 5), slice(5, 20)
+"""The formational units: arm with collarbone, wrist, hand shape."""
+
+CENTRE = Place(Sideways.C, Height.CC, Depth.MIDDLE)
+
+_SWIVELS: FloatArray = np.radians(np.arange(-60.0, 76.0, 7.5))
+_AT_EASE_DEG: FloatArray = np.array([55.0, 14.0, 45.0])
+_ALONG_FOREARM: FloatArray = np.array([0.0, 0.35, 0.7])
+_HALF_WAIST_M, _FROM_WAIST_M = 0.06, 0.15
+_POINTING_PALM: FloatArray = np.array([-0.4, -1.0, 0.0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PartialPose:
+    """Local rotations `parts` (20, 4) in the order of `PARTS`, not-a-number where the key leaves them open, and the
+    wrist's place, if the whole arm is said."""
+
+    parts: FloatArray
+    wrist_m: FloatArray | None = None
+
+    @property
+    def said(self) -> FloatArray:
+        """Which of `PARTS` are said: (20,) of booleans."""
+        return np.asarray(~np.isnan(self.parts[:, 3]))
+
+    def over(self, below: "PartialPose") -> "PartialPose":
+        """This pose, and `below` where it leaves parts open."""
+        parts = np.where(self.said[:, None], self.parts, below.parts)
+        return PartialPose(parts, below.wrist_m if self.wrist_m is None else self.wrist_m)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ArmPose:
+    """A whole arm: local rotations (19, 4) of `arm_joints`, and where the wrist is."""
+
+    rotations: FloatArray
+    wrist_m: FloatArray
+
+    def as_partial(self) -> PartialPose:
+        """The same as a key that says everything."""
+        return PartialPose(parts_of(self.rotations), self.wrist_m)
+
+
+def pose_arm(
+    skeleton: Skeleton, side: Hand, key: ArmKey, *, amplitude: float = 1.0, aim_m: FloatArray | None = None
+) -> PartialPose:
+    """What a key says of the arm `side`; `pose_arms` of one."""
+    return pose_arms(skeleton, side, [key], amplitude=amplitude, aim_m=aim_m)[0]
+
+
+def pose_arms(
+    skeleton: Skeleton, side: Hand, keys: Sequence[ArmKey], *, amplitude: float = 1.0, aim_m: FloatArray | None = None
+) -> tuple[PartialPose, ...]:
+    """What each key says of the arm `side`; several take hardly longer than one.
+
+    `amplitude` stretches places from the middle of gesture space. `aim_m` is a target in the hips' space of the
+    upright body (x to the character's left): the arm of a key that has a place is put on the line from the shoulder to
+    it, as far out as its place is, and the fingers point along that line. A wrist without a place is turned as if the
+    arm were before the body's middle. A wrist's direction that the joints cannot reach, the elbow helping by its
+    swivel, is approached as far as their limits let it.
+    """
+    bones = ArmBones.of(skeleton)
+    aim_m = None if aim_m is None else np.asarray(aim_m) * _seen_from(side)
+    parts = np.full((len(keys), len(PARTS), 4), np.nan)
+    solving = [number for number, key in enumerate(keys) if key.place is not None or key.wrist is not None]
+    if solving:
+        asked = [_asked(bones, keys[number], amplitude, aim_m) for number in solving]
+        for number, solved in zip(solving, _solved(bones, asked), strict=True):
+            _add_arm(parts[number], keys[number], solved, aimed=aim_m is not None)
+    for row, key in zip(parts, keys, strict=True):
+        if key.place is None and key.shoulder is not None:
+            row[0] = collarbone_for(bones, _hanging_m(bones), np.array(key.shoulder))
+        _add_hand(row, key)
+        _add_joints(row, key)
+    wrists_m = _wrist_of_left(bones, parts)
+    mirrored = parts if side is Hand.LEFT else parts * MIRROR
+    return tuple(
+        PartialPose(part, None if np.isnan(wrist_m).any() else wrist_m)
+        for part, wrist_m in zip(mirrored, wrists_m, strict=True)
+    )
+
+
+def held(
+    bones: ArmBones, wrist_m: FloatArray, finger_base: FloatArray, palm: FloatArray, swivel_deg: float
+) -> FloatArray:
+    """The first five parts of a left arm with the wrist at a place, the hand held so, and the elbow at a swivel."""
+    arm = reach(bones, wrist_m, swivel_rad=np.radians(swivel_deg))
+    turn = turned(arm.forearm, finger_base, palm).clamped()
+    return np.stack([arm.collarbone, arm.upper_arm, arm.elbow, turn.forearm, turn.hand])
+
+
+def arm_rotations(parts: FloatArray) -> FloatArray:
+    """Parts (…, 20, 4) as the rotations (…, 19, 4) of `arm_joints`: hinge and twist make one lower arm."""
+    lower_arm = multiply(parts[..., 2, :], parts[..., 3, :])
+    return np.concatenate([parts[..., :2, :], lower_arm[..., None, :], parts[..., 4:, :]], axis=-2)
+
+
+def parts_of(rotations: FloatArray) -> FloatArray:
+    """The inverse of `arm_rotations`: (…, 19, 4) as parts (…, 20, 4)."""
+    lower_arm = rotations[..., 2, :]
+    twist = about((1.0, 0.0, 0.0), np.radians(parted_deg(lower_arm, 0)[..., 0]))
+    hinge = multiply(lower_arm, inverse(twist))
+    return np.concatenate(
+        [rotations[..., :2, :], hinge[..., None, :], twist[..., None, :], rotations[..., 3:, :]], axis=-2
+    )
+
+
+def wrist_of(skeleton: Skeleton, side: Hand, rotations: FloatArray) -> FloatArray:
+    """Where the wrist (…, 3) of an arm (…, 19, 4) is, the body upright."""
+    return _wrist_of_left(ArmBones.of(skeleton), rotations if side is Hand.LEFT else rotations * MIRROR)
+
+
+def _seen_from(side: Hand) -> FloatArray:
+    return np.array([1.0 if side is Hand.LEFT else -1.0, 1.0, 1.0])
+
+
+def _hanging_m(bones: ArmBones) -> FloatArray:
+    return np.asarray(bones.shoulder_m - [0.0, bones.length_m, 0.0])
+
+
+def _wrist_of_left(bones: ArmBones, parts: FloatArray) -> FloatArray:
+    """By collarbone, upper arm and elbow; a twist of the third does not matter."""
+    collarbone, upper_arm, elbow = (parts[..., row, :] for row in range(3))
+    upper = multiply(collarbone, upper_arm)
+    along = np.array([1.0, 0.0, 0.0])
+    shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
+    elbow_m = shoulder_m + rotate(upper, bones.upper_m * along)
+    return np.asarray(elbow_m + rotate(multiply(upper, elbow), bones.lower_m * along))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Asked:
+    """Where a key wants the wrist, where fingers and palm are to point, and the collarbone's own raising."""
+
+    wrist_m: FloatArray
+    finger_base: FloatArray | None
+    palm: FloatArray | None
+    raised: float
+
+
+def _asked(bones: ArmBones, key: ArmKey, amplitude: float, aim_m: FloatArray | None) -> _Asked:
+    wrist_m = sector_m(key.place or CENTRE, amplitude)
+    finger_base, palm = _directions(key.wrist or Wrist())
+    if aim_m is not None and key.place is not None:
+        wrist_m, finger_base = _on_the_line(bones, aim_m, wrist_m)
+        palm = _POINTING_PALM if palm is None else palm
+    return _Asked(wrist_m, finger_base, palm, key.shoulder or 0.0)
+
+
+def _solved(bones: ArmBones, asked: Sequence[_Asked]) -> FloatArray:
+    """The first five parts (K, 5, 4) of each arm, at the swivel that suits the wrist best."""
+    wrists_m = np.stack([each.wrist_m for each in asked])[:, None]
+    raised = np.array([each.raised for each in asked])[:, None]
+    arms = reach(bones, np.repeat(wrists_m, len(_SWIVELS), axis=1), swivel_rad=_SWIVELS, raised=raised)
+    turns = _turned(arms.forearm, asked)
+    best = np.arange(len(asked)), np.argmin(_discomfort(arms, turns, wrists_m), axis=1)
+    turn = Turn(turns.angles[best]).clamped()
+    return np.stack(
+        (*(part[best] for part in (arms.collarbone, arms.upper_arm, arms.elbow)), turn.forearm, turn.hand), 1
+    )
+
+
+def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> Turn:
+    """The wrists' turns (K, swivels), those that say the same parts together."""
+    angles = np.zeros((*forearm.shape[:-1], 3))
+    said = [(each.finger_base is not None, each.palm is not None) for each in asked]
+    for kind in set(said):
+        rows = [row for row, other in enumerate(said) if other == kind]
+        finger_base, palm = (
+            np.array([getattr(asked[row], name) for row in rows])[:, None] if known else None
+            for name, known in zip(("finger_base", "palm"), kind, strict=True)
+        )
+        angles[rows] = turned(forearm[rows], finger_base, palm).angles
+    return Turn(angles)
+
+
+def _discomfort(arms: Reach, turns: Turn, wrists_m: FloatArray) -> FloatArray:
+    """What speaks against each swivel: wrist and forearm near or past their limits, a place that the shoulder's limits
+    do not let the wrist reach, a forearm too near the trunk, and the swivel itself, for an elbow hangs as long as
+    nothing asks it to do otherwise."""
+    strained = np.maximum(np.abs(np.degrees(turns.angles)) - _AT_EASE_DEG, 0.0) / 30.0
+    impossible = np.degrees(turns.excess) / 10.0
+    missed = length(arms.wrist_m - wrists_m)[..., 0] / 0.01
+    missed = missed - missed.min(axis=-1, keepdims=True)
+    crowded = _inside_trunk_m(arms) / 0.02
+    cost = np.sum(strained**2 + impossible**2, axis=-1) + missed**2 + np.sum(crowded**2, axis=-1)
+    return np.asarray(cost + (_SWIVELS / np.radians(40.0)) ** 2)
+
+
+def _inside_trunk_m(arms: Reach) -> FloatArray:
+    """How far elbow, forearm and its middle are within a hand's breadth of the trunk's line from flank to flank."""
+    along = arms.wrist_m - arms.elbow_m
+    points = arms.elbow_m[..., None, :] + _ALONG_FOREARM[:, None] * along[..., None, :]
+    aside = np.maximum(np.abs(points[..., 0]) - _HALF_WAIST_M, 0.0)
+    return np.asarray(np.maximum(_FROM_WAIST_M - np.hypot(aside, points[..., 2]), 0.0))
+
+
+def _add_arm(parts: FloatArray, key: ArmKey, solved: FloatArray, *, aimed: bool) -> None:
+    if key.place is not None:
+        parts[ARM_ROWS] = solved[ARM_ROWS]
+    if key.wrist is not None or (aimed and key.place is not None):
+        parts[WRIST_ROWS] = solved[WRIST_ROWS]
+
+
+def _directions(wrist: Wrist) -> tuple[FloatArray | None, FloatArray | None]:
+    sums = (np.sum([DIRECTIONS[direction] for direction in part], axis=0) for part in (wrist.finger_base, wrist.palm))
+    finger_base, palm = (total if np.any(total) else None for total in sums)
+    return finger_base, palm
+
+
+def _on_the_line(bones: ArmBones, aim_m: FloatArray, wrist_m: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """A wrist on the way from the shoulder to the target, as far out as its place is; and the way itself."""
+    way = aim_m - bones.shoulder_m
+    way = way / max(float(np.linalg.norm(way)), 1e-6)
+    return bones.shoulder_m + float(np.linalg.norm(wrist_m - bones.shoulder_m)) * way, way
+
+
+def _add_hand(parts: FloatArray, key: ArmKey) -> None:
+    if key.hand is None and not key.fingers:
+        return
+    rotations = hand_shape(key.hand or HandShape(HandForm.DEFAULT), key.fingers)
+    if key.hand is not None:
+        parts[HAND_ROWS] = rotations
+    for finger, _bend in key.fingers:
+        parts[HAND_ROWS][finger_rows(finger)] = rotations[finger_rows(finger)]
+
+
+def _add_joints(parts: FloatArray, key: ArmKey) -> None:
+    """Joints fixed by angles: turned about x, then y, then z, the axes of the joint above."""
+    for joint, degrees in key.joints:
+        x, y, z = (from_rotation_vector(angle) for angle in np.radians(np.diag(degrees)))
+        rotation = multiply(z, multiply(y, x))
+        if joint == "LowerArm":
+            twist = about((1.0, 0.0, 0.0), np.radians(parted_deg(rotation, 0)[0]))
+            parts[2:4] = multiply(rotation, inverse(twist)), twist
+        else:
+            parts[PARTS.index(joint)] = rotation

@@ -1,0 +1,79 @@
+"""Where hands rest between gestures: at the side, clasped, folded, behind the back, in the pockets, on the hips, open.
+
+Conventions: as `posing`: places seen from the own side, metres from the hips, x outwards, y up, z away; swivels in
+degrees, elbow outwards. Where one hand lies on the other or one arm over the other, the left is the upper. The places
+keep forearms and hands 15 mm from the body and each other, as thick as `build` has them, for hands stir at rest.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from types import MappingProxyType
+
+import numpy as np
+
+from ...model import Hand
+from ..body.build import Point
+from ..body.limits import MIRROR
+from ..body.skeleton import Skeleton
+from ..gestures.gesture import Bend, Finger, HandForm, HandShape, Thumb
+from ..gestures.hand_shapes import hand_shape
+from .arm_reach import ArmBones
+from .posing import ArmPose, arm_rotations, held
+
+_EASY = HandShape(HandForm.DEFAULT)
+_FOUR = (Finger.INDEX, Finger.MIDDLE, Finger.RING, Finger.LITTLE)
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """A hand at rest: the wrist's place, where fingers and palm point, the elbow's swivel, and the hand's form."""
+
+    wrist_m: Point
+    finger_base: Point
+    palm: Point
+    swivel_deg: float = 0.0
+    hand: HandShape = _EASY
+    fingers: tuple[tuple[Finger, Bend], ...] = ()
+
+
+_CURVED = tuple((finger, Bend.CURVED) for finger in _FOUR)
+_AT_SIDE = Rest((0.256, -0.090, 0.042), (-0.08, -1.0, 0.20), (-1.0, 0.05, -0.45), -18.0)
+_STIFF = HandShape(HandForm.FLAT, Thumb.OUT)
+_IN_POCKETS = Rest((0.232, 0.015, 0.065), (-0.10, -1.0, 0.20), (-1.0, 0.1, -0.1), 5.0, _STIFF)
+_ON_HIPS = Rest((0.225, 0.090, 0.010), (-0.35, -0.45, 0.85), (-0.7, -0.6, -0.5), 46.0, _STIFF)
+_OPEN = Rest((0.250, 0.110, 0.200), (-0.35, -0.15, 1.0), (-0.9, 0.25, -0.3))
+
+RESTS: Mapping[str, tuple[Rest, Rest]] = MappingProxyType(
+    {
+        "at_side": (_AT_SIDE, _AT_SIDE),
+        "clasped": (
+            Rest((0.124, 0.075, 0.230), (-0.90, -0.40, 0.10), (-0.1, -0.3, -1.0), 8.0, _EASY, _CURVED),
+            Rest((0.132, 0.046, 0.162), (-0.90, -0.40, 0.05), (-0.1, 0.1, -1.0), 8.0, _EASY, _CURVED),
+        ),
+        "folded": (
+            Rest((-0.050, 0.270, 0.240), (-1.0, -0.05, -0.30), (0.3, -0.4, -1.0), 22.0),
+            Rest((0.045, 0.153, 0.170), (-1.0, -0.10, 0.05), (0.0, -0.3, -1.0), 30.0),
+        ),
+        "behind_back": (
+            Rest((0.159, 0.040, -0.175), (-1.0, -0.35, -0.1), (-0.1, 0.0, -1.0), 0.0, _EASY, _CURVED),
+            Rest((0.080, -0.010, -0.215), (-1.0, -0.30, -0.1), (-0.1, 0.0, -1.0), 0.0, _EASY, _CURVED),
+        ),
+        "in_pockets": (_IN_POCKETS, _IN_POCKETS),
+        "on_hips": (_ON_HIPS, _ON_HIPS),
+        "open": (_OPEN, _OPEN),
+    }
+)
+"""By name, the left hand's and the right's."""
+
+
+@lru_cache(maxsize=64)
+def rest_pose(skeleton: Skeleton, side: Hand, name: str) -> ArmPose:
+    """The arm `side` at rest; `name` is one of `RESTS`. A skeleton's poses are worked out once and kept."""
+    rest = RESTS[name][0 if side is Hand.LEFT else 1]
+    wrist_m, finger_base, palm = np.array([rest.wrist_m, rest.finger_base, rest.palm])
+    arm = held(ArmBones.of(skeleton), wrist_m, finger_base, palm, rest.swivel_deg)
+    rotations = arm_rotations(np.concatenate([arm, hand_shape(rest.hand, rest.fingers)]))
+    rotations = rotations if side is Hand.LEFT else rotations * MIRROR
+    rotations.setflags(write=False)
+    return ArmPose(rotations, wrist_m)

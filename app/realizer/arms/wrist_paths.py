@@ -1,0 +1,61 @@
+"""Where the wrist is in a clip, as far as a plan must know: straight from each key that places it to the next.
+
+Conventions: metres as in `understudy.realizer.gestures.gesture_space`, seen from the arm's own side, so that places of
+one arm can be compared. What the body makes of it (joint limits, a belly in the way) may be some centimetres off.
+"""
+
+import numpy as np
+
+from ...model import FloatArray, Hand
+from ..body.skeleton import HIPS_HEIGHT_M
+from ..gestures.gesture import ArmKey, Clip, ClipKey, Depth, Height, Place, Sideways
+from ..gestures.gesture_plan import Placed
+from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
+
+_UNPLACED = Place(Sideways.C, Height.CC, Depth.MIDDLE)
+"""Where a hand is taken to be whose joints are given instead of its place."""
+
+_SHOULDER_M: FloatArray = np.array([0.17, SHOULDERS_ABOVE_HIPS_M, 0.0])
+_SHOULDER_M.setflags(write=False)
+
+
+def arm_key(key: ClipKey, side: Hand) -> ArmKey | None:
+    """What a key says of one arm."""
+    return key.left if side is Hand.LEFT else key.right
+
+
+def amplitude(placed: Placed) -> float:
+    """How large a gesture is made: by its level's expressivity and by what the schedule asks for."""
+    return placed.clip.expressivity.amplitude * placed.size
+
+
+def wrist_m(placed: Placed, side: Hand, time_s: float) -> FloatArray:
+    """The wrist's place (3,) at `time_s` of the clip; one that points is on the line from the shoulder to its aim."""
+    place_m = _wrist_m(placed.clip, side, time_s, amplitude(placed))
+    if placed.aim_m is None:
+        return place_m
+    out = 1.0 if side is Hand.LEFT else -1.0
+    way_m = np.array(placed.aim_m) * [out, 1.0, 1.0] - [0.0, HIPS_HEIGHT_M, 0.0] - _SHOULDER_M
+    return np.asarray(_SHOULDER_M + distance_m(place_m, _SHOULDER_M) * way_m / np.linalg.norm(way_m))
+
+
+def stroke_start_m(placed: Placed, side: Hand) -> FloatArray:
+    return wrist_m(placed, side, placed.clip.markers.stroke_start)
+
+
+def relax_m(placed: Placed, side: Hand) -> FloatArray:
+    return wrist_m(placed, side, placed.clip.markers.relax)
+
+
+def distance_m(one: FloatArray, other: FloatArray) -> float:
+    return float(np.linalg.norm(one - other))
+
+
+def _wrist_m(clip: Clip, side: Hand, time_s: float, size: float) -> FloatArray:
+    within = [key for key in clip.keys if clip.markers.start <= key.time_s <= clip.markers.relax]
+    said = [(key.time_s, key_of.place) for key in within if (key_of := arm_key(key, side)) and key_of.place]
+    if not said:
+        return sector_m(_UNPLACED, size)
+    times_s = [at_s for at_s, _place in said]
+    places_m = np.array([sector_m(place, size) for _at_s, place in said])
+    return np.array([np.interp(time_s, times_s, places_m[:, axis]) for axis in range(3)])

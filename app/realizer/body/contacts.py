@@ -1,0 +1,158 @@
+"""How deep forearms and hands are in the body, or in each other: capsules against capsules, in every frame.
+
+Conventions: depths in metres, positive inside; arrays (T, P) have a column for each of `PAIRS`. A forearm or a hand is
+compared with the trunk, the head, the upper legs and the other arm's forearm and hand (`build`).
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...model import FloatArray
+from ..geometry.rotations import cross, rotate
+from .build import BUILD, TRUNK
+from .skeleton import SIDES, Skeleton, forward, forward_again
+
+LIMBS = frozenset({"forearm", "hand"})
+"""The parts that are kept out of the others."""
+
+_IN_THE_WAY = frozenset(capsule.part for capsule in TRUNK) | {"upper leg"}
+
+
+def _pairs() -> tuple[tuple[int, int], ...]:
+    limbs = [number for number, capsule in enumerate(BUILD) if capsule.part in LIMBS]
+    body = [number for number, capsule in enumerate(BUILD) if capsule.part in _IN_THE_WAY]
+    left, right = ([limb for limb in limbs if BUILD[limb].joint.startswith(side)] for side in SIDES)
+    return (*product(limbs, body), *product(left, right))
+
+
+PAIRS: tuple[tuple[int, int], ...] = _pairs()
+"""Which part of `BUILD` is compared with which: a limb, and what it may run into."""
+
+_USED = sorted({number for pair in PAIRS for number in pair})
+_LIMB_COLUMN, _OTHER_COLUMN = (np.array([_USED.index(pair[end]) for pair in PAIRS]) for end in (0, 1))
+RADII_M = np.array([BUILD[limb].radius_m + BUILD[other].radius_m for limb, other in PAIRS])
+"""The distance (P,) at which each pair touches."""
+
+_CROSSING = np.array([float(BUILD[other].part in LIMBS) for _limb, other in PAIRS])
+_CENTRAL_M = 0.01
+_BLOCK = 2_000
+"""Frames that are compared at a time, so that a long motion needs little memory."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contacts:
+    """For each pair: how deep it is `depth_m` (T, P); and where it is inside, else zero, the way out for the limb
+    `out` (T, P, 3), in the world, and where on the limb and on the other it is: shares of their lengths (T, P).
+
+    The way out is the shortest. Where the two lines meet, and there is none, it is back to where the limb begins, but
+    for arms that cross: there the left one goes over the other."""
+
+    depth_m: FloatArray
+    out: FloatArray
+    on_limb: FloatArray
+    on_other: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Posed:
+    """Frames of a body: local rotations (T, J, 4), and positions and orientations of the joints that carry a part that
+    is compared."""
+
+    rotations: FloatArray
+    positions_m: FloatArray
+    orientations: FloatArray
+
+    @classmethod
+    def of(cls, skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> "Posed":
+        joints = {skeleton.index[BUILD[number].joint] for number in _USED}
+        return cls(rotations, *forward(skeleton, rotations, hips_m, _with_parents(skeleton, joints)))
+
+    def frames(self, which: slice | NDArray[np.intp]) -> "Posed":
+        return Posed(self.rotations[which], self.positions_m[which], self.orientations[which])
+
+    def with_arms(self, skeleton: Skeleton, rotations: FloatArray) -> "Posed":
+        """The same frames, but for the arms."""
+        arms = frozenset(
+            skeleton.chain(*(side + joint for side in SIDES for joint in ("UpperArm", "LowerArm", "Hand")))
+        )
+        return Posed(rotations, *forward_again(skeleton, rotations, self.positions_m, self.orientations, arms))
+
+
+def contacts(skeleton: Skeleton, body: Posed) -> Contacts:
+    """Every pair in every frame."""
+    starts, ends = _lines(skeleton, body)
+    start, other_start = starts[_LIMB_COLUMN], starts[_OTHER_COLUMN]
+    along, other = (ends - starts)[_LIMB_COLUMN], (ends - starts)[_OTHER_COLUMN]
+    on_limb, on_other = _nearest(along, other, start - other_start)
+    apart = start - other_start + on_limb[..., None] * along - on_other[..., None] * other
+    depth_m = RADII_M[:, None] - np.sqrt(_dot(apart, apart))
+    out, inside = np.zeros_like(apart), np.nonzero(depth_m > 0)
+    if len(inside[0]):
+        aside = _aside(along[inside], other[inside], (start - other_start - other / 2)[inside], _CROSSING[inside[0]])
+        distance_m = (RADII_M[:, None] - depth_m)[inside][:, None]
+        out[inside] = _of_length_1(apart[inside] + aside * _CENTRAL_M * np.exp(-distance_m / _CENTRAL_M))
+    return Contacts(depth_m.T, out.swapaxes(0, 1), on_limb.T, on_other.T)
+
+
+def depths_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FloatArray:
+    """How deep every pair is in every frame (T, P), positive inside."""
+    blocks = (slice(first, first + _BLOCK) for first in range(0, len(rotations), _BLOCK))
+    return np.concatenate(
+        [contacts(skeleton, Posed.of(skeleton, rotations[block], hips_m[block])).depth_m for block in blocks]
+    )
+
+
+def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FloatArray:
+    """How deep the deepest forearm or hand is in the body or the other arm in each frame: (T,), 0 where none is."""
+    return np.asarray(np.maximum(depths_m(skeleton, rotations, hips_m).max(axis=1), 0.0))
+
+
+def _lines(skeleton: Skeleton, body: Posed) -> tuple[FloatArray, FloatArray]:
+    """Both ends (parts, T, 3) of the lines of the parts that are compared, in the world."""
+    joints = [skeleton.index[BUILD[number].joint] for number in _USED]
+    at = np.moveaxis(body.positions_m, 1, 0)[joints]
+    turned = np.moveaxis(body.orientations, 1, 0)[joints]
+    ends = [[getattr(BUILD[number], end) for number in _USED] for end in ("start_m", "end_m")]
+    starts, stops = (at + rotate(turned, np.array(end)[:, None]) for end in ends)
+    return starts, stops
+
+
+def _with_parents(skeleton: Skeleton, joints: Iterable[int]) -> frozenset[int]:
+    found: set[int] = set()
+    for joint in joints:
+        above = joint
+        while above >= 0 and above not in found:
+            found.add(above)
+            above = skeleton.parents[above]
+    return frozenset(found)
+
+
+def _nearest(along: FloatArray, other: FloatArray, apart: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Where two lines of directions `along` and `other` (…, 3) are nearest, as shares of each, their starts being
+    `apart` (Ericson, Real-Time Collision Detection, §5.1.9)."""
+    a, e, b = _dot(along, along), _dot(other, other), _dot(along, other)
+    c, f = _dot(along, apart), _dot(other, apart)
+    parallel = np.maximum(a * e - b * b, 1e-12)
+    on_limb = np.clip((b * f - c * e) / parallel, 0.0, 1.0)
+    on_other = np.clip((b * on_limb + f) / e, 0.0, 1.0)
+    return np.clip((b * on_other - c) / a, 0.0, 1.0), on_other
+
+
+def _aside(along: FloatArray, other: FloatArray, back: FloatArray, arms: FloatArray) -> FloatArray:
+    """The way out (…, 3) for limbs whose line meets the other's; `arms` (…) is 1 where both are arms, else 0."""
+    over = cross(_of_length_1(along), _of_length_1(other)) * arms[..., None]
+    over = over * np.where(_dot(over, np.array([0.0, 1.0, 1.0])) < 0, -1.0, 1.0)[..., None]
+    crossing = np.sqrt(_dot(over, over))[..., None]
+    return np.asarray(over + (1 - crossing) * _of_length_1(back))
+
+
+def _of_length_1(vector: FloatArray) -> FloatArray:
+    return np.asarray(vector / np.maximum(np.sqrt(_dot(vector, vector)), 1e-9)[..., None])
+
+
+def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
+    return np.asarray(np.einsum("...k,...k->...", a, b))

@@ -1,0 +1,183 @@
+"""How far joints turn (shared/motion.md): measured and kept to.
+
+Conventions: a joint's rotation is parted into a twist about its bone and a bend without twist, whose rotation vector
+gives the other two angles; so the three angles stand on the axes x, y, z of the left side's joint, degrees, and the
+right's are those of its mirror image. The upper arm is measured in the upper chest's space from an arm that hangs with
+its elbow crease forward, because there flexion (-x), abduction (z) and rotation (y, inwards negative) mean what
+anatomy says.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...model import FloatArray
+from ..geometry.rotations import about, from_rotation_vector, inverse, multiply, nearest_sign
+from .skeleton import FINGERS, SIDES, Skeleton
+
+Degrees = tuple[float, float, float]
+
+_HANGING = about((0.0, 0.0, 1.0), np.array(-np.pi / 2))
+_TOLERATED_DEG = 1e-3
+_NEAR_ZERO = 1e-12
+MIRROR: FloatArray = np.array([1.0, -1.0, -1.0, 1.0])
+"""Times a rotation: its mirror image on the body's other side."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """Angles of a chain of joints (their rotations multiplied), or of one: `bone` is the axis, 0 to 2, of the twist."""
+
+    joints: tuple[str, ...]
+    bone: int
+    lowest_deg: Degrees
+    highest_deg: Degrees
+    from_hanging: bool = False
+
+
+_TRUNK = (
+    Limit(("spine", "chest", "upperChest"), 1, (-30.0, -45.0, -35.0), (70.0, 45.0, 35.0)),
+    Limit(("neck", "head"), 1, (-45.0, -60.0, -45.0), (45.0, 60.0, 45.0)),
+)
+_SHOULDER = Limit(("Shoulder", "UpperArm"), 1, (-180.0, -70.0, -80.0), (60.0, 90.0, 180.0), from_hanging=True)
+_ARM = (
+    Limit(("Shoulder",), 0, (-10.0, -30.0, -12.0), (10.0, 20.0, 45.0)),
+    _SHOULDER,
+    Limit(("LowerArm",), 0, (-80.0, -150.0, 0.0), (80.0, 0.0, 0.0)),
+    Limit(("Hand",), 0, (0.0, -20.0, -80.0), (0.0, 30.0, 70.0)),
+)
+_PHALANGES = tuple(
+    Limit((finger + phalanx,), 0, lowest, highest)
+    for finger in FINGERS[1:]
+    for phalanx, lowest, highest in (
+        ("Proximal", (-25.0, -30.0, -95.0), (25.0, 30.0, 30.0)),
+        ("Intermediate", (-5.0, -5.0, -115.0), (5.0, 5.0, 5.0)),
+        ("Distal", (-5.0, -5.0, -90.0), (5.0, 5.0, 10.0)),
+    )
+)
+
+
+def _sided(side: str, limit: Limit) -> Limit:
+    joints = tuple(side + joint for joint in limit.joints)
+    return Limit(joints, limit.bone, limit.lowest_deg, limit.highest_deg, limit.from_hanging)
+
+
+LIMITS: tuple[Limit, ...] = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in (*_ARM, *_PHALANGES)))
+
+
+def violations(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
+    """How many degrees each of `LIMITS` is passed by (…, limits) in local rotations (…, J, 4); 0 where it is kept."""
+    passed = np.zeros((*rotations.shape[:-2], len(LIMITS)))
+    for columns in _alike(LIMITS):
+        lowest, highest = _bounds(LIMITS, columns)
+        angles = _measured(skeleton, LIMITS, columns, rotations)
+        over = np.maximum(angles - highest, lowest - angles).max(axis=-1)
+        passed[..., columns] = np.where(over > _TOLERATED_DEG, over, 0.0)
+    return passed
+
+
+def clamped(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
+    """The same local rotations (…, J, 4) with trunk, neck and arms brought back to their limits; where a limit is on a
+    chain, its last joint is turned back. Fingers are left to their tables."""
+    limits = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in _ARM))
+    kept = rotations.copy()
+    for columns in _alike(limits):
+        lowest, highest = _bounds(limits, columns)
+        angles = _measured(skeleton, limits, columns, kept)
+        over = np.maximum(angles - highest, lowest - angles).max(axis=-1) > _TOLERATED_DEG
+        for place, column in enumerate(columns):
+            if over[..., place].any():
+                last = skeleton.index[limits[column].joints[-1]]
+                within = _brought_back(skeleton, limits[column], kept, angles[..., place, :])
+                kept[..., last, :] = np.where(over[..., place, None], within, kept[..., last, :])
+    return kept
+
+
+def _brought_back(skeleton: Skeleton, limit: Limit, rotations: FloatArray, angles_deg: FloatArray) -> FloatArray:
+    """The chain's last joint (…, 4) as it must be for the chain's angles (…, 3) to be within the limit."""
+    within = _joined(limit, np.clip(angles_deg, limit.lowest_deg, limit.highest_deg))
+    if limit.joints[0].startswith("right"):
+        within = within * MIRROR
+    *above, last = skeleton.chain(*limit.joints)
+    for joint in above:
+        within = multiply(inverse(rotations[..., joint, :]), within)
+    return nearest_sign(within, rotations[..., last, :])
+
+
+def parted_deg(rotation: FloatArray, bone: int) -> FloatArray:
+    """Rotations (…, 4) as three angles in degrees: the twist on the axis `bone`, the bend's rotation vector on the
+    others."""
+    one, other = (bone + 1) % 3, (bone + 2) % 3
+    w, along, a, b = rotation[..., 3], rotation[..., bone], rotation[..., one], rotation[..., other]
+    size = np.hypot(w, along)
+    cosine, sine = (
+        np.where(size > _NEAR_ZERO, part / np.maximum(size, _NEAR_ZERO), to) for part, to in ((w, 1), (along, 0))
+    )
+    bend_a, bend_b = a * cosine - b * sine, b * cosine + a * sine
+    bent = np.hypot(bend_a, bend_b)
+    scale = np.where(bent > _NEAR_ZERO, 2 * np.arctan2(bent, size) / np.maximum(bent, _NEAR_ZERO), 2.0)
+    angles = np.empty((*rotation.shape[:-1], 3))
+    angles[..., bone] = 2 * np.arctan2(along * np.where(w < 0, -1.0, 1.0), np.abs(w))
+    angles[..., one], angles[..., other] = bend_a * scale, bend_b * scale
+    return np.asarray(np.degrees(angles))
+
+
+def shoulder_deg(orientation: FloatArray) -> FloatArray:
+    """The left upper arm's angles, its orientation (…, 4) being in the upper chest's space."""
+    return parted_deg(multiply(orientation, inverse(_HANGING)), 1)
+
+
+def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
+    """The left upper arm's orientation (…, 4) in the upper chest's space, brought back to what a shoulder allows."""
+    angles = shoulder_deg(orientation)
+    within = np.clip(angles, _SHOULDER.lowest_deg, _SHOULDER.highest_deg)
+    passed = (within != angles).any(axis=-1, keepdims=True)
+    return np.asarray(np.where(passed, _joined(_SHOULDER, within), orientation)) if passed.any() else orientation
+
+
+def within_neck_limits(turned: FloatArray) -> FloatArray:
+    """The head's rotation (…, 4) over the upper chest, brought back to what neck and head together allow."""
+    neck, angles = _TRUNK[1], parted_deg(turned, 1)
+    within = np.clip(angles, neck.lowest_deg, neck.highest_deg)
+    passed = (within != angles).any(axis=-1, keepdims=True)
+    return np.asarray(np.where(passed, _joined(neck, within), turned)) if passed.any() else turned
+
+
+def _about_bone(bone: int, angle: FloatArray) -> FloatArray:
+    axis = np.zeros(3)
+    axis[bone] = 1.0
+    return from_rotation_vector(angle[..., None] * axis)
+
+
+def _alike(limits: Sequence[Limit]) -> list[list[int]]:
+    """The limits' columns, those that are measured alike together, for speed."""
+    kinds = [(limit.bone, limit.from_hanging, len(limit.joints)) for limit in limits]
+    return [[column for column, other in enumerate(kinds) if other == kind] for kind in dict.fromkeys(kinds)]
+
+
+def _measured(skeleton: Skeleton, limits: Sequence[Limit], columns: Sequence[int], rotations: FloatArray) -> FloatArray:
+    """The angles (…, n, 3) of limits that are measured alike."""
+    alike = [limits[column] for column in columns]
+    chains = np.array([skeleton.chain(*limit.joints) for limit in alike]).T
+    rotation = rotations[..., chains[0], :]
+    for joints in chains[1:]:
+        rotation = multiply(rotation, rotations[..., joints, :])
+    right = np.array([limit.joints[0].startswith("right") for limit in alike])
+    rotation = np.where(right[:, None], rotation * MIRROR, rotation)
+    return shoulder_deg(rotation) if alike[0].from_hanging else parted_deg(rotation, alike[0].bone)
+
+
+def _bounds(limits: Sequence[Limit], columns: list[int]) -> tuple[FloatArray, FloatArray]:
+    lowest, highest = ([getattr(limits[column], end) for column in columns] for end in ("lowest_deg", "highest_deg"))
+    return np.array(lowest), np.array(highest)
+
+
+def _joined(limit: Limit, angles_deg: FloatArray) -> FloatArray:
+    """Back from three angles to the rotation."""
+    angles = np.radians(angles_deg)
+    twist = _about_bone(limit.bone, angles[..., limit.bone])
+    bend = angles.copy()
+    bend[..., limit.bone] = 0.0
+    rotation = multiply(from_rotation_vector(bend), twist)
+    return multiply(rotation, _HANGING) if limit.from_hanging else rotation

@@ -1,0 +1,142 @@
+"""The body: joints by their VRM 1.0 humanoid names, in VRM's T-pose, and where they get to when they turn.
+
+Conventions (shared/motion.md): metres, Y up, the character faces +Z, its left is +X, feet on Y = 0. All joints' axes
+lie along the world's in the T-pose, so a rotation of the identity is the T-pose. In it palms face down and thumbs
+forward. Joints stand in an order in which parents come before their children.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+
+from ...model import FloatArray
+from ..geometry.rotations import multiply, rotate
+
+Offset = tuple[float, float, float]
+
+HIPS_HEIGHT_M = 0.95
+
+_TRUNK: dict[str, tuple[str, Offset]] = {
+    "spine": ("hips", (0.0, 0.08, 0.0)),
+    "chest": ("spine", (0.0, 0.12, 0.0)),
+    "upperChest": ("chest", (0.0, 0.13, -0.01)),
+    "neck": ("upperChest", (0.0, 0.15, -0.01)),
+    "head": ("neck", (0.0, 0.10, 0.01)),
+}
+_LEFT: dict[str, tuple[str, Offset]] = {
+    "Eye": ("head", (0.032, 0.075, 0.085)),
+    "Shoulder": ("upperChest", (0.025, 0.10, 0.01)),
+    "UpperArm": ("Shoulder", (0.145, -0.01, -0.015)),
+    "LowerArm": ("UpperArm", (0.28, 0.0, 0.0)),
+    "Hand": ("LowerArm", (0.25, 0.0, 0.0)),
+    "ThumbMetacarpal": ("Hand", (0.02, -0.012, 0.028)),
+    "ThumbProximal": ("ThumbMetacarpal", (0.034, -0.006, 0.024)),
+    "ThumbDistal": ("ThumbProximal", (0.028, -0.003, 0.014)),
+    "IndexProximal": ("Hand", (0.088, 0.0, 0.026)),
+    "IndexIntermediate": ("IndexProximal", (0.040, 0.0, 0.0)),
+    "IndexDistal": ("IndexIntermediate", (0.024, 0.0, 0.0)),
+    "MiddleProximal": ("Hand", (0.090, 0.002, 0.004)),
+    "MiddleIntermediate": ("MiddleProximal", (0.044, 0.0, 0.0)),
+    "MiddleDistal": ("MiddleIntermediate", (0.027, 0.0, 0.0)),
+    "RingProximal": ("Hand", (0.085, 0.0, -0.017)),
+    "RingIntermediate": ("RingProximal", (0.040, 0.0, 0.0)),
+    "RingDistal": ("RingIntermediate", (0.025, 0.0, 0.0)),
+    "LittleProximal": ("Hand", (0.078, -0.004, -0.036)),
+    "LittleIntermediate": ("LittleProximal", (0.032, 0.0, 0.0)),
+    "LittleDistal": ("LittleIntermediate", (0.019, 0.0, 0.0)),
+    "UpperLeg": ("hips", (0.09, -0.04, 0.0)),
+    "LowerLeg": ("UpperLeg", (0.0, -0.42, 0.01)),
+    "Foot": ("LowerLeg", (0.0, -0.41, -0.03)),
+    "Toes": ("Foot", (0.0, -0.06, 0.14)),
+}
+
+FINGERS = ("Thumb", "Index", "Middle", "Ring", "Little")
+SIDES = ("left", "right")
+
+
+def _joints() -> dict[str, tuple[str | None, Offset]]:
+    found: dict[str, tuple[str | None, Offset]] = {"hips": (None, (0.0, HIPS_HEIGHT_M, 0.0)), **_TRUNK}
+    for side, sign in (("left", 1.0), ("right", -1.0)):
+        for name, (parent, (x, y, z)) in _LEFT.items():
+            found[side + name] = (side + parent if parent in _LEFT else parent, (sign * x, y, z))
+    return found
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Skeleton:
+    """Joint names, the index of each joint's parent (-1 at the hips), and each joint's place in its parent (J, 3), for
+    the hips their place in the world."""
+
+    names: tuple[str, ...]
+    parents: tuple[int, ...]
+    offsets_m: FloatArray
+    index: Mapping[str, int]
+
+    @classmethod
+    def standing(cls) -> "Skeleton":
+        """The body that we ship: an adult of 1.73 m."""
+        joints = _joints()
+        index = {name: number for number, name in enumerate(joints)}
+        parents = tuple(-1 if parent is None else index[parent] for parent, _offset in joints.values())
+        offsets = np.array([offset for _parent, offset in joints.values()])
+        offsets.setflags(write=False)
+        return cls(tuple(joints), parents, offsets, MappingProxyType(index))
+
+    def chain(self, *names: str) -> list[int]:
+        """The indices of the joints of these names."""
+        return [self.index[name] for name in names]
+
+
+def forward(
+    skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, only: frozenset[int] | None = None
+) -> tuple[FloatArray, FloatArray]:
+    """Positions (…, J, 3) and orientations (…, J, 4) in the world, of local rotations (…, J, 4) and hips (…, 3).
+
+    With `only`, a set of joints that holds each one's parents, the others are left at zero.
+    """
+    positions = np.zeros((*rotations.shape[:-1], 3))
+    orientations = np.zeros(rotations.shape)
+    positions[..., 0, :], orientations[..., 0, :] = hips_m, rotations[..., 0, :]
+    _place(skeleton, rotations, positions, orientations, only)
+    return positions, orientations
+
+
+def forward_again(
+    skeleton: Skeleton, rotations: FloatArray, positions: FloatArray, orientations: FloatArray, turned: frozenset[int]
+) -> tuple[FloatArray, FloatArray]:
+    """`forward` where only the joints `turned` (not the hips) have new rotations, and those below them do not matter:
+    the positions and orientations of before, with theirs anew."""
+    positions, orientations = positions.copy(), orientations.copy()
+    _place(skeleton, rotations, positions, orientations, turned)
+    return positions, orientations
+
+
+def _place(
+    skeleton: Skeleton,
+    rotations: FloatArray,
+    positions: FloatArray,
+    orientations: FloatArray,
+    only: frozenset[int] | None,
+) -> None:
+    """Fills in the joints' positions and orientations, their parents' being there."""
+    for joints, parents in _generations(skeleton, only):
+        above = orientations[..., parents, :]
+        positions[..., joints, :] = positions[..., parents, :] + rotate(above, skeleton.offsets_m[joints])
+        orientations[..., joints, :] = multiply(above, rotations[..., joints, :])
+
+
+def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[list[int], list[int]]]:
+    """Joints, and their parents, that are equally far from the hips: all that can be placed at once."""
+    depth = [0] * len(skeleton.parents)
+    found: list[tuple[list[int], list[int]]] = []
+    for joint, parent in enumerate(skeleton.parents):
+        if parent >= 0:
+            depth[joint] = depth[parent] + 1
+            if only is None or joint in only:
+                found += [([], []) for _ in range(depth[joint] - len(found))]
+                joints, parents = found[depth[joint] - 1]
+                joints.append(joint)
+                parents.append(parent)
+    return [generation for generation in found if generation[0]]

@@ -1,0 +1,106 @@
+"""What the face does besides speaking: brows, cheeks, lids, nose and mouth by FACS units and lexemes (paper §3.8).
+
+A behaviour rises from `start` to its whole amount at `ready`, keeps it to `relax` and is gone at `end`, each way as a
+minimum-jerk movement (Flash & Hogan 1985). Behaviours that move the same shape add up as 1 - Π(1 - weight): in whatever
+order, without a corner, and never beyond 1.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+
+from ...model import Behavior, Channel, FloatArray, SyncPoints
+from ..body.motion import SHAPES, Decision
+from ..geometry.easing import minimum_jerk
+from .face_tables import Side, sided
+
+FACIAL = frozenset({Channel.FACE, Channel.EYES})
+
+_SIDES: Mapping[str, Side] = MappingProxyType({side.value: side for side in Side})
+
+USUAL_AMOUNT = 0.5
+"""BML 1.0's amount of a face that says none; a blink that says none is whole."""
+
+LEAST_RISE_S = 0.05
+LEAST_FALL_S = 0.07
+"""No shape is made or left faster, whatever the sync points say: the quickest blinks close in 50 ms."""
+
+USUAL_RISE_S = 0.15
+USUAL_FALL_S = 0.3
+"""For a face of which only start and end are known; at most a third of it each."""
+
+
+def expressions(
+    words: Mapping[str, FloatArray], behaviors: tuple[Behavior, ...], times_s: FloatArray, frame_s: float
+) -> FloatArray:
+    """The weights (T, 52) of all faces that were kept and whose word is in `words`; others have a `Decision`."""
+    left = np.ones((len(times_s), len(SHAPES)))
+    for behavior in behaviors:
+        side = _side(behavior)
+        if _is_facial(behavior) and behavior.lexeme in words and side:
+            points_s = envelope_points(behavior.sync, frame_s)
+            first, last = np.searchsorted(times_s, [points_s[0], points_s[-1]])
+            if first == last:
+                continue
+            weights = sided(words[behavior.lexeme], side)
+            height = envelope(times_s[first:last], points_s) * _amount(behavior)
+            moved = np.flatnonzero(weights)
+            left[first:last, moved] *= 1 - height[:, None] * weights[moved]
+    return 1 - left
+
+
+def unknown_faces(words: Mapping[str, FloatArray], behaviors: tuple[Behavior, ...]) -> tuple[Decision, ...]:
+    """One for each face that is not shown, since the tables have no such word or a face has no such side."""
+    found = []
+    for behavior in behaviors:
+        if _is_facial(behavior) and behavior.lexeme not in words:
+            reason = f"lexicon/face.yaml has no face {behavior.lexeme!r}"
+            found.append(Decision(behavior.id, "dropped", reason))
+        elif _is_facial(behavior) and _side(behavior) is None:
+            reason = f"a face is LEFT, RIGHT or BOTH, not {behavior.direction!r}"
+            found.append(Decision(behavior.id, "dropped", reason))
+    return tuple(found)
+
+
+def realized_faces(behaviors: tuple[Behavior, ...], frame_s: float) -> dict[str, SyncPoints]:
+    """When each face that was kept really begins, is whole, relaxes and ends, by its id."""
+    found = {}
+    for behavior in behaviors:
+        if _is_facial(behavior):
+            start_s, ready_s, relax_s, end_s = envelope_points(behavior.sync, frame_s)
+            found[behavior.id] = SyncPoints(start=start_s, ready=ready_s, relax=relax_s, end=end_s)
+    return found
+
+
+def envelope(times_s: FloatArray, points_s: tuple[float, float, float, float]) -> FloatArray:
+    """From 0 at the first point to 1 at the second, and from the third back to 0 at the fourth."""
+    start_s, ready_s, relax_s, end_s = points_s
+    rise = np.clip((times_s - start_s) / (ready_s - start_s), 0, 1)
+    fall = np.clip((times_s - relax_s) / (end_s - relax_s), 0, 1)
+    return np.asarray(minimum_jerk(rise) - minimum_jerk(fall))
+
+
+def envelope_points(sync: SyncPoints, frame_s: float) -> tuple[float, float, float, float]:
+    """Start, ready, relax and end, the unknown ones filled in; whole for a frame at least, so that every frame rate
+    shows it, and never faster than the least rise and fall: then it begins sooner or ends later."""
+    third_s = (sync.end - sync.start) / 3
+    ready_s = sync.start + min(USUAL_RISE_S, third_s) if sync.ready is None else sync.ready
+    relax_s = max(sync.end - min(USUAL_FALL_S, third_s), ready_s) if sync.relax is None else sync.relax
+    relax_s = max(relax_s, ready_s + frame_s)
+    return min(sync.start, ready_s - LEAST_RISE_S), ready_s, relax_s, max(sync.end, relax_s + LEAST_FALL_S)
+
+
+def _is_facial(behavior: Behavior) -> bool:
+    return behavior.kept and behavior.kind in FACIAL
+
+
+def _side(behavior: Behavior) -> Side | None:
+    """The side that a face takes, from its `direction`; None if a face has no such side."""
+    return _SIDES.get((behavior.direction or Side.BOTH).lower())
+
+
+def _amount(behavior: Behavior) -> float:
+    if behavior.amount is not None:
+        return min(max(behavior.amount, 0.0), 1.0)
+    return 1.0 if behavior.kind is Channel.EYES else USUAL_AMOUNT

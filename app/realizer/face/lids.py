@@ -1,0 +1,47 @@
+"""Eyes as shapes, and the lids that go with them: looks from the turn of the body's eye joints, lids that follow them.
+
+Conventions: an eye looks along its joint's +Z; up and to the character's left (+X) count as positive. ARKit's looks are
+what the lids do with a gaze; the balls turn with the eye joints. Faces without eye joints turn them by the looks.
+"""
+
+import numpy as np
+
+from ...model import FloatArray
+from ..body.motion import SHAPES, BodyMotion
+from ..body.skeleton import Skeleton
+from ..geometry.rotations import rotate
+from .face_tables import INDEX, EyeTable
+
+SIDES = ("Left", "Right")
+
+_OF_LIDS = ("eyeBlink{}", "eyeWide{}", "eyeSquint{}", "eyeLookDown{}")
+_AHEAD: FloatArray = np.array([0.0, 0.0, 1.0])
+_AHEAD.setflags(write=False)
+
+
+def looks(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> FloatArray:
+    """The weights (T, 52) of the eight looks."""
+    shapes = np.zeros((len(body.times_s), len(SHAPES)))
+    for side, outwards in (("Left", 1.0), ("Right", -1.0)):
+        gaze = rotate(body.rotations[:, skeleton.index[side.lower() + "Eye"]], _AHEAD)
+        out_deg = outwards * np.rad2deg(np.arctan2(gaze[:, 0], gaze[:, 2]))
+        up_deg = np.rad2deg(np.arcsin(np.clip(gaze[:, 1], -1, 1)))
+        turns = {"Out": out_deg / table.out_deg, "In": -out_deg / table.in_deg}
+        turns |= {"Up": up_deg / table.up_deg, "Down": -up_deg / table.down_deg}
+        for way, share in turns.items():
+            shapes[:, INDEX[f"eyeLook{way}{side}"]] = np.clip(share, 0, 1)
+    return shapes
+
+
+def with_lids(table: EyeTable, shapes: FloatArray) -> FloatArray:
+    """The weights with lids that follow the looks; a lid that closes is no longer wide, squints less, and looks down no
+    more, which would push it beyond shut."""
+    shapes = shapes.copy()
+    for side in SIDES:
+        blink, wide, squint, look_down = (shapes[:, INDEX[name.format(side)]] for name in _OF_LIDS)
+        look_down *= 1 - blink
+        blink += (1 - blink) * table.lids_down * look_down
+        wide += (1 - wide) * table.lids_up * shapes[:, INDEX["eyeLookUp" + side]]
+        wide *= (1 - blink) * (1 - 0.5 * squint)
+        squint *= 1 - 0.5 * blink
+    return shapes

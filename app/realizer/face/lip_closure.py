@@ -1,0 +1,71 @@
+"""When the lips close: the measure of a face's P, B, M, F and V.
+
+Lips are shut for P, B and M, lower lip and upper teeth for F and V. The opening is told in parts of the jaw's: what
+`mouthClose` does not close of `jawOpen`, and what lips add that are raised, lowered or funnelled.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...model import FloatArray, Interval, Viseme
+from .face_tables import INDEX
+
+BILABIAL, LABIODENTAL = "PP", "FF"
+
+SHUT = 0.01
+"""An opening that nobody sees, in parts of all that the jaw can."""
+
+LIP_SHARE = 0.25
+"""How far a lip that is wholly raised, lowered or funnelled opens the mouth, in parts of a jaw that is wholly open."""
+
+
+@dataclass(frozen=True, slots=True)
+class Closure:
+    """A viseme that wants the mouth shut, and when it is shut for it; None: it never is."""
+
+    viseme: Viseme
+    shut: Interval | None
+
+
+def lip_opening(shapes: FloatArray, *, to_teeth: bool = False) -> FloatArray:
+    """Between the lips (T,), or between lower lip and upper teeth, which the upper lip does not change."""
+    jaw = shapes[:, INDEX["jawOpen"]] - shapes[:, INDEX["mouthClose"]]
+    opening = jaw + LIP_SHARE * (_pair(shapes, "mouthLowerDown") + shapes[:, INDEX["mouthFunnel"]])
+    return opening if to_teeth else opening + LIP_SHARE * _pair(shapes, "mouthUpperUp")
+
+
+def lip_closures(visemes: tuple[Viseme, ...], shapes: FloatArray, times_s: FloatArray) -> tuple[Closure, ...]:
+    """One for each bilabial and labiodental: the time around the least opening within its phone in which it is shut."""
+    openings = {BILABIAL: lip_opening(shapes), LABIODENTAL: lip_opening(shapes, to_teeth=True)}
+    return tuple(
+        Closure(viseme, _shut(openings[viseme.label], times_s, viseme.interval))
+        for viseme in visemes
+        if viseme.label in openings
+    )
+
+
+def _shut(opening: FloatArray, times_s: FloatArray, phone: Interval) -> Interval | None:
+    first, behind = np.searchsorted(times_s, [phone.start_s, phone.end_s])
+    first = min(int(first), len(times_s) - 1)
+    least = first + int(np.argmin(opening[first : max(int(behind), first + 1)]))
+    if opening[least] > SHUT:
+        return None
+    is_open = np.flatnonzero(opening > SHUT)
+    next_open = int(np.searchsorted(is_open, least))
+    start_s, end_s = float(times_s[0]), float(times_s[-1])
+    if next_open > 0:
+        start_s = _crossing(opening, times_s, int(is_open[next_open - 1]), int(is_open[next_open - 1]) + 1)
+    if next_open < len(is_open):
+        end_s = _crossing(opening, times_s, int(is_open[next_open]), int(is_open[next_open]) - 1)
+    return Interval(start_s, end_s)
+
+
+def _crossing(opening: FloatArray, times_s: FloatArray, outside: int, inside: int) -> float:
+    """When the opening passes `SHUT` between two neighbouring frames."""
+    share = (opening[outside] - SHUT) / (opening[outside] - opening[inside])
+    return float(times_s[outside] + share * (times_s[inside] - times_s[outside]))
+
+
+def _pair(shapes: FloatArray, name: str) -> FloatArray:
+    return np.asarray(shapes[:, [INDEX[name + "Left"], INDEX[name + "Right"]]].mean(axis=1))

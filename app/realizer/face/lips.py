@@ -1,0 +1,121 @@
+"""Lip sync: the schedule's visemes as mouth, jaw and tongue (paper §3.8, "Lip Syncing").
+
+The jaw opens as far as the schedule says, wider under stress; every other shape is the viseme's own, as far as it is
+articulated. Who wins where two visemes want something else is `coarticulation`'s matter. `mouthClose` is reckoned as a
+part of the jaw's opening, so that lips that meet do meet, and it is never more than `jawOpen`.
+
+Lips lead the sound by `LEAD_S`: the mouth has its shape when the sound begins, not after. Viewers notice picture behind
+sound from 45 ms on, picture before sound only from 125 ms on (ITU-R BT.1359-1), so the lead is on the safe side; more
+would part the lips of a P before it is heard.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...model import FloatArray, Interval, Viseme
+from ..body.motion import SHAPES
+from .coarticulation import Segments, blend
+from .face_tables import INDEX, SILENCE, VISEMES, Articulator, VisemeTable
+
+LEAD_S = 0.015
+
+WHOLE_PAUSE_S = 0.12
+"""A silence that is shorter has less say: nobody shuts the mouth for the tenth of a second between two words."""
+
+_JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
+_MARGIN_S = 1.0
+"""More than the horizon of coarticulation."""
+
+_NEAR_ZERO = 1e-9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Speech:
+    """The mouth as speech has it, `shapes` (T, 52), and the part left to expressions: of the mouth's `corners`
+    (T,), and of `lips` and jaw (T,), which are free in silence alone."""
+
+    shapes: FloatArray
+    corners: FloatArray
+    lips: FloatArray
+
+
+def speak(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> Speech:
+    """The mouth at `times_s` of the audio; shut where nothing is said."""
+    spoken, segments = _segmented(visemes, times_s)
+    columns = np.flatnonzero(np.array(table.articulator) >= 0)
+    channels = np.array(table.articulator)[columns]
+    order = list(Articulator)
+    extra = [order.index(Articulator.ROUNDING), order.index(Articulator.LIPS)]
+    leaves = np.stack([table.leaves_corners[segments.kind], segments.kind == VISEMES.index(SILENCE)], axis=-1)
+    targets = np.concatenate([_targets(table, spoken, segments)[:, columns], leaves], axis=-1)
+    mean = blend(table.dominance, segments, targets, np.array([*channels, *extra]), times_s + LEAD_S)
+    shapes = np.zeros((len(times_s), len(SHAPES)))
+    shapes[:, columns] = mean[:, :-2]
+    shapes[:, _CLOSE] = np.minimum(shapes[:, _CLOSE], 1) * shapes[:, _JAW]
+    return Speech(shapes, corners=mean[:, -2], lips=mean[:, -1])
+
+
+def viseme_weights(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> FloatArray:
+    """How much of each viseme the mouth has (T, 15), for rigs that have them as shapes: in [0, 1], together at most 1.
+
+    One dominance for the whole mouth, in which each viseme has at least an equal say, so that none is passed over.
+    Those that close the lips press on as they do in `speak`, at the cost of the others.
+    """
+    spoken, segments = _segmented(visemes, times_s)
+    equal = replace(table.dominance, strength=np.maximum(table.dominance.strength, 1))
+    mouth = np.full(len(VISEMES), list(Articulator).index(Articulator.LIPS))
+    targets = np.eye(len(VISEMES))[segments.kind] * _articulation(spoken, segments)[:, None]
+    return _pressed(blend(equal, segments, targets, mouth, times_s + LEAD_S), table.targets[:, _CLOSE])
+
+
+def _pressed(shares: FloatArray, closing: FloatArray) -> FloatArray:
+    """The shares (T, 15) with those of visemes whose lips close beyond contact grown by as much, up to 1 in all."""
+    grown = shares * np.where(closing > 1, closing, 0)
+    grown /= np.maximum(grown.sum(axis=1, keepdims=True), 1)
+    others = shares * (closing <= 1)
+    left = np.maximum(1 - grown.sum(axis=1, keepdims=True), 0)
+    return np.asarray(grown + others * np.minimum(left / np.maximum(others.sum(axis=1, keepdims=True), _NEAR_ZERO), 1))
+
+
+def _articulation(visemes: tuple[Viseme, ...], segments: Segments) -> FloatArray:
+    """How much of its shape each is; silence is always whole."""
+    silent = segments.kind == VISEMES.index(SILENCE)
+    return np.where(silent, 1.0, [viseme.articulation for viseme in visemes])
+
+
+def _targets(table: VisemeTable, visemes: tuple[Viseme, ...], segments: Segments) -> FloatArray:
+    """(segments, 52): each viseme's own shape."""
+    targets = table.targets[segments.kind] * _articulation(visemes, segments)[:, None]
+    targets[:, _JAW] = np.array([viseme.opening for viseme in visemes]) * table.widest_jaw
+    return np.asarray(targets)
+
+
+def _segmented(visemes: tuple[Viseme, ...], times_s: FloatArray) -> tuple[tuple[Viseme, ...], Segments]:
+    """What is said within a second of the frames, without gaps, and the same as arrays."""
+    start_s, end_s = float(times_s[0]) - _MARGIN_S, float(times_s[-1]) + _MARGIN_S
+    near = (each for each in visemes if each.interval.end_s > start_s and each.interval.start_s < end_s)
+    spoken = tuple(_without_gaps(near, start_s, end_s))
+    kind = np.array([VISEMES.index(viseme.label) for viseme in spoken])
+    bounds_s = np.array([(viseme.interval.start_s, viseme.interval.end_s) for viseme in spoken])
+    pause = np.clip((bounds_s[:, 1] - bounds_s[:, 0]) / WHOLE_PAUSE_S, _NEAR_ZERO, 1)
+    weight = np.where(kind == VISEMES.index(SILENCE), pause, 1.0)
+    return spoken, Segments(kind, bounds_s[:, 0], bounds_s[:, 1], weight)
+
+
+def _without_gaps(visemes: Iterable[Viseme], start_s: float, end_s: float) -> Iterator[Viseme]:
+    """The visemes with silence wherever there is none, from `start_s` to `end_s`."""
+    at_s = start_s
+    for viseme in visemes:
+        if viseme.interval.start_s > at_s:
+            yield _silence(at_s, viseme.interval.start_s)
+        if viseme.interval.end_s > at_s:
+            yield replace(viseme, interval=Interval(max(at_s, viseme.interval.start_s), viseme.interval.end_s))
+            at_s = viseme.interval.end_s
+    if end_s > at_s:
+        yield _silence(at_s, end_s)
+
+
+def _silence(start_s: float, end_s: float) -> Viseme:
+    return Viseme(SILENCE, Interval(start_s, end_s), articulation=0.0, opening=0.0)

@@ -1,0 +1,43 @@
+"""Turns as people describe them: how far down, to the left, and to which shoulder.
+
+Conventions: radians. `pitch` looks down (about x), `yaw` looks to the character's left (about y), `roll` lowers the
+character's right side (about z); yaw is done last. A direction is a unit vector, (0, 0, 1) straight ahead.
+"""
+
+import numpy as np
+
+from ...model import FloatArray
+
+
+def turn(pitch: FloatArray, yaw: FloatArray, roll: FloatArray) -> FloatArray:
+    """The rotations (…, 4) by `roll`, then `pitch`, then `yaw`."""
+    sx, cx = np.sin(pitch / 2), np.cos(pitch / 2)
+    sy, cy = np.sin(yaw / 2), np.cos(yaw / 2)
+    sz, cz = np.sin(roll / 2), np.cos(roll / 2)
+    parts = (
+        cy * sx * cz + sy * cx * sz,
+        sy * cx * cz - cy * sx * sz,
+        cy * cx * sz - sy * sx * cz,
+        cy * cx * cz + sy * sx * sz,
+    )
+    return np.stack(parts, axis=-1)
+
+
+def angles(q: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Pitch, yaw and roll of the rotations (…, 4); pitch lies in [-π/2, π/2]."""
+    x, y, z, w = (q[..., k] for k in range(4))
+    pitch = np.arcsin(np.clip(2 * (w * x - y * z), -1.0, 1.0))
+    yaw = np.arctan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y))
+    roll = np.arctan2(2 * (w * z + x * y), 1 - 2 * (x * x + z * z))
+    return pitch, yaw, roll
+
+
+def aim(direction: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Pitch and yaw of the directions (…, 3) of any length."""
+    x, y, z = (direction[..., k] for k in range(3))
+    return np.arctan2(-y, np.hypot(x, z)), np.arctan2(x, z)
+
+
+def direction(pitch: FloatArray, yaw: FloatArray) -> FloatArray:
+    """Where one looks (…, 3) that is turned so."""
+    return np.stack([np.cos(pitch) * np.sin(yaw), -np.sin(pitch), np.cos(pitch) * np.cos(yaw)], axis=-1)

@@ -1,0 +1,45 @@
+"""How movements that somebody wants run between their ends: by minimum jerk, from rest to rest (Flash & Hogan 1985).
+
+Conventions: times are seconds, (T,); a course has a column for each quantity, (T, C).
+"""
+
+import numpy as np
+
+from ...model import FloatArray
+
+SHORTEST_S = 1e-3
+"""Movements of no duration take this long, so that no course ever jumps."""
+
+
+def minimum_jerk(share: FloatArray) -> FloatArray:
+    """How much of the way is done after `share` of the time: 6t⁵ - 15t⁴ + 10t³, 0 before the start, 1 after the end."""
+    share = np.clip(share, 0.0, 1.0)
+    return np.asarray(share**3 * (10.0 + share * (6.0 * share - 15.0)))
+
+
+def changes(times_s: FloatArray, starts_s: FloatArray, durations_s: FloatArray, by: FloatArray) -> FloatArray:
+    """The sum (T, C) of movements by `by` (K, C) that last, at rising `times_s`. One that starts before the other ended
+    is laid over it, as people do when a target jumps (Flash & Henis 1991), so speed has no steps."""
+    moving = by.any(axis=1) & (starts_s < times_s[-1])
+    starts_s, durations_s, by = starts_s[moving], np.maximum(durations_s[moving], SHORTEST_S), by[moving]
+    firsts, ends = np.searchsorted(times_s, starts_s), np.searchsorted(times_s, starts_s + durations_s)
+    over = np.zeros((len(times_s) + 1, by.shape[1]))
+    np.add.at(over, ends, by)
+    course = np.cumsum(over[:-1], axis=0)
+    for first, end, start_s, duration_s, change in zip(firsts, ends, starts_s, durations_s, by, strict=True):
+        course[first:end] += minimum_jerk((times_s[first:end] - start_s) / duration_s)[:, None] * change
+    return np.asarray(course)
+
+
+def through(times_s: FloatArray, at_s: FloatArray, values: FloatArray) -> FloatArray:
+    """The course (T,) that rests in `values` (K,) at the rising times `at_s` (K,), and stays there before and after."""
+    if len(at_s) == 1:
+        return np.full(len(times_s), values[0])
+    return np.asarray(values[0] + changes(times_s, at_s[:-1], np.diff(at_s), np.diff(values)[:, None])[:, 0])
+
+
+def plateau(times_s: FloatArray, start_s: float, reached_s: float, left_s: float, end_s: float) -> FloatArray:
+    """From 0 at `start_s` to 1 from `reached_s` to `left_s`, and back to 0 at `end_s`."""
+    rise = minimum_jerk((times_s - start_s) / max(reached_s - start_s, SHORTEST_S))
+    fall = minimum_jerk((times_s - left_s) / max(end_s - left_s, SHORTEST_S))
+    return np.asarray(rise * (1.0 - fall))

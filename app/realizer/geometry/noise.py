@@ -1,0 +1,55 @@
+"""Perlin's gradient noise in one dimension, for what is never quite still (paper §3.8; Perlin 2002).
+
+Conventions: the lattice lies at whole multiples of the period from time 0, where every channel is zero; between its
+points each channel follows slopes that depend on seed, channel and lattice point alone, so a moment has the same noise
+however many others are asked for with it. Values lie in [-1, 1].
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...model import FloatArray
+from .easing import minimum_jerk
+
+_LARGEST = 2.0**64
+_GOLDEN = 0.618033988749895
+"""Multiples of it spread evenly over [0, 1), however many there are."""
+
+
+def perlin(
+    times_s: FloatArray, *, frequency_hz: float, seed: int, channels: int = 1, in_step: bool = True
+) -> FloatArray:
+    """Smooth noise (T, channels) with `frequency_hz` lattice points a second.
+
+    Between lattice points slopes give way to each other by 6t⁵ - 15t⁴ + 10t³ (Perlin 2002), so the second derivative
+    has no steps. Perlin picks slopes from a short list by a permuted table; here they are drawn evenly from [-2, 2] by
+    a hash of integers, which repeats nowhere. Channels that are not `in_step` have lattices of their own, evenly
+    shifted, and are not zero all at once.
+    """
+    at = np.asarray(times_s, dtype=np.float64)[:, None] * frequency_hz
+    if not in_step:
+        at = at + np.arange(channels) * _GOLDEN % 1.0
+    below = np.floor(at)
+    first = int(below.min(initial=0))
+    last = int(below.max(initial=0)) + 1
+    slopes = _slopes(np.arange(first, last + 1), seed, channels)
+    share = at - below
+    index = (below - first).astype(np.int64), np.arange(channels)
+    left, right = slopes[index] * share, slopes[1:][index] * (share - 1.0)
+    return np.asarray(left + minimum_jerk(share) * (right - left))
+
+
+def _slopes(points: NDArray[np.int64], seed: int, channels: int) -> FloatArray:
+    """(points, channels), evenly from [-2, 2]."""
+    start = np.full(1, seed & (2**64 - 1), dtype=np.uint64)
+    of_channel = _mixed(np.asarray(_mixed(start) + np.arange(channels, dtype=np.uint64), dtype=np.uint64))
+    hashed = _mixed(np.add(of_channel[None, :], points.astype(np.uint64)[:, None]))
+    return np.asarray(hashed / _LARGEST * 4.0 - 2.0)
+
+
+def _mixed(number: NDArray[np.uint64]) -> NDArray[np.uint64]:
+    """A bijection that changes half the bits for every one that changes (SplitMix64; Steele, Lea & Flood 2014)."""
+    number = number + np.uint64(0x9E3779B97F4A7C15)
+    number = (number ^ (number >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    number = (number ^ (number >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    return np.asarray(number ^ (number >> np.uint64(31)))

@@ -1,0 +1,145 @@
+"""Rotations as unit quaternions x y z w, in arrays of shape (…, 4); every function works on whole arrays at once.
+
+Conventions: the last axis holds the quaternion (or the vector, x y z); angles are radians; `multiply(a, b)` turns by b
+first, then by a, as matrices do.
+"""
+
+import numpy as np
+
+from ...model import FloatArray
+
+IDENTITY: FloatArray = np.array([0.0, 0.0, 0.0, 1.0])
+IDENTITY.setflags(write=False)
+
+_NEAR_ZERO = 1e-12
+
+
+def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The rotation by `b`, then by `a`."""
+    ax, ay, az, aw = a[..., 0], a[..., 1], a[..., 2], a[..., 3]
+    bx, by, bz, bw = b[..., 0], b[..., 1], b[..., 2], b[..., 3]
+    x = aw * bx + ax * bw + ay * bz - az * by
+    product = np.empty((*x.shape, 4))
+    product[..., 0] = x
+    product[..., 1] = aw * by - ax * bz + ay * bw + az * bx
+    product[..., 2] = aw * bz + ax * by - ay * bx + az * bw
+    product[..., 3] = aw * bw - ax * bx - ay * by - az * bz
+    return product
+
+
+def inverse(q: FloatArray) -> FloatArray:
+    """The rotation back."""
+    return np.asarray(q * np.array([-1.0, -1.0, -1.0, 1.0]))
+
+
+def rotate(q: FloatArray, vector: FloatArray) -> FloatArray:
+    """`vector` (…, 3) turned by `q`."""
+    axis, w = q[..., :3], q[..., 3:]
+    twice = 2.0 * cross(axis, vector)
+    return np.asarray(vector + w * twice + cross(axis, twice))
+
+
+def cross(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The vectors at right angles to both (…, 3): `np.cross`, several times as fast."""
+    ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
+    bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
+    x = ay * bz - az * by
+    product = np.empty((*x.shape, 3))
+    product[..., 0] = x
+    product[..., 1] = az * bx - ax * bz
+    product[..., 2] = ax * by - ay * bx
+    return product
+
+
+def dot(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The sums of products over the last axis, which is kept as one of length 1."""
+    return np.asarray(np.einsum("...k,...k->...", a, b)[..., None])
+
+
+def length(vector: FloatArray) -> FloatArray:
+    """The lengths over the last axis, which is kept as one of length 1: `np.linalg.norm`, several times as fast."""
+    return np.asarray(np.sqrt(dot(vector, vector)))
+
+
+def from_rotation_vector(vector: FloatArray) -> FloatArray:
+    """The rotation about the axis `vector` (…, 3) by its length."""
+    half = length(vector) / 2
+    turned = np.empty((*vector.shape[:-1], 4))
+    turned[..., :3] = vector * np.where(half > _NEAR_ZERO, np.sin(half) / np.maximum(2 * half, _NEAR_ZERO), 0.5)
+    turned[..., 3:] = np.cos(half)
+    return turned
+
+
+def to_rotation_vector(q: FloatArray) -> FloatArray:
+    """Axis times angle, the shorter way round: at most π long."""
+    q = np.where(q[..., 3:] < 0, -q, q)
+    sine = length(q[..., :3])
+    angle = 2 * np.arctan2(sine, q[..., 3:])
+    return np.asarray(q[..., :3] * np.where(sine > _NEAR_ZERO, angle / np.maximum(sine, _NEAR_ZERO), 2.0))
+
+
+def about(axis: tuple[float, float, float], angle: FloatArray) -> FloatArray:
+    """The rotations by the angles (…) about one axis of length 1."""
+    half = np.asarray(angle)[..., None] / 2
+    return np.concatenate([np.sin(half) * np.array(axis), np.cos(half)], axis=-1)
+
+
+def between(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The shortest rotation that takes the direction `a` (…, 3) to the direction `b`."""
+    a, b = a / length(a), b / length(b)
+    w = 1 + dot(a, b)
+    sideways = np.where(np.abs(a[..., :1]) < 0.9, np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0]))
+    axis = np.where(w > 1e-9, cross(a, b), cross(a, sideways))
+    return normalized(np.concatenate([axis, np.where(w > 1e-9, w, 0.0)], axis=-1))
+
+
+def from_axes(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
+    """The rotation that takes the base axes to `x`, `y` and `z` (…, 3), which are orthonormal and right-handed."""
+    w = 1 + x[..., 0] + y[..., 1] + z[..., 2]
+    yz, zx, xy = y[..., 2] - z[..., 1], z[..., 0] - x[..., 2], x[..., 1] - y[..., 0]
+    if w.min(initial=1.0) > 0.1:
+        return normalized(np.stack((yz, zx, xy, w), axis=-1))
+    return normalized(_largest_first(x, y, z, (yz, zx, xy, w)))
+
+
+def _largest_first(x: FloatArray, y: FloatArray, z: FloatArray, by_w: tuple[FloatArray, ...]) -> FloatArray:
+    """From axes, by whichever of the four components is the largest; by the smallest, digits are lost."""
+    yz, zx, xy, w = by_w
+    weights = [
+        1 + x[..., 0] - y[..., 1] - z[..., 2],
+        1 - x[..., 0] + y[..., 1] - z[..., 2],
+        1 - x[..., 0] - y[..., 1] + z[..., 2],
+    ]
+    sxy, sxz, syz = y[..., 0] + x[..., 1], z[..., 0] + x[..., 2], z[..., 1] + y[..., 2]
+    choices = (by_w, (weights[0], sxy, sxz, yz), (sxy, weights[1], syz, zx), (sxz, syz, weights[2], xy))
+    candidates = np.stack([np.stack(choice, axis=-1) for choice in choices])
+    best = np.argmax(np.stack([w, *weights]), axis=0)[None, ..., None]
+    return np.asarray(np.take_along_axis(candidates, best, axis=0)[0])
+
+
+def normalized(q: FloatArray) -> FloatArray:
+    return np.asarray(q / length(q))
+
+
+def of_one_sign(q: FloatArray) -> FloatArray:
+    """The same rotations, q (T, …, 4), each of the sign that is nearer to the one before it in time."""
+    turned = dot(q[1:], q[:-1]) < 0
+    if not turned.any():
+        return q
+    return np.concatenate([q[:1], q[1:] * np.cumprod(np.where(turned, -1.0, 1.0), axis=0)])
+
+
+def nearest_sign(q: FloatArray, to: FloatArray) -> FloatArray:
+    """The same rotations as `q` (…, 4), each of the sign that is nearer to `to` (…, 4)."""
+    return np.asarray(np.where(dot(q, to) < 0, -q, q))
+
+
+def slerp(a: FloatArray, b: FloatArray, share: FloatArray) -> FloatArray:
+    """The rotation `share` (…, in [0, 1]) of the shorter way from `a` to `b`."""
+    turn = to_rotation_vector(multiply(inverse(a), b))
+    return multiply(a, from_rotation_vector(turn * np.asarray(share)[..., None]))
+
+
+def angle_between(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The angle from `a` to `b` in radians, in [0, π]."""
+    return np.asarray(np.linalg.norm(to_rotation_vector(multiply(inverse(a), b)), axis=-1))

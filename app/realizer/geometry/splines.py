@@ -1,0 +1,134 @@
+"""Kochanek-Bartels (tension, continuity, bias) splines through rotations, at any times.
+
+Conventions: a `Curve` goes through its own keys (K, 4) at its own rising times (K,); curves are worked out together,
+and results are (T, C, 4). Before the first key and after the last the value rests, and the speed there is zero.
+Tangents are rotation vectors in the key's own space, so a spline does not depend on the world's axes.
+
+The tangents are Kochanek and Bartels's (1984) with the differences in log space, as Eberly has them for quaternions.
+Departures: between keys runs a cumulative Bézier curve (Kim, Kim & Shin 1995) instead of Eberly's squad, which takes
+its inner way round wrongly once a key turns by more than 90°; tangents are speeds, so that uneven times do not break
+the smoothness (Kochanek & Bartels's own correction of the speed); and a tangent is at most three times the slope on
+either side, zero beside a key that is repeated, so holds stay and curves do not swing out (Fritsch & Carlson 1980).
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...model import FloatArray
+from .rotations import from_rotation_vector, inverse, length, multiply, of_one_sign, to_rotation_vector
+
+_MOST_SLOPE = 3.0
+_STILL = 1e-9
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Curve:
+    """Keys (K, 4) at times (K,), and tension, continuity and bias (K, 3) at each, in [-1, 1]; zero makes the
+    Catmull-Rom spline."""
+
+    times_s: FloatArray
+    keys: FloatArray
+    shape: FloatArray
+
+
+def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
+    """The rotations (T, C, 4) at `times_s` (T,) on the way through each curve's keys."""
+    counts = [max(len(curve.times_s), 2) for curve in curves]
+    key_times_s = np.concatenate([_two_at_least(curve.times_s, 1.0) for curve in curves])
+    keys = of_one_sign(np.concatenate([_two_at_least(curve.keys, 0.0) for curve in curves]))
+    shape = np.concatenate([_two_at_least(curve.shape, 0.0) for curve in curves])
+    lasts = np.cumsum(counts, dtype=np.intp) - 1
+    spans_s = np.diff(key_times_s)
+    spans_s[lasts[:-1]] = 1.0
+    turns = _turns(keys, spans_s[:, None], shape, lasts)
+    segment = _segments(curves, (lasts - counts + 1).tolist(), times_s)
+    found = keys.T[:, segment]
+    turning = np.sum([length(turn)[:, 0] for turn in turns], axis=0) > _STILL
+    moving = turning[segment].any(axis=1)
+    segment, times_s = segment[moving], times_s[moving, None]
+    share = np.clip((times_s - key_times_s[segment]) / spans_s[segment], 0.0, 1.0)
+    weights = (1 - (1 - share) ** 3, share**2 * (3 - 2 * share), share**3)
+    way = found[:, moving]
+    for turn, weight in zip(turns, weights, strict=True):
+        way = _product(way, _parts_of_turns(turn, segment, weight))
+    found[:, moving] = way
+    return np.moveaxis(found, 0, -1)
+
+
+def _two_at_least(values: FloatArray, later: float) -> FloatArray:
+    """A curve of one key stays there."""
+    return values if len(values) > 1 else np.concatenate([values, values + later])
+
+
+def _segments(curves: Sequence[Curve], firsts: Iterable[int], times_s: FloatArray) -> NDArray[np.intp]:
+    """The key (T, C) that each curve has passed last, among all curves' keys one after another."""
+    found = np.empty((len(times_s), len(curves)), dtype=np.intp)
+    known: dict[bytes, NDArray[np.intp]] = {}
+    for column, (curve, first) in enumerate(zip(curves, firsts, strict=True)):
+        passed = known.get(curve.times_s.tobytes())
+        if passed is None:
+            passed = np.searchsorted(curve.times_s[1:-1], times_s, side="right")
+            known[curve.times_s.tobytes()] = passed
+        found[:, column] = first + passed
+    return found
+
+
+def _turns(
+    keys: FloatArray, spans_s: FloatArray, shape: FloatArray, lasts: NDArray[np.intp]
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """The three turns (N-1, 3) that make a segment's Bézier curve, of all curves' keys (N, 4) one after another; those
+    from the last key of one curve to the first of the next mean nothing."""
+    step = multiply(inverse(keys[:-1]), keys[1:])
+    leaving, arriving = _tangents(to_rotation_vector(step), spans_s, shape)
+    leaving[lasts[:-1] + 1] = 0.0
+    arriving[lasts[:-1] - 1] = 0.0
+    first, third = leaving * spans_s / 3, arriving * spans_s / 3
+    onwards = multiply(from_rotation_vector(-first), multiply(step, from_rotation_vector(-third)))
+    return first, to_rotation_vector(onwards), third
+
+
+def _tangents(steps: FloatArray, spans_s: FloatArray, shape: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Speeds (N-1, 3) with which each segment leaves its first key and arrives at its second.
+
+    Kochanek & Bartels's equations 8 and 9 weigh the steps before and after a key; divided by the mean of the two spans
+    they are speeds, the same on both sides of a key whose continuity is 0.
+    """
+    tension, continuity, bias = (shape[1:-1, part, None] for part in range(3))
+    before, after = steps[:-1], steps[1:]
+    scale = (1 - tension) / (spans_s[:-1] + spans_s[1:])
+    leaving = scale * ((1 + bias) * (1 + continuity) * before + (1 - bias) * (1 - continuity) * after)
+    arriving = scale * ((1 + bias) * (1 - continuity) * before + (1 - bias) * (1 + continuity) * after)
+    most = _MOST_SLOPE * np.minimum(length(before / spans_s[:-1]), length(after / spans_s[1:]))
+    at_rest = np.zeros((1, 3))
+    return np.concatenate([at_rest, _at_most(leaving, most)]), np.concatenate([_at_most(arriving, most), at_rest])
+
+
+def _at_most(vector: FloatArray, longest: FloatArray) -> FloatArray:
+    return np.asarray(vector * np.minimum(1.0, longest / np.maximum(length(vector), 1e-12)))
+
+
+def _parts_of_turns(turns: FloatArray, segment: NDArray[np.intp], weight: FloatArray) -> FloatArray:
+    """The rotations by `weight` (T, C) of the turn (N, 3) of each segment (T, C), as four arrays (4, T, C).
+
+    Axes are worked out once a segment, and components are kept apart: this is where a realizer's time goes."""
+    angle = length(turns)
+    axis = (turns / np.maximum(angle, 1e-12)).T
+    half = (0.5 * angle[:, 0])[segment] * weight
+    found = np.empty((4, *half.shape))
+    np.multiply(axis[:, segment], np.sin(half), out=found[:3])
+    np.cos(half, out=found[3])
+    return found
+
+
+def _product(a: FloatArray, b: FloatArray) -> FloatArray:
+    """`rotations.multiply` of (4, T, C)."""
+    (ax, ay, az, aw), (bx, by, bz, bw) = a, b
+    product = np.empty_like(b)
+    product[0] = aw * bx + ax * bw + ay * bz - az * by
+    product[1] = aw * by - ax * bz + ay * bw + az * bx
+    product[2] = aw * bz + ax * by - ay * bx + az * bw
+    product[3] = aw * bw - ax * bx - ay * by - az * bz
+    return product

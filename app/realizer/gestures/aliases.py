@@ -1,0 +1,48 @@
+"""Lexemes that other BML speaks, by the category of ours that shows them: `aliases.yaml` beside the gestures."""
+
+import re
+from collections.abc import Collection, Iterator, Mapping
+from difflib import get_close_matches
+from pathlib import Path
+
+from ...errors import AuthoringError
+from ...yaml_files import Entry, Source
+
+ALIASES = "aliases.yaml"
+
+_LEXEME = re.compile(r"[A-Z][A-Z0-9]*(_[A-Z0-9]+)*")
+
+
+class Aliases(Entry):
+    """The file: by category, the lexemes that mean it."""
+
+    aliases: Mapping[str, tuple[str, ...]]
+
+
+def read_aliases(path: Path, categories: Collection[str]) -> Mapping[str, str]:
+    """Our category by foreign lexeme. Raises AuthoringError with every mistake, as a category without gestures."""
+    source = Source(path)
+    listed = source.validated(Aliases).aliases
+    mistakes = [source.mistake(where, told) for where, told in _mistakes(listed, categories)]
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+    return {lexeme: category for category, lexemes in listed.items() for lexeme in lexemes}
+
+
+def _mistakes(
+    listed: Mapping[str, tuple[str, ...]], categories: Collection[str]
+) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    seen: dict[str, str] = {}
+    for category, lexemes in listed.items():
+        if category not in categories:
+            close = get_close_matches(category, categories, n=1)
+            yield ("aliases", category), f"no gesture shows {category}" + "".join(f"; {one}?" for one in close)
+        for position, lexeme in enumerate(lexemes):
+            where = ("aliases", category, position)
+            if not _LEXEME.fullmatch(lexeme):
+                yield where, f"{lexeme!r}: lexemes are written in capitals, words joined by one underscore"
+            elif lexeme in categories:
+                yield where, f"{lexeme} has gestures of its own"
+            elif lexeme in seen:
+                yield where, f"{lexeme} is listed under {seen[lexeme]} already"
+            seen.setdefault(lexeme, category)

@@ -1,0 +1,213 @@
+"""Gesture definitions out of what a file says (`statements.py`), or every mistake in them.
+
+A level of agitation that a file says nothing of is made from medium: low smaller, slower and rounder, high larger,
+faster and sharper. What OTHER does not say in a frame that has it, the other arm does as the mirror image.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from types import MappingProxyType
+
+from ...model import Hand, Level
+from .checking import TimedFrame, frame_mistakes, said_twice
+from .gesture import ArmKey, Definition, Expressivity, Frame, FrameType
+from .specifiers import arm_key, number, one_of
+from .statements import FrameTree, GestureTree, Located, Statement, Word
+
+MEDIUM = Expressivity(repetition=0.35)
+FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(
+    {Level.LOW: (0.8, 0.85), Level.MEDIUM: (1.0, 1.0), Level.HIGH: (1.2, 1.2)}
+)
+"""Amplitude and tempo of a level, as factors of medium's."""
+SUMMANDS: Mapping[Level, tuple[float, float, float]] = MappingProxyType(
+    {Level.LOW: (0.2, -0.2, -0.2), Level.MEDIUM: (0.0, 0.0, 0.0), Level.HIGH: (-0.15, 0.25, 0.3)}
+)
+"""Fluidity, power and repetition of a level, on top of medium's."""
+RANGES: Mapping[str, tuple[float, float]] = MappingProxyType(
+    {
+        "amplitude": (0.25, 2.0),
+        "tempo": (0.25, 3.0),
+        "fluidity": (0.0, 1.0),
+        "power": (0.0, 1.0),
+        "repetition": (0.0, 1.0),
+    }
+)
+MIN_DURATION_S, MAX_DURATION_S = 0.1, 10.0
+NEEDED = frozenset({"GESTURECLASS", "GESTUREINSTANCE", "DURATION"})
+
+_LEXEME = re.compile(r"[A-Z][A-Z0-9_]*")
+
+
+@dataclass(frozen=True, slots=True)
+class _Header:
+    gesture_class: str
+    name: str
+    duration_s: float
+    categories: tuple[str, ...]
+    levels: Mapping[Level, Expressivity]
+    hand: Hand | None
+    aimed: bool
+
+
+def definition(tree: GestureTree, path: Path | None, wrong: list[Located]) -> Definition | None:
+    """The gesture that `tree` defines; None when anything in it is wrong, and each mistake in `wrong`."""
+    found: list[Located] = []
+    header = _header(tree, found)
+    both = header is None or header.hand is Hand.BOTH
+    timed = [_timed(frame, found, both=both) for frame in tree.frames]
+    found += frame_mistakes(tree, timed)
+    wrong += found
+    if found or header is None or not tree.all_sound():
+        return None
+    return Definition(
+        gesture_class=header.gesture_class,
+        name=header.name,
+        categories=header.categories,
+        duration_s=header.duration_s,
+        frames=tuple(frame for frame in (_frame(one) for one in timed) if frame),
+        levels=header.levels,
+        hand=header.hand,
+        aimed=header.aimed,
+        path=path,
+        line=tree.start.line,
+    )
+
+
+def derived(level: Level, medium: Expressivity) -> Expressivity:
+    """How a gesture that is made as `medium` at medium agitation is made at another, when its file does not say."""
+    amplitude, tempo = FACTORS[level]
+    rounder, stronger, again = SUMMANDS[level]
+    made = replace(
+        medium,
+        amplitude=medium.amplitude * amplitude,
+        tempo=medium.tempo * tempo,
+        fluidity=medium.fluidity + rounder,
+        power=medium.power + stronger,
+        repetition=medium.repetition + again,
+    )
+    return Expressivity(**{name: round(_within(getattr(made, name), *RANGES[name]), 6) for name in RANGES})
+
+
+def _within(value: float, least: float, most: float) -> float:
+    return min(max(value, least), most)
+
+
+def _header(tree: GestureTree, wrong: list[Located]) -> _Header | None:
+    """None when a statement that it needs is missing, wrong or could not be read."""
+    wrong += (*said_twice(tree.header), *_missing(tree))
+    said = {statement.keyword.text: statement for statement in tree.header if statement.sound}
+    hand = one_of(Hand, said["ARMS"].words[0], "an arm, nor both", wrong) if "ARMS" in said else None
+    categories = _categories(said["CATEGORY"].words, wrong) if "CATEGORY" in said else ()
+    levels = _levels(tree.header, wrong)
+    duration_s = (
+        number(said["DURATION"].numbers[0], MIN_DURATION_S, MAX_DURATION_S, wrong, unit=" s")
+        if "DURATION" in said
+        else None
+    )
+    if not said.keys() >= NEEDED or duration_s is None:
+        return None
+    name = said["GESTUREINSTANCE"].words[0].text
+    return _Header(
+        gesture_class=said["GESTURECLASS"].words[0].text,
+        name=name,
+        duration_s=duration_s,
+        categories=categories or (name.upper(),),
+        levels=levels,
+        hand=hand,
+        aimed="AIMED" in said,
+    )
+
+
+def _missing(tree: GestureTree) -> Iterator[Located]:
+    """What a header lacks; nothing when a line could not be read, which may be the one."""
+    if all(statement.sound for statement in tree.header):
+        for keyword in sorted(NEEDED - {statement.keyword.text for statement in tree.header}):
+            yield Located(tree.start, f"this gesture has no {keyword}")
+
+
+def _categories(words: Sequence[Word], wrong: list[Located]) -> tuple[str, ...]:
+    wrong += _repeated(words)
+    for word in words:
+        if not _LEXEME.fullmatch(word.text):
+            wrong.append(Located(word, f"a category is a BML lexeme in capitals: {word.text.upper()}"))
+    return tuple(word.text for word in words)
+
+
+def _repeated(words: Sequence[Word]) -> Iterator[Located]:
+    for position, word in enumerate(words):
+        if word.text in {before.text for before in words[:position]}:
+            yield Located(word, f"{word.text} stands here a second time")
+
+
+def _levels(header: Iterable[Statement], wrong: list[Located]) -> Mapping[Level, Expressivity]:
+    """How the gesture is made at each level that it is fit for."""
+    sound = [statement for statement in header if statement.sound]
+    listed = next((statement.words for statement in sound if statement.keyword.text == "LEVELS"), ())
+    wrong += _repeated(listed)
+    found = [one_of(Level, word, "a level of agitation", wrong) for word in listed]
+    fit = list(Level) if None in found or not found else found
+    said: dict[Level, dict[str, float]] = {}
+    for statement in sound:
+        if statement.keyword.text == "EXPRESSIVITY":
+            level = one_of(Level, statement.words[0], "a level of agitation", wrong)
+            factors = _factors(statement, wrong)
+            if level is not None and level not in fit:
+                wrong.append(Located(statement.words[0], f"{level} is not among the LEVELS of this gesture"))
+            elif level is not None:
+                said[level] = factors
+    medium = replace(MEDIUM, **said.get(Level.MEDIUM, {}))
+    return MappingProxyType(
+        {level: replace(derived(level, medium), **said.get(level, {})) for level in Level if level in fit}
+    )
+
+
+def _factors(statement: Statement, wrong: list[Located]) -> dict[str, float]:
+    """Of one EXPRESSIVITY line: what it says of amplitude, tempo and the rest."""
+    found: dict[str, float] = {}
+    wrong += _repeated(statement.words[1:])
+    for name, value in zip(statement.words[1:], statement.numbers, strict=True):
+        if name.text not in RANGES:
+            wrong.append(Located(name, f"{name.text!r} is none of {', '.join(RANGES)}"))
+        else:
+            least, most = RANGES[name.text]
+            in_range = number(value, least, most, wrong)
+            found[name.text] = least if in_range is None else in_range
+    return found
+
+
+def _timed(tree: FrameTree, wrong: list[Located], *, both: bool) -> TimedFrame:
+    wrong += said_twice(tree.statements)
+    sound = [statement for statement in tree.statements if statement.sound]
+    types = [statement.words[0] for statement in sound if statement.keyword.text == "FRAMETYPE"]
+    others = [statement for statement in sound if statement.other]
+    if others and not both:
+        wrong.append(Located(others[0].keyword, "OTHER needs a gesture of both arms: write ARMS both in its header"))
+    own = [statement for statement in sound if not statement.other]
+    leading = arm_key(own, wrong)
+    return TimedFrame(
+        tree=tree,
+        time=number(tree.start.numbers[0], 0, 1, wrong) if tree.start.sound else None,
+        type=one_of(FrameType, types[0], "a frame's type", wrong) if types else None,
+        type_at=types[0] if types else tree.start.keyword,
+        leading=leading,
+        other=mirrored_where_silent(arm_key(others, wrong), leading) if others else None,
+        noise=any(statement.keyword.text == "ADDNOISE" for statement in sound),
+    )
+
+
+def mirrored_where_silent(other: ArmKey, leading: ArmKey) -> ArmKey:
+    """`other`, and what it leaves open as `leading` says it. Fingers are the hand's: they come with its form."""
+    says_hand = other.hand is not None or other.fingers != ()
+    kept = {"hand", "fingers"} if says_hand else set()
+    silent = {
+        field.name for field in fields(ArmKey) if getattr(other, field.name) in {None, ()} and field.name not in kept
+    }
+    return replace(other, **{name: getattr(leading, name) for name in silent})
+
+
+def _frame(timed: TimedFrame) -> Frame | None:
+    if timed.time is None or timed.type is None:
+        return None
+    return Frame(timed.time, timed.type, timed.leading, timed.other, timed.noise)

@@ -1,0 +1,62 @@
+"""Where McNeill's sectors are: the wrist's place for a sector, in metres in the space of the upper body.
+
+Conventions: the origin is the hips joint of the upright body; x goes to the arm's own side, y up, z away from the
+body. The heights follow shared/motion.md, in which 0 is the hips and 1 the shoulders; Gesture Engine §4.2 has
+`YUpperP` at the shoulders. McNeill (1992) gives the squares, not the metres; these are for the body that we ship (arm
+.53 m to the wrist), so that nearly every sector is within its reach.
+"""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
+
+from ...model import FloatArray
+from .gesture import Depth, Direction, Height, Place, Sideways
+
+DIRECTIONS: Mapping[Direction, tuple[float, float, float]] = MappingProxyType(
+    {
+        Direction.UP: (0.0, 1.0, 0.0),
+        Direction.DOWN: (0.0, -1.0, 0.0),
+        Direction.INWARDS: (-1.0, 0.0, 0.0),
+        Direction.OUTWARDS: (1.0, 0.0, 0.0),
+        Direction.AWAY: (0.0, 0.0, 1.0),
+        Direction.TOWARDS: (0.0, 0.0, -1.0),
+    }
+)
+"""Unit vectors of the directions, in the axes above."""
+
+SHOULDERS_ABOVE_HIPS_M = 0.43
+
+SIDEWAYS_M: Mapping[Sideways, float] = MappingProxyType(
+    {
+        Sideways.EP: 0.54,
+        Sideways.P: 0.36,
+        Sideways.C: 0.20,
+        Sideways.CC: 0.06,
+        Sideways.OPP_C: -0.06,
+        Sideways.OPP_P: -0.17,
+        Sideways.OPP_EP: -0.28,
+    }
+)
+HEIGHT: Mapping[Height, float] = MappingProxyType(
+    {
+        Height.UPPER_EP: 1.40,
+        Height.UPPER_P: 1.00,
+        Height.UPPER_C: 0.74,
+        Height.CC: 0.50,
+        Height.LOWER_C: 0.28,
+        Height.LOWER_P: 0.05,
+        Height.LOWER_EP: -0.25,
+    }
+)
+"""In parts of the way from the hips to the shoulders."""
+
+DEPTH_M: Mapping[Depth, float] = MappingProxyType({Depth.NEAR: 0.20, Depth.MIDDLE: 0.31, Depth.FAR: 0.42})
+
+
+def sector_m(place: Place, amplitude: float = 1.0) -> FloatArray:
+    """The wrist's place (3,): outwards, above the hips, away. `amplitude` stretches its distance from the middle."""
+    centre = np.array([SIDEWAYS_M[Sideways.C], HEIGHT[Height.CC] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[Depth.MIDDLE]])
+    sector = np.array([SIDEWAYS_M[place.sideways], HEIGHT[place.height] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[place.depth]])
+    return np.asarray(centre + amplitude * (sector + np.array(place.offset_m) - centre))

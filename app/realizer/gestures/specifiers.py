@@ -1,0 +1,193 @@
+"""What the lines of a frame say of an arm (Gesture Engine §4.2): sectors, hand shapes, fingers, wrists, joints.
+
+Each function turns a sound statement into its value, or into None with what is wrong in `wrong`.
+"""
+
+import re
+from collections.abc import Iterable
+from difflib import get_close_matches
+from enum import StrEnum
+from itertools import product
+from typing import TypeVar
+
+from ...model import Hand
+from .arm_joints import arm_joints
+from .gesture import (
+    ArmKey,
+    Bend,
+    Depth,
+    Direction,
+    Finger,
+    HandForm,
+    HandShape,
+    Height,
+    Place,
+    Sideways,
+    Thumb,
+    Wrist,
+)
+from .gesture_space import DIRECTIONS
+from .statements import Located, Statement, Word
+
+Named = TypeVar("Named", bound=StrEnum)
+
+MAX_OFFSET_M = 0.3
+MAX_DEGREES = 180.0
+FINGER_BASE, PALM, AS_THE_FOREARM = "FB", "Palm", "Default"
+
+THUMB_IN_FORM = frozenset(
+    {
+        HandForm.PINCH,
+        HandForm.PINCH_ALL,
+        HandForm.PINCH_OPEN,
+        HandForm.CEE,
+        HandForm.CEE_ALL,
+        HandForm.CEE_OPEN,
+    }
+)
+"""The forms that the thumb makes together with the fingers, so that it cannot stand otherwise."""
+
+_DIRECTIONS = re.compile("|".join(Direction))
+
+
+def arm_key(statements: Iterable[Statement], wrong: list[Located]) -> ArmKey:
+    """What a frame's statements of one arm say together; each thing at most once."""
+    said = {(statement.keyword.text, *_part(statement)): statement for statement in statements}
+    one = {name: statement for (name, *_), statement in said.items()}
+    fingers = [finger(statement, wrong) for (name, *_), statement in said.items() if name == "FINGER"]
+    joints = [joint(statement, wrong) for (name, *_), statement in said.items() if name == "JOINT"]
+    return ArmKey(
+        place=place(one["ARM"], wrong) if "ARM" in one else None,
+        hand=hand_shape(one["HAND"], wrong) if "HAND" in one else None,
+        fingers=tuple(found for found in fingers if found),
+        wrist=wrist(one["WRIST"], wrong) if "WRIST" in one else None,
+        shoulder=number(one["SHOULDER"].numbers[0], -1, 1, wrong) if "SHOULDER" in one else None,
+        joints=tuple(found for found in joints if found),
+    )
+
+
+def place(statement: Statement, wrong: list[Located]) -> Place | None:
+    """`ARM X Y Z [OFFSET out up away]`."""
+    across, height, depth = statement.words
+    sideways, up, away = (
+        one_of(Sideways, across, "a sector across the body", wrong),
+        one_of(Height, height, "a sector in height", wrong),
+        one_of(Depth, depth, "a distance from the body", wrong),
+    )
+    offsets = [number(word, -MAX_OFFSET_M, MAX_OFFSET_M, wrong, unit=" m") for word in statement.numbers]
+    if sideways is None or up is None or away is None or None in offsets:
+        return None
+    out_m, up_m, away_m = (float(offset or 0.0) for offset in offsets or (0.0, 0.0, 0.0))
+    return Place(sideways, up, away, (out_m, up_m, away_m))
+
+
+def hand_shape(statement: Statement, wrong: list[Located]) -> HandShape | None:
+    """`HAND form` or `HAND form_thumb`."""
+    word = statement.words[0]
+    shape = _SHAPES.get(word.text)
+    if shape is None:
+        wrong.append(_unknown("a form of the hand, with or without the thumb's (_open, _out, _across)", word, _SHAPES))
+    elif shape.form in THUMB_IN_FORM and shape.thumb is not Thumb.DEFAULT:
+        made = f"the thumb takes part in {shape.form} and cannot be {shape.thumb} as well; write {shape.form}"
+        wrong.append(Located(word, made))
+        return None
+    return shape
+
+
+def finger(statement: Statement, wrong: list[Located]) -> tuple[Finger, Bend] | None:
+    """`FINGER name bend`."""
+    name, bend = statement.words
+    found, bent = one_of(Finger, name, "a finger", wrong), one_of(Bend, bend, "a finger's bend", wrong)
+    return None if found is None or bent is None else (found, bent)
+
+
+def wrist(statement: Statement, wrong: list[Located]) -> Wrist | None:
+    """`WRIST FB… Palm…`: two sums of directions, at right angles to each other."""
+    base_word, palm_word = statement.words
+    base, palm = _directions(FINGER_BASE, base_word, wrong), _directions(PALM, palm_word, wrong)
+    if base is None or palm is None:
+        return None
+    if not orthogonal(base, palm):
+        left = [f"{PALM}{one}" for one in Direction if orthogonal(base, {one})]
+        right_would_be = f"right would be {', '.join(left)}" if left else "no single direction of the palm fits it"
+        told = f"the palm must face at a right angle to {base_word.text}; {right_would_be}, or a sum of these"
+        wrong.append(Located(palm_word, told))
+        return None
+    return Wrist(base, palm)
+
+
+def orthogonal(finger_base: Iterable[Direction], palm: Iterable[Direction]) -> bool:
+    """Whether the two sums of directions are at a right angle, exactly: the sums are whole. True of an empty one."""
+    return sum(_dot(one, other) for one, other in product(finger_base, tuple(palm))) == 0
+
+
+def joint(statement: Statement, wrong: list[Located]) -> tuple[str, tuple[float, float, float]] | None:
+    """`JOINT name x y z`, degrees: the explicit override of Gesture Engine §4.2."""
+    name = statement.words[0]
+    known = name.text in ARM_JOINTS
+    if not known:
+        wrong.append(_unknown("a joint of the arm", name, ARM_JOINTS))
+    x, y, z = (number(word, -MAX_DEGREES, MAX_DEGREES, wrong, unit="°") for word in statement.numbers)
+    return (name.text, (x, y, z)) if known and x is not None and y is not None and z is not None else None
+
+
+def number(word: Word, least: float, most: float, wrong: list[Located], *, unit: str = "") -> float | None:
+    """The number that `word` is, when it is in [least, most]."""
+    value = float(word.text)
+    if least <= value <= most:
+        return value + 0.0
+    wrong.append(Located(word, f"{word.text} is outside {least:g} … {most:g}{unit}"))
+    return None
+
+
+def one_of(names: type[Named], word: Word, what: str, wrong: list[Located]) -> Named | None:
+    """The member of `names` that `word` is."""
+    if word.text in set(names):
+        return names(word.text)
+    wrong.append(_unknown(what, word, list(names)))
+    return None
+
+
+def _unknown(what: str, word: Word, known: Iterable[str]) -> Located:
+    """The nearest of the known words when one is near; all of them when they are few."""
+    words = [str(one) for one in known]
+    by_capitals = {one.lower(): one for one in words}
+    close = get_close_matches(word.text.lower(), by_capitals, n=1)
+    listed = f": one of {', '.join(words)}" if len(words) <= 20 else ""
+    meant = f"; did you mean {by_capitals[close[0]]}?" if close else listed
+    return Located(word, f"{word.text!r} is not {what}{meant}")
+
+
+def _part(statement: Statement) -> tuple[str, ...]:
+    """What tells two statements of one keyword apart: the finger, the joint."""
+    return (statement.words[0].text,) if statement.keyword.text in {"FINGER", "JOINT"} else ()
+
+
+def _directions(prefix: str, word: Word, wrong: list[Located]) -> frozenset[Direction] | None:
+    """The directions of `FBUpAway` or `PalmInwards`; the empty set for `…Default`."""
+    rest = word.text.removeprefix(prefix)
+    if rest == AS_THE_FOREARM and word.text != rest:
+        return frozenset()
+    found = [Direction(name) for name in _DIRECTIONS.findall(rest)]
+    if not word.text.startswith(prefix) or "".join(found) != rest or not found:
+        known = [f"{prefix}{name}" for name in (*Direction, AS_THE_FOREARM)]
+        wrong.append(_unknown(f"{prefix} and directions, as {prefix}Up or {prefix}UpAway", word, known))
+        return None
+    clash = next((f"{a} and {b}" for a, b in product(found, found) if _dot(a, b) < 0), None)
+    if clash or len(set(found)) < len(found):
+        told = f"{clash} are opposite" if clash else "a direction stands there twice"
+        wrong.append(Located(word, f"{told}; a sum takes each of up/down, inwards/outwards, away/towards once"))
+        return None
+    return frozenset(found)
+
+
+def _dot(one: Direction, other: Direction) -> float:
+    return sum(a * b for a, b in zip(DIRECTIONS[one], DIRECTIONS[other], strict=True))
+
+
+_SHAPES = {
+    str(form) if thumb is Thumb.DEFAULT else f"{form}_{thumb}": HandShape(form, thumb)
+    for form, thumb in product(HandForm, Thumb)
+}
+ARM_JOINTS: tuple[str, ...] = tuple(name.removeprefix(Hand.LEFT) for name in arm_joints(Hand.LEFT))
+"""From the collarbone down, without their side."""

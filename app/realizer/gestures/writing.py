@@ -1,0 +1,94 @@
+"""A gesture definition as a gesture file says it, for tools that make gestures: the Gesture Editor's way out (Gesture
+Engine §4.3). What is written reads back as the same definition.
+"""
+
+from collections.abc import Iterator
+
+from ...model import Level
+from .definitions import RANGES, mirrored_where_silent
+from .gesture import ArmKey, Definition, Direction, Expressivity, Frame, HandShape, Place, Thumb, Wrist
+from .language import OTHER
+from .specifiers import AS_THE_FOREARM, FINGER_BASE, PALM
+
+
+def write_gesture(definition: Definition) -> str:
+    """The lines of a gesture file; path and line are left out.
+
+    Raises ValueError when the other arm leaves open what the leading arm says: the language has no word for that.
+    """
+    return "".join(f"{line}\n" for line in (*_header(definition), *_frames(definition)))
+
+
+def _header(definition: Definition) -> Iterator[str]:
+    yield f"GESTURECLASS {definition.gesture_class}"
+    yield f"GESTUREINSTANCE {definition.name}"
+    yield f"DURATION {_number(definition.duration_s)}"
+    if definition.hand:
+        yield f"ARMS {definition.hand}"
+    yield f"CATEGORY {' '.join(definition.categories)}"
+    if definition.aimed:
+        yield "AIMED"
+    yield f"LEVELS {' '.join(definition.levels)}"
+    for level, expressivity in definition.levels.items():
+        yield _expressivity(level, expressivity)
+
+
+def _expressivity(level: Level, expressivity: Expressivity) -> str:
+    factors = " ".join(f"{name} {_number(getattr(expressivity, name))}" for name in RANGES)
+    return f"EXPRESSIVITY {level} {factors}"
+
+
+def _frames(definition: Definition) -> Iterator[str]:
+    for frame in definition.frames:
+        yield f"STARTFRAME {_number(frame.time)}"
+        yield f"  FRAMETYPE {frame.type}"
+        yield from (f"  {line}" for line in _key(frame.leading))
+        yield from (f"  {OTHER} {line}" for line in _other(frame))
+        if frame.noise:
+            yield "  ADDNOISE"
+        yield "ENDFRAME"
+
+
+def _other(frame: Frame) -> Iterator[str]:
+    if frame.other is None:
+        return
+    lines = list(_key(frame.other))
+    if not lines or mirrored_where_silent(frame.other, frame.leading) != frame.other:
+        raise ValueError(f"at {frame.time:g} the other arm leaves open what the leading arm says")
+    yield from lines
+
+
+def _key(key: ArmKey) -> Iterator[str]:
+    if key.place:
+        yield f"ARM {_place(key.place)}"
+    if key.hand:
+        yield f"HAND {_hand(key.hand)}"
+    yield from (f"FINGER {finger} {bend}" for finger, bend in key.fingers)
+    if key.wrist:
+        yield f"WRIST {_wrist(key.wrist)}"
+    if key.shoulder is not None:
+        yield f"SHOULDER {_number(key.shoulder)}"
+    yield from (f"JOINT {joint} {' '.join(map(_number, degrees))}" for joint, degrees in key.joints)
+
+
+def _place(place: Place) -> str:
+    offset = f" OFFSET {' '.join(map(_number, place.offset_m))}" if any(place.offset_m) else ""
+    return f"{place.sideways} {place.height} {place.depth}{offset}"
+
+
+def _hand(shape: HandShape) -> str:
+    return shape.form if shape.thumb is Thumb.DEFAULT else f"{shape.form}_{shape.thumb}"
+
+
+def _wrist(wrist: Wrist) -> str:
+    return f"{FINGER_BASE}{_sum(wrist.finger_base)} {PALM}{_sum(wrist.palm)}"
+
+
+def _sum(directions: frozenset[Direction]) -> str:
+    return "".join(direction for direction in Direction if direction in directions) or AS_THE_FOREARM
+
+
+def _number(value: float) -> str:
+    """The shortest decimals that read back as the same number: no powers of ten, which the language does not have."""
+    text = repr(float(value))
+    return text if "e" not in text else f"{value:.17f}".rstrip("0")

@@ -1,0 +1,36 @@
+"""What pointing hands point at.
+
+Conventions: places in the world, metres (`understudy.realizer.body.skeleton`). Where the other of the talk is, the gaze
+says (`understudy.realizer.head_and_gaze.looks`); hands point lower than eyes look.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from ..body.motion import Decision
+from ..gestures.gesture_plan import Placed, Position
+from .looks import LISTENER_M
+
+LISTENER = "listener"
+BELOW_THE_EYES_M = 0.35
+"""Who is pointed at is pointed at at the chest."""
+AT_THE_LISTENER = "YOU"
+"""The category that means the listener, whether a target is named or not."""
+
+
+def aimed(placed: Placed, targets_m: Mapping[str, Position]) -> Placed:
+    """The gesture with what it points at; a target whose place nobody has said leaves it as it is defined."""
+    target = placed.request.target or (LISTENER if placed.clip.category == AT_THE_LISTENER else None)
+    if target is None or not placed.clip.aimed:
+        return placed
+    if target == LISTENER and target not in targets_m:
+        x, y, z = LISTENER_M
+        return replace(placed, aim_m=(x, y - BELOW_THE_EYES_M, z))
+    return replace(placed, aim_m=targets_m.get(target))
+
+
+def missed(placed: Placed) -> Iterator[Decision]:
+    """What to tell of a pointing whose target is nowhere."""
+    if placed.clip.aimed and placed.request.target and placed.aim_m is None:
+        where = f"where {placed.request.target!r} is nobody has said"
+        yield Decision(placed.request.behavior, "replaced", f"{where}: it points as {placed.clip.name} is defined")

@@ -1,0 +1,84 @@
+"""Where the eyes look: both at one point, as far as they can turn.
+
+Conventions: metres and radians in the world; an eye that is not turned looks along +Z of the head. The eyes' rotations
+have no roll. Limits are those of the eye in the head.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...model import FloatArray
+from ..body.skeleton import Skeleton
+from ..geometry.angles import aim, direction, turn
+from ..geometry.rotations import inverse, multiply, rotate
+
+EYES = ("leftEye", "rightEye")
+
+SIDEWAYS_LIMIT = np.radians(35.0)
+UPRIGHT_LIMIT = np.radians(25.0)
+
+FARTHEST_M = 20.0
+"""Eyes that see farther are parallel."""
+
+_PARALLEL = 1e-6
+_AHEAD = np.array([0.0, 0.0, 1.0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chest:
+    """What carries the head: the rotation of the upper chest in the world (T, 4), and the neck's place (T, 3)."""
+
+    turned: FloatArray
+    neck_m: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Face:
+    """The head's rotation in the world (T, 4), and the left and right eye's places (T, 2, 3)."""
+
+    turned: FloatArray
+    eyes_m: FloatArray
+
+
+def chest(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Chest:
+    """The chest as the joints from the hips up carry it."""
+    place_m, turned = hips_m, rotations[:, 0]
+    for joint in skeleton.chain("spine", "chest", "upperChest"):
+        place_m = place_m + rotate(turned, skeleton.offsets_m[joint])
+        turned = multiply(turned, rotations[:, joint])
+    return Chest(turned, place_m + rotate(turned, skeleton.offsets_m[skeleton.index["neck"]]))
+
+
+def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArray) -> Face:
+    """Head and eyes over the chest, with neck and head turned so (T, 4)."""
+    joint, *eyes = skeleton.chain("head", *EYES)
+    turned = multiply(carried_by.turned, neck)
+    head_m = carried_by.neck_m + rotate(turned, skeleton.offsets_m[joint])
+    turned = multiply(turned, head)
+    return Face(turned, head_m[:, None] + rotate(turned[:, None], skeleton.offsets_m[eyes]))
+
+
+def aimed(where: Face, at_m: FloatArray) -> FloatArray:
+    """The rotations (T, 2, 4) of the left and right eye that look at the points `at_m` (T, 3), within their limits."""
+    pitch, yaw = aim(rotate(inverse(where.turned)[:, None], at_m[:, None] - where.eyes_m))
+    pitch = np.clip(pitch, -UPRIGHT_LIMIT, UPRIGHT_LIMIT)
+    return turn(pitch, np.clip(yaw, -SIDEWAYS_LIMIT, SIDEWAYS_LIMIT), np.zeros_like(yaw))
+
+
+def seen_m(where: Face, eyes: FloatArray) -> FloatArray:
+    """The points (T, 3) that eyes turned so (T, 2, 4) look at: where their lines of sight are nearest to each other."""
+    lines = rotate(multiply(where.turned[:, None], eyes), _AHEAD)
+    left, right = lines[:, 0], lines[:, 1]
+    base = where.eyes_m[:, 0] - where.eyes_m[:, 1]
+    cosine, on_left, on_right = (np.sum(a * b, axis=-1) for a, b in ((left, right), (base, left), (base, right)))
+    sine_squared = 1.0 - cosine**2
+    along = np.stack([cosine * on_right - on_left, on_right - cosine * on_left], axis=-1)
+    along_m = np.clip(along / np.maximum(sine_squared, _PARALLEL)[:, None], 0.0, FARTHEST_M)
+    ends_m = where.eyes_m + np.where(sine_squared < _PARALLEL, FARTHEST_M, along_m.T).T[:, :, None] * lines
+    return np.asarray(ends_m.mean(axis=1))
+
+
+def toward(pitch: FloatArray, yaw: FloatArray, distance_m: FloatArray, from_m: FloatArray) -> FloatArray:
+    """The points (T, 3) so far from `from_m` in the direction of `pitch` and `yaw`."""
+    return np.asarray(from_m + distance_m[:, None] * direction(pitch, yaw))

@@ -1,0 +1,139 @@
+"""What the gazes of a schedule aim at: where eyes, head and trunk are to be turned, and from when.
+
+A `SHIFT` turns to a target for good, a `LOOK` turns head and eyes to it and back, a `GLANCE` is the eyes' alone and is
+laid over the others, as the paper has saccades (§3.8). A direction goes `amount` × 60° to that side, as our BML writes
+it. Conventions: radians and metres; directions are pitch and yaw as seen from where the eyes are in the T-pose, left
+and right are the character's own.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import NamedTuple
+
+import numpy as np
+
+from ...model import Behavior, Channel, FloatArray, Schedule
+from ..geometry.angles import aim
+
+Position = tuple[float, float, float]
+
+LISTENER = "listener"
+LISTENER_M: Position = (0.0, 1.60, 1.25)
+"""Who listens, or speaks to a listener: straight ahead at eye height, 1.2 m from the eyes."""
+
+RANGE_DEGREES = 60.0
+
+_DIAGONAL = float(np.sqrt(0.5))
+DIRECTIONS: Mapping[str, tuple[float, float]] = MappingProxyType(
+    {
+        "LEFT": (0.0, 1.0),
+        "RIGHT": (0.0, -1.0),
+        "UP": (-1.0, 0.0),
+        "DOWN": (1.0, 0.0),
+        "UPLEFT": (-_DIAGONAL, _DIAGONAL),
+        "UPRIGHT": (-_DIAGONAL, -_DIAGONAL),
+        "DOWNLEFT": (_DIAGONAL, _DIAGONAL),
+        "DOWNRIGHT": (_DIAGONAL, -_DIAGONAL),
+    }
+)
+"""Pitch and yaw of BML's `offsetDirection`."""
+
+HEAD_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.9, "LOOK": 0.7})
+"""How much of the angle the head turns: nearly all for who stays there, less for a look that comes back."""
+
+TRUNK_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.25, "LOOK": 0.12})
+"""How much of the yaw the trunk turns."""
+
+AT_EASE = np.radians([18.0, 24.0])
+"""How far eyes turn up or down and to the side before the head helps them."""
+
+_NOWHERE: FloatArray = np.zeros(3)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Aims:
+    """What is turned where: the first row is before any gaze, the others from `starts_s` (K,) on, in order; a slow head
+    takes `within_s`. The eyes' pitch, yaw and nearness (1 / m) (K + 1, 3), the head's pitch and yaw (K + 1, 2), the
+    trunk's yaw (K + 1, 1)."""
+
+    starts_s: FloatArray
+    within_s: FloatArray
+    eyes: FloatArray
+    head: FloatArray
+    trunk: FloatArray
+
+
+class _Line(NamedTuple):
+    """Where the gaze goes from `at_s` on, what a glance adds to it, and whose shares head and trunk take."""
+
+    at_s: float
+    within_s: float
+    line: FloatArray
+    glance: FloatArray
+    lexeme: str
+
+
+def looks(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position]) -> Aims:
+    """The aims of a schedule's gazes, at the listener before them. Head and trunk take their shares of the line of
+    sight; the head helps where the eyes alone would be strained."""
+    names = {each.target for each in schedule.behaviors if each.kind is Channel.GAZE and each.kept}
+    at = {name: _at(name, from_m, targets_m) for name in {None, *names}}
+    lines = [_Line(0.0, 0.0, at[None], _NOWHERE, "SHIFT"), *_lines(schedule, at)]
+    line, glance = np.array([each.line for each in lines]), np.array([each.glance for each in lines])
+    shares = np.array([[HEAD_SHARE[each.lexeme], TRUNK_SHARE[each.lexeme]] for each in lines])
+    head = shares[:, :1] * line[:, :2]
+    in_head = (line + glance)[:, :2] - head
+    return Aims(
+        starts_s=np.array([each.at_s for each in lines[1:]]),
+        within_s=np.array([each.within_s for each in lines[1:]]),
+        eyes=line + glance,
+        head=head + in_head - np.clip(in_head, -AT_EASE, AT_EASE),
+        trunk=shares[:, 1:] * line[:, 1:2],
+    )
+
+
+def _lines(schedule: Schedule, at: Mapping[str | None, FloatArray]) -> Iterator[_Line]:
+    """The latest gaze that is not over yet has the aim, among glances and among the others."""
+    base = at[None]
+    running: list[Behavior] = []
+    for at_s, within_s, gaze, begins in _moments(schedule):
+        if not begins:
+            running.remove(gaze)
+        elif gaze.lexeme == "SHIFT":
+            base = at[gaze.target] + _aside(gaze)
+        else:
+            running.append(gaze)
+        aside = [each for each in running if each.lexeme != "GLANCE"]
+        line = at[aside[-1].target] + _aside(aside[-1]) if aside else base
+        glances = [each for each in running if each.lexeme == "GLANCE"]
+        glance = _NOWHERE
+        if glances:
+            glance = _aside(glances[-1]) if glances[-1].direction in DIRECTIONS else at[glances[-1].target] - line
+        yield _Line(at_s, within_s, line, glance, "LOOK" if aside else "SHIFT")
+
+
+def _moments(schedule: Schedule) -> list[tuple[float, float, Behavior, bool]]:
+    """When a gaze begins (True) or leaves its target, and within which time, in order."""
+    found = []
+    for gaze in schedule.behaviors:
+        if not gaze.kept or gaze.kind is not Channel.GAZE:
+            continue
+        sync = gaze.sync
+        ready_s = sync.end if sync.ready is None else sync.ready
+        found.append((sync.start, ready_s - sync.start, gaze, True))
+        if gaze.lexeme != "SHIFT":
+            leaves_s = max(sync.end if sync.relax is None else sync.relax, sync.start)
+            found.append((leaves_s, sync.end - leaves_s, gaze, False))
+    return sorted(found, key=lambda moment: (moment[0], moment[2].sync.start, moment[2].id, not moment[3]))
+
+
+def _aside(gaze: Behavior) -> FloatArray:
+    pitch, yaw = DIRECTIONS.get(gaze.direction or "", (0.0, 0.0))
+    angle = np.radians(RANGE_DEGREES) * (gaze.amount or 0.0)
+    return np.array([angle * pitch, angle * yaw, 0.0])
+
+
+def _at(target: str | None, from_m: FloatArray, targets_m: Mapping[str, Position]) -> FloatArray:
+    way_m = np.array(targets_m.get(target or LISTENER, LISTENER_M)) - from_m
+    return np.array([*aim(way_m), 1.0 / np.linalg.norm(way_m)])

@@ -1,0 +1,190 @@
+"""The mannequin's body below the head: which capsules make the jumper, the trousers, the shoes, the hands.
+
+Conventions: places are given as a joint and metres from it in the T-pose, left parts only; the right are their mirror
+images. Clothes and skin are meshed apart, so that the borders between them are clean and bare hands stand out before
+the body.
+"""
+
+from dataclasses import dataclass
+from enum import Enum, auto
+
+import numpy as np
+
+from ...model import FloatArray
+from ..body.skeleton import FINGERS, Offset, Skeleton
+from .surface import Capsule
+
+HERE: Offset = (0.0, 0.0, 0.0)
+
+
+class Use(Enum):
+    """What a bone is for: a long surface over several joints is drawn by one bone and carried by others, for where two
+    that are drawn overlap the skin swells."""
+
+    DRAWN_AND_CARRIES = auto()
+    DRAWN = auto()
+    CARRIES = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Bone:
+    """A capsule from a place at `joint` to a place at `towards`, that follows `joint`."""
+
+    joint: str
+    towards: str
+    start_radius_m: float
+    end_radius_m: float
+    start_m: Offset = HERE
+    end_m: Offset = HERE
+    stretch: Offset = (1.0, 1.0, 1.0)
+    use: Use = Use.DRAWN_AND_CARRIES
+
+
+@dataclass(frozen=True, slots=True)
+class Garment:
+    """A surface of one material: `middle` bones stand once, `left` bones are mirrored."""
+
+    material: str
+    melt_m: float
+    grid_m: float
+    middle: tuple[Bone, ...] = ()
+    left: tuple[Bone, ...] = ()
+
+
+JUMPER = Garment(
+    "jumper",
+    melt_m=0.012,
+    grid_m=0.016,
+    middle=(
+        Bone("hips", "upperChest", 0.1045, 0.1065, (0, -0.03, 0.0), (0, 0.02, 0.008), (1.45, 0.9, 1.03), Use.DRAWN),
+        Bone("hips", "spine", 0.106, 0.100, (0, -0.01, 0.004), (0, 0.02, 0.006), (1.42, 0.75, 0.98), Use.CARRIES),
+        Bone("spine", "chest", 0.098, 0.100, (0, 0.02, 0.006), HERE, (1.34, 1.0, 1.0), Use.CARRIES),
+        Bone("chest", "upperChest", 0.102, 0.106, (0, 0.02, 0.004), (0, 0.0, 0.012), (1.50, 1.0, 1.02), Use.CARRIES),
+        Bone("upperChest", "neck", 0.104, 0.052, (0, 0.02, 0.008), (0, -0.020, -0.002), (1.46, 1.0, 1.0)),
+    ),
+    left=(
+        Bone("leftShoulder", "leftUpperArm", 0.048, 0.052, (0.02, -0.028, -0.01), (-0.01, -0.012, 0), (1, 1, 1.15)),
+        Bone("leftUpperArm", "leftLowerArm", 0.055, 0.043, (-0.01, -0.008, 0.0)),
+        Bone("leftLowerArm", "leftHand", 0.043, 0.034, HERE, (-0.03, 0, 0)),
+    ),
+)
+
+TROUSERS = Garment(
+    "trousers",
+    melt_m=0.012,
+    grid_m=0.018,
+    middle=(Bone("hips", "hips", 0.102, 0.100, (0, 0.01, 0.0), (0, -0.06, -0.008), (1.42, 0.8, 1.02)),),
+    left=(
+        Bone("leftUpperLeg", "leftLowerLeg", 0.080, 0.054, (-0.006, -0.065, -0.004), (0, 0, 0.0)),
+        Bone("leftLowerLeg", "leftFoot", 0.053, 0.046, (0, 0, 0), (0, 0.03, 0.004)),
+    ),
+)
+
+SHOES = Garment(
+    "shoes",
+    melt_m=0.008,
+    grid_m=0.012,
+    left=(
+        Bone("leftFoot", "leftFoot", 0.040, 0.040, (0, 0.02, 0.0), (0, -0.035, -0.018)),
+        Bone("leftFoot", "leftToes", 0.038, 0.032, (0, -0.04, 0.02), (0.004, 0.014, 0), (1.1, 0.95, 1)),
+        Bone("leftToes", "leftToes", 0.034, 0.026, (0.004, 0.008, 0.0), (0.004, 0.004, 0.05), (1.25, 0.85, 1)),
+    ),
+)
+
+
+def _finger_bones() -> tuple[Bone, ...]:
+    """Three capsules a finger; the last ends a finger's breadth beyond its joint."""
+    radii = {"Thumb": 0.0112, "Index": 0.0092, "Middle": 0.0095, "Ring": 0.0090, "Little": 0.0080}
+    tips: dict[str, Offset] = {
+        "Thumb": (0.020, -0.002, 0.010),
+        "Index": (0.018, -0.001, 0.0),
+        "Middle": (0.020, -0.001, 0.0),
+        "Ring": (0.018, -0.001, 0.0),
+        "Little": (0.015, -0.001, 0.0),
+    }
+    bones = []
+    for finger in FINGERS:
+        names = ("Metacarpal", "Proximal", "Distal") if finger == "Thumb" else ("Proximal", "Intermediate", "Distal")
+        joints = [f"left{finger}{name}" for name in names]
+        radius = radii[finger]
+        bones += [
+            Bone(joints[0], joints[1], radius * (1.25 if finger == "Thumb" else 1.08), radius),
+            Bone(joints[1], joints[2], radius, 0.93 * radius),
+            Bone(joints[2], joints[2], 0.93 * radius, 0.80 * radius, HERE, tips[finger]),
+        ]
+    return tuple(bones)
+
+
+HANDS = Garment(
+    "skin",
+    melt_m=0.0030,
+    grid_m=0.0055,
+    left=(
+        Bone("leftLowerArm", "leftHand", 0.026, 0.026, (0.21, 0, 0), (-0.005, 0, 0), (1, 0.82, 1.05)),
+        Bone("leftHand", "leftHand", 0.024, 0.022, HERE, (0.03, -0.001, 0.0), (1, 0.72, 1.15)),
+        Bone("leftHand", "leftIndexProximal", 0.018, 0.0135, (0.02, 0, 0.012), (-0.006, -0.001, -0.002), (1, 0.85, 1)),
+        Bone("leftHand", "leftMiddleProximal", 0.018, 0.0135, (0.02, 0, 0.004), (-0.006, -0.002, 0), (1, 0.85, 1)),
+        Bone("leftHand", "leftRingProximal", 0.018, 0.013, (0.02, 0, -0.006), (-0.006, -0.001, 0), (1, 0.85, 1)),
+        Bone("leftHand", "leftLittleProximal", 0.017, 0.012, (0.02, 0, -0.014), (-0.004, 0.001, 0), (1, 0.9, 1)),
+        Bone("leftHand", "leftThumbMetacarpal", 0.014, 0.015, (0.015, -0.004, 0.014), (0.012, -0.002, 0.006)),
+        *_finger_bones(),
+    ),
+)
+
+NECK = Garment(
+    "skin",
+    melt_m=0.008,
+    grid_m=0.012,
+    middle=(
+        Bone("neck", "head", 0.051, 0.046, (0, -0.07, 0.002), (0, -0.02, 0.0)),
+        Bone("head", "head", 0.046, 0.046, (0, -0.02, 0.0), (0, 0.04, 0.004)),
+    ),
+)
+
+GARMENTS: tuple[Garment, ...] = (JUMPER, TROUSERS, SHOES, HANDS, NECK)
+
+
+def drawn(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+    """The capsules around this skeleton that make the garment's surface: middle, left, right."""
+    return _capsules(garment, skeleton, besides=Use.CARRIES)
+
+
+def carrying(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+    """The capsules whose joints the garment's surface follows."""
+    return _capsules(garment, skeleton, besides=Use.DRAWN)
+
+
+def _capsules(garment: Garment, skeleton: Skeleton, *, besides: Use) -> tuple[Capsule, ...]:
+    places_m = t_pose_m(skeleton)
+    middle = [_capsule(bone, skeleton, places_m) for bone in garment.middle if bone.use is not besides]
+    left = [_capsule(bone, skeleton, places_m) for bone in garment.left if bone.use is not besides]
+    return (*middle, *left, *(_mirrored(capsule) for capsule in left))
+
+
+def t_pose_m(skeleton: Skeleton) -> FloatArray:
+    """Where the joints are in the T-pose (J, 3)."""
+    places = np.zeros_like(skeleton.offsets_m)
+    for joint, parent in enumerate(skeleton.parents):
+        places[joint] = skeleton.offsets_m[joint] + (places[parent] if parent >= 0 else 0.0)
+    return places
+
+
+def _capsule(bone: Bone, skeleton: Skeleton, places_m: FloatArray) -> Capsule:
+    start = places_m[skeleton.index[bone.joint]] + np.array(bone.start_m)
+    end = places_m[skeleton.index[bone.towards]] + np.array(bone.end_m)
+    return Capsule(bone.joint, _triple(start), _triple(end), bone.start_radius_m, bone.end_radius_m, bone.stretch)
+
+
+def _mirrored(capsule: Capsule) -> Capsule:
+    return Capsule(
+        "right" + capsule.joint.removeprefix("left"),
+        (-capsule.start_m[0], *capsule.start_m[1:]),
+        (-capsule.end_m[0], *capsule.end_m[1:]),
+        capsule.start_radius_m,
+        capsule.end_radius_m,
+        capsule.stretch,
+    )
+
+
+def _triple(place: FloatArray) -> tuple[float, float, float]:
+    return float(place[0]), float(place[1]), float(place[2])

@@ -1,0 +1,188 @@
+"""The mannequin's eyes: balls with iris and pupil, lids that close over them, lashes, brows.
+
+Conventions: metres in the space of the head joint. A lid is a shell around the ball, laid out by elevation (from its
+edge to where it goes under the skin) and azimuth (from the right to the left). Angles are degrees, the left eye's.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from types import MappingProxyType
+
+import numpy as np
+
+from ...model import FloatArray
+from .face import Tissue
+from .head import on_skin_m
+from .surface import Capsule, IntArray, Surface, mesh
+
+BALL_M = 0.0152
+LID_M = 0.0166
+LASH_M = 0.0169
+EDGE_THICKNESS_M = 0.0007
+
+PUPIL_DEGREES, IRIS_DEGREES, BALL_DEGREES = 11.0, 27.0, 105.0
+AZIMUTHS = np.linspace(-96, 96, 25)
+ROWS = 6
+CORNER_AZIMUTH, CORNER_ELEVATION = 64.0, -5.0
+"""Where the lids meet."""
+
+SUNK_DEGREES = 80.0
+"""The elevation at which a lid is under the skin."""
+
+
+@dataclass(frozen=True, slots=True)
+class Opening:
+    """The elevations of the upper and the lower lid's edge in the middle of the eye."""
+
+    upper: float
+    lower: float
+
+
+OPEN = Opening(23.0, -21.0)
+CLOSED_AT = -9.0
+OPENINGS: Mapping[str, Opening] = MappingProxyType(
+    {
+        "eyeBlink": Opening(CLOSED_AT, CLOSED_AT),
+        "eyeSquint": Opening(14.0, -10.0),
+        "eyeWide": Opening(35.0, -27.0),
+        "eyeLookDown": Opening(9.0, -25.0),
+        "eyeLookUp": Opening(31.0, -17.0),
+        "cheekSquint": Opening(22.0, -14.0),
+    }
+)
+"""What the lids do in the shapes that move them."""
+
+SIDEWAYS_DEGREES: Mapping[str, float] = MappingProxyType({"eyeLookIn": -5.0, "eyeLookOut": 5.0})
+
+BROW: tuple[tuple[float, float, float], ...] = (
+    (0.013, 0.0965, 0.0028),
+    (0.022, 0.0995, 0.0034),
+    (0.033, 0.1015, 0.0032),
+    (0.043, 0.0995, 0.0026),
+    (0.050, 0.0955, 0.0018),
+)
+"""Places (x, y) and radii along the left brow."""
+
+
+def ball(eye_m: FloatArray) -> tuple[tuple[str, Surface], ...]:
+    """An eyeball that looks ahead: pupil, iris and white."""
+    return (
+        ("pupil", _zone(eye_m, 0.0, PUPIL_DEGREES, 2)),
+        ("iris", _zone(eye_m, PUPIL_DEGREES, IRIS_DEGREES, 2)),
+        ("eye_white", _zone(eye_m, IRIS_DEGREES, BALL_DEGREES, 8)),
+    )
+
+
+def lids(eye_m: FloatArray, side: str) -> tuple[tuple[str, Surface, Tissue], ...]:
+    """Both lids of an eye and the lashes of the upper one."""
+    return (
+        ("skin", *_shell(eye_m, side, upper=True)),
+        ("skin", *_shell(eye_m, side, upper=False)),
+        ("hair", *_lashes(eye_m, side)),
+    )
+
+
+def brow(side: str) -> tuple[Surface, Tissue]:
+    """A brow, which moves as the skin under it."""
+    sign = 1.0 if side == "left" else -1.0
+    places = on_skin_m(np.array([(sign * x, y, 0.08) for x, y, _radius in BROW]))
+    ends = [(float(x), float(y), float(z)) for x, y, z in places]
+    rods = tuple(
+        Capsule("head", first, second, BROW[number][2], BROW[number + 1][2])
+        for number, (first, second) in enumerate(pairwise(ends))
+    )
+    surface = mesh(rods, melt_m=0.0008, grid_m=0.0021)
+    nothing = np.zeros(len(surface.positions_m))
+    return surface, Tissue(surface.positions_m, nothing, nothing, nothing)
+
+
+def _zone(eye_m: FloatArray, start: float, end: float, rows: int) -> Surface:
+    """The ball between two angles from its pole, which looks ahead."""
+    around = np.arange(24) * 2 * np.pi / 24
+    rings = [
+        np.stack([np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), np.full(24, np.cos(polar))], axis=1)
+        for polar in np.radians(np.linspace(max(start, 0.01), end, rows + 1))
+    ]
+    normals = np.concatenate(rings)
+    column = np.arange(24)
+    following = (column + 1) % 24
+    triangles = []
+    for row in range(rows):
+        inner, outer = 24 * row, 24 * (row + 1)
+        triangles += [
+            np.stack([inner + column, outer + column, outer + following], axis=1),
+            np.stack([inner + column, outer + following, inner + following], axis=1),
+        ]
+    return Surface(eye_m + BALL_M * normals, normals, np.concatenate(triangles))
+
+
+def _shell(eye_m: FloatArray, side: str, *, upper: bool) -> tuple[Surface, Tissue]:
+    """A lid: its edge's thickness, then rows from the edge to under the skin."""
+    points = _lid_m(eye_m, side, OPEN, upper=upper)
+    own = {
+        f"{name}{side.capitalize()}": _lid_m(eye_m, side, opening, upper=upper) - points
+        for name, opening in OPENINGS.items()
+    }
+    for name, degrees in SIDEWAYS_DEGREES.items():
+        own[f"{name}{side.capitalize()}"] = _lid_m(eye_m, side, OPEN, upper=upper, sideways=degrees) - points
+    normals = (points - eye_m) / np.linalg.norm(points - eye_m, axis=1, keepdims=True)
+    surface = Surface(points, normals, _grid(ROWS + 2, len(AZIMUTHS), flipped=not upper))
+    return surface, _held(points, own)
+
+
+def _lashes(eye_m: FloatArray, side: str) -> tuple[Surface, Tissue]:
+    """A dark line along the edge of the upper lid."""
+    points = _lash_m(eye_m, OPEN)
+    own = {
+        f"{name}{side.capitalize()}": _lash_m(eye_m, opening) - points
+        for name, opening in OPENINGS.items()
+        if opening.upper != OPEN.upper
+    }
+    normals = (points - eye_m) / np.linalg.norm(points - eye_m, axis=1, keepdims=True)
+    return Surface(points, normals, _grid(2, len(AZIMUTHS), flipped=False)), _held(points, own)
+
+
+def _held(points: FloatArray, own: Mapping[str, FloatArray]) -> Tissue:
+    """Lids keep to the ball: no muscle of the face pulls at them but their own."""
+    nothing = np.zeros(len(points))
+    return Tissue(points, nothing, nothing, nothing, inside=True, own=own)
+
+
+def _lid_m(eye_m: FloatArray, side: str, opening: Opening, *, upper: bool, sideways: float = 0.0) -> FloatArray:
+    """The lid's points, from the edge: ((ROWS + 2) × azimuths, 3)."""
+    edge = _edge(opening.upper if upper else opening.lower)
+    sunk = SUNK_DEGREES if upper else -SUNK_DEGREES
+    rows = [edge + share * (sunk - edge) for share in np.linspace(0, 1, ROWS + 1) ** 1.3]
+    shift = sideways if side == "left" else -sideways
+    azimuths = [AZIMUTHS + shift * (1 - share) for share in np.linspace(0, 1, ROWS + 1)]
+    shells = [_sphere(eye_m, LID_M - EDGE_THICKNESS_M, rows[0], azimuths[0])]
+    shells += [_sphere(eye_m, LID_M, row, azimuth) for row, azimuth in zip(rows, azimuths, strict=True)]
+    return np.concatenate(shells)
+
+
+def _lash_m(eye_m: FloatArray, opening: Opening) -> FloatArray:
+    edge = _edge(opening.upper)
+    inside = np.clip(AZIMUTHS, -CORNER_AZIMUTH, CORNER_AZIMUTH)
+    return np.concatenate([_sphere(eye_m, LASH_M, edge + width, inside) for width in (-1.0, 4.0)])
+
+
+def _edge(middle: float) -> FloatArray:
+    """An edge's elevations: it comes to the corners of the eye, which are a little below the middle."""
+    inside = np.clip(AZIMUTHS / CORNER_AZIMUTH, -1, 1)
+    return np.asarray(CORNER_ELEVATION + (middle - CORNER_ELEVATION) * np.cos(inside * np.pi / 2) ** 0.75)
+
+
+def _sphere(eye_m: FloatArray, radius_m: float, elevations: FloatArray, azimuths: FloatArray) -> FloatArray:
+    up, round_ = np.radians(elevations), np.radians(azimuths)
+    way = np.stack([np.cos(up) * np.sin(round_), np.sin(up), np.cos(up) * np.cos(round_)], axis=1)
+    return np.asarray(eye_m + radius_m * way)
+
+
+def _grid(rows: int, columns: int, *, flipped: bool) -> IntArray:
+    """Triangles between rows of points; the next row lies above, or below if `flipped`."""
+    row, column = (each.reshape(-1) for each in np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij"))
+    here = row * columns + column
+    above = here + columns
+    quads = np.concatenate([np.stack([here, here + 1, above + 1], 1), np.stack([here, above + 1, above], 1)])
+    return quads[:, ::-1] if flipped else quads

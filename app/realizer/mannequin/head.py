@@ -1,0 +1,231 @@
+"""The mannequin's head: a skull of capsules, its skin laid out in rings around the mouth, teeth, tongue, ears,
+hair.
+
+Conventions: metres in the space of the head joint. The skin's mesh is polar: rings about the mouth, from the bottom of
+the mouth through the closed lips over the face to the back of the head; columns count counter-clockwise from the left
+corner of the mouth. So the lips can part, and the mesh is finest where the face moves most.
+"""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from ...model import FloatArray
+from .face import MOUTH_HALF_M, MOUTH_Y_M, Tissue
+from .surface import Capsule, IntArray, Surface, melted, mesh
+
+COLUMNS = 64
+CENTRE_M = np.array([0.0, 0.06, 0.0])
+"""Whence rays go to the skin."""
+
+MELT_M = 0.009
+MOUTH_M = np.array([0.0, MOUTH_Y_M, 0.106])
+
+
+def _rod(start: tuple[float, float, float], end: tuple[float, float, float], first: float, last: float) -> Capsule:
+    return Capsule("head", start, end, first, last)
+
+
+def _pair(capsule: Capsule) -> tuple[Capsule, Capsule]:
+    (x, y, z), (u, v, w) = capsule.start_m, capsule.end_m
+    radii = (capsule.start_radius_m, capsule.end_radius_m)
+    return capsule, Capsule("head", (-x, y, z), (-u, v, w), *radii, capsule.stretch)
+
+
+SKULL: tuple[Capsule, ...] = (
+    _rod((0, 0.112, -0.014), (0, 0.112, 0.010), 0.076, 0.078),
+    _rod((0, 0.055, 0.035), (0, 0.010, 0.050), 0.058, 0.038),
+    _rod((0, -0.004, 0.064), (0, -0.004, 0.066), 0.022, 0.022),
+    *_pair(_rod((0.044, 0.036, 0.010), (0.016, -0.006, 0.060), 0.019, 0.019)),
+    *_pair(_rod((0.029, 0.047, 0.064), (0.034, 0.045, 0.058), 0.024, 0.024)),
+    *_pair(_rod((0.022, 0.059, 0.0815), (0.045, 0.062, 0.070), 0.011, 0.010)),
+    *_pair(_rod((0.004, 0.100, 0.082), (0.040, 0.099, 0.069), 0.016, 0.014)),
+    _rod((0, 0.088, 0.093), (0, 0.052, 0.113), 0.0055, 0.0080),
+    *_pair(_rod((0.007, 0.047, 0.103), (0.008, 0.046, 0.098), 0.0058, 0.0058)),
+    _rod((-0.014, 0.018, 0.076), (0.014, 0.018, 0.076), 0.021, 0.021),
+)
+
+EARS: tuple[Capsule, ...] = _pair(
+    Capsule("head", (0.079, 0.080, -0.010), (0.077, 0.058, -0.004), 0.016, 0.010, (0.40, 1.0, 1.0))
+)
+HAIR: tuple[Capsule, ...] = (
+    _rod((0, 0.118, -0.020), (0, 0.128, 0.000), 0.080, 0.077),
+    _rod((0, 0.056, -0.036), (0, 0.085, -0.022), 0.044, 0.066),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Ring:
+    """A closed line around the mouth: half its width and height, how far it lies out (of the skin; of the mouth inside)
+    and what it belongs to."""
+
+    half_m: tuple[float, float]
+    out_m: float
+    material: str
+
+
+_INSIDE = (
+    Ring((0.004, 0.004), -0.050, "mouth"),
+    Ring((0.017, 0.014), -0.036, "mouth"),
+    Ring((0.021, 0.014), -0.016, "mouth"),
+    Ring((0.022, 0.0035), -0.0065, "mouth"),
+)
+_LIPS = (
+    Ring((MOUTH_HALF_M, 0.0), -0.0012, "lips"),
+    Ring((0.0252, 0.0022), 0.0024, "lips"),
+    Ring((0.0256, 0.0052), 0.0032, "lips"),
+    Ring((0.0264, 0.0084), 0.0008, "skin"),
+)
+_HEIGHTS_M = (
+    *(0.0115, 0.015, 0.0185, 0.022, 0.0255, 0.029, 0.0325, 0.036, 0.040, 0.044, 0.0485, 0.054, 0.060, 0.067, 0.075),
+    *(0.084, 0.094, 0.106, 0.120, 0.136, 0.155, 0.178, 0.204, 0.234, 0.266, 0.300),
+)
+RINGS: tuple[Ring, ...] = (
+    *_INSIDE,
+    *_LIPS,
+    *(Ring((max(height, 0.0264 + 0.62 * (height - 0.0084)), height), 0.0, "skin") for height in _HEIGHTS_M),
+)
+FIRST_OUTSIDE = len(_INSIDE)
+
+
+def skin() -> tuple[tuple[str, Surface, Tissue], ...]:
+    """The skin, the lips and the inside of the mouth: material, surface, and how each moves."""
+    angles = np.arange(COLUMNS) * 2 * np.pi / COLUMNS
+    middle = _on_skin(np.zeros((1, 2)))[0]
+    inside = np.stack([_inside_m(ring, angles, middle) for ring in RINGS[:FIRST_OUTSIDE]])
+    back = _on_skin(np.array([[0.0, np.pi * _mouth_distance_m() - 1e-6]]))
+    points = np.concatenate([inside.reshape(-1, 3), _outside_m(angles).reshape(-1, 3), back])
+    triangles: dict[str, list[IntArray]] = {ring.material: [] for ring in RINGS}
+    for number, ring in enumerate(RINGS[:-1]):
+        triangles[ring.material].append(_band(number))
+    triangles["skin"].append(_cap(len(RINGS) - 1, len(points) - 1))
+    triangles["mouth"].append(_bottom())
+    normals = _normals(points, np.concatenate([each for bands in triangles.values() for each in bands]))
+    tissue = _tissue(points)
+    return tuple(
+        _only(material, np.concatenate(bands), points, normals, tissue) for material, bands in triangles.items()
+    )
+
+
+def ears() -> Surface:
+    """Both ears."""
+    return mesh(EARS, melt_m=0.004, grid_m=0.008)
+
+
+def hair() -> Surface:
+    """A cap of short hair, whose edge is where it meets the skin."""
+    return mesh(HAIR, melt_m=0.012, grid_m=0.010)
+
+
+def on_skin_m(points: FloatArray) -> FloatArray:
+    """The points (N, 3) moved along the ray from the head's middle to the skin."""
+    away = points - CENTRE_M
+    return _cast(away / np.linalg.norm(away, axis=1, keepdims=True))
+
+
+def _mouth_distance_m() -> float:
+    return float(np.linalg.norm(MOUTH_M - CENTRE_M))
+
+
+def _inside_m(ring: Ring, angles: FloatArray, middle: FloatArray) -> FloatArray:
+    """The points (COLUMNS, 3) of a ring inside the mouth, behind the lips' `middle`."""
+    across, up = ring.half_m[0] * np.cos(angles), ring.half_m[1] * np.sin(angles)
+    outwards, upwards = _axes()
+    depth = ring.out_m - 0.35 * np.abs(across)
+    return np.asarray(middle + np.outer(across, [1, 0, 0]) + np.outer(up, upwards) + np.outer(depth, outwards))
+
+
+def _outside_m(angles: FloatArray) -> FloatArray:
+    """The points (R, COLUMNS, 3) of all rings on the face; lips are full in the middle and thin at the corners."""
+    rings = RINGS[FIRST_OUTSIDE:]
+    halves = np.array([ring.half_m for ring in rings])
+    places = halves[:, None, :] * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    skin_m = _on_skin(places.reshape(-1, 2)).reshape(len(rings), COLUMNS, 3)
+    fullness = np.where(halves[:, 1:] > 0, np.abs(np.sin(angles)) ** 0.7, 1.0)
+    out_m = np.array([ring.out_m for ring in rings])[:, None] * fullness
+    return np.asarray(skin_m + out_m[..., None] * _axes()[0])
+
+
+def _axes() -> tuple[FloatArray, FloatArray]:
+    """Out of the mouth, and up along the face."""
+    outwards = (MOUTH_M - CENTRE_M) / _mouth_distance_m()
+    return outwards, np.array([0.0, outwards[2], -outwards[1]])
+
+
+def _on_skin(places: FloatArray) -> FloatArray:
+    """Points on the skin (N, 3) at places (N, 2) about the mouth: how far along the skin, nearly, across and up."""
+    outwards, upwards = _axes()
+    distance = np.linalg.norm(places, axis=1, keepdims=True)
+    angle = distance / _mouth_distance_m()
+    ways = places / np.maximum(distance, 1e-12)
+    sideways = ways[:, :1] * np.array([1.0, 0.0, 0.0]) + ways[:, 1:] * upwards
+    return _cast(np.cos(angle) * outwards + np.sin(angle) * sideways)
+
+
+def _cast(rays: FloatArray) -> FloatArray:
+    """Where rays (N, 3) from the middle leave the skull, found from outside."""
+    distance = np.full(len(rays), 0.17)
+    for _ in range(24):
+        distance -= 0.9 * melted(SKULL, CENTRE_M + distance[:, None] * rays, MELT_M)
+    return np.asarray(CENTRE_M + distance[:, None] * rays)
+
+
+def _band(ring: int) -> IntArray:
+    """The triangles between a ring and the next."""
+    column = np.arange(COLUMNS)
+    following = (column + 1) % COLUMNS
+    inner, outer = ring * COLUMNS, (ring + 1) * COLUMNS
+    first = np.stack([inner + column, outer + column, outer + following], axis=1)
+    second = np.stack([inner + column, outer + following, inner + following], axis=1)
+    return np.concatenate([first, second])
+
+
+def _cap(ring: int, pole: int) -> IntArray:
+    column = np.arange(COLUMNS)
+    return np.stack([ring * COLUMNS + column, np.full(COLUMNS, pole), ring * COLUMNS + (column + 1) % COLUMNS], axis=1)
+
+
+def _bottom() -> IntArray:
+    """The bottom of the mouth, a fan over the innermost ring."""
+    return np.array([[0, first, second] for first, second in pairwise(range(1, COLUMNS))])
+
+
+def _normals(points: FloatArray, triangles: IntArray) -> FloatArray:
+    corners = points[triangles]
+    faces = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = np.zeros_like(points)
+    for k in range(3):
+        np.add.at(normals, triangles[:, k], faces)
+    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12))
+
+
+def _tissue(points: FloatArray) -> Tissue:
+    """By rings near the mouth, by place farther off."""
+    angles = np.tile(np.arange(COLUMNS) * 2 * np.pi / COLUMNS, len(RINGS))
+    heights = np.repeat([ring.half_m[1] for ring in RINGS], COLUMNS)
+    heights, angles = np.append(heights, 0.3), np.append(angles, np.pi / 2)
+    by_angle = 0.5 - 0.5 * np.tanh(np.sin(angles) / 0.32)
+    y, z = points[:, 1], points[:, 2]
+    by_place = _smooth(0.030, 0.004, y) * _smooth(-0.005, 0.050, z) * _smooth(-0.065, -0.035, y)
+    far = _smooth(0.014, 0.034, heights)
+    below = (1 - far) * by_angle + far * _smooth(MOUTH_Y_M + 0.006, MOUTH_Y_M - 0.006, y)
+    inner = np.arange(len(points)) < FIRST_OUTSIDE * COLUMNS
+    return Tissue(
+        points, (1 - far) * by_angle + far * by_place, below, np.where(inner, 0.6, _smooth(0.024, 0.010, heights))
+    )
+
+
+def _smooth(start: float, end: float, values: FloatArray) -> FloatArray:
+    """From 0 at `start` to 1 at `end`, smoothly."""
+    share = np.clip((values - start) / (end - start), 0.0, 1.0)
+    return np.asarray(share * share * (3 - 2 * share))
+
+
+def _only(
+    material: str, triangles: IntArray, points: FloatArray, normals: FloatArray, tissue: Tissue
+) -> tuple[str, Surface, Tissue]:
+    """A part with the vertices that it uses."""
+    used, numbered = np.unique(triangles, return_inverse=True)
+    surface = Surface(points[used], normals[used], numbered.reshape(triangles.shape))
+    return material, surface, Tissue(points[used], tissue.jaw[used], tissue.below[used], tissue.lip[used])

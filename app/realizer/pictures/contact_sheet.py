@@ -1,0 +1,138 @@
+"""A contact sheet: the mannequin in the poses that matter, from the front and three quarters, with times and words.
+
+matplotlib lays out and writes the picture; it is an extra, `pip install 'understudy[plot]'`, asked for by the doors.
+"""
+
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...model import Channel, FloatArray, Schedule, Word
+from ..body.motion import SHAPES, Motion
+from ..body.skeleton import HIPS_HEIGHT_M, Skeleton, forward
+from ..geometry.rotations import rotate
+from ..mannequin.mannequin import COLOURS, Mannequin, posed
+from .rasterizer import Camera, Paint, draw
+
+BACKGROUND = np.array([0.80, 0.81, 0.82])
+FRONT = Camera((0.0, 1.14, 0.0), 1.62)
+THREE_QUARTERS = Camera((0.0, 1.14, 0.0), 1.62, azimuth=np.radians(48), elevation=np.radians(8))
+BODY_HEIGHT, FACE_HEIGHT, CELL_WIDTH, CAPTION_HEIGHT = 300, 200, 260, 44
+COLUMNS = 8
+AT_MOST = 24
+TOGETHER_S = 0.1
+SHOWN = (Channel.GESTURE, Channel.HEAD, Channel.FACE, Channel.GAZE, Channel.POSTURE)
+"""What is worth a picture, the most first."""
+
+FACE_ABOVE_HEAD_M = np.array([0.0, 0.09, 0.0])
+DOTS_PER_INCH = 100
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Still:
+    """One pose and what is written under it: `rotations` (J, 4), `shapes` (52,) of the face, all 0 when not given."""
+
+    caption: str
+    rotations: FloatArray
+    hips_m: FloatArray | None = None
+    shapes: FloatArray | None = None
+
+
+def draw_sheet(
+    motion: Motion, skeleton: Skeleton, moments: Sequence[tuple[float, str]], *, faces: bool = True
+) -> bytes:
+    """The poses at the moments (seconds, caption), as PNG."""
+    body = motion.body
+    frames = [int(np.argmin(np.abs(body.times_s - time_s))) for time_s, _caption in moments]
+    stills = [
+        Still(f"{time_s:.2f} s  {caption}", body.rotations[frame], body.hips_m[frame], motion.shapes[frame])
+        for frame, (time_s, caption) in zip(frames, moments, strict=True)
+    ]
+    return draw_stills(stills, skeleton, faces=faces)
+
+
+def moments_of(motion: Motion, schedule: Schedule, *, at_most: int = AT_MOST) -> tuple[tuple[float, str], ...]:
+    """The peaks of what was realized, as moments for a sheet: when, and what with which word.
+
+    The peak is the stroke, else `ready`, else the start. Peaks nearer than `TOGETHER_S` are one moment. Of more than
+    `at_most`, gestures come before movements of the head, these before faces, gazes and postures.
+    """
+    chosen: list[tuple[float, str]] = []
+    shown = [behavior for behavior in schedule.behaviors if behavior.kind in SHOWN and behavior.id in motion.realized]
+    for behavior in sorted(shown, key=lambda each: SHOWN.index(each.kind)):
+        sync = motion.realized[behavior.id]
+        peak_s = next(at for at in (sync.stroke, sync.ready, sync.start) if at is not None)
+        near = next((k for k, (time_s, _caption) in enumerate(chosen) if abs(time_s - peak_s) < TOGETHER_S), None)
+        if near is not None:
+            chosen[near] = (chosen[near][0], f"{chosen[near][1]} + {behavior.lexeme}")
+        elif len(chosen) < at_most:
+            chosen.append((peak_s, behavior.lexeme))
+    moments = sorted(chosen) or [(float(motion.body.times_s[0]), "")]
+    return tuple((time_s, f"{caption}\n{_word_at(schedule.words, time_s)}") for time_s, caption in moments)
+
+
+def _word_at(words: Sequence[Word], time_s: float) -> str:
+    """The word that is said at this time."""
+    said = (word for word in words if word.interval and word.interval.start_s <= time_s < word.interval.end_s)
+    return next((f"“{word.text}”" for word in said), "")
+
+
+def draw_stills(stills: Sequence[Still], skeleton: Skeleton, *, faces: bool = True, columns: int = COLUMNS) -> bytes:
+    """The poses side by side, so many to a row at most, as PNG."""
+    mannequin = Mannequin.around(skeleton)
+    columns = min(columns, len(stills))
+    cells = [_cell(mannequin, still, faces=faces) for still in stills]
+    blank = np.broadcast_to(BACKGROUND, cells[0].shape)
+    cells += [blank] * (-len(cells) % columns)
+    rows = [np.concatenate(cells[k : k + columns], axis=1) for k in range(0, len(cells), columns)]
+    return _lettered(np.concatenate(rows), stills, columns, cells[0].shape[0])
+
+
+def _cell(mannequin: Mannequin, still: Still, *, faces: bool) -> FloatArray:
+    """The pictures of one pose above each other, and room for its caption."""
+    hips_m = np.array([0.0, HIPS_HEIGHT_M, 0.0]) if still.hips_m is None else still.hips_m
+    shapes = np.zeros(len(SHAPES)) if still.shapes is None else still.shapes
+    surfaces = posed(mannequin, still.rotations, hips_m, shapes)
+    paints = tuple(
+        Paint(each.positions_m, each.normals, each.triangles, np.tile(COLOURS[part.material], (len(each.normals), 1)))
+        for part, each in zip(mannequin.parts, surfaces, strict=True)
+    )
+    views = [(FRONT, BODY_HEIGHT), (THREE_QUARTERS, BODY_HEIGHT)]
+    if faces:
+        views.append((_face_camera(mannequin.skeleton, still, hips_m), FACE_HEIGHT))
+    pictures = [draw(paints, camera, height=height, width=CELL_WIDTH, ground=BACKGROUND) for camera, height in views]
+    caption = np.broadcast_to(BACKGROUND, (CAPTION_HEIGHT, CELL_WIDTH, 3))
+    return np.concatenate([*pictures, caption])
+
+
+def _face_camera(skeleton: Skeleton, still: Still, hips_m: FloatArray) -> Camera:
+    """A close-up, straight from the front, of wherever the head is."""
+    places_m, turns = forward(skeleton, still.rotations, hips_m)
+    head = skeleton.index["head"]
+    middle = places_m[head] + rotate(turns[head], FACE_ABOVE_HEAD_M)
+    return Camera((float(middle[0]), float(middle[1]), float(middle[2])), 0.30)
+
+
+def _lettered(picture: FloatArray, stills: Sequence[Still], columns: int, cell_height: int) -> bytes:
+    """The picture with its captions, as PNG."""
+    from matplotlib.figure import Figure
+
+    height, width = picture.shape[:2]
+    figure = Figure(figsize=(width / DOTS_PER_INCH, height / DOTS_PER_INCH), dpi=DOTS_PER_INCH)
+    axes = figure.add_axes((0, 0, 1, 1))
+    axes.set_axis_off()
+    axes.imshow(_display(picture), interpolation="none", aspect="auto", extent=(0, width, height, 0))
+    for number, still in enumerate(stills):
+        row, column = divmod(number, columns)
+        left, bottom = column * CELL_WIDTH, (row + 1) * cell_height
+        axes.text(left + CELL_WIDTH / 2, bottom - 4, still.caption, ha="center", va="bottom", fontsize=7.5)
+    content = io.BytesIO()
+    figure.savefig(content, format="png", dpi=DOTS_PER_INCH)
+    return content.getvalue()
+
+
+def _display(light: FloatArray) -> FloatArray:
+    """Linear light as screens want it."""
+    return np.asarray(np.clip(light, 0, 1) ** (1 / 2.2))

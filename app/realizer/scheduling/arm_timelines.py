@@ -1,0 +1,193 @@
+"""What each arm does with its time: gesture units, the rests between them, and every phase on the clock.
+
+A gesture that flows into the next is held until the way to its stroke start is as fast as that stroke (paper §3.8); one
+that does not goes back to rest. A preparation from rest takes its natural time, more when the way is long, less when
+there is no more; a pre-stroke hold gives way first. All of a unit's arms rest in the same way after it.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import inf
+
+from ...model import Hand
+from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
+from ..gestures.gesture import Markers
+from ..gestures.gesture_plan import ArmGesture, ArmRest, Placed
+from .rests import (
+    AT_SIDE,
+    SHORTEST_REST_S,
+    SHORTEST_RETRACTION_S,
+    RestChange,
+    change_s,
+    hurried_s,
+    own_pose,
+    pose_for,
+    preparation_s,
+    rest_m,
+    retraction_s,
+)
+from .transitions import Setting, flow_together, natural_preparation_s, prolonged_relax_s, within_reach
+
+SHORTEST_STAY_S = 1.0
+"""A hand does not go to a rest that it would leave for another so soon."""
+
+
+@dataclass(frozen=True, slots=True)
+class ArmTimeline:
+    """One arm's gestures and rests in order; the last rest is open, its end infinite."""
+
+    gestures: tuple[ArmGesture, ...]
+    rests: tuple[ArmRest, ...]
+
+
+def units_of(gestures: Iterable[Placed], setting: Setting) -> tuple[tuple[Placed, ...], ...]:
+    """The gestures, in order, as units: of those that flow together, or whose arm has no time to rest between them."""
+    units: list[list[Placed]] = []
+    for gesture in gestures:
+        if units and _joins(units[-1], gesture, setting):
+            units[-1].append(gesture)
+        else:
+            units.append([gesture])
+    return tuple(map(tuple, units))
+
+
+def _joins(unit: Sequence[Placed], gesture: Placed, setting: Setting) -> bool:
+    if within_reach(max(unit, key=lambda each: each.relax_s), gesture, setting):
+        return True
+    last = ((side, next((each for each in reversed(unit) if side in each.arms), None)) for side in gesture.arms)
+    return any(before is not None and flow_together(before, gesture, side, setting) for side, before in last)
+
+
+def rest_changes(units: Sequence[Sequence[Placed]], setting: Setting) -> tuple[RestChange, ...]:
+    """How hands rest that rest, from the first frame on: it changes when a unit ends, and when a posture says so."""
+    ends_s = [0.0, *(max(each.relax_s for each in unit) for unit in units)]
+    starts_s = [min(each.stroke_start_s for each in unit) for unit in units]
+    poses = [pose_for(start_s - end_s) for end_s, start_s in zip(ends_s, starts_s, strict=False)]
+    by_gap = tuple(zip(ends_s, [*poses, AT_SIDE], strict=True))
+    times_s = sorted({*ends_s, *(from_s for from_s, _pose in setting.postures)})
+    changes = [
+        RestChange(time_s, own_pose(setting.postures, time_s) or _in_force(by_gap, time_s)) for time_s in times_s
+    ]
+    return (changes[0], *(after for before, after in pairwise(changes) if after.pose != before.pose))
+
+
+def _in_force(poses: Iterable[tuple[float, str]], time_s: float) -> str:
+    return max((change for change in poses if change[0] <= time_s), key=lambda change: change[0])[1]
+
+
+def arm_timeline(
+    side: Hand, gestures: Iterable[Placed], changes: tuple[RestChange, ...], setting: Setting
+) -> ArmTimeline:
+    """The timeline of one arm; `gestures` are those of both."""
+    own = [each for each in gestures if side in each.arms]
+    if not own:
+        return ArmTimeline((), tuple(_rests(side, 0.0, inf, changes)))
+    between = [_between(first, second, side, changes, setting) for first, second in pairwise(own)]
+    ways = [_from_the_first_frame(own[0], side, changes), *between, _to_rest(own[-1], side, changes)]
+    played = [_arm_gesture(side, *each) for each in zip(own, ways, ways[1:], strict=False)]
+    rests = (rest for way in ways if not way.joined for rest in _rests(side, way.arrival_s, way.start_s, changes))
+    return ArmTimeline(tuple(played), tuple(rests))
+
+
+@dataclass(frozen=True, slots=True)
+class _Way:
+    """How an arm goes from a gesture to the next: the hold of the first ends, the arm has arrived at rest, it starts,
+    it is ready. In a blend it arrives nowhere: it starts when the hold ends."""
+
+    relax_s: float
+    arrival_s: float
+    start_s: float
+    ready_s: float
+    first: Placed | None = None
+    second: Placed | None = None
+    joined: bool = False
+    underway: float = 0.0
+
+
+def _between(first: Placed, second: Placed, side: Hand, changes: tuple[RestChange, ...], setting: Setting) -> _Way:
+    if flow_together(first, second, side, setting):
+        relax_s = prolonged_relax_s(first, second, side)
+        return _Way(relax_s, relax_s, relax_s, second.stroke_start_s, first, second, joined=True)
+    there_s, back_s = _retraction_s(first, side, changes), _preparation_s(second, side, changes)
+    window_s = second.stroke_start_s - first.relax_s
+    share = min(1.0, window_s / (there_s + back_s))
+    hold_s = _hold_s(second, window_s - there_s - back_s - SHORTEST_REST_S)
+    ready_s = second.stroke_start_s - hold_s
+    return _Way(first.relax_s, first.relax_s + share * there_s, ready_s - share * back_s, ready_s, first, second)
+
+
+def _from_the_first_frame(first: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
+    """A speaker lifts the hands before the first word. What is too far for the time from the first frame is therefore
+    behind them in that frame already."""
+    window_s = first.stroke_start_s
+    way_s = min(_preparation_s(first, side, changes), window_s)
+    ready_s = window_s - _hold_s(first, window_s - way_s)
+    hurried = hurried_s(distance_m(rest_m(changes[0].pose, side), stroke_start_m(first, side)))
+    underway = max(0.0, 1.0 - window_s / hurried)
+    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, underway=underway)
+
+
+def _to_rest(last: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
+    return _Way(last.relax_s, last.relax_s + _retraction_s(last, side, changes), inf, inf, last)
+
+
+def _hold_s(gesture: Placed, room_s: float) -> float:
+    """The pre-stroke hold, as far as there is room for it."""
+    natural_s = gesture.clip.markers.stroke_start - gesture.clip.markers.ready
+    return max(0.0, min(natural_s, room_s))
+
+
+def _preparation_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...]) -> float:
+    natural_s = natural_preparation_s(gesture)
+    pose = pose_at(changes, max(0.0, gesture.stroke_start_s - natural_s))
+    return preparation_s(distance_m(rest_m(pose, side), stroke_start_m(gesture, side)), natural_s)
+
+
+def _retraction_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...]) -> float:
+    pose = pose_on_arrival(changes, gesture.relax_s + SHORTEST_RETRACTION_S)
+    return retraction_s(distance_m(relax_m(gesture, side), rest_m(pose, side)))
+
+
+def _arm_gesture(side: Hand, gesture: Placed, before: _Way, after: _Way) -> ArmGesture:
+    markers = Markers(
+        start=before.start_s,
+        ready=before.ready_s,
+        stroke_start=gesture.stroke_start_s,
+        stroke=gesture.request.stroke_s,
+        stroke_end=gesture.stroke_end_s,
+        relax=after.relax_s,
+        end=after.arrival_s,
+    )
+    return ArmGesture(
+        side=side,
+        placed=gesture,
+        markers=markers,
+        blended_from=before.first.request.behavior if before.joined and before.first else None,
+        blended_to=after.second.request.behavior if after.joined and after.second else None,
+        underway=before.underway,
+    )
+
+
+def pose_at(changes: Iterable[RestChange], time_s: float) -> str:
+    """How hands rest at a time."""
+    return max((each for each in changes if each.from_s <= time_s), key=lambda each: each.from_s).pose
+
+
+def pose_on_arrival(changes: Iterable[RestChange], time_s: float) -> str:
+    """How a hand rests that arrives then: as it will soon, if that is going to change."""
+    return pose_at(changes, time_s + SHORTEST_STAY_S)
+
+
+def _rests(side: Hand, start_s: float, end_s: float, changes: Iterable[RestChange]) -> Iterator[ArmRest]:
+    """An arm's rest from its arrival to its next start, with the changes of pose for which there is time."""
+    pose = pose_on_arrival(changes, start_s)
+    for change in changes:
+        if change.from_s <= start_s + SHORTEST_STAY_S or change.pose == pose:
+            continue
+        arrival_s = change.from_s + change_s(distance_m(rest_m(pose, side), rest_m(change.pose, side)))
+        if arrival_s > end_s:
+            break
+        yield ArmRest(side, pose, start_s, change.from_s)
+        pose, start_s = change.pose, arrival_s
+    yield ArmRest(side, pose, start_s, end_s)

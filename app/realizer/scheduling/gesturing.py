@@ -1,0 +1,49 @@
+"""Lays a plan's gestures over the body (paper §3.8, the second controller): arms and hands, and the trunk with them.
+
+The arms take the place of those that hung idly; only the breath stays in the collarbones.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.ndimage import gaussian_filter1d
+
+from ...model import FloatArray, Hand
+from ..arms.arm_keys import arm_track
+from ..arms.arms import arm_motion
+from ..arms.posing import wrist_of
+from ..body.motion import BodyMotion
+from ..body.skeleton import Skeleton
+from ..geometry.rotations import inverse, multiply, normalized
+from ..gestures.arm_joints import arm_joints
+from ..gestures.gesture_plan import GesturePlan
+from ..torso.trunk import with_trunk
+
+_MUSCLE_S = 0.03
+
+
+def gesture(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int) -> BodyMotion:
+    """The body with the arms of the plan, and the trunk with them. The same seed gives the same motion."""
+    rotations = body.rotations.copy()
+    wrists_m = []
+    for side in (Hand.LEFT, Hand.RIGHT):
+        joints = skeleton.chain(*arm_joints(side))
+        arm = _smooth(arm_motion(arm_track(skeleton, side, plan), body.times_s, seed=seed), body.times_s)
+        wrists_m.append(wrist_of(skeleton, side, arm))
+        arm[:, 0] = multiply(arm[:, 0], _breath(body.rotations[:, joints[0]]))
+        rotations[:, joints] = arm
+    return with_trunk(skeleton, replace(body, rotations=rotations), *wrists_m)
+
+
+def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
+    """Rotations (T, J, 4) without the corners of acceleration that splines have at their keys: muscles have none."""
+    if len(times_s) < 2:
+        return rotations
+    width = _MUSCLE_S / float(times_s[1] - times_s[0])
+    return normalized(gaussian_filter1d(rotations, width, axis=0, mode="nearest"))
+
+
+def _breath(collarbone: FloatArray) -> FloatArray:
+    """What an idle collarbone (T, 4) does about its own mean."""
+    mean = normalized(np.sum(collarbone * np.sign(collarbone[:, 3:]), axis=0))
+    return multiply(inverse(mean), collarbone)

@@ -1,0 +1,147 @@
+"""The scheduler of the paper's §3.8: from the gestures of a schedule to clips on a timeline, arm by arm.
+
+In order: each gesture gets a clip (`selection`), which is aligned by its stroke and never warped in time; neighbours
+that get in each other's way are replaced or pruned by priority (`pruning`); strokes are repeated on further emphases
+(`repetition`); gestures that are close flow together in units, and units end at rest (`arm_timelines`). Whatever is
+not played as asked for has a `Decision`. docs/realizer-scheduling.md tells the rules with their reasons.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from itertools import pairwise
+from math import isinf
+from types import MappingProxyType
+
+import numpy as np
+
+from ...model import Hand, Schedule, SyncPoints
+from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
+from ..body.motion import Decision
+from ..gestures.gesture_plan import ArmGesture, GesturePlan, Placed, Position, Transition, Unit
+from ..head_and_gaze.aiming import aimed, missed
+from .arm_timelines import arm_timeline, rest_changes, units_of
+from .pruning import Admission, admitted
+from .repetition import repeats_until_s, with_repeats
+from .rests import posture_changes
+from .selection import Clips, candidates, in_drawn_order, placed, requests_of
+from .transitions import Setting, natural_preparation_s
+
+SIDES = (Hand.LEFT, Hand.RIGHT)
+
+_NOTICEABLE_S = 0.02
+"""A phase that differs by less from what was asked for needs no word."""
+
+
+def plan_gestures(
+    library: Clips, schedule: Schedule, *, seed: int, targets_m: Mapping[str, Position] = MappingProxyType({})
+) -> GesturePlan:
+    """What the arms do through a schedule. The stroke of every gesture that is played is on its time in the BML.
+
+    `targets_m` places what is pointed at in the world, as for the gaze."""
+    setting = Setting(schedule.phrases, posture_changes(schedule))
+    chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
+    gestures = tuple(_repeated(chosen.kept, schedule, setting))
+    units = units_of(gestures, setting)
+    changes = rest_changes(units, setting)
+    timelines = [arm_timeline(side, gestures, changes, setting) for side in SIDES]
+    arms = tuple(sorted((each for line in timelines for each in line.gestures), key=lambda each: each.markers.start))
+    rests = [rest for line in timelines for rest in line.rests]
+    end_s = max(schedule.duration_s, *(rest.start_s for rest in rests))
+    return GesturePlan(
+        gestures=arms,
+        rests=tuple(replace(rest, end_s=end_s) if isinf(rest.end_s) else rest for rest in rests),
+        transitions=tuple(transition for side in SIDES for transition in _transitions(side, arms)),
+        units=tuple(_unit(unit, arms) for unit in units),
+        decisions=(*chosen.decisions, *(told for gesture in gestures for told in missed(gesture)), *_decisions(arms)),
+        realized={gesture.request.behavior: _realized(gesture, arms) for gesture in gestures},
+        end_s=end_s,
+    )
+
+
+def chosen_clips(
+    library: Clips, schedule: Schedule, setting: Setting, *, seed: int, targets_m: Mapping[str, Position]
+) -> Admission:
+    """The gestures that are played, with their clips, in order of their strokes, and what became of the others."""
+    rng = np.random.default_rng(seed)
+    kept: tuple[Placed, ...] = ()
+    decisions: list[Decision] = []
+    for request in requests_of(schedule):
+        clips, told = candidates(request, library)
+        decisions += told
+        if clips:
+            used = next((each.clip.name for each in reversed(kept) if each.clip.category == clips[0].category), None)
+            options = [aimed(placed(clip, request), targets_m) for clip in in_drawn_order(clips, used, rng)]
+            admission = admitted(options, kept, setting)
+            kept = admission.kept
+            decisions += admission.decisions
+    return Admission(kept, tuple(decisions))
+
+
+def _repeated(gestures: tuple[Placed, ...], schedule: Schedule, setting: Setting) -> Iterator[Placed]:
+    for number, gesture in enumerate(gestures):
+        until_s = min(schedule.duration_s, repeats_until_s(gesture, gestures[number + 1 :], setting))
+        yield with_repeats(gesture, schedule.emphases_s, until_s)
+
+
+def _transitions(side: Hand, arms: Iterable[ArmGesture]) -> Iterator[Transition]:
+    """The blends of one arm, as fast as they came out."""
+    own = (each for each in arms if each.side is side)
+    for first, second in pairwise(own):
+        if second.blended_from is not None:
+            start_s, end_s = first.markers.relax, second.markers.stroke_start
+            way_m = distance_m(relax_m(first.placed, side), stroke_start_m(second.placed, side))
+            yield Transition(side, first.behavior, second.behavior, start_s, end_s, way_m / (end_s - start_s))
+
+
+def _of_behavior(gesture: Placed, arms: Iterable[ArmGesture]) -> list[ArmGesture]:
+    return [each for each in arms if each.placed is gesture]
+
+
+def _unit(unit: tuple[Placed, ...], arms: tuple[ArmGesture, ...]) -> Unit:
+    own = [each for gesture in unit for each in _of_behavior(gesture, arms)]
+    return Unit(
+        behaviors=tuple(gesture.request.behavior for gesture in unit),
+        start_s=min(each.markers.start for each in own),
+        end_s=max(each.markers.end for each in own),
+    )
+
+
+def _realized(gesture: Placed, arms: Iterable[ArmGesture]) -> SyncPoints:
+    """The sync points of a gesture as its arms play it: of both, who starts first and ends last."""
+    own = [each.markers for each in _of_behavior(gesture, arms)]
+    return SyncPoints(
+        start=min(markers.start for markers in own),
+        ready=max(markers.ready for markers in own),
+        stroke_start=own[0].stroke_start,
+        stroke=own[0].stroke,
+        stroke_end=own[0].stroke_end,
+        relax=max(markers.relax for markers in own),
+        end=max(markers.end for markers in own),
+    )
+
+
+def _decisions(arms: Iterable[ArmGesture]) -> Iterator[Decision]:
+    """What was decided about gestures that are played; what holds of both arms is told once."""
+    told = {(each.behavior, each.action): each for arm in arms for each in reversed(list(_told(arm)))}
+    yield from told.values()
+
+
+def _told(arm: ArmGesture) -> Iterator[Decision]:
+    markers, gesture = arm.markers, arm.placed
+    if arm.blended_from is not None:
+        yield Decision(arm.behavior, "blended", f"straight from {arm.blended_from}, without rest between them")
+    elif natural_preparation_s(gesture) - (markers.ready - markers.start) > _NOTICEABLE_S:
+        natural_s = natural_preparation_s(gesture)
+        reason = f"{markers.ready - markers.start:.2f} s of preparation instead of {natural_s:.2f} s"
+        if arm.underway > 0:
+            reason += ", the hand raised in the first frame"
+        yield Decision(arm.behavior, "shortened", reason)
+    cut_s = gesture.clip.markers.relax - gesture.clip.markers.stroke - (markers.relax - markers.stroke)
+    if cut_s > _NOTICEABLE_S:
+        yield Decision(arm.behavior, "shortened", f"hold cut by {cut_s:.2f} s, to relax when it is asked to")
+    if gesture.repeats:
+        times = ", ".join(f"{repeat.end_s:.2f}" for repeat in gesture.repeats)
+        yield Decision(arm.behavior, "repeated", f"strokes again on the emphases at {times} s")
+    if markers.relax - gesture.relax_s > _NOTICEABLE_S:
+        reason = f"{markers.relax - gesture.relax_s:.2f} s longer, to reach {arm.blended_to} at the speed of its stroke"
+        yield Decision(arm.behavior, "held", reason)

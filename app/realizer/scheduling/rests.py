@@ -1,0 +1,120 @@
+"""Where the hands rest between gestures, and how long the ways from and to rest take.
+
+A gesture unit ends in one retraction, whose aim is chosen by the distance to the next unit: small clasped, medium at
+the side, large in the pockets (towards-natural §3.3, which gives no distances; ours are `SMALL_GAP_S` and
+`MEDIUM_GAP_S`). A posture of the schedule that tells what the hands do (HANDS_FOLDED …) takes over from then on: it is
+the character's own way to stand. A change of the standing leg ends it.
+
+Conventions: wrists as in `understudy.realizer.gestures.gesture_space`, from the arm's own side; speeds are means over a
+way.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+
+from ...model import Behavior, Channel, FloatArray, Hand, Schedule
+from ..arms.rest_poses import RESTS
+from ..torso.posture import reached_s
+
+CLASPED, AT_SIDE, IN_POCKETS = "clasped", "at_side", "in_pockets"
+
+FIRST_MOMENT_S = 1.0
+SMALL_GAP_S = 3.0
+MEDIUM_GAP_S = 10.0
+
+POSTURES: Mapping[str, str | None] = MappingProxyType(
+    {
+        "HANDS_FOLDED": "folded",
+        "HANDS_BEHIND_BACK": "behind_back",
+        "HANDS_ON_HIPS": "on_hips",
+        "ARMS_OPEN": "open",
+        "WEIGHT_ON_LEFT_LEG": None,
+        "WEIGHT_ON_RIGHT_LEG": None,
+    }
+)
+"""What a posture says of the hands; None lets the distance to the next unit choose again."""
+
+PREPARATION_SPEED_M_S = 0.6
+RETRACTION_SPEED_M_S = 0.6
+"""So that usual ways take about as long as people's in stories (shared/motion.md: .53 s either way)."""
+TOP_SPEED_M_S = 1.1
+"""The fastest mean speed of a way. A smooth one peaks at 1.9 times its mean: 2 m/s, people's 99th percentile."""
+CHANGE_SPEED_M_S = 0.45
+"""Of the way from one rest to another, which nothing hurries."""
+SHORTEST_PREPARATION_S = 0.45
+HURRIED_PREPARATION_S = 0.15
+SHORTEST_RETRACTION_S = 0.45
+SHORTEST_CHANGE_S = 0.6
+SHORTEST_REST_S = 0.3
+"""Less than that at rest looks like a twitch."""
+
+
+@dataclass(frozen=True, slots=True)
+class RestChange:
+    """From `from_s` on, hands that rest do so in `pose`."""
+
+    from_s: float
+    pose: str
+
+
+def pose_for(gap_s: float) -> str:
+    """The pose that suits the time until the next unit."""
+    if gap_s < SMALL_GAP_S:
+        return CLASPED
+    return AT_SIDE if gap_s < MEDIUM_GAP_S else IN_POCKETS
+
+
+def posture_changes(schedule: Schedule) -> tuple[tuple[float, str | None], ...]:
+    """When the schedule's postures say something of the hands, and what, in order of time: a shift lasts, a posture
+    with a way back ends where the latest shift left the hands."""
+    postures = (each for each in schedule.behaviors if each.kept and each.kind is Channel.POSTURE)
+    told = sorted((each for each in postures if each.lexeme in POSTURES), key=lambda each: each.sync.start)
+    changes: list[tuple[float, str | None]] = []
+    base: str | None = None
+    for posture in told:
+        pose = POSTURES[posture.lexeme]
+        changes.append((_from_s(posture), pose))
+        if posture.sync.end <= reached_s(posture):
+            base = pose
+        else:
+            relax_s = posture.sync.relax
+            changes.append((posture.sync.end - SHORTEST_CHANGE_S if relax_s is None else relax_s, base))
+    return tuple(sorted(changes, key=lambda change: change[0]))
+
+
+def _from_s(posture: Behavior) -> float:
+    """A posture of the first moment is how the line is begun, not something that happens in it."""
+    return 0.0 if posture.sync.start < FIRST_MOMENT_S else posture.sync.start
+
+
+def own_pose(changes: tuple[tuple[float, str | None], ...], time_s: float) -> str | None:
+    """The pose that the postures before `time_s` leave the hands in; None when they say nothing."""
+    return next((pose for from_s, pose in reversed(changes) if from_s <= time_s), None)
+
+
+def rest_m(pose: str, side: Hand) -> FloatArray:
+    """The wrist's place (3,) in a rest pose."""
+    left, right = RESTS[pose]
+    return np.array((left if side is Hand.LEFT else right).wrist_m)
+
+
+def preparation_s(way_m: float, natural_s: float) -> float:
+    """How long a preparation takes that is in no hurry."""
+    return max(natural_s, way_m / PREPARATION_SPEED_M_S, SHORTEST_PREPARATION_S)
+
+
+def hurried_s(way_m: float) -> float:
+    """The shortest time for a way from or to rest."""
+    return max(way_m / TOP_SPEED_M_S, HURRIED_PREPARATION_S)
+
+
+def retraction_s(way_m: float) -> float:
+    return max(way_m / RETRACTION_SPEED_M_S, SHORTEST_RETRACTION_S)
+
+
+def change_s(way_m: float) -> float:
+    """How long the hands take from one rest to another."""
+    return max(way_m / CHANGE_SPEED_M_S, SHORTEST_CHANGE_S)

@@ -1,0 +1,130 @@
+"""Which clip plays a gesture of the schedule (paper §3.8, eq. 4 and 5).
+
+A clip fits when what lies between its stroke and its relax time is no longer than what the request leaves (eq. 5). The
+paper's clips are recordings, whose post-stroke hold can be drawn out and not cut. In ours the hold is a pose between
+two keys, so that a clip whose hold alone is too long is taken when no other fits, and its hold cut, which leaves the
+stroke as it is. What eq. 5 then asks is that the stroke itself ends by the relax time. `TOLERANCE_S` later is forgiven:
+schedules made before the clip was known end a stroke on the stressed vowel, to the millisecond, and may ask for no hold
+at all.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import product
+from math import sqrt
+from typing import Protocol
+
+import numpy as np
+
+from ...model import Behavior, Channel, Hand, Level, Schedule
+from ..body.motion import Decision
+from ..gestures.gesture import Clip
+from ..gestures.gesture_plan import Placed, Request
+
+TOLERANCE_S = 0.1
+USUAL_AMOUNT = 0.5
+"""The size of a gesture that BML calls neither small nor large. The hands go as far as its root: twice
+the amount is not twice the reach of an arm."""
+
+
+class Clips(Protocol):
+    """What selection asks of the gesture library (`understudy.realizer.gestures.library`)."""
+
+    def clips(self, category: str, level: Level, hand: Hand) -> tuple[Clip, ...]: ...
+
+    def nearest(self, lexeme: str) -> str | None: ...
+
+
+def requests_of(schedule: Schedule) -> tuple[Request, ...]:
+    """The G_i of a schedule's kept gestures (eq. 4), in order of their strokes."""
+    gestures = (each for each in schedule.behaviors if each.kept and each.kind is Channel.GESTURE)
+    requests = (_request(gesture, schedule.agitation) for gesture in gestures)
+    return tuple(sorted(requests, key=lambda request: (request.stroke_s, request.behavior)))
+
+
+def _request(gesture: Behavior, level: Level) -> Request:
+    """BML may leave sync points out: the stroke is then where it ends, or where the gesture begins."""
+    sync = gesture.sync
+    stroke_s = next((point for point in (sync.stroke, sync.stroke_end, sync.stroke_start) if point is not None), None)
+    stroke_s = sync.start if stroke_s is None else stroke_s
+    relax_s = next((point for point in (sync.relax, sync.stroke_end) if point is not None), sync.end)
+    return Request(
+        behavior=gesture.id,
+        category=gesture.lexeme,
+        stroke_s=stroke_s,
+        relax_s=max(relax_s, stroke_s),
+        priority=gesture.priority,
+        hand=gesture.hand or Hand.RIGHT,
+        level=level,
+        size=1.0 if gesture.amount is None else sqrt(gesture.amount / USUAL_AMOUNT),
+        target=gesture.target,
+    )
+
+
+def fits(clip: Clip, request: Request) -> bool:
+    """Eq. 5: t_rl - t_st <= t_grl - t_gst."""
+    return clip.markers.relax - clip.markers.stroke <= request.relax_s - request.stroke_s + TOLERANCE_S
+
+
+def fits_without_hold(clip: Clip, request: Request) -> bool:
+    """Eq. 5 with the clip's own hold cut: t_se - t_st <= t_grl - t_gst."""
+    return clip.markers.stroke_end - clip.markers.stroke <= request.relax_s - request.stroke_s + TOLERANCE_S
+
+
+def placed(clip: Clip, request: Request) -> Placed:
+    """The clip with its stroke on the desired time and its hold extended to the desired relax time, at least to where
+    its stroke ends."""
+    aligned = Placed(request, clip, request.relax_s)
+    return replace(aligned, relax_s=max(request.relax_s, aligned.stroke_end_s))
+
+
+def candidates(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
+    """The clips that fit a request, none when it must be dropped, and what was decided on the way."""
+    clips, decisions = _of_category(request, library)
+    if not clips:
+        reason = f"the library has no clip for {request.category}, nor a beat that could stand in"
+        return (), (*decisions, Decision(request.behavior, "dropped", reason))
+    for allowed in (fits, fits_without_hold):
+        found = tuple(clip for clip in clips if allowed(clip, request))
+        if found:
+            return found, decisions
+    left_s = request.relax_s - request.stroke_s
+    shortest_s = min(clip.markers.stroke_end - clip.markers.stroke for clip in clips)
+    reason = f"{left_s:.2f} s from stroke to relax, and every clip of {request.category} needs {shortest_s:.2f} s"
+    return (), (*decisions, Decision(request.behavior, "dropped", reason))
+
+
+def in_drawn_order(clips: tuple[Clip, ...], last_used: str | None, rng: np.random.Generator) -> tuple[Clip, ...]:
+    """The clips as chance has them, the variant that was used last behind the others."""
+    shuffled = [clips[number] for number in rng.permutation(len(clips))]
+    return tuple(sorted(shuffled, key=lambda clip: clip.name == last_used))
+
+
+def _of_category(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
+    """The clips of the nearest category, by the hand and at the level that are asked for, or else by others."""
+    category = library.nearest(request.category)
+    if category is None:
+        return (), ()
+    levels = (request.level, *(level for level in _LEVELS if level is not request.level))
+    hands = (request.hand, *(hand for hand in Hand if hand is not request.hand))
+    for level, hand in product(levels, hands):
+        clips = library.clips(category, level, hand)
+        if clips:
+            changes = tuple(_changes(request, category, hand, level))
+            replaced = (Decision(request.behavior, "replaced", "; ".join(changes)),) if changes else ()
+            return clips, replaced
+    return (), ()
+
+
+def _changes(request: Request, category: str, hand: Hand, level: Level) -> Iterator[str]:
+    """In words, how what there is differs from what was asked for."""
+    if category != request.category:
+        yield f"the library has no {request.category}: {category} stands in"
+    if hand is not request.hand:
+        yield f"{category} is made with {_NAMES[hand]}, not with {_NAMES[request.hand]}"
+    if level is not request.level:
+        yield f"{category} has no clip at {request.level} agitation: {level} stands in"
+
+
+_LEVELS = (Level.MEDIUM, Level.LOW, Level.HIGH)
+_NAMES = {Hand.LEFT: "the left hand", Hand.RIGHT: "the right hand", Hand.BOTH: "both hands"}

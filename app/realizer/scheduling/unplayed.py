@@ -1,0 +1,62 @@
+"""What no controller can play as it is asked to: no such movement, no such place, too little time. Each is told."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from ...model import Behavior, Channel, Schedule
+from ..body.motion import Decision
+from ..head_and_gaze.head_movements import MOVEMENTS, waves_of
+from ..head_and_gaze.looks import DIRECTIONS, LISTENER, Position
+from ..torso.posture import POSTURES, SHORTEST_SHIFT_S, reached_s
+from .rests import POSTURES as HAND_POSTURES
+
+Trouble = tuple[str, str] | None
+"""The action and the reason of a decision."""
+
+
+def unplayed(schedule: Schedule, *, targets_m: Mapping[str, Position] = MappingProxyType({})) -> tuple[Decision, ...]:
+    """A decision for each kept head movement, posture or gaze that is not played, or not as it was asked for.
+
+    Who is the target of every gaze is the other in the talk, whose place is known, by whatever name.
+    """
+    kept = [behavior for behavior in schedule.behaviors if behavior.kept]
+    looked_at = {each.target for each in kept if each.kind is Channel.GAZE and each.target}
+    placed = {LISTENER, *targets_m, *(looked_at if len(looked_at) == 1 else ())}
+    found = ((behavior.id, _trouble(behavior, placed)) for behavior in kept)
+    return tuple(Decision(name, *trouble) for name, trouble in found if trouble is not None)
+
+
+def _trouble(behavior: Behavior, placed: set[str]) -> Trouble:
+    match behavior.kind:
+        case Channel.HEAD:
+            return _head(behavior)
+        case Channel.POSTURE:
+            return _posture(behavior)
+        case Channel.GAZE:
+            return _gaze(behavior, placed)
+    return None
+
+
+def _head(behavior: Behavior) -> Trouble:
+    if behavior.lexeme not in MOVEMENTS:
+        return "dropped", f"no head movement {behavior.lexeme!r}, only {', '.join(sorted(MOVEMENTS))}"
+    if waves_of(behavior) < (behavior.repetitions or 1):
+        return "shortened", f"there is time for {waves_of(behavior)} of {behavior.repetitions} repetitions"
+    return None
+
+
+def _posture(behavior: Behavior) -> Trouble:
+    known, given_s = {**POSTURES, **HAND_POSTURES}, reached_s(behavior) - behavior.sync.start
+    if behavior.lexeme not in known:
+        return "dropped", f"no posture {behavior.lexeme!r}, only {', '.join(sorted(known))}"
+    if behavior.lexeme in POSTURES and given_s < SHORTEST_SHIFT_S:
+        return "prolonged", f"a shift of the body takes {SHORTEST_SHIFT_S} s, not {given_s:.2f} s"
+    return None
+
+
+def _gaze(behavior: Behavior, placed: set[str]) -> Trouble:
+    if behavior.direction not in {None, *DIRECTIONS}:
+        return "replaced", f"no direction {behavior.direction!r}: it goes straight to its target"
+    if behavior.target and behavior.target not in placed:
+        return "replaced", f"nobody has placed {behavior.target!r}: it goes to the other in the talk"
+    return None

@@ -1,0 +1,139 @@
+"""An utterance as the facts of `vocabulary.rules`: what was heard and parsed, before any rule has fired.
+
+Conventions: a span is a pair of boundaries, word 3 runs from 3 to 4. A word's facts carry it in lower case without the
+punctuation around it; the punctuation has facts of its own, at boundaries. The parts the parser tells apart in a word
+("do" and "n't") have their facts on the word's span. Nothing is derived here but the sentences, which the line's own
+punctuation ends.
+"""
+
+import re
+from collections.abc import Iterator
+
+from ...model import Filler, Token, Utterance, Word
+from .chainer import Fact
+
+SHORTEST_PAUSE_S = 0.2
+"""Shorter gaps between words are closures of stops, not pauses."""
+
+_WORD = re.compile(r"^[^\w'&$%]*(.*?)[^\w&$%]*$", re.DOTALL)
+_MARKS = re.compile(r"\.{2,}|…|[-–—]+|[^\w\s]")
+_SAME_MARK = {"…": "...", "’": "'", "“": '"', "”": '"'}
+_ABBREVIATIONS = frozenset(("mr", "mrs", "ms", "dr", "st", "prof", "sr", "jr", "vs", "u.s", "a.m", "p.m", "i.e", "e.g"))
+
+
+def bare(text: str) -> str:
+    """The word as the lexicon and the rules spell it: lower case, straight apostrophes, no punctuation around it."""
+    plain = text.replace("’", "'").replace("‘", "'").lower()
+    match = _WORD.match(plain)
+    return match.group(1) if match else plain
+
+
+def utterance_facts(utterance: Utterance) -> tuple[Fact, ...]:
+    """The given facts of an utterance, in the order of `vocabulary.rules`, without repetitions."""
+    facts = (
+        *_word_facts(utterance.words),
+        *_token_facts(utterance.parse.tokens),
+        *_phrase_facts(utterance),
+        *_sentence_facts(utterance.words),
+        *_heard_facts(utterance),
+    )
+    return tuple(dict.fromkeys(facts))
+
+
+def _word_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
+    for word in words:
+        start, end, text = word.index, word.index + 1, bare(word.text)
+        leading, trailing = _around(word.text, text)
+        if text:
+            yield Fact("word", (text, start, end))
+        for mark in leading if text else leading + trailing:
+            yield Fact("punctuation", (mark, start))
+        for mark in trailing if text else leading + trailing:
+            yield Fact("punctuation", (mark, end))
+
+
+def _around(text: str, inner: str) -> tuple[list[str], list[str]]:
+    """The marks before and after the word proper; of a word that is all punctuation, all of them before."""
+    if not inner:
+        return _marks(text), []
+    begin = text.replace("’", "'").replace("‘", "'").lower().find(inner)
+    return _marks(text[:begin]), _marks(text[begin + len(inner) :])
+
+
+def _marks(text: str) -> list[str]:
+    marks = (_SAME_MARK.get(mark, mark) for mark in _MARKS.findall(text))
+    return ["..." if mark.startswith("..") else "-" if mark[0] in "-–—" else mark for mark in marks]
+
+
+def _token_facts(tokens: tuple[Token, ...]) -> Iterator[Fact]:
+    for token in tokens:
+        if token.part_of_speech == "PUNCT":
+            continue
+        start, end = token.word, token.word + 1
+        yield Fact("lemma", (token.lemma.lower(), start, end))
+        yield Fact("part_of_speech", (token.part_of_speech, start, end))
+        yield Fact("tag", (token.tag, start, end))
+        head = tokens[token.head].word
+        if head != start:
+            yield Fact("dependency", (token.dependency, head, start))
+
+
+def _phrase_facts(utterance: Utterance) -> Iterator[Fact]:
+    predicates = {"noun": "noun_phrase", "verb": "verb_phrase"}
+    seen: set[str] = set()
+    for phrase in utterance.parse.phrases:
+        predicate, start, end = predicates[phrase.kind], phrase.first, phrase.last + 1
+        yield Fact(predicate, (start, end, phrase.head))
+        if predicate not in seen:
+            seen.add(predicate)
+            yield Fact(f"first_{predicate}", (start, end))
+    for clause in utterance.parse.clauses:
+        yield Fact("clause", (clause.label, clause.first, clause.last + 1, clause.head))
+
+
+def _sentence_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
+    start = 0
+    for word in words:
+        end = word.index + 1
+        if end == len(words) or _ends_sentence(word.text, words[end].text):
+            yield Fact("sentence", (start, end))
+            yield from (Fact("in_sentence", (position, start, end)) for position in range(start, end))
+            start = end
+    if words:
+        yield Fact("utterance", (0, len(words)))
+
+
+def _ends_sentence(text: str, following: str) -> bool:
+    """Whether the full stop, question mark, exclamation mark or trailing off after a word ends a sentence."""
+    marks = _around(text, bare(text))[1]
+    if "?" in marks or "!" in marks:
+        return True
+    if "..." in marks:
+        return following[:1].isupper()
+    return "." in marks and bare(text) not in _ABBREVIATIONS
+
+
+def _heard_facts(utterance: Utterance) -> Iterator[Fact]:
+    before_s: float | None = None
+    for word in utterance.words:
+        if word.stressed_ratio is not None:
+            yield Fact("stressed_ratio", (word.stressed_ratio, word.index, word.index + 1))
+        if word.prominence is not None:
+            yield Fact("prominence", (round(word.prominence, 3), word.index, word.index + 1))
+        if word.emphasis is not None:
+            yield Fact("emphasis", (word.emphasis, word.index, word.index + 1))
+        if word.interval is None:
+            continue
+        if before_s is not None and word.interval.start_s - before_s >= SHORTEST_PAUSE_S:
+            yield Fact("pause", (round(word.interval.start_s - before_s, 3), word.index))
+        before_s = word.interval.end_s
+    for filler in utterance.fillers:
+        yield Fact("heard_filler", (filler.text, _boundary_of(filler, utterance.words)))
+    if utterance.agitation is not None:
+        yield Fact("agitation", (utterance.agitation.level.value,))
+
+
+def _boundary_of(filler: Filler, words: tuple[Word, ...]) -> int:
+    """The boundary before the first word that begins after the filler does."""
+    later = (word.index for word in words if word.interval and word.interval.start_s > filler.interval.start_s)
+    return next(later, len(words))

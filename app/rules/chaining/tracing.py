@@ -1,0 +1,184 @@
+"""Which rules fired and which nearly did, with the fact that was missing: told to an author who asks why.
+
+A rule nearly fires where all of its statements hold but one. Of a fact that is missing this is only said where the
+rule found a word, entry or function that it names (`ANCHORS`), and where the missing fact is possible: almost any
+sentence is otherwise one word short of almost any rule. Spans are boundaries between words, as in the rules.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import partial
+
+from ..knowledge import Fact
+from ..language.tree import Alternatives, Choice, Computation, Constant, Expression, Guard, Pattern, Statement
+from ..program.program import Program, Rule
+from ..program.stratification import asserted
+from .matching import Bindings, FactBase, Match, filled, matches
+
+ANCHORS = frozenset(("word", "lemma", "lexical", "fcn"))
+"""Predicates by whose constants a rule says which words it is about."""
+
+
+class Lack(StrEnum):
+    """What kept a rule from firing."""
+
+    MISSING = "missing"
+    EXCLUDED = "excluded by"
+    UNTRUE = "not so"
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """A fact or statement in the rule language, with the values its variables have, and the words it speaks of."""
+
+    text: str
+    span: tuple[int, int] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Obstacle:
+    """A fact that is not there, one that is and should not be, or a comparison that does not hold."""
+
+    lack: Lack
+    said: Said
+
+
+@dataclass(frozen=True, slots=True)
+class Firing:
+    """A match of a rule: the facts it joined in the order it names them, and what it asserts or may choose."""
+
+    rule: Rule
+    joined: tuple[Said, ...]
+    concluded: tuple[Said, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class NearMiss:
+    """What a rule found, and what kept it from firing."""
+
+    rule: Rule
+    joined: tuple[Said, ...]
+    obstacles: tuple[Obstacle, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RuleTrace:
+    """Every match of the rules in their order, and where rules that did not match came nearest, those that found most
+    first."""
+
+    firings: tuple[Firing, ...]
+    near_misses: tuple[NearMiss, ...]
+
+
+def trace_rules(program: Program, facts: Iterable[Fact]) -> RuleTrace:
+    """What each rule made of all the facts that were given and derived; a near miss of each rule at most."""
+    tracer = _Tracer(program, FactBase.of(facts))
+    firings: list[Firing] = []
+    near: list[tuple[tuple[int, int], NearMiss]] = []
+    for rule in program.rules:
+        found = tuple(matches(rule.tree, tracer.facts, most_unmet=1))
+        fired = [tracer.firing(rule, match) for match in found if not match.unmet]
+        missed = [] if fired else [match for match in found if tracer.is_near(rule, match)]
+        firings += fired
+        if missed:
+            nearest = max(missed, key=partial(_nearness, rule))
+            near.append((_nearness(rule, nearest), tracer.near_miss(rule, nearest)))
+    near.sort(key=lambda ranked: ranked[0], reverse=True)
+    return RuleTrace(tuple(firings), tuple(miss for _, miss in near))
+
+
+def trace_rule(program: Program, rule: Rule, facts: Iterable[Fact]) -> RuleTrace:
+    """Every match of one rule; where there is none, where it came nearest, however far that is."""
+    tracer = _Tracer(program, FactBase.of(facts))
+    for most_unmet in range(len(rule.tree.statements) + 1):
+        found = tuple(matches(rule.tree, tracer.facts, most_unmet=most_unmet))
+        if found and most_unmet == 0:
+            return RuleTrace(tuple(tracer.firing(rule, match) for match in found), ())
+        if found:
+            return RuleTrace((), tuple(tracer.near_miss(rule, match) for match in found))
+    raise AssertionError(f"rule {rule.name} has other statements than it has")
+
+
+def fires(rule: Rule, facts: FactBase) -> bool:
+    """Whether the rule matches at all."""
+    return next(matches(rule.tree, facts), None) is not None
+
+
+@dataclass(frozen=True, slots=True)
+class _Tracer:
+    program: Program
+    facts: FactBase
+
+    def firing(self, rule: Rule, match: Match) -> Firing:
+        return Firing(rule, self._joined(match), tuple(self._concluded(rule, match.bindings)))
+
+    def near_miss(self, rule: Rule, match: Match) -> NearMiss:
+        obstacles = tuple(self._obstacle(part, match.bindings) for part in match.unmet)
+        return NearMiss(rule, self._joined(match), obstacles)
+
+    def is_near(self, rule: Rule, match: Match) -> bool:
+        [unmet] = match.unmet
+        if not isinstance(unmet, Pattern) or unmet.absent:
+            return True
+        span = self._said(unmet.fact.name, unmet.fact.arguments, match.bindings).span
+        return _nearness(rule, match) > (1, 0) and (span is None or span[0] < span[1])
+
+    def _joined(self, match: Match) -> tuple[Said, ...]:
+        facts = (match.joined[number] for number in sorted(match.joined))
+        return tuple(Said(str(fact), self._span(fact.predicate, fact.arguments)) for fact in facts)
+
+    def _concluded(self, rule: Rule, bindings: Bindings) -> Iterator[Said]:
+        for atom in asserted(rule.tree):
+            yield self._said(atom.name, atom.arguments, bindings)
+        for part in rule.tree.conclusions:
+            if isinstance(part, Choice):
+                for offered in part.alternatives:
+                    calls = " ".join(str(filled(call, bindings)) for call in offered.calls)
+                    yield Said(f"weight {offered.weight:g}: {calls}")
+
+    def _obstacle(self, statement: Statement, bindings: Bindings) -> Obstacle:
+        if isinstance(statement, Pattern) and not statement.absent:
+            atom = statement.fact
+            return Obstacle(Lack.MISSING, self._said(atom.name, atom.arguments, bindings))
+        if isinstance(statement, Pattern):
+            fact, _ = next(self.facts.fitting(statement.fact, bindings))
+            return Obstacle(Lack.EXCLUDED, Said(str(fact), self._span(fact.predicate, fact.arguments)))
+        return Obstacle(Lack.UNTRUE, Said(_compared(statement, bindings)))
+
+    def _said(self, predicate: str, arguments: Sequence[Expression], bindings: Bindings) -> Said:
+        """A fact as a rule writes it, without its annotation, which is not computed here."""
+        known = [filled(part, bindings) for part in arguments][: len(self.program.predicates[predicate].parameters)]
+        values = [part.value if isinstance(part, Constant) else None for part in known]
+        return Said(f"{predicate}({', '.join(map(str, known))})", self._span(predicate, values))
+
+    def _span(self, predicate: str, values: Sequence[object]) -> tuple[int, int] | None:
+        """The boundaries `start` and `end` of a fact; where it has one of them, those of the word there."""
+        named = dict(zip(self.program.predicates[predicate].parameters, values, strict=True))
+        match named.get("start"), named.get("end"):
+            case int(start), int(end):
+                return start, end
+            case int(start), None:
+                return start, start + 1
+            case None, int(end):
+                return end - 1, end
+        return None
+
+
+def _nearness(rule: Rule, match: Match) -> tuple[int, int]:
+    """How many of the joined patterns name a word, an entry or a function, and how many there are."""
+    joins = [part.fact for part in rule.tree.statements if isinstance(part, Pattern) and not part.absent]
+    anchors = [
+        atom.name in ANCHORS and any(isinstance(part, Constant | Alternatives) for part in atom.arguments)
+        for atom in (joins[number] for number in match.joined)
+    ]
+    return sum(anchors), len(anchors)
+
+
+def _compared(statement: Guard | Computation | Pattern, bindings: Bindings) -> str:
+    if isinstance(statement, Guard):
+        left, sign, right = statement.left, statement.operator, statement.right
+    else:
+        assert isinstance(statement, Computation)
+        left, sign, right = statement.variable, "=", statement.expression
+    return f"{left} {sign} {right}: {filled(left, bindings)} {sign} {filled(right, bindings)}"

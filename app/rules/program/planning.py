@@ -1,0 +1,252 @@
+"""Turns a checked rule into plans: the order in which to match its patterns, chosen once when the rules are loaded.
+
+A plan begins from everything known or, one plan for each pattern, from what the last round brought to that pattern;
+it goes on with the pattern that has most arguments known by then. Computations, guards and `unless` are taken as soon
+as their variables have values. Annotations are left out: they are computed when the facts are known (`annotations.py`).
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+
+from ..knowledge import Environment, Index, Knowledge, Origin, Pick, pick
+from ..language.arithmetic import apply_builtin, apply_operation, compare
+from ..language.tree import (
+    Alternatives,
+    Argument,
+    Atom,
+    Computation,
+    Constant,
+    Expression,
+    Guard,
+    Operation,
+    Pattern,
+    Place,
+    RuleTree,
+    Statement,
+    Variable,
+)
+from .steps import Absent, Compute, Evaluate, Join, JoinRecent, Shape, Step, Test
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """One way to match a rule: `template` is the environment to begin with."""
+
+    template: tuple[object, ...]
+    begin: Step
+
+    def run(self, knowledge: Knowledge) -> None:
+        """Match the rule in every possible way, and conclude."""
+        self.begin.run(knowledge, list(self.template))
+
+
+@dataclass(frozen=True, slots=True)
+class Plans:
+    """How to match one rule: from all facts, or, a plan for each pattern, from what is new to it."""
+
+    from_all: Plan
+    from_recent: tuple[Plan, ...]
+
+
+@dataclass(slots=True)
+class Layout:
+    """Gives the constants, variables and facts of one rule their slots, and turns its expressions into functions.
+
+    `annotated` tells the predicates whose last argument is an annotation.
+    """
+
+    annotated: Mapping[str, bool]
+    locate: Callable[[Place], Origin]
+    template: list[object] = field(default_factory=list)
+    _slots: dict[object, int] = field(default_factory=dict)
+
+    def slot(self, key: object, value: object = None) -> int:
+        """The slot of `key`, made on first sight with `value` in the template."""
+        if key not in self._slots:
+            self._slots[key] = len(self.template)
+            self.template.append(value)
+        return self._slots[key]
+
+    def variable(self, name: str) -> int:
+        return self.slot(("variable", name))
+
+    def constant(self, value: Argument) -> int:
+        return self.slot(("constant", type(value), value), value)
+
+    def fact(self, pattern: int) -> int:
+        """The slot of the fact that the rule's `pattern`-th positive pattern joined."""
+        return self.slot(("fact", pattern))
+
+    def identity(self, atom: Atom) -> tuple[Expression, ...]:
+        """The arguments of an atom without its annotation."""
+        return atom.arguments[:-1] if self.annotated[atom.name] else atom.arguments
+
+    def evaluator(self, expression: Expression) -> Evaluate:
+        """The expression as a function of the environment; it raises ComputationError."""
+        if isinstance(expression, Variable):
+            return pick((self.variable(expression.name),))
+        if isinstance(expression, Constant):
+            return pick((self.constant(expression.value),))
+        if isinstance(expression, Operation):
+            left, right = self.evaluator(expression.left), self.evaluator(expression.right)
+            return partial(_operation, expression.operator, left, right)
+        if isinstance(expression, Atom):
+            return partial(_builtin, expression.name, tuple(self.evaluator(part) for part in expression.arguments))
+        raise AssertionError(f"unchecked: {expression} has no value")
+
+    def test(self, guard: Guard) -> Callable[[Environment], bool]:
+        """The guard as a function of the environment; it raises ComputationError."""
+        return partial(_comparison, guard.operator, self.evaluator(guard.left), self.evaluator(guard.right))
+
+
+def plans(
+    rule: RuleTree, layout: Layout, indexes: dict[Index, int], *, computed: Sequence[Computation], last: Step
+) -> Plans:
+    """The plans of a checked rule, each ending in `last`; indexes they need are numbered in `indexes`.
+
+    `computed` are the computations to take: the rule's own without those on annotations, and the concluded arguments'.
+    """
+    joins = [part for part in rule.statements if isinstance(part, Pattern) and not part.absent]
+    conditions: list[Statement] = [*computed, *(part for part in rule.statements if isinstance(part, Guard))]
+    conditions += [part for part in rule.statements if isinstance(part, Pattern) and part.absent]
+    planner = _Planner(layout, indexes, joins, last)
+    numbers = tuple(range(len(joins)))
+    from_all = planner.rest(frozenset(), numbers, tuple(conditions))
+    from_recent = tuple(planner.beginning(number, numbers, tuple(conditions)) for number in numbers)
+    template = tuple(layout.template)
+    return Plans(Plan(template, from_all), tuple(Plan(template, begin) for begin in from_recent))
+
+
+def variables_of(expression: Expression) -> frozenset[str]:
+    """The names of the variables in an expression."""
+    if isinstance(expression, Variable):
+        return frozenset({expression.name})
+    if isinstance(expression, Operation):
+        return variables_of(expression.left) | variables_of(expression.right)
+    if isinstance(expression, Atom):
+        return frozenset().union(*map(variables_of, expression.arguments))
+    return frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class _Planner:
+    layout: Layout
+    indexes: dict[Index, int]
+    joins: Sequence[Pattern]
+    last: Step
+
+    def rest(self, bound: frozenset[str], joins: tuple[int, ...], conditions: tuple[Statement, ...]) -> Step:
+        """The steps that are left when the variables in `bound` have values."""
+        for position, condition in enumerate(conditions):
+            if self._inputs(condition) <= bound:
+                return self._condition(condition, bound, joins, conditions[:position] + conditions[position + 1 :])
+        if not joins:
+            return self.last
+        chosen = max(joins, key=lambda number: (self._known(number, bound), -number))
+        left = tuple(number for number in joins if number != chosen)
+        return self._join(chosen, bound, left, conditions)
+
+    def beginning(self, chosen: int, joins: tuple[int, ...], conditions: tuple[Statement, ...]) -> Step:
+        """The plan that begins from what is new to the pattern `chosen`."""
+        atom = self.joins[chosen].fact
+        arguments = self.layout.identity(atom)
+        then = self.rest(_bound_by(arguments), tuple(number for number in joins if number != chosen), conditions)
+        first = arguments[0].value if arguments and isinstance(arguments[0], Constant) else None
+        return JoinRecent((atom.name, first), self._shape(chosen, frozenset(), keyed=False), then)
+
+    def _join(
+        self, chosen: int, bound: frozenset[str], joins: tuple[int, ...], conditions: tuple[Statement, ...]
+    ) -> Step:
+        atom = self.joins[chosen].fact
+        arguments = self.layout.identity(atom)
+        index, key = self._lookup(atom, bound)
+        then = self.rest(bound | _bound_by(arguments), joins, conditions)
+        return Join(index, key, self._shape(chosen, bound, keyed=True), then)
+
+    def _condition(
+        self, condition: Statement, bound: frozenset[str], joins: tuple[int, ...], conditions: tuple[Statement, ...]
+    ) -> Step:
+        if isinstance(condition, Pattern):
+            index, key = self._lookup(condition.fact, bound)
+            return Absent(index, key, _among(self.layout.identity(condition.fact)), self.rest(bound, joins, conditions))
+        if isinstance(condition, Guard):
+            origin = self.layout.locate(condition.place)
+            return Test(self.layout.test(condition), origin, self.rest(bound, joins, conditions))
+        name, origin = condition.variable.name, self.layout.locate(condition.variable.place)
+        if name in bound:
+            equal = Guard("==", condition.variable, condition.expression, condition.variable.place)
+            return Test(self.layout.test(equal), origin, self.rest(bound, joins, conditions))
+        then = self.rest(bound | {name}, joins, conditions)
+        return Compute(self.layout.variable(name), self.layout.evaluator(condition.expression), origin, then)
+
+    def _inputs(self, condition: Statement) -> frozenset[str]:
+        if isinstance(condition, Pattern):
+            return _bound_by(self.layout.identity(condition.fact))
+        if isinstance(condition, Guard):
+            return variables_of(condition.left) | variables_of(condition.right)
+        return variables_of(condition.expression)
+
+    def _known(self, number: int, bound: frozenset[str]) -> float:
+        """How selective a pattern is: its constants and bound variables, alternatives for half."""
+        arguments = self.layout.identity(self.joins[number].fact)
+        return len(_keyed(arguments, bound)) + 0.5 * len(_among(arguments))
+
+    def _lookup(self, atom: Atom, bound: frozenset[str]) -> tuple[int, Pick]:
+        """The index by the arguments of `atom` that are known, and what picks the key from the environment."""
+        arguments = self.layout.identity(atom)
+        positions = _keyed(arguments, bound)
+        index = self.indexes.setdefault(Index(atom.name, positions), len(self.indexes))
+        return index, pick(tuple(self._slot(arguments[position]) for position in positions))
+
+    def _shape(self, number: int, bound: frozenset[str], *, keyed: bool) -> Shape:
+        """What is left to look at in a fact; with `keyed` the index has seen to the known arguments."""
+        arguments = self.layout.identity(self.joins[number].fact)
+        binds: dict[str, tuple[int, int]] = {}
+        equal: list[tuple[int, int]] = []
+        for position, argument in enumerate(arguments):
+            known = isinstance(argument, Constant) or (isinstance(argument, Variable) and argument.name in bound)
+            if isinstance(argument, Variable) and not known and argument.name not in binds:
+                binds[argument.name] = (self._slot(argument), position)
+            elif isinstance(argument, Variable | Constant) and not (known and keyed):
+                equal.append((self._slot(argument), position))
+        return Shape(tuple(binds.values()), tuple(equal), _among(arguments), self.layout.fact(number))
+
+    def _slot(self, argument: Expression) -> int:
+        if isinstance(argument, Variable):
+            return self.layout.variable(argument.name)
+        if isinstance(argument, Constant):
+            return self.layout.constant(argument.value)
+        raise AssertionError(f"unchecked: {argument} in a pattern")
+
+
+def _bound_by(arguments: Sequence[Expression]) -> frozenset[str]:
+    return frozenset(argument.name for argument in arguments if isinstance(argument, Variable))
+
+
+def _keyed(arguments: Sequence[Expression], bound: frozenset[str]) -> tuple[int, ...]:
+    return tuple(
+        position
+        for position, argument in enumerate(arguments)
+        if isinstance(argument, Constant) or (isinstance(argument, Variable) and argument.name in bound)
+    )
+
+
+def _among(arguments: Sequence[Expression]) -> tuple[tuple[int, frozenset[Argument]], ...]:
+    return tuple(
+        (position, frozenset(argument.values))
+        for position, argument in enumerate(arguments)
+        if isinstance(argument, Alternatives)
+    )
+
+
+def _operation(sign: str, left: Evaluate, right: Evaluate, environment: Environment) -> Argument:
+    return apply_operation(sign, left(environment), right(environment))
+
+
+def _builtin(name: str, arguments: tuple[Evaluate, ...], environment: Environment) -> Argument:
+    return apply_builtin(name, [argument(environment) for argument in arguments])
+
+
+def _comparison(sign: str, left: Evaluate, right: Evaluate, environment: Environment) -> bool:
+    return compare(sign, left(environment), right(environment))

@@ -1,0 +1,156 @@
+"""Loads rule files into a program: checked, put in order, with every join planned. A program never changes."""
+
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from ...errors import AuthoringError
+from ..knowledge import Index
+from ..language.language import read_rules
+from ..language.tree import Atom, Block, Choice, Pattern, PredicateTree, RuleFile, RuleTree
+from .checking import check
+from .compiling import compiled
+from .omissions import with_annotations
+from .planning import Plan
+from .stratification import asserted, feeding, strata
+
+
+@dataclass(frozen=True, slots=True)
+class Mention:
+    """A fact as a rule writes it: `arguments` are source terms ("negation", "$start", "modal|mental", "_")."""
+
+    predicate: str
+    arguments: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A rule as its author sees it. `kind` is "assert" or "choose", `comment` the comment lines directly above it,
+    `line` that of the rule's name, `calls` the behaviours a choose-rule names, each once, `tree` all that it says."""
+
+    name: str
+    kind: str
+    path: Path
+    line: int
+    comment: str
+    source: str
+    joins: tuple[Mention, ...]
+    asserts: tuple[Mention, ...]
+    calls: tuple[str, ...]
+    tree: RuleTree
+
+
+@dataclass(frozen=True, slots=True)
+class Predicate:
+    """A declared predicate; `parameters` without the annotation, which is `annotation` ("" when there is none)."""
+
+    name: str
+    parameters: tuple[str, ...]
+    annotation: str
+    path: Path
+    line: int
+    comment: str
+
+
+@dataclass(frozen=True, slots=True)
+class Stratum:
+    """Rules that run together: `first` once on all facts, then `later` on what each round brought."""
+
+    first: tuple[Plan, ...]
+    later: tuple[Plan, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """Rules ready to run (`understudy.rules.chaining.chainer.derive`); shared by threads as it is."""
+
+    rules: tuple[Rule, ...]
+    predicates: Mapping[str, Predicate]
+    strata: tuple[Stratum, ...]
+    choosers: tuple[Plan, ...]
+    indexes: tuple[Index, ...]
+
+
+def load_program(paths: Iterable[Path], *, behaviors: Collection[str] | None = None) -> Program:
+    """The program of these files; `behaviors` are the names that choose-rules may call (None: any).
+
+    Raises AuthoringError with every mistake of every file, in the order of the files and their lines.
+    """
+    readings = [read_rules(path) for path in paths]
+    files = with_annotations([file for file, _ in readings])
+    found = [mistake for _, mistakes in readings for mistake in mistakes]
+    found += check(files, behaviors)
+    if found:
+        order = {file.path: number for number, file in enumerate(files)}
+        raise AuthoringError(tuple(sorted(found, key=lambda m: (order[m.path], m.line, m.column))))
+    return _assembled(files)
+
+
+def _assembled(files: tuple[RuleFile, ...]) -> Program:
+    blocks = [(file, block) for file in files for block in file.blocks]
+    predicates = {
+        block.tree.name: _predicate(file, block, block.tree)
+        for file, block in blocks
+        if isinstance(block.tree, PredicateTree)
+    }
+    rules = [(file, block, block.tree) for file, block in blocks if isinstance(block.tree, RuleTree)]
+    trees = [tree for _, _, tree in rules]
+    annotated = {name: bool(predicate.annotation) for name, predicate in predicates.items()}
+    indexes: dict[Index, int] = {}
+    fed = feeding(trees, annotated)
+    plans = [compiled(tree, file, annotated, indexes) for file, _, tree in rules]
+    asserting = [number for number, tree in enumerate(trees) if asserted(tree)]
+    numbers = strata(fed)
+    levels = [[number for number in asserting if numbers[number] == level] for level in sorted(set(numbers))]
+    return Program(
+        rules=tuple(_rule(file, block, tree) for file, block, tree in rules),
+        predicates=MappingProxyType(predicates),
+        strata=tuple(
+            Stratum(
+                first=tuple(plans[number].from_all for number in level),
+                later=tuple(plan for number in level if fed.joined[number] for plan in plans[number].from_recent),
+            )
+            for level in levels
+        ),
+        choosers=tuple(plan.from_all for plan, tree in zip(plans, trees, strict=True) if not asserted(tree)),
+        indexes=tuple(indexes),
+    )
+
+
+def _predicate(file: RuleFile, block: Block, tree: PredicateTree) -> Predicate:
+    return Predicate(
+        name=tree.name,
+        parameters=tuple(parameter.name for parameter in tree.parameters if not parameter.merged),
+        annotation=next((parameter.name for parameter in tree.parameters if parameter.merged), ""),
+        path=file.path,
+        line=tree.place.line,
+        comment=block.comment,
+    )
+
+
+def _rule(file: RuleFile, block: Block, tree: RuleTree) -> Rule:
+    joins = (part.fact for part in tree.statements if isinstance(part, Pattern) and not part.absent)
+    calls = [
+        call.name
+        for part in tree.conclusions
+        if isinstance(part, Choice)
+        for alternative in part.alternatives
+        for call in alternative.calls
+    ]
+    return Rule(
+        name=tree.name,
+        kind="assert" if asserted(tree) else "choose",
+        path=file.path,
+        line=tree.place.line,
+        comment=block.comment,
+        source=block.source,
+        joins=tuple(map(_mention, joins)),
+        asserts=tuple(map(_mention, asserted(tree))),
+        calls=tuple(dict.fromkeys(calls)),
+        tree=tree,
+    )
+
+
+def _mention(atom: Atom) -> Mention:
+    return Mention(atom.name, tuple(map(str, atom.arguments)))

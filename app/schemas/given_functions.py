@@ -1,0 +1,54 @@
+"""The functions that come with a line (`--functions FILE`, the part `functions` of a request), checked for their form.
+
+A JSON list: `[{"class": "deixis", "subtype": "self", "first": 0, "last": 0, "priority": 5}, …]`; `subtype` is left out
+where the class has none, `priority` where the function matters more than all that is derived. Whether there are such
+functions and such words is asked where the rules are known (`understudy.rules.given`).
+"""
+
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from ..errors import InputError
+from ..model import PLAIN, GivenFunction
+from .requests import read_json
+
+FIELD = "functions"
+MOST_FUNCTIONS = 1000
+
+Position = Annotated[int, Field(ge=0)]
+
+
+class GivenFunctionRequest(BaseModel):
+    """One of the functions, in the names that the answers use."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+
+    class_name: str = Field(alias="class")
+    subtype: str = ""
+    first: Position
+    last: Position
+    priority: Annotated[float, Field(ge=0, le=100, allow_inf_nan=False)] | None = None
+
+    def to_function(self) -> GivenFunction:
+        return GivenFunction(self.class_name, self.subtype or PLAIN, self.first, self.last, self.priority)
+
+
+def read_functions(content: bytes) -> tuple[GivenFunction, ...]:
+    """Raises UndecodableError `not_json`, InputError `functions_wrong`, both with the field "functions"."""
+    items = read_json(content, FIELD)
+    if not isinstance(items, list):
+        raise InputError("functions_wrong", "functions must be a JSON list in brackets", field=FIELD)
+    if len(items) > MOST_FUNCTIONS:
+        raise InputError("functions_wrong", f"functions: {len(items)} are more than {MOST_FUNCTIONS}", field=FIELD)
+    return tuple(_function(number, item) for number, item in enumerate(items))
+
+
+def _function(number: int, item: object) -> GivenFunction:
+    try:
+        return GivenFunctionRequest.model_validate(item).to_function()
+    except ValidationError as error:
+        found = error.errors()[0]
+    where = ".".join((f"functions[{number}]", *map(str, found["loc"])))
+    reason = f"{found['msg'][0].lower()}{found['msg'][1:]}"
+    raise InputError("functions_wrong", f"{where}: {reason}", field=FIELD)

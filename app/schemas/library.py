@@ -1,0 +1,137 @@
+"""The JSON shapes of what authors edit: rules and words, characters, gestures; by the conventions of
+`understudy.schemas.responses`.
+"""
+
+from collections.abc import Iterable
+from typing import Self
+
+from pydantic import Field
+
+from ..authoring.catalogue import Character, Item, Kind, shown_path
+from ..model import Hand, Level
+from ..realizer.gestures.clips import clip
+from ..realizer.gestures.gesture import Definition
+from .responses import Number, ResponseModel
+
+
+class RuleResponse(ResponseModel):
+    """A rule, word, mapping or table entry, by the function it speaks of, and where an author finds it."""
+
+    kind: Kind
+    name: str
+    class_name: str | None = Field(default=None, serialization_alias="class")
+    subtype: str | None = None
+    file: str
+    line: int
+
+
+class RulesResponse(ResponseModel):
+    """All that authors edit."""
+
+    rules: list[RuleResponse]
+
+    @classmethod
+    def of(cls, items: Iterable[Item]) -> Self:
+        return cls(rules=[RuleResponse.model_validate(item) for item in items])
+
+
+class TableEntryResponse(ResponseModel):
+    """A movement as one character makes it."""
+
+    name: str
+    channel: str
+    lexeme: str
+    hand: str | None = None
+    amount: Number | None = None
+    repetitions: int | None = None
+    target: str | None = None
+    direction: str | None = None
+
+
+class CharacterResponse(ResponseModel):
+    """Who performs; `behaviors` are the character's own versions of the table's entries."""
+
+    name: str
+    description: str
+    handedness: str
+    gestures_per_minute: Number
+    strokes_per_unit: int
+    amplitude: Number
+    stillness: Number
+    eye_contact: Number
+    rest_poses: list[str]
+    behaviors: list[TableEntryResponse]
+
+    @classmethod
+    def of(cls, character: Character) -> Self:
+        told = {name: getattr(character, name) for name in cls.model_fields if name != "behaviors"}
+        return cls.model_validate({**told, "behaviors": list(character.entries.values())})
+
+
+class CharactersResponse(ResponseModel):
+    """All who can perform."""
+
+    characters: list[CharacterResponse]
+
+    @classmethod
+    def of(cls, characters: Iterable[Character]) -> Self:
+        return cls(characters=[CharacterResponse.of(character) for character in characters])
+
+
+class GestureLevelResponse(ResponseModel):
+    """How a gesture is made at one level of agitation; `markers_s` count from its start."""
+
+    amplitude: Number
+    tempo: Number
+    fluidity: Number
+    power: Number
+    repetition: Number
+    markers_s: dict[str, Number]
+    stroke_speed_m_s: Number
+
+
+class GestureResponse(ResponseModel):
+    """A gesture of the library; `arms` is absent when either hand may make it."""
+
+    name: str
+    gesture_class: str = Field(serialization_alias="class")
+    categories: list[str]
+    arms: Hand | None = None
+    aimed: bool
+    duration_s: Number
+    levels: dict[Level, GestureLevelResponse]
+    file: str | None = None
+    line: int
+
+    @classmethod
+    def of(cls, definition: Definition) -> Self:
+        return cls(
+            name=definition.name,
+            gesture_class=definition.gesture_class,
+            categories=list(definition.categories),
+            arms=definition.hand,
+            aimed=definition.aimed,
+            duration_s=definition.duration_s,
+            levels={level: _at_level(definition, level) for level in definition.levels},
+            file=shown_path(definition.path) if definition.path else None,
+            line=definition.line,
+        )
+
+
+class GesturesResponse(ResponseModel):
+    """All gestures of the library."""
+
+    gestures: list[GestureResponse]
+
+    @classmethod
+    def of(cls, definitions: Iterable[Definition]) -> Self:
+        return cls(gestures=[GestureResponse.of(definition) for definition in definitions])
+
+
+def _at_level(definition: Definition, level: Level) -> GestureLevelResponse:
+    made = clip(definition, level, definition.hand or Hand.RIGHT, definition.categories[0])
+    return GestureLevelResponse(
+        **{name: getattr(made.expressivity, name) for name in made.expressivity.__slots__},
+        markers_s={name: getattr(made.markers, name) for name in made.markers.__slots__},
+        stroke_speed_m_s=made.stroke_speed_m_s,
+    )

@@ -1,0 +1,148 @@
+"""Reads the YAML files that authors write, and finds every mistake in them with its line and column.
+
+Scalars stay the strings the author typed ("no" and "yes" are words, not booleans); the pydantic schema of the file
+turns them into numbers where it wants numbers. No tags, no anchors, no aliases: a file says what it shows.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Protocol, TypeAlias, TypeVar
+
+import yaml
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from .errors import AuthoringError, Mistake
+
+Plain: TypeAlias = "str | list[Plain] | dict[str, Plain]"
+Schema = TypeVar("Schema", bound=BaseModel)
+Value = TypeVar("Value")
+
+
+class _Place(Protocol):
+    """Where YAML found something; counts from 0."""
+
+    line: int
+    column: int
+
+
+class Entry(BaseModel):
+    """Base of every schema of authored files: frozen, and nothing unknown passes."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Source:
+    """One YAML file: its node tree for places, its plain value for the schema.
+
+    Raises AuthoringError when the file is no YAML, or uses what we do not allow.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._text = _read(path)
+        self.lines = self._text.splitlines()
+        self._root = self._compose()
+        self._refuse_what_is_not_shown()
+        self.value = _plain(self._root)
+
+    def validated(self, schema: type[Schema]) -> Schema:
+        """The file as `schema`; raises AuthoringError with every mistake at its place."""
+        try:
+            return schema.model_validate(self.value)
+        except ValidationError as error:
+            raise AuthoringError(
+                tuple(self.mistake(tuple(found["loc"]), _readable(found["msg"])) for found in error.errors())
+            ) from None
+
+    def mistake(self, location: Sequence[str | int], message: str) -> Mistake:
+        """A mistake at `location`, a path of keys and list positions; its deepest part that exists gives the place."""
+        node = self._root
+        for step in location:
+            node = _child(node, step) or node
+        return self._at(node.start_mark, message)
+
+    def _compose(self) -> yaml.Node:
+        try:
+            node = yaml.compose(self._text, Loader=yaml.CSafeLoader)
+        except yaml.MarkedYAMLError as error:
+            raise AuthoringError((self._at(error.problem_mark, f"not YAML: {error.problem}"),)) from None
+        except yaml.YAMLError as error:
+            raise AuthoringError((Mistake(self.path, 1, 1, f"not YAML: {error}".splitlines()[0]),)) from None
+        if node is None:
+            raise AuthoringError((Mistake(self.path, 1, 1, "the file is empty"),))
+        return node
+
+    def _refuse_what_is_not_shown(self) -> None:
+        """Anchors, aliases and tags, and keys that a later one of the same name would hide."""
+        mistakes = [
+            self._at(event.start_mark, "anchors, aliases and tags are not allowed")
+            for event in yaml.parse(self._text, Loader=yaml.CSafeLoader)
+            if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None) or getattr(event, "tag", None)
+        ]
+        if not mistakes:
+            mistakes = [
+                self._at(key.start_mark, f"the key {key.value!r} stands here a second time")
+                for key in _repeated_keys(self._root)
+            ]
+        if mistakes:
+            raise AuthoringError(tuple(mistakes))
+
+    def _at(self, place: _Place | None, message: str) -> Mistake:
+        line, column = (place.line, place.column) if place else (0, 0)
+        return Mistake(self.path, line + 1, column + 1, message, self.lines[line] if line < len(self.lines) else "")
+
+
+def all_or_every_mistake(results: Iterable[Value | AuthoringError]) -> tuple[Value, ...]:
+    """The values, when none is an error; else one AuthoringError with the mistakes of all of them."""
+    values: list[Value] = []
+    mistakes: list[Mistake] = []
+    for result in results:
+        if isinstance(result, AuthoringError):
+            mistakes.extend(result.mistakes)
+        else:
+            values.append(result)
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+    return tuple(values)
+
+
+def _read(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise AuthoringError((Mistake(path, 1, 1, f"cannot be read as UTF-8 text: {error}"),)) from None
+
+
+def _repeated_keys(node: yaml.Node) -> Iterator[yaml.Node]:
+    if isinstance(node, yaml.SequenceNode):
+        for item in node.value:
+            yield from _repeated_keys(item)
+    elif isinstance(node, yaml.MappingNode):
+        seen: set[str] = set()
+        for key, value in node.value:
+            if key.value in seen:
+                yield key
+            seen.add(str(key.value))
+            yield from _repeated_keys(value)
+
+
+def _plain(node: yaml.Node) -> Plain:
+    if isinstance(node, yaml.MappingNode):
+        return {key.value: _plain(value) for key, value in node.value}
+    if isinstance(node, yaml.SequenceNode):
+        return [_plain(item) for item in node.value]
+    return str(node.value)
+
+
+def _child(node: yaml.Node, step: str | int) -> yaml.Node | None:
+    if isinstance(node, yaml.MappingNode):
+        return next((value for key, value in node.value if key.value == step), None)
+    if isinstance(node, yaml.SequenceNode) and isinstance(step, int) and step < len(node.value):
+        item: yaml.Node = node.value[step]
+        return item
+    return None
+
+
+def _readable(message: str) -> str:
+    """Pydantic's message in the words of somebody who edits a file."""
+    return message.replace("Extra inputs are not permitted", "unknown key").replace("Field required", "key is missing")

@@ -1,0 +1,112 @@
+"""How long BML takes to write and to read, and what the reader makes of hostile and broken files.
+
+`python -m benchmarks.bml.bml` performs the bundled line once, then writes it in every form and reads it back. Then it
+breaks the file at random, changing, dropping or doubling a few bytes, and reads that: each time there must be a
+document or an InputError. Times are seconds of the processor, the median of `ROUNDS`.
+"""
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+from random import Random
+from statistics import median
+from time import process_time
+
+from understudy.bml.markup.documents import DialectName, TimeForm
+from understudy.bml.reading.reader import read_bml
+from understudy.bml.writing.writer import BmlForm, write_bml
+from understudy.errors import InputError
+from understudy.model import Performance
+from understudy.performance import Line, Options, Understudy, perform
+from understudy.settings import Settings
+
+ROUNDS = 50
+BROKEN = 20_000
+EXAMPLE = Path(__file__).resolve().parents[1] / "examples" / "example.flac"
+WRITTEN = Path("written.bml")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--broken", type=int, default=BROKEN, help="how many broken files are read")
+    arguments = parser.parse_args()
+    performance = _performance()
+    words = len(performance.utterance.words)
+    print(f"the bundled line: {words} words, {sum(each.kept for each in performance.behaviors)} behaviours")
+    for form in (BmlForm(dialect, timing) for dialect in DialectName for timing in TimeForm):
+        _time(performance, form)
+    _break(write_bml(performance), arguments.broken)
+    for name, content in _hostile():
+        taken_s = _seconds(lambda content=content: _read(content))  # type: ignore[misc]
+        print(f"{name:44s} {len(content) / 1e6:5.1f} MB  {_read(content):8s} {taken_s * 1e3:8.1f} ms")
+
+
+def _performance() -> Performance:
+    with Understudy.load(Settings()) as understudy:
+        line = Line(EXAMPLE.read_bytes(), EXAMPLE.with_suffix(".txt").read_text(encoding="utf-8"))
+        return perform(understudy, line, Options())
+
+
+def _time(performance: Performance, form: BmlForm) -> None:
+    content = write_bml(performance, form)
+    document, _ = read_bml(content, WRITTEN)
+    writing_s = median(_seconds(lambda: write_bml(performance, form)) for _ in range(ROUNDS))
+    reading_s = median(_seconds(lambda: read_bml(content, WRITTEN)) for _ in range(ROUNDS))
+    same = write_bml(performance, form) == content and document == read_bml(content, WRITTEN)[0]
+    told = f"{form.dialect} {form.timing}: {len(content)} bytes"
+    print(f"{told:44s} write {writing_s * 1e3:5.2f} ms  read {reading_s * 1e3:5.2f} ms  same again: {same}")
+
+
+def _break(content: bytes, count: int) -> None:
+    random = Random(0)
+    outcomes = [_read(_broken(content, random)) for _ in range(count)]
+    print(f"{count} broken files: {outcomes.count('read')} read, {outcomes.count('refused')} refused")
+
+
+def _broken(content: bytes, random: Random) -> bytes:
+    """The file with one to three slips: a byte changed, a stretch dropped or doubled."""
+    for _ in range(random.randint(1, 3)):
+        at = random.randrange(len(content))
+        stretch = content[at : at + random.randint(1, 30)]
+        slip = random.choice([bytes([random.randrange(256)]), b"", stretch * 2])
+        content = content[:at] + slip + content[at + len(stretch) :]
+    return content
+
+
+def _read(content: bytes) -> str:
+    try:
+        read_bml(content, WRITTEN)
+    except InputError:
+        return "refused"
+    return "read"
+
+
+def _hostile() -> list[tuple[str, bytes]]:
+    """Large files that would take long if any step took more than its share."""
+    root = b'<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b">%s</bml>'
+    gazes = b"".join(
+        b'<gaze id="g%d" target="t" start="%d" end="%d"/>' % (each, each, each + 1) for each in range(18_000)
+    )
+    heads = b"".join(b'<head id="h%d" lexeme="NOD" start="h%d:end"/>' % (each, each + 1) for each in range(20_000))
+    marks = b"".join(b'<sync id="w%d"/>a ' % each for each in range(30_000))
+    speech = b'<speech id="s"><text>%s</text></speech>' % marks
+    nods = b"".join(b'<head id="h%d" lexeme="NOD" start="s:w%d"/>' % (each, each) for each in range(9_000))
+    return [
+        ("18,000 gazes one after the other", root % gazes),
+        ("20,000 heads, each after the next, one missing", root % heads),
+        ("30,000 marks, 9,000 references", root % (speech + nods)),
+        ("140,000 unknown elements", root % (b"<wave/>" * 140_000)),
+        ("70,000 elements of extensions", root % (b'<x xmlns="u"/>' * 70_000)),
+        ("one attribute of 1 MB", root % (b'<head id="h" lexeme="%s"/>' % (b"N" * 1_000_000))),
+        ("a number of 1,000,000 digits", root % (b'<head id="h" lexeme="N" start="%s"/>' % (b"9" * 1_000_000))),
+    ]
+
+
+def _seconds(work: Callable[[], object]) -> float:
+    started = process_time()
+    work()
+    return process_time() - started
+
+
+if __name__ == "__main__":
+    main()

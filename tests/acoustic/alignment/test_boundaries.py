@@ -1,0 +1,138 @@
+"""Boundaries are moved where the model says, stay in order, and stand where it has nothing to say."""
+
+import json
+import tracemalloc
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+from understudy.acoustic.alignment.boundaries import BOUNDARIES_AT_ONCE, BoundaryModel
+from understudy.acoustic.alignment.boundary_views import (
+    BANDS,
+    CONTEXT_STEPS,
+    STEP_SAMPLES,
+    BoundaryView,
+    Places,
+    mel_levels,
+)
+from understudy.acoustic.alignment.phone_boundaries import SHORTEST_PHONE_S, boundaries
+from understudy.errors import ServiceError
+from understudy.model import SAMPLE_RATE_HZ, Audio, Interval, Phone, Word
+
+MODEL = Path(__file__).resolve().parents[3] / "models" / "alignment" / "boundaries.npz"
+AUDIO = Path(__file__).resolve().parents[2] / "audio"
+
+
+def _word(index: int, *phones: tuple[str, float, float]) -> Word:
+    made = tuple(Phone(label, Interval(start_s, end_s)) for label, start_s, end_s in phones)
+    return Word(index, "word", Interval(made[0].interval.start_s, made[-1].interval.end_s), made)
+
+
+WORDS = (_word(0, ("S", 0.2, 0.3), ("AA", 0.3, 0.5)), _word(1, ("M", 0.5, 0.6)), _word(2, ("T", 0.8, 0.9)))
+
+
+def _audio() -> Audio:
+    """Hiss from 0.2 s, a buzz from 0.32 to 0.6, a click at 0.85."""
+    times_s = np.arange(SAMPLE_RATE_HZ) / SAMPLE_RATE_HZ
+    noise = np.random.default_rng(0).standard_normal(SAMPLE_RATE_HZ)
+    hiss = np.diff(noise, prepend=0.0) * ((times_s >= 0.2) & (times_s < 0.32))
+    buzz = np.sign(np.sin(2 * np.pi * 120 * times_s)) * ((times_s >= 0.32) & (times_s < 0.6))
+    return Audio(0.2 * (hiss + buzz + noise * ((times_s >= 0.85) & (times_s < 0.86))))
+
+
+def _constant(moves_s: float) -> BoundaryModel:
+    """A model that sees nothing and moves everything alike."""
+    width = (2 * CONTEXT_STEPS + 1) * BANDS
+    view = BoundaryView(np.zeros(width, np.float32), np.zeros((width, 1), np.float32), kind_weight=0.0, gap_weight=0.0)
+    points = view.points(mel_levels(_audio().samples), Places.of(boundaries(WORDS)))
+    return BoundaryModel(view, np.zeros_like(points[:1]), np.array([moves_s], np.float32))
+
+
+def _figure8() -> tuple[Audio, tuple[Word, ...]]:
+    """A line of flite's with its words where it spoke them."""
+    samples, rate_hz = soundfile.read(AUDIO / "figure8.flac")
+    assert rate_hz == SAMPLE_RATE_HZ
+    words = json.loads((AUDIO / "figure8.json").read_text(encoding="utf-8"))["words"]
+    phones = [[(phone["label"], phone["start_s"], phone["end_s"]) for phone in word["phones"]] for word in words]
+    return Audio(samples), tuple(_word(index, *said) for index, said in enumerate(phones))
+
+
+def _shifted(word: Word, by_s: float) -> Word:
+    return _word(
+        word.index, *((each.label, each.interval.start_s + by_s, each.interval.end_s + by_s) for each in word.phones)
+    )
+
+
+def test_every_boundary_moves_and_words_keep_their_phones() -> None:
+    moved = _constant(0.030).refine(_audio(), WORDS)
+    assert [boundary.time_s for boundary in boundaries(moved)] == [0.23, 0.33, 0.53, 0.63, 0.83, 0.93]
+    assert [[phone.label for phone in word.phones] for word in moved] == [["S", "AA"], ["M"], ["T"]]
+    assert moved[0].interval == Interval(0.23, 0.53)
+
+
+def test_times_stay_within_the_audio_and_phones_keep_a_length() -> None:
+    audio = Audio(_audio().samples[: round(0.92 * SAMPLE_RATE_HZ)])
+    for move_s in (-9.0, 9.0):
+        late = (_word(0, *((label, 0.91, 0.915) for label in ("S", "AA", "T"))),)
+        for words in (WORDS, late):
+            times_s = [boundary.time_s for boundary in boundaries(_constant(move_s).refine(audio, words))]
+            assert times_s[0] >= 0.0
+            assert times_s[-1] <= 0.92
+            assert np.diff(times_s).min() >= SHORTEST_PHONE_S - 1e-9
+
+
+def test_what_is_like_nothing_in_the_training_stays() -> None:
+    model = BoundaryModel.load(MODEL)
+    strange = replace(model, supports=model.supports + 1000.0)
+    assert strange.refine(_audio(), WORDS) == WORDS
+
+
+def test_the_shipped_model_brings_what_is_20_ms_late_nearer_and_does_not_hear_how_loud_it_is() -> None:
+    model = BoundaryModel.load(MODEL)
+    audio, truth = _figure8()
+    late = tuple(_shifted(word, 0.020) for word in truth)
+    true_s, refined_s = ([each.time_s for each in boundaries(words)] for words in (truth, model.refine(audio, late)))
+    assert np.mean(np.abs(np.array(refined_s) - true_s)) < 0.018
+    assert model.refine(Audio(audio.samples * 0.01), late) == model.refine(audio, late)
+
+
+def _repeated(times: int) -> tuple[Audio, tuple[Word, ...]]:
+    """The line again and again."""
+    audio, line = _figure8()
+    samples = audio.samples[: len(audio.samples) // STEP_SAMPLES * STEP_SAMPLES]
+    length_s = len(samples) / SAMPLE_RATE_HZ
+    return Audio(np.tile(samples, times)), tuple(_shifted(word, n * length_s) for n in range(times) for word in line)
+
+
+def test_a_line_is_refined_alike_wherever_in_long_audio_it_comes() -> None:
+    count = len(boundaries(_figure8()[1]))
+    times = 2 * BOUNDARIES_AT_ONCE // count + 3
+    audio, words = _repeated(times)
+    refined = BoundaryModel.load(MODEL).refine(audio, words)
+    moves_s = [
+        after.time_s - before.time_s for before, after in zip(boundaries(words), boundaries(refined), strict=True)
+    ]
+    moved = np.reshape(moves_s, (times, count))[1:-1]
+    assert np.abs(moved).max() > 0.005
+    assert np.ptp(moved, axis=0).max() <= 0.0011
+
+
+def test_beside_the_samples_long_audio_needs_little() -> None:
+    audio, words = _repeated(30)
+    model = BoundaryModel.load(MODEL)
+    tracemalloc.start()
+    model.refine(audio, words)
+    _, most_bytes = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most_bytes < 20e6
+
+
+def test_a_file_that_is_no_model_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "boundaries.npz"
+    path.write_bytes(b"nothing")
+    with pytest.raises(ServiceError, match=r"boundaries\.npz is no boundary model") as caught:
+        BoundaryModel.load(path)
+    assert caught.value.code == "model_unreadable"

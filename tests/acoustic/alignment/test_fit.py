@@ -1,0 +1,84 @@
+"""What the scores and the sound outside the words say about a text, at the limits."""
+
+import numpy as np
+import pytest
+
+from understudy.acoustic.alignment.decoder_process import DecodedPhone
+from understudy.acoustic.alignment.fit import (
+    MISMATCH_SCORE,
+    SUSPECT_SCORE,
+    alignment_score,
+    check_fit,
+    is_telephone,
+    power_outside,
+    signal_to_noise_db,
+)
+from understudy.errors import InputError
+from understudy.model import SAMPLE_RATE_HZ, Audio, Interval, Phone, Word
+
+FRAMES = 50
+
+
+def _audio(noise: float = 1e-4) -> Audio:
+    """A tone from 0.25 to 0.75 s of one second, in noise."""
+    times_s = np.arange(SAMPLE_RATE_HZ) / SAMPLE_RATE_HZ
+    tone = 0.5 * np.sin(2 * np.pi * 200 * times_s) * ((times_s >= 0.25) & (times_s < 0.75))
+    return Audio(tone + np.random.default_rng(0).standard_normal(SAMPLE_RATE_HZ) * noise)
+
+
+def _word(start_s: float = 0.25, end_s: float = 0.75) -> Word:
+    interval = Interval(start_s, end_s)
+    return Word(0, "ah", interval, (Phone("AH", interval),))
+
+
+def _scored(per_frame: float) -> list[list[DecodedPhone]]:
+    return [[DecodedPhone("AH", 25, FRAMES, round(per_frame * FRAMES))]]
+
+
+def test_the_score_is_per_frame_of_speech() -> None:
+    decoded = [[DecodedPhone("AH", 0, 10, -100)], [DecodedPhone("T", 10, 30, -900)]]
+    assert alignment_score(decoded) == -25.0
+
+
+def test_a_fitting_text_passes() -> None:
+    assert check_fit(_audio(), (_word(),), _scored(-12)) == ()
+
+
+def test_a_text_below_the_limit_is_refused_and_just_above_it_suspect() -> None:
+    with pytest.raises(InputError) as caught:
+        check_fit(_audio(), (_word(),), _scored(MISMATCH_SCORE - 1))
+    assert (caught.value.code, caught.value.field) == ("transcript_mismatch", "text")
+    (notice,) = check_fit(_audio(), (_word(),), _scored(MISMATCH_SCORE + 1))
+    assert notice.code == "transcript_suspect"
+    assert "worst at word 0 (ah)" in notice.message
+
+
+def test_noise_lowers_the_limits_and_refuses_nothing() -> None:
+    noisy = _audio(noise=0.2)
+    assert signal_to_noise_db(noisy) < 12
+    assert check_fit(noisy, (_word(),), _scored(SUSPECT_SCORE - 4)) == ()
+    (notice,) = check_fit(noisy, (_word(),), _scored(-150))
+    assert "word 0 (ah)" in notice.message
+
+
+def test_sound_outside_the_words_is_suspect() -> None:
+    assert power_outside(_audio(), (_word(),)) == pytest.approx(0.0, abs=0.01)
+    assert power_outside(_audio(), (_word(0.25, 0.5),)) == pytest.approx(0.5, abs=0.02)
+    (notice,) = check_fit(_audio(), (_word(0.25, 0.5),), _scored(-12))
+    assert "50% of the sound lies outside the words, most of it after word 0 (ah)" in notice.message
+
+
+def test_a_word_stretched_beyond_speech_is_suspect() -> None:
+    (notice,) = check_fit(_audio(), (_word(0.1, 0.9),), _scored(-12))
+    assert "too long for what they say: word 0 (ah)" in notice.message
+
+
+def test_silence_has_no_sound_outside() -> None:
+    assert power_outside(Audio(np.zeros(SAMPLE_RATE_HZ)), (_word(),)) == 0.0
+
+
+def test_a_narrow_band_lowers_the_limit_of_suspicion() -> None:
+    wide, narrow = _audio(noise=1e-2), _audio(noise=1e-5)
+    assert (is_telephone(wide), is_telephone(narrow)) == (False, True)
+    assert check_fit(narrow, (_word(),), _scored(SUSPECT_SCORE - 7)) == ()
+    assert check_fit(wide, (_word(),), _scored(SUSPECT_SCORE - 7)) != ()

@@ -1,0 +1,60 @@
+"""The sum over harmonics, against eq. 3 written out, and where it is greatest."""
+
+import numpy as np
+import pytest
+from scipy import fft
+
+from understudy.acoustic.pitch import harmonics
+from understudy.acoustic.pitch.harmonics import CANDIDATES_HZ, summed_harmonics
+from understudy.acoustic.pitch.residual import prediction_residual
+from understudy.model import SAMPLE_RATE_HZ, FloatArray
+
+
+def pulses(f0_hz: float, duration_s: float = 1.0) -> FloatArray:
+    """One sample a period through a resonance at 700 Hz, in faint noise."""
+    count = round(duration_s * SAMPLE_RATE_HZ)
+    train = np.zeros(count)
+    train[np.arange(0, count, SAMPLE_RATE_HZ / f0_hz).astype(int)] = 1.0
+    times = np.arange(300)
+    resonance = 0.97**times * np.cos(2 * np.pi * 700 / SAMPLE_RATE_HZ * times)
+    return np.convolve(train, resonance)[:count] + np.random.default_rng(0).normal(0, 1e-3, count)
+
+
+def srh(samples: FloatArray, band_hz: int) -> FloatArray:
+    """Frames × candidates."""
+    return np.concatenate([strengths.T for _, strengths in summed_harmonics(samples, band_hz)])
+
+
+@pytest.mark.parametrize(("band_hz", "decimation"), [(3500, 2), (8000, 1)])
+def test_it_is_eq_3(band_hz: int, decimation: int) -> None:
+    samples = pulses(130.0)
+    rate_hz = SAMPLE_RATE_HZ // decimation
+    residual = prediction_residual(samples, decimation=decimation)
+    window = rate_hz // 10
+    frame = residual[rate_hz // 2 - window // 2 :][:window] * np.blackman(window + 1)[:-1]
+    amplitudes = np.abs(fft.rfft(frame, rate_hz // 2))[: band_hz // 2]
+    amplitudes /= np.sqrt(np.sum(amplitudes**2) * 2 * 8000 / band_hz)
+    every_hz = np.interp(np.arange(2501), 2 * np.arange(len(amplitudes)), amplitudes)
+    for number, f in enumerate(CANDIDATES_HZ.astype(int)):
+        expected = every_hz[f] + sum(every_hz[k * f] - every_hz[k * f - f // 2] for k in range(2, 6))
+        assert srh(samples, band_hz)[50, number] == pytest.approx(expected, abs=1e-4)
+
+
+@pytest.mark.parametrize("f0_hz", [70.0, 131.0, 220.0, 390.0])
+def test_between_half_and_double_it_is_greatest_at_f0(f0_hz: float) -> None:
+    nearby = np.abs(np.log2(CANDIDATES_HZ / f0_hz)) <= 1
+    greatest_hz = CANDIDATES_HZ[nearby][srh(pulses(f0_hz), 3500)[:, nearby].argmax(axis=1)]
+    np.testing.assert_allclose(greatest_hz[8:-8], f0_hz, atol=2)
+
+
+@pytest.mark.parametrize("count", [1, 8_000, 16 * 160 - 1, 64 * 160, 10_400])
+def test_every_frame_comes_once_in_order(count: int) -> None:
+    blocks = [block for block, _ in summed_harmonics(np.resize(pulses(100.0, 0.2), count), 3500)]
+    assert [frame for block in blocks for frame in range(block.start, block.stop)] == list(range(1 + count // 160))
+
+
+def test_stretches_of_long_audio_are_as_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+    samples = pulses(110.0, 3.0)
+    whole = srh(samples, 3500)
+    monkeypatch.setattr(harmonics, "_STRETCH", 100)
+    np.testing.assert_allclose(srh(samples, 3500), whole, atol=1e-5)

@@ -1,0 +1,34 @@
+"""Where frames lie, and that blocks of them are no others than the signal's own."""
+
+import numpy as np
+import pytest
+
+from understudy.acoustic.signal.frames import BLOCK, SHIFT_SAMPLES, blocks_of_frames, excerpt, frame_count
+
+
+def test_a_frame_is_centred_on_its_time() -> None:
+    [(_, frames)] = blocks_of_frames(np.arange(1.0, 1001.0), 4, frame_count(1000))
+    assert frames.tolist()[:2] == [[0, 0, 1, 2], [159, 160, 161, 162]]
+
+
+@pytest.mark.parametrize("samples", [1, 159, 160, BLOCK * SHIFT_SAMPLES - 1, BLOCK * SHIFT_SAMPLES, 25_000])
+def test_blocks_hold_every_frame_once(samples: int) -> None:
+    signal = np.random.default_rng(0).normal(size=samples)
+    frames = np.full((frame_count(samples), 400), np.nan)
+    for block, some in blocks_of_frames(signal, 400, len(frames)):
+        frames[block] = some
+    padded = np.pad(signal, 200 + SHIFT_SAMPLES)[SHIFT_SAMPLES:]
+    expected = [padded[160 * number : 160 * number + 400] for number in range(1 + samples // 160)]
+    np.testing.assert_allclose(frames, expected, rtol=1e-6)
+
+
+@pytest.mark.parametrize(("first", "end"), [(-3, 0), (-1, 2), (1, 3), (2, 9), (4, 6), (-2, 7)])
+def test_an_excerpt_is_silent_outside_the_signal(first: int, end: int) -> None:
+    signal = np.array([1.0, 2.0, 3.0, 4.0])
+    expected = [signal[at] if 0 <= at < 4 else 0.0 for at in range(first, end)]
+    assert excerpt(signal, first, end).tolist() == expected
+
+
+def test_frames_may_begin_elsewhere() -> None:
+    [(_, frames)] = blocks_of_frames(np.arange(1.0, 1001.0), 4, 2, shift=10, centre=5)
+    assert frames.tolist() == [[4, 5, 6, 7], [14, 15, 16, 17]]

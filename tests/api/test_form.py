@@ -1,0 +1,87 @@
+"""Multipart forms: what is read, and every way in which one can be wrong."""
+
+import asyncio
+from collections.abc import Sequence
+
+import pytest
+from starlette.requests import ClientDisconnect, Request
+from starlette.types import Message
+
+from understudy.api.form import Part, read_form
+from understudy.errors import InputError, UndecodableError, UnderstudyError, UnsupportedFormatError
+
+BOUNDARY = "edge"
+END = f"--{BOUNDARY}--\r\n".encode()
+
+
+def _part(name: str, content: bytes, file_name: str | None = None) -> bytes:
+    file = "" if file_name is None else f'; filename="{file_name}"'
+    head = f'--{BOUNDARY}\r\nContent-Disposition: form-data; name="{name}"{file}\r\n\r\n'
+    return head.encode() + content + b"\r\n"
+
+
+def _read(
+    chunks: Sequence[bytes], media_type: str = f"multipart/form-data; boundary={BOUNDARY}", *, cut: bool = False
+) -> dict[str, Part]:
+    left = list(chunks)
+
+    async def receive() -> Message:
+        if not left:
+            return {"type": "http.disconnect"}
+        return {"type": "http.request", "body": left.pop(0), "more_body": bool(left) or cut}
+
+    scope = {"type": "http", "method": "POST", "path": "/", "headers": [(b"content-type", media_type.encode())]}
+    return asyncio.run(read_form(Request(scope, receive), ("audio", "text")))
+
+
+def test_parts_come_by_name_byte_for_byte_however_the_body_is_cut() -> None:
+    body = _part("audio", b"\x00\r\n--edg\xff", "a.wav") + _part("text", "héllo".encode()) + END
+    whole = _read([body])
+    assert whole == {
+        "audio": Part("audio", b"\x00\r\n--edg\xff", "a.wav"),
+        "text": Part("text", "héllo".encode(), None),
+    }
+    assert whole["text"].text == "héllo"
+    assert _read([body[i : i + 1] for i in range(len(body))]) == whole
+
+
+@pytest.mark.parametrize(
+    ("body", "error", "code", "field"),
+    [
+        (_part("voice", b"") + END, InputError, "field_unknown", "voice"),
+        (_part("text", b"a") + _part("text", b"b") + END, InputError, "field_repeated", "text"),
+        (_part("text", b"a"), UndecodableError, "form_broken", None),
+        (b"", UndecodableError, "form_broken", None),
+        (b"not a form", UndecodableError, "form_broken", None),
+        (b"--edge\r\nContent-Type: text/plain\r\n\r\nx\r\n" + END, InputError, "field_unknown", ""),
+    ],
+)
+def test_wrong_forms_are_refused(body: bytes, error: type[UnderstudyError], code: str, field: str | None) -> None:
+    with pytest.raises(error) as caught:
+        _read([body])
+    assert caught.value.code == code
+    assert getattr(caught.value, "field", None) == field
+
+
+@pytest.mark.parametrize("media_type", ["application/json", "", "multipart/mixed; boundary=edge"])
+def test_another_media_type_is_refused(media_type: str) -> None:
+    with pytest.raises(UnsupportedFormatError):
+        _read([_part("text", b"a") + END], media_type)
+
+
+@pytest.mark.parametrize("parameters", ["", "; boundary=", f"; boundary={'x' * 1000}"])
+def test_an_impossible_boundary_is_refused(parameters: str) -> None:
+    with pytest.raises(UndecodableError):
+        _read([_part("text", b"a") + END], "multipart/form-data" + parameters)
+
+
+def test_a_client_that_leaves_is_told_apart() -> None:
+    with pytest.raises(ClientDisconnect):
+        _read([_part("text", b"a")], cut=True)
+
+
+def test_text_that_is_not_utf_8_is_refused_and_surrogates_are_left_to_the_transcript() -> None:
+    with pytest.raises(UndecodableError) as caught:
+        _ = Part("text", b"caf\xe9", None).text
+    assert caught.value.field == "text"
+    assert Part("text", b"\xed\xa0\x80", None).text == "\ud800"

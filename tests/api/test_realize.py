@@ -1,0 +1,82 @@
+"""`POST /realize` and `GET /gestures` from outside."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from fastapi.testclient import TestClient
+
+from tests.cli.test_realize import BEAT
+from understudy.api.application import create_app
+from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.settings import Settings
+
+AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
+AUDIO = (AUDIO_FOLDER / "figure8.flac").read_bytes()
+TEXT = (AUDIO_FOLDER / "figure8.txt").read_text(encoding="utf-8")
+XML = {"Content-Type": "application/xml"}
+
+
+@pytest.fixture(scope="module")
+def client(understudy: Understudy) -> Iterator[TestClient]:
+    with TestClient(create_app(Settings(), understudy), raise_server_exceptions=False) as client:
+        yield client
+
+
+@pytest.mark.parametrize(
+    ("accept", "begins"),
+    [("application/json", b"{"), ("model/gltf-binary", b"glTF"), ("text/x-bvh", b"HIERARCHY"), ("*/*", b"{")],
+)
+def test_accept_tells_the_form_of_the_motion(client: TestClient, accept: str, begins: bytes) -> None:
+    answer = client.post("/realize", content=BEAT, headers={**XML, "Accept": accept})
+    assert answer.status_code == 200, answer.text
+    assert answer.content.startswith(begins)
+    assert accept == "*/*" or answer.headers["content-type"].startswith(accept)
+
+
+def test_a_form_takes_the_recording_and_options(client: TestClient, understudy: Understudy) -> None:
+    bml = write_bml(perform(understudy, Line(AUDIO, TEXT), Options()))
+    options = json.dumps({"fps": 30, "seed": 4, "agitation": "high", "skeleton": "vrm"})
+    files: dict[str, tuple[str | None, str | bytes]] = {
+        "bml": ("a.bml", bml),
+        "audio": ("a.flac", AUDIO),
+        "options": (None, options),
+    }
+    answer = client.post("/realize", files=files)
+    assert answer.status_code == 200, answer.text
+    clip = answer.json()
+    assert clip["frame_rate_hz"] == 30
+    assert "Understudy-Warnings" not in answer.headers
+
+
+def test_a_speech_without_its_recording_is_warned_of(client: TestClient, understudy: Understudy) -> None:
+    bml = write_bml(perform(understudy, Line(AUDIO, TEXT), Options()))
+    answer = client.post("/realize", content=bml, headers=XML)
+    assert answer.headers["Understudy-Warnings"] == "lips_unheard"
+
+
+@pytest.mark.parametrize(
+    ("sent", "status", "code"),
+    [
+        ({"content": b"<bml", "headers": XML}, 422, "bml_wrong"),
+        ({"content": BEAT, "headers": {"Content-Type": "text/plain"}}, 415, "media_type"),
+        ({"content": BEAT, "headers": {**XML, "Accept": "image/png"}}, 406, "not_acceptable"),
+        ({"files": {"audio": ("a.flac", b"x")}}, 422, "field_missing"),
+        ({"files": {"bml": ("a", BEAT), "options": (None, '{"fps": 25}')}}, 422, "value_wrong"),
+        ({"files": {"bml": ("a", BEAT), "options": (None, '{"skeleton": "biped"}')}}, 422, "unknown_skeleton"),
+        ({"files": {"bml": ("a", BEAT), "audio": ("a.flac", b"noise")}}, 415, "audio_format_unsupported"),
+    ],
+)
+def test_every_mistake_is_a_problem_that_names_it(
+    client: TestClient, sent: dict[str, object], status: int, code: str
+) -> None:
+    answer = client.post("/realize", **sent)  # type: ignore[arg-type]
+    assert answer.status_code == status, answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    assert answer.json()["code"] == code
+
+
+def test_the_library_of_gestures_is_listed(client: TestClient) -> None:
+    listed = client.get("/gestures").json()["gestures"]
+    assert any("BEAT" in gesture["categories"] for gesture in listed)

@@ -1,0 +1,246 @@
+"""The service from outside: what it answers, its limits just under and just over, and one shape for every error."""
+
+import json
+import os
+import tempfile
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fastapi.testclient import TestClient
+from httpx2 import Response
+
+from understudy.api.application import create_app
+from understudy.api.capacity import Deadline
+from understudy.performance import Line, Understudy, align
+from understudy.schemas.responses import AlignResponse
+from understudy.settings import Settings
+
+AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
+AUDIO = (AUDIO_FOLDER / "figure8.flac").read_bytes()
+TEXT = (AUDIO_FOLDER / "figure8.txt").read_text(encoding="utf-8")
+Field = str | bytes | tuple[str, str | bytes] | None
+JSON = {"Accept": "application/json"}
+
+
+@contextmanager
+def _served(understudy: Understudy, **settings: Any) -> Iterator[TestClient]:  # noqa: ANN401
+    app = create_app(Settings(**settings), understudy)
+
+    @app.get("/mistake-of-ours")
+    def mistake_of_ours() -> None:
+        raise RuntimeError("the secret inside")
+
+    with TestClient(app, raise_server_exceptions=False) as client:
+        yield client
+
+
+@pytest.fixture(scope="module")
+def client(understudy: Understudy) -> Iterator[TestClient]:
+    with _served(understudy) as client:
+        yield client
+
+
+def _post(client: TestClient, headers: dict[str, str] | None = None, **fields: Field) -> Response:
+    """A line posted as a form; a field of None is left out, a pair is a file with its name."""
+    sent = {"audio": ("a.flac", AUDIO), "text": TEXT} | fields
+    files = {
+        name: value if isinstance(value, tuple) else (None, value) for name, value in sent.items() if value is not None
+    }
+    return client.post("/perform", files=files, headers=headers)
+
+
+def _require_problem(answer: Response, status: int, code: str, field: str | None) -> None:
+    """The one shape of every error."""
+    assert answer.status_code == status, answer.text
+    assert answer.headers["content-type"] == "application/problem+json"
+    told = answer.json()
+    assert told.keys() - {"field"} == {"type", "title", "status", "code", "detail"}
+    assert (told["status"], told["code"], told.get("field")) == (status, code, field)
+    assert told["type"] == f"urn:understudy:error:{code}"
+    assert told["detail"]
+    assert "\n" not in told["detail"]
+    assert "Traceback" not in answer.text
+    assert ("retry-after" in answer.headers) == (status == 503)
+
+
+def test_a_line_comes_back_as_bml_and_in_json_with_the_same_bml(client: TestClient) -> None:
+    xml = _post(client)
+    assert (xml.status_code, xml.headers["content-type"], xml.headers["vary"]) == (200, "application/xml", "Accept")
+    answer = _post(client, headers=JSON).json()
+    assert answer.keys() == {"bml", "performance", "warnings"}
+    assert answer["bml"].encode() == xml.content
+    codes = [warning["code"] for warning in answer["warnings"]]
+    assert xml.headers.get("understudy-warnings", "") == ", ".join(dict.fromkeys(codes))
+    assert [word["text"] for word in answer["performance"]["words"]] == TEXT.split()
+
+
+def test_options_say_how_it_is_performed(client: TestClient) -> None:
+    told = _post(client, headers=JSON, options='{"agitation": "high", "seed": 9}').json()["performance"]
+    assert (told["agitation"], told["seed"]) == ("high", 9)
+
+
+def test_words_timed_elsewhere_are_taken_as_they_are(client: TestClient, understudy: Understudy) -> None:
+    words = json.loads(AlignResponse.of(align(understudy.acoustic, Line(AUDIO, TEXT))).to_json())["words"]
+    words[0]["start_s"] += 0.012
+    timed = json.dumps({"words": [{key: word[key] for key in ("text", "start_s", "end_s")} for word in words]})
+    told = _post(client, headers=JSON, words=("w.json", timed)).json()["performance"]
+    assert told["words"][0]["start_s"] == pytest.approx(words[0]["start_s"])
+
+
+def test_functions_of_a_text(client: TestClient) -> None:
+    answer = client.post("/functions", json={"text": "No.", "id": "a"}).json()
+    assert answer.keys() == {"id", "functions"}
+    assert "negation" in {function["class"] for function in answer["functions"]}
+
+
+@pytest.mark.parametrize("path", ["/healthz", "/readyz", "/openapi.json", "/characters", "/rules", "/lexicon"])
+def test_it_tells_what_it_is_and_knows(client: TestClient, path: str) -> None:
+    answer = client.get(path)
+    assert answer.status_code == 200
+    assert answer.json()
+
+
+def test_its_paths_are_described(client: TestClient) -> None:
+    assert client.get("/docs").status_code == 200
+    paths = client.get("/openapi.json").json()["paths"]
+    assert {"/perform", "/functions", "/healthz", "/readyz", "/characters", "/rules", "/lexicon"} <= paths.keys()
+    perform = paths["/perform"]["post"]
+    assert perform["requestBody"]["content"].keys() == {"multipart/form-data"}
+    assert perform["responses"]["200"]["content"].keys() == {"application/xml", "application/json"}
+
+
+def _form(**fields: Field) -> Callable[[TestClient], Response]:
+    return lambda client: _post(client, None, **fields)
+
+
+def _functions(content: bytes, media_type: str = "application/json") -> Callable[[TestClient], Response]:
+    return lambda client: client.post("/functions", content=content, headers={"Content-Type": media_type})
+
+
+ERRORS: list[tuple[str, Callable[[TestClient], Response], int, str, str | None]] = [
+    ("no path", lambda client: client.get("/nothing"), 404, "not_found", None),
+    ("method", lambda client: client.get("/perform"), 405, "method_not_allowed", None),
+    ("accept", lambda client: _post(client, headers={"Accept": "text/html"}), 406, "not_acceptable", None),
+    ("ours", lambda client: client.get("/mistake-of-ours"), 500, "internal_error", None),
+    ("no form", lambda client: client.post("/perform", json={"text": "No."}), 415, "media_type", None),
+    ("no body", lambda client: client.post("/perform"), 415, "media_type", None),
+    ("no audio", _form(audio=None), 422, "field_missing", "audio"),
+    ("no text", _form(text=None), 422, "field_missing", "text"),
+    ("field", _form(voice="x"), 422, "field_unknown", "voice"),
+    ("empty audio", _form(audio=("a.wav", b"")), 422, "audio_empty", "audio"),
+    ("no sound file", _form(audio=("a.wav", b"hello" * 1000)), 415, "audio_format_unsupported", "audio"),
+    ("cut audio", _form(audio=("a.flac", AUDIO[: len(AUDIO) // 2])), 400, "audio_truncated", "audio"),
+    ("empty text", _form(text=" \n"), 422, "text_empty", "text"),
+    ("control", _form(text="No\x00."), 422, "text_control_character", "text"),
+    ("surrogate", _form(text=b"No \xed\xa0\x80."), 422, "text_surrogate", "text"),
+    ("latin text", _form(text=b"caf\xe9"), 400, "text_not_utf8", "text"),
+    ("option", _form(options='{"agitation": "mid"}'), 422, "value_wrong", "agitation"),
+    ("options", _form(options="agitation=low"), 400, "not_json", "options"),
+    ("character", _form(options='{"character": "nobody"}'), 422, "unknown_character", "character"),
+    ("words' format", _form(words=("w.txt", b"x")), 415, "timings_format", "words"),
+    ("functions' type", _functions(b"No.", "text/plain"), 415, "media_type", None),
+    ("functions' JSON", _functions(b"{"), 400, "not_json", "body"),
+    ("functions' shape", _functions(b"[]"), 422, "not_an_object", "body"),
+    ("functions' text", _functions(b"{}"), 422, "value_wrong", "text"),
+    ("functions' control", _functions(b'{"text": "\\u0007"}'), 422, "text_control_character", "text"),
+    ("functions' surrogate", _functions(b'{"text": "\\ud800"}'), 422, "text_surrogate", "body"),
+]
+
+
+@pytest.mark.parametrize(("_name", "ask", "status", "code", "field"), ERRORS, ids=[error[0] for error in ERRORS])
+def test_every_error_has_one_shape(
+    client: TestClient,
+    _name: str,
+    ask: Callable[[TestClient], Response],
+    status: int,
+    code: str,
+    field: str | None,
+) -> None:
+    _require_problem(ask(client), status, code, field)
+
+
+def test_a_mistake_of_ours_tells_nothing_of_the_inside(client: TestClient) -> None:
+    assert "secret" not in client.get("/mistake-of-ours").text
+
+
+def test_a_refused_method_says_which_are_allowed(client: TestClient) -> None:
+    assert client.get("/perform").headers["allow"] == "POST"
+
+
+@pytest.mark.parametrize(
+    ("setting", "limit", "code"),
+    [("max_audio_bytes", len(AUDIO), "audio_too_large"), ("max_text_characters", len(TEXT), "text_too_long")],
+)
+def test_the_limits_of_the_parts(understudy: Understudy, setting: str, limit: int, code: str) -> None:
+    """The limits hold where the line is understood, so an understudy of these settings is made of the loaded one."""
+    for allowed, status in ((limit, 200), (limit - 1, 413)):
+        with _served(_limited(understudy, **{setting: allowed})) as client:
+            answer = _post(client)
+        assert answer.status_code == status, answer.text
+    _require_problem(answer, 413, code, "audio" if setting == "max_audio_bytes" else "text")
+
+
+def test_the_limit_of_the_body_with_and_without_its_length(understudy: Understudy) -> None:
+    body = json.dumps({"text": "No."}).encode()
+    headers = {"Content-Type": "application/json"}
+
+    def in_chunks() -> Iterator[bytes]:
+        yield from (body[:5], body[5:])
+
+    for allowed, status in ((len(body), 200), (len(body) - 1, 413)):
+        with _served(understudy, max_body_bytes=allowed) as client:
+            for content in (body, in_chunks()):
+                answer = client.post("/functions", content=content, headers=headers)
+                assert answer.status_code == status
+    _require_problem(answer, 413, "body_too_large", None)
+
+
+def test_a_request_past_the_places_is_told_to_come_again(understudy: Understudy) -> None:
+    gate = threading.Event()
+    with _served(understudy, max_concurrent=1) as client:
+        capacity = client.app.state.service.capacity  # type: ignore[attr-defined]
+        assert client.portal
+        busy = client.portal.start_task_soon(capacity.run, lambda _: gate.wait(10), Deadline.starting_now(10))
+        while not capacity.is_full:
+            pass
+        try:
+            _require_problem(_post(client), 503, "service_full", None)
+            assert client.get("/healthz").status_code == 200
+        finally:
+            gate.set()
+        assert busy.result()
+        assert _post(client).status_code == 200
+
+
+def test_a_request_past_its_deadline_is_answered(understudy: Understudy) -> None:
+    with _served(understudy, deadline_s=1e-6) as client:
+        _require_problem(_post(client), 504, "deadline_passed", None)
+
+
+def test_uploads_need_no_disk(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tempfile, "tempdir", "/nowhere")
+    _require_problem(_post(client, audio=("a.wav", b"no sound" * 500_000)), 415, "audio_format_unsupported", "audio")
+
+
+def test_no_file_stays_open(client: TestClient) -> None:
+    def ask() -> int:
+        for options in ("{", '{"agitation": "low"}'):
+            _post(client, options=options)
+        return len(os.listdir("/proc/self/fd"))
+
+    before = ask()
+    assert [ask() for _ in range(3)] == [before] * 3
+
+
+def _limited(understudy: Understudy, **settings: Any) -> Understudy:  # noqa: ANN401
+    limits = Settings(**settings)
+    return replace(
+        understudy,
+        acoustic=replace(understudy.acoustic, settings=limits),
+        language=replace(understudy.language, settings=limits),
+    )

@@ -1,0 +1,65 @@
+from pathlib import Path
+
+import pytest
+
+from tests.support.by_hand import function, movement, offered, spoken, utterance
+from understudy.bml.choice.characters import Characters
+from understudy.bml.choice.modes import BEAT
+from understudy.bml.choice.scheduling import schedule
+from understudy.model import Behavior, BehaviorCandidates, Channel, Mode
+
+DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
+LINE = utterance(spoken(" ".join(["word"] * 60), stressed=(8, 9, 30)))
+
+
+def candidates() -> tuple[BehaviorCandidates, ...]:
+    meant = [offered(movement(name, word)) for name, word in (("gesture_me", 4), ("gesture_high", 20), ("shake", 40))]
+    stressed = [offered(movement("small_nod", word)) for word in (8, 9, 30)]
+    emphases = [
+        BehaviorCandidates(function("emphasis", "plain", each.function.first, each.function.last), each.alternatives)
+        for each in stressed
+    ]
+    return (*meant, *emphases)
+
+
+def scheduled(mode: Mode, seed: int = 0) -> list[Behavior]:
+    return [behavior for behavior in schedule(candidates(), LINE, DEFAULT, seed=seed, mode=mode) if behavior.kept]
+
+
+def gestures(mode: Mode, seed: int = 0) -> list[Behavior]:
+    return [behavior for behavior in scheduled(mode, seed) if behavior.kind is Channel.GESTURE]
+
+
+@pytest.mark.parametrize("mode", [Mode.PROSODY, Mode.RANDOM])
+def test_head_and_face_are_the_same_in_every_mode(mode: Mode) -> None:
+    semantic, other = (
+        [behavior for behavior in scheduled(each) if behavior.kind is not Channel.GESTURE]
+        for each in (Mode.SEMANTIC, mode)
+    )
+    assert semantic == other
+
+
+def test_meaning_gives_the_gestures_by_itself() -> None:
+    assert [gesture.lexeme for gesture in gestures(Mode.SEMANTIC)] == ["ME", "HEIGHT_HIGH"]
+
+
+def test_prosody_beats_on_stressed_words() -> None:
+    beats = gestures(Mode.PROSODY)
+    assert {beat.lexeme for beat in beats} == {DEFAULT.entries[BEAT].lexeme}
+    assert [beat.first for beat in beats] == [8, 9, 30]
+    assert all(beat.reason and beat.rule is None for beat in beats)
+
+
+def test_chance_moves_where_meaning_does_but_shows_nothing() -> None:
+    drawn = [gestures(Mode.RANDOM, seed) for seed in range(10)]
+    assert all([each.first for each in line] == [4, 20] for line in drawn)
+    assert all(each.function is None and each.reason for line in drawn for each in line)
+    assert len({line[0].lexeme for line in drawn}) > 5
+
+
+@pytest.mark.parametrize("mode", [Mode.PROSODY, Mode.RANDOM])
+def test_what_a_mode_replaced_is_told(mode: Mode) -> None:
+    behaviors = schedule(candidates(), LINE, DEFAULT, seed=0, mode=mode)
+    replaced = [behavior.lexeme for behavior in behaviors if behavior.reason == f"not in the mode {mode}"]
+    assert replaced == ["ME", "HEIGHT_HIGH"]
+    assert len({behavior.id for behavior in behaviors}) == len(behaviors)

@@ -1,0 +1,71 @@
+"""Times told from the marks of the speech say the same as times in seconds, and keep a behaviour's phases together."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+from lxml import etree
+
+from tests.bml.writing.test_writer import everything
+from tests.support.bml_checker import check
+from tests.support.by_hand import spoken
+from understudy.bml.markup.documents import Document, Element, Reference, TimeForm
+from understudy.bml.markup.marks import clock
+from understudy.bml.writing.writer import BmlForm, to_document, write_bml
+from understudy.model import SyncPoints
+
+SYNC = BmlForm(timing=TimeForm.SYNC)
+STROKE = SyncPoints(start=1.3, ready=1.45, stroke_start=1.5, stroke=1.6, stroke_end=1.7, relax=2.0, end=3.25)
+
+
+def told(sync: SyncPoints) -> dict[str, Reference]:
+    """The points, with words beginning at 1.0, 1.4 and 1.8."""
+    times = clock(spoken("one two three"), TimeForm.SYNC, "w{}".format)(sync)
+    return {name: time for name, time in times.items() if isinstance(time, Reference)}
+
+
+def test_all_points_are_told_from_the_word_of_the_stroke() -> None:
+    points = told(STROKE)
+    assert {(point.behavior, point.point) for point in points.values()} == {("speech1", "w1")}
+    assert (points["start"].offset_s, points["stroke"].offset_s, points["end"].offset_s) == (-0.1, 0.2, 1.85)
+
+
+@pytest.mark.parametrize(("start_s", "mark"), [(0.2, "start"), (1.0, "w0"), (1.399, "w0"), (1.4, "w1"), (9.0, "w2")])
+def test_without_a_stroke_they_are_told_from_the_word_of_the_start(start_s: float, mark: str) -> None:
+    point = told(SyncPoints(start=start_s, end=start_s + 1))["start"]
+    assert point.point == mark
+
+
+def test_words_without_a_time_are_passed_over() -> None:
+    words = (*spoken("one two"), replace(spoken("one two three")[2], interval=None))
+    times = clock(words, TimeForm.SYNC, "w{}".format)(SyncPoints(start=2.0, end=3.0))
+    assert times["start"] == Reference("speech1", "w1", 0.6)
+
+
+def test_every_time_is_the_same_as_in_seconds() -> None:
+    whole = everything()
+    starts = {f"w{word.index}": word.interval.start_s for word in whole.utterance.words if word.interval}
+    absolute, sync = to_document(whole), to_document(whole, SYNC)
+    for told_s, told_from in zip(_behaviors(absolute), _behaviors(sync), strict=True):
+        for name, value in told_from.attributes.items():
+            seconds = told_s.attributes[name]
+            if isinstance(value, Reference):
+                assert starts.get(value.point, 0.0) + value.offset_s == pytest.approx(seconds, abs=1e-9)
+            else:
+                assert value == seconds
+
+
+def test_the_checker_takes_them() -> None:
+    document = write_bml(everything(), SYNC)
+    assert check(document) == []
+    starts = [element.get("start", "") for element in etree.fromstring(document)][1:]
+    assert all(start.startswith("speech1:") for start in starts)
+
+
+def test_points_stay_in_order() -> None:
+    offsets = [point.offset_s for point in told(STROKE).values()]
+    assert all(earlier <= later for earlier, later in pairwise(offsets))
+
+
+def _behaviors(document: Document) -> list[Element]:
+    return list(document.root.children)[1:]

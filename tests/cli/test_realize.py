@@ -1,0 +1,100 @@
+"""`understudy realize` and `perform --realize`: files in the format of their names, whole or not at all."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from understudy.cli.main import main
+
+Captured = pytest.CaptureFixture[bytes]
+
+AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
+AUDIO = str(AUDIO_FOLDER / "figure8.flac")
+TEXT_FILE = str(AUDIO_FOLDER / "figure8.txt")
+BEAT = """<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="default">
+<gesture id="g" lexeme="BEAT" mode="RIGHT_HAND" start="0.2" stroke="1.0" relax="1.4"/>
+<head id="h" lexeme="NOD" stroke="1.0"/></bml>"""
+
+
+def _run(capture: Captured, *argv: str) -> tuple[int, str]:
+    """Exit code and standard error."""
+    capture.readouterr()
+    code = main(argv)
+    return code, capture.readouterr()[1].decode()
+
+
+@pytest.fixture
+def beat(tmp_path: Path) -> Path:
+    path = tmp_path / "beat.bml"
+    path.write_text(BEAT)
+    return path
+
+
+def test_one_schedule_goes_to_every_format_named(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
+    names = [tmp_path / f"a{ending}" for ending in (".bvh", ".glb", ".vrma", ".json", ".csv", ".visemes.txt")]
+    outputs = [part for name in names for part in ("-o", str(name))]
+    code, _err = _run(capfdbinary, "realize", str(beat), *outputs, "--fps", "30")
+    assert code == 0
+    assert names[0].read_bytes().startswith(b"HIERARCHY")
+    assert names[1].read_bytes()[:4] == names[2].read_bytes()[:4] == b"glTF"
+    assert json.loads(names[3].read_bytes())["frame_rate_hz"] == 30
+    assert b"0.0333333" in names[0].read_bytes()
+
+
+def test_joints_go_by_the_names_of_the_skeleton_asked_for(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
+    output = tmp_path / "a.bvh"
+    assert _run(capfdbinary, "realize", str(beat), "-o", str(output), "--skeleton", "unreal")[0] == 0
+    assert b"JOINT upperarm_l" in output.read_bytes()
+
+
+def test_an_avatar_of_ones_own_wears_the_motion(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
+    """The mannequin's own file serves as the avatar: its joints go by VRM's names."""
+    mannequin, worn = tmp_path / "mannequin.glb", tmp_path / "worn.glb"
+    assert _run(capfdbinary, "realize", str(beat), "-o", str(mannequin), "--fps", "30")[0] == 0
+    argv = ("realize", str(beat), "-o", str(worn), "--avatar", str(mannequin), "--fps", "30")
+    assert _run(capfdbinary, *argv)[0] == 0
+    assert worn.read_bytes()[:4] == b"glTF"
+    beat.with_suffix(".glb").write_bytes(b"no avatar")
+    code, err = _run(capfdbinary, *argv[:-3], str(beat.with_suffix(".glb")))
+    assert (code, err.count("\n")) == (2, 1)
+
+
+def test_a_performance_writes_its_motion_too(capfdbinary: Captured, tmp_path: Path) -> None:
+    bml, bvh = tmp_path / "a.bml", tmp_path / "a.bvh"
+    argv = ("perform", AUDIO, "--text-file", TEXT_FILE, "-o", str(bml), "--realize", str(bvh), "--fps", "30")
+    assert _run(capfdbinary, *argv)[0] == 0
+    assert bml.read_bytes().startswith(b"<?xml")
+    assert bvh.read_bytes().startswith(b"HIERARCHY")
+
+
+@pytest.mark.parametrize(
+    ("output", "told"),
+    [("a.fbx", "motion is written as .bvh"), ("missing/a.bvh", "there is no folder")],
+)
+def test_a_wrong_output_is_told_in_one_line_before_the_work(
+    capfdbinary: Captured, tmp_path: Path, beat: Path, output: str, told: str
+) -> None:
+    code, err = _run(capfdbinary, "realize", str(beat), "-o", str(tmp_path / output))
+    assert code == 2
+    assert told in err
+    assert err.count("\n") == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["beat.bml"]
+
+
+@pytest.mark.parametrize(
+    ("bml", "told"),
+    [("<bml", "line 1"), (BEAT.replace("BEAT", "SERENADE"), "SERENADE"), (BEAT.replace("NOD", "SPIN"), "SPIN")],
+    ids=["no XML", "a gesture we have not", "a head movement we have not"],
+)
+def test_what_cannot_be_played_is_told(capfdbinary: Captured, tmp_path: Path, beat: Path, bml: str, told: str) -> None:
+    beat.write_text(bml)
+    _code, err = _run(capfdbinary, "realize", str(beat), "-o", str(tmp_path / "a.bvh"))
+    assert told in err
+
+
+def test_an_unknown_skeleton_is_told_with_those_there_are(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
+    code, err = _run(capfdbinary, "realize", str(beat), "-o", str(tmp_path / "a.bvh"), "--skeleton", "biped")
+    assert code == 2
+    assert "mixamo" in err
+    assert not (tmp_path / "a.bvh").exists()

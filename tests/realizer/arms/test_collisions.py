@@ -1,0 +1,100 @@
+"""Hands stay out of the body and of each other, smoothly; what is clear is left as it is."""
+
+import numpy as np
+import pytest
+
+from understudy.model import FloatArray, Hand
+from understudy.realizer.arms.arms import ArmTrack, TimedPose, arm_motion
+from understudy.realizer.arms.collisions import clear
+from understudy.realizer.arms.posing import PartialPose, pose_arm
+from understudy.realizer.arms.rest_poses import rest_pose
+from understudy.realizer.body.contacts import penetrations_m
+from understudy.realizer.body.limits import violations
+from understudy.realizer.body.motion import BodyMotion
+from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
+from understudy.realizer.geometry.rotations import IDENTITY, angle_between
+from understudy.realizer.gestures.arm_joints import arm_joints
+from understudy.realizer.gestures.gesture import ArmKey, Depth, HandForm, HandShape, Height, Place, Sideways, Wrist
+
+BODY = Skeleton.standing()
+RATE_HZ = 60
+TIMES_S: FloatArray = np.arange(0.0, 3.0, 1 / RATE_HZ)
+INSIDE = Place(Sideways.CC, Height.LOWER_C, Depth.NEAR, (0.0, 0.0, -0.12))
+BEFORE = Place(Sideways.P, Height.CC, Depth.FAR)
+MIDDLE = Place(Sideways.CC, Height.CC, Depth.MIDDLE, (-0.06, 0.0, 0.0))
+
+
+def rest(side: Hand, name: str = "at_side") -> PartialPose:
+    return rest_pose(BODY, side, name).as_partial()
+
+
+def moving(*keys: tuple[Hand, Place]) -> BodyMotion:
+    """Each arm from its side to a place, held from 1 to 1.6 s, and back."""
+    rotations = np.tile(IDENTITY, (len(TIMES_S), len(BODY.names), 1))
+    places = dict(keys)
+    for side in (Hand.LEFT, Hand.RIGHT):
+        track = [TimedPose(0.0, rest(side))]
+        if side in places:
+            pose = pose_arm(BODY, side, ArmKey(places[side], HandShape(HandForm.FLAT), wrist=Wrist()))
+            track += [TimedPose(1.0, pose), TimedPose(1.6, pose), TimedPose(2.8, rest(side))]
+        rotations[:, BODY.chain(*arm_joints(side))] = arm_motion(ArmTrack(side, tuple(track)), TIMES_S, seed=0)
+    return BodyMotion(TIMES_S, rotations, np.tile([0.0, HIPS_HEIGHT_M, 0.0], (len(TIMES_S), 1)))
+
+
+def deepest_m(body: BodyMotion) -> float:
+    return float(penetrations_m(BODY, body.rotations, body.hips_m).max())
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        ((Hand.LEFT, INSIDE),),
+        ((Hand.RIGHT, INSIDE),),
+        ((Hand.LEFT, INSIDE), (Hand.RIGHT, BEFORE)),
+        ((Hand.LEFT, MIDDLE), (Hand.RIGHT, MIDDLE)),
+    ],
+    ids=["left", "right", "one of two", "each other"],
+)
+def test_hands_that_would_be_inside_something_are_kept_out_without_a_jump(keys: tuple[tuple[Hand, Place], ...]) -> None:
+    body = moving(*keys)
+    assert deepest_m(body) > 0.02
+    cleared, decisions = clear(BODY, body)
+    assert deepest_m(cleared) < 0.001
+    assert {decision.action for decision in decisions} == {"moved"}
+    assert "cm inside" in decisions[0].reason
+    speed = angle_between(cleared.rotations[1:], cleared.rotations[:-1]) * RATE_HZ
+    assert speed.max() < 20
+    assert np.abs(np.diff(speed, axis=0)).max() < 4
+    assert violations(BODY, cleared.rotations).max() == 0
+    assert np.all(np.sum(cleared.rotations[1:] * cleared.rotations[:-1], axis=-1) > 0)
+
+
+def test_what_is_clear_is_left_as_it_is() -> None:
+    body = moving((Hand.LEFT, BEFORE), (Hand.RIGHT, BEFORE))
+    cleared, decisions = clear(BODY, body)
+    assert decisions == ()
+    assert np.array_equal(cleared.rotations, body.rotations)
+
+
+def test_a_joint_past_its_limit_is_brought_back() -> None:
+    body = moving((Hand.LEFT, BEFORE))
+    bent = body.rotations.copy()
+    bent[:, BODY.index["leftHand"]] = [0.0, 0.0, np.sin(np.radians(50)), np.cos(np.radians(50))]
+    cleared, _ = clear(BODY, BodyMotion(TIMES_S, bent, body.hips_m))
+    assert violations(BODY, bent).max() > 25
+    assert violations(BODY, cleared.rotations).max() == 0
+
+
+def test_what_cannot_be_cleared_without_a_jump_is_told() -> None:
+    """A hand that is through the belly for a sixth of a second cannot be before it in time."""
+    body = moving((Hand.LEFT, BEFORE))
+    behind = pose_arm(BODY, Hand.LEFT, ArmKey(Place(Sideways.OPP_P, Height.LOWER_P, Depth.NEAR, (0.0, 0.0, -0.35))))
+    start = rest(Hand.LEFT)
+    track = (TimedPose(0.0, start), TimedPose(1.0, start), TimedPose(1.12, behind.over(start)), TimedPose(1.24, start))
+    through = body.rotations.copy()
+    through[:, BODY.chain(*arm_joints(Hand.LEFT))] = arm_motion(ArmTrack(Hand.LEFT, track), TIMES_S, seed=0)
+    cleared, decisions = clear(BODY, BodyMotion(TIMES_S, through, body.hips_m))
+    fastest = [angle_between(each[1:], each[:-1]).max() * RATE_HZ for each in (through, cleared.rotations)]
+    assert fastest[1] <= max(20.0, fastest[0] + 1e-6)
+    assert (deepest_m(cleared) > 0.001) == ("kept" in {decision.action for decision in decisions})
+    assert deepest_m(cleared) < deepest_m(BodyMotion(TIMES_S, through, body.hips_m))

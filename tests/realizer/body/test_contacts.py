@@ -1,0 +1,58 @@
+"""Contacts of capsules: how deep, which way out, and nothing of an arm with itself."""
+
+import numpy as np
+
+from understudy.model import FloatArray, Hand
+from understudy.realizer.arms.posing import arm_rotations, pose_arm
+from understudy.realizer.arms.rest_poses import rest_pose
+from understudy.realizer.body.build import BUILD
+from understudy.realizer.body.contacts import LIMBS, PAIRS, RADII_M, Posed, contacts, penetrations_m
+from understudy.realizer.body.skeleton import Skeleton
+from understudy.realizer.geometry.rotations import IDENTITY
+from understudy.realizer.gestures.arm_joints import arm_joints
+from understudy.realizer.gestures.gesture import ArmKey, Depth, Height, Place, Sideways
+
+BODY = Skeleton.standing()
+
+
+def at(offset_m: tuple[float, float, float]) -> FloatArray:
+    """The left hand before the belly, moved by an offset, the right at its side."""
+    rotations = np.tile(IDENTITY, (1, len(BODY.names), 1))
+    key = ArmKey(Place(Sideways.CC, Height.LOWER_C, Depth.NEAR, offset_m))
+    for side in (Hand.LEFT, Hand.RIGHT):
+        pose = rest_pose(BODY, side, "at_side").as_partial()
+        pose = pose_arm(BODY, side, key).over(pose) if side is Hand.LEFT else pose
+        rotations[0, BODY.chain(*arm_joints(side))] = arm_rotations(pose.parts)
+    return rotations
+
+
+def test_pairs_are_limbs_against_the_body_and_the_other_arm() -> None:
+    for limb, other in PAIRS:
+        assert BUILD[limb].part in LIMBS
+        assert BUILD[limb].joint[:4] != BUILD[other].joint[:4] or BUILD[other].part == "upper leg"
+    assert len(RADII_M) == len(PAIRS) == 4 * 8 + 4
+
+
+def test_a_hand_before_the_belly_is_clear_and_one_moved_into_it_is_inside_by_as_much() -> None:
+    backs_m = (0.0, 0.08, 0.10)
+    depths = [float(penetrations_m(BODY, at((0.0, 0.0, -back_m)), np.zeros((1, 3)))[0]) for back_m in backs_m]
+    assert depths[0] == 0
+    assert 0 < depths[1] < depths[2] < depths[1] + 0.03
+
+
+def test_the_way_out_of_the_belly_is_forward() -> None:
+    found = contacts(BODY, Posed.of(BODY, at((0.0, 0.0, -0.10)), np.zeros((1, 3))))
+    column = int(found.depth_m[0].argmax())
+    assert found.out[0, column, 2] > 0.5
+    assert np.isclose(np.linalg.norm(found.out[0, column]), 1.0)
+    assert np.all(found.out[0, found.depth_m[0] <= 0] == 0)
+
+
+def test_arms_moved_alone_are_as_arms_placed_from_the_hips() -> None:
+    start = Posed.of(BODY, at((0.0, 0.0, 0.0)), np.zeros((1, 3)))
+    anew = Posed.of(BODY, at((0.1, 0.1, 0.1)), np.zeros((1, 3)))
+    collarbones = BODY.chain("leftShoulder", "rightShoulder")
+    rotations = anew.rotations.copy()
+    rotations[:, collarbones] = start.rotations[:, collarbones]
+    whole = contacts(BODY, Posed.of(BODY, rotations, np.zeros((1, 3))))
+    assert np.allclose(contacts(BODY, start.with_arms(BODY, rotations)).depth_m, whole.depth_m)

@@ -1,0 +1,132 @@
+"""The mouth speaks: closures, what neighbours do to each other, stress, silence."""
+
+import numpy as np
+import pytest
+
+from tests.support.speaking import START_S, TABLES, faced, middle_s, said, shape, times
+from understudy.model import Interval, Viseme
+from understudy.realizer.face.face_tables import INDEX, VISEMES
+from understudy.realizer.face.lip_closure import SHUT, lip_closures, lip_opening
+from understudy.realizer.face.lips import LEAD_S, speak, viseme_weights
+
+VOWELS = ["AA", "AE", "IY", "AO", "UW", "ER"]
+
+
+@pytest.mark.parametrize("vowel", VOWELS)
+@pytest.mark.parametrize("consonant", ["P", "B", "M", "F", "V"])
+@pytest.mark.parametrize("phone_s", [0.05, 0.08, 0.15])
+def test_lips_close_for_every_bilabial_and_labiodental(consonant: str, vowel: str, phone_s: float) -> None:
+    spoken = said(f"{vowel} {consonant} {vowel}", phone_s=phone_s)
+    times_s = times(2.0)
+    [closure] = lip_closures(spoken, faced(spoken), times_s)
+    assert closure.shut is not None
+    phone = closure.viseme.interval
+    assert closure.shut.start_s == pytest.approx(phone.start_s, abs=0.04)
+    assert closure.shut.end_s == pytest.approx(phone.end_s, abs=0.04)
+    assert closure.shut.start_s < phone.start_s + 0.01, "lips lead the sound"
+
+
+@pytest.mark.parametrize("vowel", VOWELS)
+def test_the_mouth_opens_between_two_closures(vowel: str) -> None:
+    spoken = said(f"M {vowel} M")
+    opening = lip_opening(faced(spoken))
+    assert opening[round(60 * (START_S + 0.15))] > 3 * SHUT
+
+
+@pytest.mark.parametrize("consonant", ["T", "K", "N", "S"])
+def test_a_consonant_takes_the_rounding_of_its_vowel(consonant: str) -> None:
+    two, tea = said(f"{consonant} UW"), said(f"{consonant} IY")
+    label = two[1].label
+    round_, spread = (shape(faced(each), "mouthPucker", middle_s(each, label)) for each in (two, tea))
+    assert round_ > spread + 0.1
+
+
+def test_rounding_begins_before_its_vowel_does() -> None:
+    spoken = said("S T UW", phone_s=0.08)
+    pucker = faced(spoken)[:, INDEX["mouthPucker"]]
+    half = np.flatnonzero(pucker > pucker.max() / 2)[0] / 60
+    assert half < START_S + 2 * 0.08 - LEAD_S
+
+
+def test_a_stressed_vowel_opens_the_jaw_wider() -> None:
+    wide, narrow = (faced(said("D AA D", emphasis=ratio)).max(axis=0) for ratio in (1.0, 0.0))
+    assert wide[INDEX["jawOpen"]] > 1.3 * narrow[INDEX["jawOpen"]]
+
+
+def test_vowels_open_the_jaw_in_their_order() -> None:
+    peaks = [faced(said(f"T {vowel} T")).max(axis=0)[INDEX["jawOpen"]] for vowel in ("UW", "IY", "EH", "AA")]
+    assert peaks == sorted(peaks)
+
+
+def test_every_vowel_of_usual_length_reaches_most_of_its_shape() -> None:
+    for vowel, name in (("UW", "mouthPucker"), ("AO", "mouthFunnel"), ("IY", "mouthStretchLeft")):
+        spoken = said(f"D {vowel} D", phone_s=0.09)
+        label = spoken[2].label
+        whole = TABLES.visemes.targets[VISEMES.index(label), INDEX[name]]
+        assert shape(faced(spoken), name, middle_s(spoken, label)) > 0.75 * whole
+
+
+def test_lips_are_at_rest_before_and_after_speech_and_get_there_smoothly() -> None:
+    spoken = said("B AA")
+    shapes = faced(spoken)
+    opening = lip_opening(shapes)
+    assert opening[: round(60 * START_S)].max() < 2 * SHUT
+    assert opening[round(60 * (START_S + 0.5)) :].max() < 2 * SHUT
+    after = opening[round(60 * (START_S + 0.2)) :]
+    assert np.abs(np.diff(after)).max() < 0.1
+
+
+def test_the_mouth_is_never_more_closed_than_open() -> None:
+    shapes = faced(said("P AA F IY M UW B AO V EH P S CH R TH L K"), end_s=3.0)
+    assert (shapes[:, INDEX["mouthClose"]] <= shapes[:, INDEX["jawOpen"]] + 1e-12).all()
+    assert shapes[:, INDEX["mouthClose"]].max() > 0.05
+
+
+def test_gaps_between_visemes_are_silence() -> None:
+    alone = (Viseme("aa", Interval(0.5, 0.7), 1.0, 1.0), Viseme("O", Interval(1.2, 1.4), 1.0, 0.5))
+    speech = speak(TABLES.visemes, alone, times(2.0))
+    assert speech.lips[round(60 * 0.95)] > 0.95
+    assert speech.lips[round(60 * 0.6)] < 0.05
+
+
+@pytest.mark.parametrize("gap_s", [0.001, 0.01, 0.03])
+def test_a_gap_that_nobody_hears_does_not_shut_the_mouth(gap_s: float) -> None:
+    parted = (Viseme("aa", Interval(0.5, 0.7), 1.0, 1.0), Viseme("aa", Interval(0.7 + gap_s, 0.9), 1.0, 1.0))
+    opening = speak(TABLES.visemes, parted, times(1.5)).shapes[:, INDEX["jawOpen"]]
+    assert opening[round(60 * 0.6) : round(60 * 0.85)].min() > 0.7 * opening.max()
+
+
+def test_a_face_without_speech_has_its_mouth_shut() -> None:
+    speech = speak(TABLES.visemes, (), times(1.0))
+    assert np.allclose(speech.lips, 1)
+    assert np.allclose(speech.shapes[:, INDEX["jawOpen"]], 0)
+
+
+def test_visemes_that_overlap_or_come_out_of_order_are_still_a_face() -> None:
+    muddled = (Viseme("aa", Interval(0.5, 1.0), 1.0, 1.0), Viseme("O", Interval(0.4, 0.7), 1.0, 0.5))
+    assert np.isfinite(speak(TABLES.visemes, muddled, times(2.0)).shapes).all()
+
+
+SENTENCE = "HH AW M EH N IY P IY P AH L V UW D B AO T"
+
+
+def test_viseme_weights_are_shares_of_one_mouth() -> None:
+    weights = viseme_weights(TABLES.visemes, said(SENTENCE, phone_s=0.07), times(2.5))
+    assert weights.shape == (len(times(2.5)), 15)
+    assert weights.min() >= 0
+    assert np.allclose(weights.sum(axis=1), 1), "a stressed word is articulated wholly"
+    half = viseme_weights(TABLES.visemes, said(SENTENCE, emphasis=0.0), times(3.0))
+    assert half.sum(axis=1).max() <= 1 + 1e-9
+    assert half.sum(axis=1).min() < 0.8
+
+
+@pytest.mark.parametrize("phone_s", [0.06, 0.07, 0.12])
+def test_no_viseme_is_passed_over_and_closures_are_whole(phone_s: float) -> None:
+    spoken, times_s = said(SENTENCE, phone_s=phone_s), times(3.0, 120)
+    weights = viseme_weights(TABLES.visemes, spoken, times_s)
+    for viseme in spoken:
+        own = VISEMES.index(viseme.label)
+        during = weights[(times_s >= viseme.interval.start_s) & (times_s <= viseme.interval.end_s)]
+        assert (during.argmax(axis=1) == own).any(), viseme
+        if viseme.label in {"PP", "FF"}:
+            assert during[:, own].max() > 0.99

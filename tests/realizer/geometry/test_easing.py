@@ -1,0 +1,36 @@
+"""Movements start and end at rest, reach their ends in time, and never jump."""
+
+import numpy as np
+import pytest
+
+from understudy.realizer.geometry.easing import changes, minimum_jerk, plateau, through
+
+TIMES_S = np.arange(0, 4001) / 1000
+
+
+def test_minimum_jerk_goes_from_0_to_1_and_starts_and_ends_at_rest() -> None:
+    course = minimum_jerk(np.linspace(-0.5, 1.5, 2001))
+    assert course[[0, 500, 1000, 1500, -1]] == pytest.approx([0, 0, 0.5, 1, 1])
+    assert np.all(np.diff(course) >= 0)
+    assert np.abs(np.diff(course, 2)).max() < 1e-4
+    assert np.diff(course).max() == pytest.approx(1.875 / 1000, rel=1e-3)
+
+
+def test_movements_that_overlap_add_up_without_a_step_in_speed() -> None:
+    by = np.array([[1.0, 2.0], [-1.0, 1.0]])
+    course = changes(TIMES_S, np.array([0.5, 0.8]), np.array([1.0, 0.5]), by)
+    assert course[[0, -1]] == pytest.approx(np.array([[0, 0], [0, 3]]))
+    assert np.abs(np.diff(course, 2, axis=0)).max() < 1e-4
+
+
+def test_a_course_rests_in_each_of_its_values() -> None:
+    at_s, values = np.array([0.5, 1.0, 3.0]), np.array([2.0, -1.0, 0.5])
+    course = through(TIMES_S, at_s, values)
+    assert course[[0, 500, 1000, 3000, 4000]] == pytest.approx([2, 2, -1, 0.5, 0.5])
+    assert np.array_equal(through(TIMES_S, at_s[:1], values[:1]), np.full(4001, 2.0))
+
+
+@pytest.mark.parametrize("reached_s", [1.0, 0.5])
+def test_a_plateau_is_held_between_and_zero_outside(reached_s: float) -> None:
+    course = plateau(TIMES_S, 0.5, reached_s, 2.0, 2.0)
+    assert course[[0, 500, 1001, 2000, 2002]] == pytest.approx([0, 0, 1, 1, 0])

@@ -1,0 +1,55 @@
+"""Our quaternions against scipy's rotations."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from understudy.model import FloatArray
+from understudy.realizer.geometry import rotations
+
+A = Rotation.random(50, random_state=1)
+B = Rotation.random(50, random_state=2)
+VECTORS: FloatArray = np.random.default_rng(3).normal(size=(50, 3))
+
+
+def same(found: FloatArray, expected: Rotation) -> bool:
+    return bool(np.allclose(Rotation.from_quat(found).as_matrix(), expected.as_matrix()))
+
+
+def test_product_inverse_and_image_are_scipys() -> None:
+    assert same(rotations.multiply(A.as_quat(), B.as_quat()), A * B)
+    assert same(rotations.inverse(A.as_quat()), A.inv())
+    assert np.allclose(rotations.rotate(A.as_quat(), VECTORS), A.apply(VECTORS))
+
+
+def test_rotation_vectors_go_there_and_back() -> None:
+    assert np.allclose(rotations.to_rotation_vector(A.as_quat()), A.as_rotvec())
+    assert same(rotations.from_rotation_vector(A.as_rotvec()), A)
+    assert np.allclose(rotations.to_rotation_vector(rotations.IDENTITY), 0)
+
+
+def test_axes_give_the_rotation_that_has_them() -> None:
+    matrices = A.as_matrix()
+    assert same(rotations.from_axes(*(matrices[..., column] for column in range(3))), A)
+
+
+@pytest.mark.parametrize("target", [VECTORS[::-1], VECTORS, -VECTORS], ids=["any", "the same", "opposite"])
+def test_between_takes_one_direction_to_the_other(target: FloatArray) -> None:
+    turned = rotations.rotate(rotations.between(VECTORS, target), VECTORS)
+    assert np.allclose(np.cross(turned, target), 0, atol=1e-6)
+    assert np.all(np.sum(turned * target, axis=-1) > 0)
+
+
+def test_slerp_goes_the_shorter_way_at_an_even_pace() -> None:
+    a, b = A.as_quat(), -B.as_quat()
+    half = rotations.slerp(a, b, np.full(50, 0.5))
+    assert same(rotations.slerp(a, b, np.ones(50)), B)
+    assert np.allclose(rotations.angle_between(a, half), rotations.angle_between(a, b) / 2)
+
+
+def test_of_one_sign_leaves_no_flip() -> None:
+    smooth = rotations.about((0.0, 1.0, 0.0), np.linspace(0, 3, 20))
+    flipped = smooth * np.where(np.arange(20) % 3 == 0, -1.0, 1.0)[:, None]
+    found = rotations.of_one_sign(flipped)
+    assert np.all(np.sum(found[1:] * found[:-1], axis=-1) > 0)
+    assert same(found, Rotation.from_quat(smooth))

@@ -1,0 +1,122 @@
+"""The library: what clips there are for a lexeme, a level and a hand, and what foreign lexemes come to."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.gesture_files import gesture
+from understudy.authoring.catalogue import load_gestures
+from understudy.bml.writing.smartbody import GESTURES as SMARTBODY
+from understudy.errors import AuthoringError, InputError
+from understudy.model import Hand, Level
+from understudy.realizer.gestures.library import LAST_RESORT, Library
+
+
+def library(folder: Path, *texts: str, aliases: str = "") -> Library:
+    for number, text in enumerate(texts):
+        (folder / f"{number}.gesture").write_text(text, encoding="utf-8")
+    if aliases:
+        (folder / "aliases.yaml").write_text(aliases, encoding="utf-8")
+    return Library.load(folder)
+
+
+def names(found: Library, hand: Hand, level: Level = Level.MEDIUM) -> list[str]:
+    return [clip.name for clip in found.clips("BEAT", level, hand)]
+
+
+def test_files_and_folders_are_read_in_the_order_of_their_names(tmp_path: Path) -> None:
+    (tmp_path / "inside").mkdir()
+    (tmp_path / "inside" / "a.gesture").write_text(gesture("CATEGORY BEAT", name="last"), encoding="utf-8")
+    found = library(tmp_path, gesture("CATEGORY BEAT WE", name="one") + gesture("CATEGORY BEAT", name="two"))
+    assert found.categories == ("BEAT", "WE")
+    assert names(found, Hand.LEFT) == ["one", "two", "last"]
+    assert [clip.name for clip in found.clips("WE", Level.LOW, Hand.RIGHT)] == ["one"]
+    assert found.definition("last").path == tmp_path / "inside" / "a.gesture"
+    assert found.clips("YOU", Level.LOW, Hand.RIGHT) == ()
+
+
+def test_hands(tmp_path: Path) -> None:
+    found = library(
+        tmp_path, *(gesture(f"CATEGORY BEAT\nARMS {arms}", name=arms) for arms in ("left", "right", "both"))
+    )
+    assert [names(found, hand) for hand in Hand] == [["left"], ["right"], ["both"]]
+
+
+def test_one_hand_makes_what_both_do_only_where_there_is_nothing_else(tmp_path: Path) -> None:
+    both = gesture("CATEGORY BEAT\nARMS both", name="both")
+    assert names(library(tmp_path, both), Hand.LEFT) == ["both"]
+    found = library(tmp_path, both, gesture("CATEGORY BEAT", name="one"))
+    assert [names(found, hand) for hand in Hand] == [["one"], ["one"], ["both"]]
+
+
+def test_both_hands_mirror_what_one_does_only_where_there_is_nothing_else(tmp_path: Path) -> None:
+    found = library(tmp_path, gesture("CATEGORY BEAT", name="one"))
+    (clip,) = found.clips("BEAT", Level.HIGH, Hand.BOTH)
+    assert clip.hand is Hand.BOTH
+    assert clip.keys[0].left == clip.keys[0].right is not None
+
+
+def test_what_one_hand_means_is_not_mirrored(tmp_path: Path) -> None:
+    """A hand that points to its own side would point to the other as the other hand."""
+    found = library(tmp_path, gesture("CATEGORY BEAT\nARMS left", name="left"))
+    assert [names(found, hand) for hand in Hand] == [["left"], [], []]
+
+
+def test_levels(tmp_path: Path) -> None:
+    found = library(tmp_path, gesture("CATEGORY BEAT\nLEVELS high"), gesture("CATEGORY BEAT", name="any"))
+    assert [names(found, Hand.RIGHT, level) for level in Level] == [["any"], ["any"], ["trial", "any"]]
+
+
+def test_every_mistake_of_every_file(tmp_path: Path) -> None:
+    wrong = gesture("ARMS no", name="wrong")
+    with pytest.raises(AuthoringError) as caught:
+        library(tmp_path, wrong + wrong, wrong.replace("wrong", "late"))
+    assert [(one.path.name, one.line) for one in caught.value.mistakes] == [
+        ("0.gesture", 4),
+        ("0.gesture", 14),
+        ("0.gesture", 16),
+        ("1.gesture", 4),
+    ]
+
+
+def test_lexemes_of_others(tmp_path: Path) -> None:
+    beat, point = gesture("CATEGORY BEAT", name="beat"), gesture("CATEGORY POINT_LEFT", name="point")
+    found = library(tmp_path, beat, point, aliases="aliases:\n  POINT_LEFT: [DEICTIC_LEFT]\n")
+    lexemes = ("POINT_LEFT", "point-left", "Point Left", "deictic.left", "SING")
+    assert [found.nearest(one) for one in lexemes] == [*["POINT_LEFT"] * 4, "BEAT"]
+    assert Library.of(()).nearest("SING") is None
+
+
+@pytest.mark.parametrize(
+    ("aliases", "line", "told"),
+    [
+        ("aliases:\n  BEET: [BATON]", 2, "no gesture shows BEET; BEAT?"),
+        ("aliases:\n  BEAT: [baton]", 2, "'baton': lexemes are written in capitals"),
+        ("aliases:\n  BEAT: [BATON, BATON]", 2, "BATON is listed under BEAT already"),
+        ("aliases:\n  BEAT:\n    - BEAT", 3, "BEAT has gestures of its own"),
+        ("alias: 3", 1, "key is missing"),
+    ],
+)
+def test_wrong_aliases(tmp_path: Path, aliases: str, line: int, told: str) -> None:
+    with pytest.raises(AuthoringError) as caught:
+        library(tmp_path, gesture("CATEGORY BEAT"), aliases=aliases)
+    assert caught.value.mistakes[0].line == line
+    assert told in caught.value.mistakes[0].message
+
+
+def test_a_name_that_no_gesture_has(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="did you mean trial") as caught:
+        library(tmp_path, gesture()).definition("trail")
+    assert caught.value.code == "unknown_name"
+
+
+def test_what_smartbody_asks_for_is_more_than_a_beat() -> None:
+    """Its gesture types (shared/bml.md), those that our own lexemes go out as among them."""
+    types = {*SMARTBODY.values(), "QUESTION", "WE", "NEGATION", "INDIFFERENCE"}
+    assert {one for one in types if load_gestures().nearest(one) in {None, LAST_RESORT}} == set()
+
+
+def test_every_alias_is_found_however_it_is_spelt() -> None:
+    found = load_gestures()
+    for lexeme, category in found.aliases.items():
+        assert found.nearest(lexeme.lower().replace("_", "-")) == category

@@ -1,0 +1,127 @@
+"""The eyes get to the target first and stay on it; the head follows; both keep within what they can."""
+
+import numpy as np
+import pytest
+
+from tests.support.movements import BODY, TIMES_S, behavior, faced, schedule, seen_by
+from understudy.model import Behavior, Channel, FloatArray, Schedule
+from understudy.realizer.body.limits import violations
+from understudy.realizer.body.motion import BodyMotion
+from understudy.realizer.body.skeleton import forward
+from understudy.realizer.geometry.angles import aim, angles
+from understudy.realizer.geometry.rotations import IDENTITY, angle_between, between, rotate
+from understudy.realizer.head_and_gaze.gaze import gaze
+from understudy.realizer.head_and_gaze.gaze_geometry import EYES, SIDEWAYS_LIMIT, UPRIGHT_LIMIT
+from understudy.realizer.head_and_gaze.looks import LISTENER_M, Position
+from understudy.realizer.torso.idle import idle
+
+TWO_DEGREES = np.radians(2.0)
+
+
+def look(lexeme: str, *times_s: float, **changes: object) -> Behavior:
+    return behavior(Channel.GAZE, lexeme, *times_s, **{"target": "listener", **changes})
+
+
+def gazing(planned: Schedule, targets_m: dict[str, Position] | None = None) -> BodyMotion:
+    return gaze(BODY, idle(BODY, TIMES_S, planned, seed=2), planned, targets_m=targets_m or {})
+
+
+def missed(body: BodyMotion, at_m: Position = LISTENER_M) -> FloatArray:
+    """The greater angle (T,) of both eyes' lines of sight with the way to the point."""
+    places_m, turned = forward(BODY, body.rotations, body.hips_m)
+    eyes = BODY.chain(*EYES)
+    lines, ways = rotate(turned[:, eyes], np.array([0.0, 0.0, 1.0])), np.array(at_m) - places_m[:, eyes]
+    return np.asarray(angle_between(between(lines, ways), IDENTITY).max(axis=1))
+
+
+def head_yaw(body: BodyMotion) -> FloatArray:
+    return np.degrees(angles(faced(body).turned)[1])
+
+
+def sight_yaw(body: BodyMotion) -> FloatArray:
+    """Where the line of sight goes, from between the eyes."""
+    return np.degrees(aim(seen_by(body) - faced(body).eyes_m.mean(axis=1))[1])
+
+
+def test_both_eyes_are_on_the_listener_while_nothing_is_asked_for_and_while_the_body_leans() -> None:
+    lean = behavior(Channel.POSTURE, "LEAN_FORWARD", 2.0, 2.6)
+    assert missed(gazing(schedule(lean))).max() < TWO_DEGREES
+
+
+@pytest.mark.parametrize(("direction", "sign"), [("LEFT", 1), ("RIGHT", -1)])
+def test_a_look_takes_eyes_and_head_aside_and_back(direction: str, sign: int) -> None:
+    body = gazing(schedule(look("LOOK", 1.0, 1.25, 3.0, 3.25, direction=direction, amount=0.5)))
+    there, before, after = TIMES_S == 2.0, TIMES_S < 1.0, TIMES_S > 4.0
+    assert sign * sight_yaw(body)[there] == pytest.approx(30, abs=3)
+    assert sign * head_yaw(body)[there] == pytest.approx(21, abs=2)
+    assert missed(body)[before | after].max() < TWO_DEGREES
+
+
+def test_eyes_lead_and_the_head_is_slower() -> None:
+    body = gazing(schedule(look("LOOK", 1.0, 1.25, 5.0, 5.25, direction="LEFT", amount=0.5)))
+    eyes, head = sight_yaw(body), head_yaw(body)
+    half_way = [TIMES_S[np.argmax(course > course[TIMES_S == 2.0] / 2)] for course in (eyes, head)]
+    assert half_way[0] < 1.1 < half_way[1] < 1.4
+    assert np.diff(head).max() < np.diff(eyes).max() / 3
+
+
+def test_a_saccade_takes_the_time_of_the_main_sequence() -> None:
+    body = gazing(schedule(look("GLANCE", 1.0, 1.06, 2.0, 2.06, direction="RIGHT", amount=1 / 3)))
+    eyes = sight_yaw(body)
+    moving = TIMES_S[1:][(np.abs(np.diff(eyes)) > 1.5) & (TIMES_S[1:] < 1.5)]
+    assert moving[-1] - moving[0] == pytest.approx(0.021 + 20 * 0.0022, abs=2 / 60)
+    assert np.abs(np.diff(eyes)).max() * 60 < 600
+
+
+def test_a_glance_is_the_eyes_alone_and_is_added_to_a_look() -> None:
+    aside = look("LOOK", 1.0, 1.25, 5.0, 5.25, direction="LEFT", amount=0.5)
+    glance = look("GLANCE", 2.0, 2.06, 3.0, 3.06, direction="UP", amount=0.1)
+    alone, both = gazing(schedule(aside)), gazing(schedule(aside, glance))
+    there = TIMES_S == 2.5
+    neck = BODY.chain("neck", "head")
+    assert angle_between(both.rotations[there][:, neck], alone.rotations[there][:, neck]).max() < np.radians(0.5)
+    eye = BODY.index["leftEye"]
+    difference = angle_between(both.rotations[there, eye], alone.rotations[there, eye])
+    assert np.degrees(difference) == pytest.approx(6, abs=0.5)
+
+
+def test_a_glance_without_direction_looks_at_its_target_out_of_a_look_aside() -> None:
+    aside = look("LOOK", 1.0, 1.25, 5.0, 5.25, direction="LEFT", amount=0.5)
+    body = gazing(schedule(aside, look("GLANCE", 2.5, 2.56, 3.5, 3.56)))
+    assert missed(body)[TIMES_S == 3.0] < TWO_DEGREES
+    assert head_yaw(body)[TIMES_S == 3.0] > 15
+    assert missed(body)[TIMES_S == 4.0] > np.radians(20)
+
+
+def test_a_shift_stays_and_a_look_returns_to_it() -> None:
+    door: Position = (1.0, 1.3, 1.0)
+    shift, aside = look("SHIFT", 0.5, 0.8, target="door"), look("LOOK", 2.0, 2.25, 3.0, 3.25)
+    body = gazing(schedule(shift, aside), {"door": door})
+    assert missed(body)[TIMES_S == 2.75] < TWO_DEGREES
+    assert missed(body, door)[(TIMES_S > 1.5) & (TIMES_S < 2) | (TIMES_S > 4)].max() < TWO_DEGREES
+    assert head_yaw(body)[-1] > 35
+
+
+def test_nothing_turns_farther_than_it_can_nor_too_fast() -> None:
+    asides = [
+        look("LOOK", start_s, start_s + 0.1, start_s + 0.3, start_s + 0.4, direction=direction, amount=1.0)
+        for start_s, direction in zip((0.5, 1.0, 1.5, 2.0), ("LEFT", "RIGHT", "UP", "DOWN"), strict=True)
+    ]
+    behind: Position = (0.4, 1.6, -1.0)
+    body = gazing(schedule(*asides, look("SHIFT", 3.0, 3.1, target="behind")), {"behind": behind})
+    pitch, yaw, roll = angles(body.rotations[:, BODY.chain(*EYES)])
+    assert np.abs(pitch).max() <= UPRIGHT_LIMIT + 1e-9
+    assert np.abs(yaw).max() <= SIDEWAYS_LIMIT + 1e-9
+    assert np.abs(roll).max() < 1e-9
+    assert violations(BODY, body.rotations).max() == 0
+    assert angle_between(body.rotations[1:], body.rotations[:-1]).max() * 60 < 20
+
+
+def test_the_gaze_takes_the_place_of_what_the_head_did_before_and_leaves_the_body() -> None:
+    calm = idle(BODY, TIMES_S, schedule(), seed=2)
+    rotations = calm.rotations.copy()
+    rotations[:, BODY.chain("neck", "head")] = rotations[:, BODY.index["leftUpperArm"], None]
+    shaken = BodyMotion(TIMES_S, rotations, calm.hips_m)
+    assert np.allclose(gaze(BODY, shaken, schedule()).rotations, gaze(BODY, calm, schedule()).rotations)
+    others = [joint for joint in range(len(BODY.names)) if joint not in BODY.chain("neck", "head", *EYES)]
+    assert np.allclose(gaze(BODY, calm, schedule()).rotations[:, others], calm.rotations[:, others], atol=1e-9)

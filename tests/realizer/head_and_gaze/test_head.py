@@ -1,0 +1,151 @@
+"""Head movements go where and when they are asked to, on top of the gaze, and the eyes stay where they looked."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.support.movements import BODY, TIMES_S, behavior, faced, schedule, seen_by
+from understudy.model import Behavior, Channel, FloatArray, Schedule
+from understudy.realizer.body.limits import violations
+from understudy.realizer.body.motion import BodyMotion
+from understudy.realizer.geometry.angles import angles
+from understudy.realizer.geometry.rotations import angle_between
+from understudy.realizer.head_and_gaze.gaze import gaze
+from understudy.realizer.head_and_gaze.head import head
+from understudy.realizer.head_and_gaze.head_movements import MOVEMENTS
+from understudy.realizer.torso.idle import idle
+
+FRAME_S = 1 / 60
+CALM = gaze(BODY, idle(BODY, TIMES_S, schedule(), seed=2), schedule())
+
+
+def movement(lexeme: str, *times_s: float, **changes: object) -> Behavior:
+    return behavior(Channel.HEAD, lexeme, *times_s, **changes)
+
+
+def added(*behaviors: Behavior) -> FloatArray:
+    """Degrees of pitch, yaw and roll (T, 3) that the movements add to the head's in the world, and take from what it
+    does by itself."""
+    with_them, without = (head(BODY, CALM, schedule(*these), seed=3) for these in (behaviors, ()))
+    courses = [np.array(angles(faced(body).turned)) for body in (with_them, without)]
+    return np.degrees(courses[0] - courses[1]).T
+
+
+NOD = movement("NOD", 1.0, 1.15, 1.15, 1.35, 1.45, 1.45, 1.65, amount=0.9, repetitions=1)
+
+
+def test_a_nod_goes_down_first_is_lowest_at_its_stroke_and_comes_back() -> None:
+    pitch = added(NOD)[:, 0]
+    assert pitch.max() == pytest.approx(18, abs=0.5)
+    assert abs(TIMES_S[np.argmax(pitch)] - 1.35) <= FRAME_S
+    assert pitch.min() > -0.3
+    assert np.abs(pitch[(TIMES_S <= 1.0) | (TIMES_S >= 1.65)]).max() < 1e-9
+
+
+def test_nods_repeat_and_get_smaller() -> None:
+    pitch = added(movement("NOD", 1.0, 1.1, 1.1, 1.4, 1.9, 1.9, 2.4, amount=0.6, repetitions=3))[:, 0]
+    peaks = 1 + np.flatnonzero((pitch[1:-1] > pitch[:-2]) & (pitch[1:-1] >= pitch[2:]) & (pitch[1:-1] > 1))
+    assert len(peaks) == 3
+    assert abs(TIMES_S[peaks] - 1.4).min() <= FRAME_S
+    assert np.all(np.diff(pitch[peaks]) < -1)
+
+
+def test_a_shake_goes_to_both_sides_as_often_as_asked_with_an_extreme_at_the_stroke() -> None:
+    yaw = added(movement("SHAKE", 1.0, 1.15, 1.15, 1.56, 1.8, 1.8, 2.1, amount=0.7, repetitions=2))[:, 1]
+    signs = np.sign(yaw[np.abs(yaw) > 3])
+    assert np.count_nonzero(np.diff(signs)) == 3
+    near = np.abs(TIMES_S - 1.56) <= 0.1
+    assert abs(TIMES_S[near][np.argmax(np.abs(yaw[near]))] - 1.56) <= FRAME_S
+    assert np.ptp(yaw) == pytest.approx(2 * 15.4, abs=4)
+
+
+@pytest.mark.parametrize("lexeme", sorted(MOVEMENTS))
+def test_every_movement_starts_and_ends_at_nothing_without_a_jump(lexeme: str) -> None:
+    course = added(movement(lexeme, 1.0, 1.2, 1.2, 1.5, 1.7, 2.5, 2.8, amount=1.0, repetitions=2))
+    assert np.abs(course[(TIMES_S <= 1.0) | (TIMES_S >= 2.8)]).max() < 1e-9
+    assert np.abs(course).max() > 10
+    assert np.abs(np.diff(course, axis=0)).max() < np.degrees(20 / 60) / 2
+
+
+@pytest.mark.parametrize(
+    "hurried",
+    [
+        movement("NOD", 1.0, 1.01, amount=1.0),
+        movement("SHAKE", 1.0, 1.3, amount=1.0, repetitions=40),
+        movement("TILT_LEFT", 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, amount=1.0),
+    ],
+    ids=["a nod of no time", "many shakes in little time", "a tilt of no time at all"],
+)
+def test_what_is_asked_for_too_fast_is_smaller(hurried: Behavior) -> None:
+    body = head(BODY, CALM, schedule(hurried), seed=3)
+    neck = BODY.chain("neck", "head")
+    assert angle_between(body.rotations[1:, neck], body.rotations[:-1, neck]).max() * 60 < 4
+
+
+@pytest.mark.parametrize(
+    ("lexeme", "axis", "sign"),
+    [("TILT_LEFT", 2, -1), ("TILT_RIGHT", 2, 1), ("TURN_LEFT", 1, 1), ("TURN_RIGHT", 1, -1), ("RAISE", 0, -1)],
+)
+def test_tilts_turns_and_raising_are_reached_at_the_stroke_and_held(lexeme: str, axis: int, sign: int) -> None:
+    course = sign * added(movement(lexeme, 1.0, 1.2, 1.2, 1.5, 1.7, 2.5, 2.8, amount=0.5))[:, axis]
+    held = course[(TIMES_S >= 1.5) & (TIMES_S <= 2.5)]
+    assert np.all(held > 8)
+    assert np.ptp(held) < 0.5
+
+
+def test_a_nod_and_a_look_aside_are_both_seen() -> None:
+    aside = behavior(Channel.GAZE, "LOOK", 0.5, 0.75, 3.0, 3.25, direction="LEFT", amount=0.5)
+    nod = replace(NOD, sync=NOD.sync.shifted(0.5))
+    planned = schedule(aside, nod)
+    turned = head(BODY, gaze(BODY, CALM, planned), planned, seed=3)
+    pitch, yaw, _roll = np.degrees(angles(faced(turned).turned))
+    at_stroke = np.searchsorted(TIMES_S, 1.85)
+    assert pitch[at_stroke] > 15
+    assert yaw[at_stroke] > 18
+
+
+def test_the_neck_keeps_its_limits_however_much_is_added_up() -> None:
+    aside = behavior(Channel.GAZE, "LOOK", 0.2, 0.5, 3.0, 3.3, direction="DOWN", amount=1.0)
+    planned = schedule(aside, NOD, movement("LOWER", 1.0, 1.2, 1.2, 1.5, 1.7, 2.5, 2.8, amount=1.0))
+    body = head(BODY, gaze(BODY, CALM, planned), planned, seed=3)
+    assert violations(BODY, body.rotations).max() == 0
+    assert angle_between(body.rotations[1:], body.rotations[:-1]).max() * 60 < 20
+
+
+def test_the_eyes_stay_on_their_target_while_the_head_nods_and_shakes() -> None:
+    shake = movement("SHAKE", 3.0, 3.15, 3.15, 3.5, 3.8, 3.8, 4.1, amount=0.7, repetitions=2)
+    moved = head(BODY, CALM, schedule(NOD, shake), seed=3)
+    middle = faced(CALM).eyes_m.mean(axis=1)
+    distance_m = np.linalg.norm(seen_by(CALM) - middle, axis=-1)
+    assert (np.linalg.norm(seen_by(moved) - seen_by(CALM), axis=-1) / distance_m).max() < np.radians(0.5)
+
+
+def test_the_neck_is_ahead_of_the_head() -> None:
+    moved, still = (head(BODY, CALM, schedule(*these), seed=3).rotations for these in ((NOD,), ()))
+    lowest = [np.argmax(angle_between(moved[:, joint], still[:, joint])) for joint in BODY.chain("neck", "head")]
+    assert lowest[0] < lowest[1]
+
+
+def test_the_head_is_never_still_and_stress_shows_in_it() -> None:
+    plain = head(BODY, CALM, schedule(), seed=3)
+    stressed = head(BODY, CALM, Schedule((), 6.0, emphases_s=(2.0,)), seed=3)
+    joint = BODY.index["head"]
+    assert angle_between(plain.rotations[1:, joint], plain.rotations[:-1, joint]).min() > 1e-6
+    pitch = [angles(faced(body).turned)[0] for body in (plain, stressed)]
+    dip = np.degrees(pitch[1] - pitch[0])
+    assert abs(TIMES_S[np.argmax(dip)] - 2.0) <= FRAME_S
+    assert 0.5 < dip.max() < 3
+
+
+def test_what_lost_moves_nothing_and_the_same_seed_moves_alike() -> None:
+    one, same = (head(BODY, CALM, schedule(), seed=3), head(BODY, CALM, schedule(replace(NOD, kept=False)), seed=3))
+    assert np.array_equal(one.rotations, same.rotations)
+    assert not np.array_equal(one.rotations, head(BODY, CALM, schedule(), seed=4).rotations)
+
+
+def test_only_neck_head_and_eyes_move() -> None:
+    moved: BodyMotion = head(BODY, CALM, schedule(NOD), seed=3)
+    touched = BODY.chain("neck", "head", "leftEye", "rightEye")
+    rest = [joint for joint in range(len(BODY.names)) if joint not in touched]
+    assert np.array_equal(moved.rotations[:, rest], CALM.rotations[:, rest])

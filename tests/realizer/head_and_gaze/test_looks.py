@@ -1,0 +1,54 @@
+"""What the gazes aim at, before anything moves."""
+
+import numpy as np
+import pytest
+
+from tests.support.movements import behavior, schedule
+from understudy.model import Channel
+from understudy.realizer.head_and_gaze.looks import AT_EASE, DIRECTIONS, HEAD_SHARE, LISTENER_M, looks
+
+FROM_M = np.array([0.0, LISTENER_M[1], 0.0])
+
+
+def degrees(*gazes: tuple[str, float, dict[str, object]]) -> list[tuple[float, list[float], list[float]]]:
+    """When the aim changes, and the pitch and yaw of eyes and head then."""
+    behaviors = (
+        behavior(Channel.GAZE, lexeme, start_s, start_s + 0.1, start_s + 1.0, start_s + 1.1, **changes)
+        for lexeme, start_s, changes in gazes
+    )
+    aims = looks(schedule(*behaviors), FROM_M, {"door": (1.0, LISTENER_M[1], 1.0)})
+    eyes, head = np.degrees(aims.eyes[1:, :2]).tolist(), np.degrees(aims.head[1:]).tolist()
+    return list(zip(aims.starts_s.tolist(), eyes, head, strict=True))
+
+
+def test_before_the_first_gaze_all_is_on_the_listener() -> None:
+    aims = looks(schedule(), FROM_M, {})
+    assert len(aims.starts_s) == 0
+    assert aims.eyes == pytest.approx(np.array([[0, 0, 1 / LISTENER_M[2]]]))
+
+
+@pytest.mark.parametrize("direction", sorted(DIRECTIONS))
+def test_a_direction_goes_its_angle_aside_and_back(direction: str) -> None:
+    aside, back = degrees(("LOOK", 1.0, {"direction": direction, "amount": 0.25}))
+    assert np.linalg.norm(aside[1]) == pytest.approx(15)
+    assert aside[2] == pytest.approx(HEAD_SHARE["LOOK"] * np.array(aside[1]))
+    assert (aside[1][0] < 0) == direction.startswith("UP")
+    assert (aside[1][1] > 0) == direction.endswith("LEFT")
+    assert back[0] == pytest.approx(2.0)
+    assert back[1] == pytest.approx([0, 0])
+
+
+def test_the_head_helps_eyes_that_would_be_strained() -> None:
+    aside, _back = degrees(("GLANCE", 1.0, {"direction": "LEFT", "amount": 0.6}))
+    assert aside[1] == pytest.approx([0, 36])
+    assert aside[2] == pytest.approx([0, 36 - np.degrees(AT_EASE[1])])
+
+
+def test_of_two_gazes_the_later_one_has_the_eyes_until_it_ends() -> None:
+    turned = degrees(("LOOK", 1.0, {"target": "door"}), ("LOOK", 1.5, {"direction": "RIGHT", "amount": 0.5}))
+    assert [round(eyes[1]) for _start_s, eyes, _head in turned] == [45, -30, -30, 0]
+
+
+def test_who_is_not_placed_is_where_the_listener_is() -> None:
+    (shifted,) = degrees(("SHIFT", 1.0, {"target": "nobody knows"}))
+    assert shifted[1] == pytest.approx([0, 0])

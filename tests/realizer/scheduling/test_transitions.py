@@ -1,0 +1,67 @@
+"""Ways between neighbours, by the arithmetic of §3.8."""
+
+import pytest
+
+from tests.support.gesture_clips import clip, gesture
+from understudy.model import Hand, Interval, Schedule
+from understudy.realizer.gestures.gesture import Clip
+from understudy.realizer.gestures.gesture_plan import TOP_STROKE_SPEED_M_S, Placed
+from understudy.realizer.scheduling.selection import placed, requests_of
+from understudy.realizer.scheduling.transitions import (
+    EASY_TRANSITION_S,
+    SLOWEST_STROKE_M_S,
+    Setting,
+    flow_together,
+    prolonged_relax_s,
+    stroke_speed_m_s,
+    transition_speed_m_s,
+)
+
+
+def at(stroke_s: float, relax_s: float, one: Clip | None = None, amount: float | None = None) -> Placed:
+    (request,) = requests_of(Schedule((gesture("g", stroke_s, relax_s, amount=amount),), 30.0))
+    return placed(one or clip(), request)
+
+
+def test_the_speed_of_a_way_is_its_distance_by_its_time() -> None:
+    """From .3 m to 0 in 3.0 - 2.5 s."""
+    assert transition_speed_m_s(at(2.0, 2.5), at(3.3, 3.8), Hand.RIGHT) == pytest.approx(0.6)
+
+
+@pytest.mark.parametrize(("stroke_s", "hold_s"), [(3.2, 0.0), (3.3, 0.0), (3.5, 0.2), (4.3, 1.0)])
+def test_the_hold_lasts_until_the_way_is_as_fast_as_the_stroke(stroke_s: float, hold_s: float) -> None:
+    """.3 m at .6 m/s take .5 s; the gap begins at 2.5 s and ends .3 s before the stroke."""
+    relax_s = prolonged_relax_s(at(2.0, 2.5), at(stroke_s, stroke_s + 0.5), Hand.RIGHT)
+    assert relax_s == pytest.approx(2.5 + hold_s)
+
+
+def test_a_hand_that_is_in_place_still_takes_a_moment() -> None:
+    first, second = at(2.0, 2.5), at(3.8, 4.3, clip(from_m=0.3, to_m=0.6))
+    assert prolonged_relax_s(first, second, Hand.RIGHT) == pytest.approx(3.5 - EASY_TRANSITION_S)
+
+
+def test_strokes_of_the_fingers_alone_count_as_slow() -> None:
+    assert stroke_speed_m_s(at(2.0, 2.5, clip(to_m=0.0))) == SLOWEST_STROKE_M_S
+
+
+def test_a_stroke_is_as_large_as_its_time_allows() -> None:
+    """.4 m in .5 s, twice as large for an amount of 2: .8 m/s become 1.6, more than the top speed."""
+    large = at(2.0, 2.5, clip(to_m=0.4), amount=2.0)
+    assert stroke_speed_m_s(large) == pytest.approx(TOP_STROKE_SPEED_M_S)
+    assert large.size == pytest.approx(TOP_STROKE_SPEED_M_S / 0.8)
+
+
+def test_neighbours_flow_together_in_one_phrase_below_a_second_and_a_half() -> None:
+    first = at(2.0, 2.5, clip(to_m=0.1))
+    near, far = at(4.29, 4.8), at(4.31, 4.8)
+    one, two = Setting((Interval(0.0, 9.0),)), Setting((Interval(0.0, 3.0), Interval(3.3, 9.0)))
+    assert flow_together(first, near, Hand.RIGHT, one)
+    assert not flow_together(first, far, Hand.RIGHT, one)
+    assert not flow_together(first, near, Hand.RIGHT, two)
+    assert flow_together(first, at(3.3, 3.8), Hand.RIGHT, two)
+
+
+@pytest.mark.parametrize(("time_s", "phrase"), [(0.0, 0), (0.5, 0), (2.5, 0), (3.0, 1), (9.0, 1)])
+def test_a_moment_belongs_to_the_phrase_that_has_begun_last(time_s: float, phrase: int) -> None:
+    assert Setting((Interval(0.2, 2.0), Interval(3.0, 4.0))).phrase_of(time_s) == phrase
+    assert Setting().phrase_of(time_s) is None

@@ -1,0 +1,64 @@
+"""The whole realizer on a real line: what must hold of every motion."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from understudy.model import Channel
+from understudy.performance import Line, Options, Understudy, perform
+from understudy.realization import Realized, realize, schedule_of
+from understudy.realizer.body.contacts import penetrations_m
+from understudy.realizer.body.limits import violations
+from understudy.realizer.geometry.rotations import angle_between
+from understudy.realizer.realizing import frame_times_s
+
+AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
+FRAME_S = 1 / 60
+
+
+@pytest.fixture(scope="module")
+def realized(understudy: Understudy) -> Realized:
+    audio = (AUDIO_FOLDER / "figure8.flac").read_bytes()
+    text = (AUDIO_FOLDER / "figure8.txt").read_text(encoding="utf-8")
+    schedule = schedule_of(perform(understudy, Line(audio, text), Options(character="expansive")))
+    return Realized(schedule, realize(understudy.realizer, schedule))
+
+
+def test_frames_last_until_all_is_over_two_at_least() -> None:
+    assert list(frame_times_s(0.1, 30)) == pytest.approx([0, 1 / 30, 2 / 30, 3 / 30])
+    assert len(frame_times_s(0.0, 60)) == 2
+
+
+def test_every_gesture_is_played_on_its_stroke_or_has_a_decision(realized: Realized) -> None:
+    decided = {decision.behavior for decision in realized.motion.decisions}
+    for behavior in realized.schedule.behaviors:
+        played = realized.motion.realized.get(behavior.id)
+        if behavior.kind is Channel.GESTURE and played is None:
+            assert behavior.id in decided
+        elif behavior.kind is Channel.GESTURE and played is not None:
+            assert played.stroke == pytest.approx(behavior.sync.stroke, abs=FRAME_S)
+
+
+def test_rotations_are_unit_and_weights_are_shares(realized: Realized) -> None:
+    motion = realized.motion
+    assert np.allclose(np.linalg.norm(motion.body.rotations, axis=-1), 1)
+    assert motion.shapes.min() >= 0
+    assert motion.shapes.max() <= 1
+    assert len(motion.body.times_s) == len(motion.shapes) == len(motion.body.hips_m)
+
+
+def test_nothing_ever_freezes_and_nothing_jumps(realized: Realized, understudy: Understudy) -> None:
+    """Shared/motion.md: no jump of a joint above 20 rad/s; eyes in saccades are left out."""
+    skeleton = understudy.realizer.skeleton
+    joints = [joint for joint, name in enumerate(skeleton.names) if not name.endswith("Eye")]
+    rotations = realized.motion.body.rotations
+    assert angle_between(rotations[:-1], rotations[1:]).max(axis=-1).min() > 0
+    speeds = angle_between(rotations[:-1, joints], rotations[1:, joints]) / FRAME_S
+    assert np.abs(np.diff(speeds, axis=0)).max() < 20
+
+
+def test_joints_keep_their_limits_and_hands_stay_outside(realized: Realized, understudy: Understudy) -> None:
+    skeleton, body = understudy.realizer.skeleton, realized.motion.body
+    assert np.count_nonzero(violations(skeleton, body.rotations)) == 0
+    assert np.max(penetrations_m(skeleton, body.rotations, body.hips_m)) < 0.01

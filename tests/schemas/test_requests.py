@@ -1,0 +1,78 @@
+"""What comes in besides audio and text: read when right, told by its part when wrong."""
+
+import pytest
+
+from understudy.errors import InputError, UndecodableError, UnsupportedFormatError
+from understudy.model import Level
+from understudy.performance import Options, Timings
+from understudy.schemas.requests import LARGEST_SEED, line_id, read_object, read_options, read_request, read_timings
+
+
+def test_options_have_the_names_and_defaults_of_the_command_line() -> None:
+    assert read_options(b"{}") == Options()
+    assert read_options(b'{"character": "shy", "agitation": "low", "seed": 5}') == Options("shy", Level.LOW, 5)
+    assert read_options(b'{"agitation": null}') == Options()
+    assert read_options(f'{{"seed": {LARGEST_SEED}}}'.encode()).seed == LARGEST_SEED
+
+
+@pytest.mark.parametrize(
+    ("content", "field"),
+    [
+        (b'{"agitation": "mid"}', "agitation"),
+        (b'{"agitation": 3}', "agitation"),
+        (b'{"seed": "5"}', "seed"),
+        (b'{"seed": true}', "seed"),
+        (b'{"seed": 1.5}', "seed"),
+        (f'{{"seed": {LARGEST_SEED + 1}}}'.encode(), "seed"),
+        (b'{"character": null}', "character"),
+        (b'{"charcter": "shy"}', "charcter"),
+        (b"[]", "options"),
+        (b'"low"', "options"),
+    ],
+)
+def test_a_wrong_option_is_named(content: bytes, field: str) -> None:
+    with pytest.raises(InputError) as caught:
+        read_options(content)
+    assert caught.value.field == field
+    assert caught.value.code == ("value_wrong" if field != "options" else "not_an_object")
+    assert "\n" not in caught.value.message
+
+
+@pytest.mark.parametrize("content", [b"", b"{", b"\xff", b"{'seed': 1}", b"[" * 100_000, b'{"a": NaN'])
+def test_what_is_no_json_is_undecodable(content: bytes) -> None:
+    with pytest.raises(UndecodableError) as caught:
+        read_object(content, "body")
+    assert caught.value.code == "not_json"
+
+
+def test_a_lone_surrogate_is_told_as_such() -> None:
+    with pytest.raises(InputError) as caught:
+        read_object(b'{"text": "\\ud800"}', "body")
+    assert caught.value.code == "text_surrogate"
+
+
+def test_a_question_is_a_text_with_an_id() -> None:
+    assert read_request({"id": 4, "text": "No."}).id == 4
+    assert read_request({"text": "No.", "functions": []}).text == "No."
+    for fields, field in (({}, "text"), ({"text": 5}, "text"), ({"id": [], "text": "a"}, "id")):
+        with pytest.raises(InputError) as caught:
+            read_request(fields)
+        assert caught.value.field == field
+
+
+@pytest.mark.parametrize(("found", "known"), [("a", "a"), (7, 7), (None, None), ([], None), ({}, None)])
+def test_the_id_of_a_wrong_question_comes_back_where_it_can(found: object, known: object) -> None:
+    assert line_id({"id": found}) == known
+
+
+def test_the_ending_tells_the_format_of_words() -> None:
+    assert read_timings("a/b.TextGrid", b"x") == Timings(b"x", "textgrid")
+    assert read_timings("b.json", b"x").format == "json"
+    assert read_timings("b.CTM", b"x").format == "ctm"
+
+
+@pytest.mark.parametrize("name", ["", "-", "words", "words.txt", ".json"])
+def test_other_endings_are_refused(name: str) -> None:
+    with pytest.raises(UnsupportedFormatError) as caught:
+        read_timings(name, b"")
+    assert caught.value.field == "words"

@@ -1,0 +1,70 @@
+from pathlib import Path
+
+import pytest
+
+from understudy.errors import AuthoringError, Mistake
+from understudy.yaml_files import Entry, Source, all_or_every_mistake
+
+
+class Dish(Entry):
+    name: str
+    price: float
+    tags: tuple[str, ...] = ()
+
+
+def _source(folder: Path, text: str) -> Source:
+    path = folder / "dish.yaml"
+    path.write_bytes(text.encode())
+    return Source(path)
+
+
+def _mistakes(folder: Path, text: str) -> list[tuple[int, int, str]]:
+    with pytest.raises(AuthoringError) as caught:
+        _source(folder, text).validated(Dish)
+    return [(mistake.line, mistake.column, mistake.message) for mistake in caught.value.mistakes]
+
+
+def test_words_that_yaml_takes_for_booleans_stay_words(tmp_path: Path) -> None:
+    dish = _source(tmp_path, "name: no\nprice: 2.50\ntags: [yes, 'on', 012]\n").validated(Dish)
+    assert dish == Dish(name="no", price=2.5, tags=("yes", "on", "012"))
+
+
+def test_every_mistake_is_told_where_it_stands(tmp_path: Path) -> None:
+    found = _mistakes(tmp_path, "name: soup\nprice: dear\ncolour: red\n")
+    assert [(line, column) for line, column, _ in found] == [(2, 8), (3, 9)]
+    assert "number" in found[0][2]
+    assert found[1][2] == "unknown key"
+
+
+def test_a_missing_key_is_told_where_its_mapping_begins(tmp_path: Path) -> None:
+    assert _mistakes(tmp_path, "# a dish\nname: soup\n") == [(2, 1, "key is missing")]
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "column"),
+    [
+        ("name: &a soup\nprice: 1\n", 1, 7),
+        ("name: !!str soup\nprice: 1\n", 1, 7),
+        ("name: soup\nprice: 1\nname: stew\n", 3, 1),
+        ("name: [soup\nprice: 1\n", 2, 6),
+        ("", 1, 1),
+        ("name: s\x01p\n", 1, 1),
+    ],
+)
+def test_what_a_file_does_not_show_or_say_is_refused(tmp_path: Path, text: str, line: int, column: int) -> None:
+    assert [found[:2] for found in _mistakes(tmp_path, text)] == [(line, column)]
+
+
+def test_a_file_that_is_no_text_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "dish.yaml"
+    path.write_bytes(b"name: \xff\n")
+    with pytest.raises(AuthoringError, match="UTF-8"):
+        Source(path)
+
+
+def test_the_mistakes_of_several_files_come_together() -> None:
+    errors = [AuthoringError((Mistake(Path(name), 1, 1, "wrong"),)) for name in ("a", "b")]
+    with pytest.raises(AuthoringError) as caught:
+        all_or_every_mistake([errors[0], 1, errors[1]])
+    assert [mistake.path.name for mistake in caught.value.mistakes] == ["a", "b"]
+    assert all_or_every_mistake([1, 2]) == (1, 2)
