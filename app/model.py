@@ -305,6 +305,45 @@ class Direction:
 
 
 @dataclass(frozen=True, slots=True)
+class Term:
+    """One reason for or against a choice: a fact about the words, and what it weighs (log-odds)."""
+
+    name: str
+    weight: float
+
+
+@dataclass(frozen=True, slots=True)
+class Rejected:
+    """What a moment might have been and is not: the families that lost, what they would have been worth, and why."""
+
+    families: tuple[str, ...]
+    worth: float
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """Words `first` to `last`, over which one channel means something; a gesture's stroke falls on word `stroke`.
+
+    `families` are what it may mean, the likeliest first, `shares` how likely each is to be what a director wants there.
+    `importance` ranks the moments of a line. `terms` made the first family win, the heaviest first; `rejected` lost to
+    it. `note` is the number of the director's note it comes from, if any.
+    """
+
+    id: str
+    channel: Channel
+    first: int
+    last: int
+    stroke: int
+    families: tuple[str, ...]
+    importance: float
+    shares: tuple[float, ...] = ()
+    terms: tuple[Term, ...] = ()
+    rejected: tuple[Rejected, ...] = ()
+    note: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Movement:
     """A behaviour class, `name` in its table, that could show a function (paper §3.4), clock and neighbours aside."""
 
