@@ -1,3 +1,171 @@
-"""Understudy performs a spoken line in an actor's stead: audio and words in, a schedule of movements out."""
+"""Understudy performs a spoken line in an actor's stead: audio and words in, a schedule of movements out.
 
-__version__ = "0.1.0"
+    import understudy
+
+    with understudy.load() as models:
+        performance = understudy.perform(models, "line.wav", "No, I have never seen those.", seed=1)
+        bml = understudy.write_bml(performance)
+        glb = understudy.write_motion(models, understudy.realize(models, performance), "glb")
+
+Here stands the public interface, and nothing else in the package is: the functions of `understudy.library`, the values
+that they take and return, and the errors that they raise. Names are imported when they are first used, so that
+`import understudy` costs nothing. docs/python.md has examples. A newcomer to the code begins with
+`understudy.performance`, which is the whole way of a line in order, and `understudy.model`, the values that travel it.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from .version import __version__
+
+__all__ = [
+    "AcousticModels",
+    "Agitation",
+    "AlignedLine",
+    "Analysis",
+    "AuthoringError",
+    "Because",
+    "Behavior",
+    "Channel",
+    "Clause",
+    "DialectName",
+    "Filler",
+    "Function",
+    "GivenFunction",
+    "Hand",
+    "InputError",
+    "Interval",
+    "LanguageModels",
+    "Level",
+    "Listening",
+    "Mistake",
+    "Mode",
+    "Motion",
+    "MotionFormat",
+    "Notice",
+    "Parse",
+    "Performance",
+    "Phone",
+    "Phrase",
+    "Realized",
+    "Realizer",
+    "Schedule",
+    "ServiceError",
+    "Settings",
+    "SpeakerReference",
+    "StressThresholds",
+    "SyncPoints",
+    "TimeForm",
+    "Timings",
+    "Token",
+    "TooLargeError",
+    "UndecodableError",
+    "Understudy",
+    "UnderstudyError",
+    "UnsupportedFormatError",
+    "Utterance",
+    "Viseme",
+    "Word",
+    "WrongBmlError",
+    "__version__",
+    "align",
+    "analyze",
+    "find_functions",
+    "load",
+    "make_reference",
+    "perform",
+    "realize",
+    "realize_bml",
+    "write_bml",
+    "write_bml_json",
+    "write_ctm",
+    "write_json",
+    "write_motion",
+    "write_textgrid",
+]
+
+if TYPE_CHECKING:
+    from .errors import (
+        AuthoringError,
+        InputError,
+        Mistake,
+        ServiceError,
+        TooLargeError,
+        UndecodableError,
+        UnderstudyError,
+        UnsupportedFormatError,
+        WrongBmlError,
+    )
+    from .library import (
+        align,
+        analyze,
+        find_functions,
+        load,
+        make_reference,
+        perform,
+        realize,
+        realize_bml,
+        write_bml,
+        write_bml_json,
+        write_ctm,
+        write_json,
+        write_motion,
+        write_textgrid,
+    )
+    from .model import (
+        Agitation,
+        Because,
+        Behavior,
+        Channel,
+        Clause,
+        Filler,
+        Function,
+        GivenFunction,
+        Hand,
+        Interval,
+        Level,
+        Listening,
+        Mode,
+        Notice,
+        Parse,
+        Performance,
+        Phone,
+        Phrase,
+        Schedule,
+        StressThresholds,
+        SyncPoints,
+        Token,
+        Utterance,
+        Viseme,
+        Word,
+    )
+    from .performance import (
+        AcousticModels,
+        AlignedLine,
+        Analysis,
+        DialectName,
+        LanguageModels,
+        SpeakerReference,
+        TimeForm,
+        Timings,
+        Understudy,
+    )
+    from .realization import MotionFormat, Realized, Realizer
+    from .realizer.body.motion import Motion
+    from .settings import Settings
+else:
+    _HOMES = ("errors", "model", "library", "realizer.body.motion")
+    """Where the names are found, what costs least to import first."""
+
+    def __getattr__(name: str) -> object:
+        """A public name, imported at its first use (PEP 562)."""
+        if name in __all__:
+            for home in _HOMES:
+                module = import_module(f".{home}", __name__)
+                if hasattr(module, name):
+                    globals()[name] = getattr(module, name)
+                    return globals()[name]
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *__all__})

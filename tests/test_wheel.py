@@ -5,22 +5,28 @@ import sys
 import zipfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
+import pytest
+
+from tests.support.python_page import ROOT, run_page
 
 
-def test_the_wheel_performs_away_from_the_checkout(tmp_path: Path) -> None:
-    build = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(tmp_path)]
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder into which the wheel was unpacked."""
+    folder = tmp_path_factory.mktemp("wheel")
+    build = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
     subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
-    (wheel,) = tmp_path.glob("*.whl")
-    installed = tmp_path / "installed"
-    zipfile.ZipFile(wheel).extractall(installed)
-    program = (
-        "import sys; sys.path.insert(0, sys.argv[1])\n"
-        "import understudy; assert understudy.__file__.startswith(sys.argv[1]), understudy.__file__\n"
-        "from understudy.cli.main import main\n"
-        "sys.argv[:] = ['understudy', 'functions', '--text', 'No, not those.']; main()"
-    )
-    run = subprocess.run(
-        [sys.executable, "-c", program, str(installed)], cwd=tmp_path, check=True, capture_output=True, text=True
-    )
-    assert '"negation"' in run.stdout
+    (wheel,) = folder.glob("*.whl")
+    zipfile.ZipFile(wheel).extractall(folder / "installed")
+    return folder / "installed"
+
+
+def test_it_is_one_typed_package_with_all_it_needs_and_nothing_called_app(installed: Path) -> None:
+    assert {path.name.partition("-")[0] for path in installed.iterdir()} == {"understudy"}
+    inside = {path.name for path in (installed / "understudy").iterdir()}
+    assert inside >= {"py.typed", "library.py", "lexicon", "models", "examples"}
+    assert inside.isdisjoint({"app", "tests", "benchmarks", "training"})
+
+
+def test_the_examples_of_the_python_page_run_away_from_the_checkout(installed: Path, tmp_path: Path) -> None:
+    run_page(tmp_path, installed)

@@ -5,10 +5,10 @@ from contextlib import ExitStack, asynccontextmanager
 
 from fastapi import FastAPI
 
-from .. import __version__
 from ..authoring.catalogue import Catalogue
 from ..performance import Understudy
 from ..settings import Settings
+from ..version import __version__
 from .body_limit import BodyLimit
 from .capacity import Capacity
 from .metrics import Measured, Metrics

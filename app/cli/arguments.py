@@ -5,11 +5,11 @@ from collections.abc import Callable
 from functools import partial
 from typing import NoReturn
 
-from .. import __version__
 from ..bml.markup.documents import DialectName, TimeForm
 from ..errors import InputError
 from ..model import Hand, Level, Mode
 from ..realizer.body.motion import FRAME_RATES_HZ
+from ..version import __version__
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
 """Adds a command, given its name and what it does."""

@@ -74,19 +74,28 @@ def read_options(content: bytes) -> Options:
 
     Raises UndecodableError `not_json`, InputError `not_an_object`, `value_wrong` with the option's name in `field`.
     """
-    return _checked(PerformOptions, _option_fields(content)).to_options()
+    return check_options(read_object(content, "options"))
+
+
+def check_options(fields: dict[str, Any]) -> Options:
+    """The options in `fields`, which go by the names of a request's; raises InputError as `read_options` does."""
+    return _checked(PerformOptions, _with_level(fields)).to_options()
 
 
 def read_realize_options(content: bytes) -> RealizeOptions:
     """The options of a request for motion; raises as `read_options` does."""
-    return _checked(RealizeOptions, _option_fields(content))
+    return check_realize_options(read_object(content, "options"))
 
 
-def _option_fields(content: bytes) -> dict[str, Any]:
-    fields = read_object(content, "options")
-    if isinstance(fields.get("agitation"), str):
-        fields["agitation"] = _level(fields["agitation"])
-    return fields
+def check_realize_options(fields: dict[str, Any]) -> RealizeOptions:
+    """The options for motion in `fields`; raises InputError as `read_options` does."""
+    return _checked(RealizeOptions, _with_level(fields))
+
+
+def _with_level(fields: dict[str, Any]) -> dict[str, Any]:
+    """The fields with the agitation that is named in them as a value."""
+    level = fields.get("agitation")
+    return fields | {"agitation": _level(level)} if isinstance(level, str) else fields
 
 
 def listener_names(names: Sequence[str]) -> tuple[str, ...]:

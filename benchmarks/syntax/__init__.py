@@ -1,0 +1,3 @@
+"""How well the parser reads transcribed speech: `python -m benchmarks.syntax.parser`. Imports `understudy.syntax`, and
+the treebanks' reader from `training.parser`.
+"""

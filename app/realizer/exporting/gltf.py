@@ -11,8 +11,8 @@ from typing import Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ... import __version__
 from ...model import FloatArray
+from ...version import __version__
 from ..body.skeleton import Skeleton
 from ..mannequin.surface import IntArray
 

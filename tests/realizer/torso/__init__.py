@@ -1,0 +1,1 @@
+"""Standing, breath, sway and posture: `app/realizer/torso`. Begin with `test_idle.py`."""

@@ -1,0 +1,319 @@
+"""Understudy as a library: what `import understudy` hands on, for programs that need neither command line nor service.
+
+Models are loaded once (`load`) and shared by threads. Audio, BML and words timed elsewhere are given as the name of a
+file or as its content; every `write_…` returns the content of a file. Times are seconds from the start of the audio.
+What the caller gets wrong raises an `InputError` with a stable code (docs/errors.md), a file that cannot be opened an
+OSError. docs/python.md has examples.
+"""
+
+import os
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path, PurePath
+from typing import Any, Literal, TypedDict, Unpack
+
+from .errors import InputError
+from .model import GivenFunction, Level, Mode, Performance
+from .performance import (
+    AcousticModels,
+    AlignedLine,
+    Analysis,
+    BmlForm,
+    DialectName,
+    LanguageModels,
+    Line,
+    SpeakerReference,
+    TimeForm,
+    Timings,
+    Understudy,
+    analyze_signal,
+    to_ctm,
+    to_textgrid,
+)
+from .performance import align as _align
+from .performance import analyze as _analyze
+from .performance import find_functions as _find_functions
+from .performance import make_reference as _make_reference
+from .performance import perform as _perform
+from .performance import write_bml as _write_bml
+from .performance import write_bml_json as _write_bml_json
+from .performance import write_listener as _write_listener
+from .realization import (
+    AvatarOptions,
+    BmlInput,
+    MotionFormat,
+    PreparedSchedule,
+    Realized,
+    Realizer,
+    format_of,
+    prepare_schedule,
+    schedule_of,
+)
+from .realization import realize as _realize
+from .realization import write_motion as _write_motion
+from .schemas.requests import check_options, check_realize_options, read_timings
+from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse, ResponseModel
+from .settings import Settings, read_settings
+
+FileSource = bytes | str | os.PathLike[str]
+"""A file: its content, or its name."""
+
+LevelName = Level | Literal["low", "medium", "high"]
+
+
+class PerformKeywords(TypedDict, total=False):
+    """How a line is to be performed; what is left out is as `Options` has it.
+
+    `character` names the performer (lexicon/characters), `agitation` overrides what the voice says, `seed` chooses
+    among movements that serve equally, `mode` says where gestures come from, `listener` has the names of those who
+    listen, and `reference` is how the speaker usually sounds (`make_reference`).
+    """
+
+    character: str
+    agitation: LevelName | None
+    seed: int
+    mode: Mode | Literal["semantic", "prosody", "random"]
+    listener: Sequence[str]
+    reference: SpeakerReference | None
+
+
+class RealizeKeywords(TypedDict, total=False):
+    """How BML is to be played: `agitation` overrides what the voice says, `character` who is named in the file;
+    `fps` is 30 or 60, `seed` varies what the body does by itself."""
+
+    agitation: LevelName | None
+    character: str | None
+    fps: Literal[30, 60]
+    seed: int
+
+
+def load(settings: Settings | None = None) -> Understudy:
+    """Models, rules, words and gestures: seconds to load, then shared by threads. Use it in a `with` block, or `close`
+    it, for the aligner has a process of its own.
+
+    Without `settings` those of the environment hold (docs/settings.md). Raises InputError `setting_wrong`,
+    AuthoringError with every mistake in rules, words and gestures, ServiceError for a model that does not load.
+    """
+    return Understudy.load(settings or read_settings())
+
+
+def perform(
+    models: Understudy,
+    audio: FileSource,
+    text: str,
+    *,
+    words: FileSource | Timings | None = None,
+    functions: Sequence[GivenFunction] = (),
+    **options: Unpack[PerformKeywords],
+) -> Performance:
+    """The performance of a recorded line, with the reason for each movement (Marsella et al. 2013, §3).
+
+    `audio` is a WAV, FLAC or OGG file, `text` what is said in it. `words` are timings made elsewhere (the name of a
+    .json, .TextGrid or .ctm file, or `Timings`); then nothing is aligned. `functions` are communicative functions that
+    the caller knows already. Raises InputError for what cannot be used.
+    """
+    fields: dict[str, Any] = {**options}
+    reference = fields.pop("reference", None)
+    line = _line(audio, text, words, functions)
+    return _perform(models, line, replace(check_options(fields), reference=reference))
+
+
+def analyze(
+    models: Understudy,
+    audio: FileSource,
+    text: str,
+    *,
+    words: FileSource | Timings | None = None,
+    functions: Sequence[GivenFunction] = (),
+    reference: SpeakerReference | None = None,
+) -> Analysis:
+    """What is heard, said and meant in a line, before any movement is chosen (§3.1 to §3.3); otherwise as `perform`."""
+    return _analyze(models, _line(audio, text, words, functions), reference=reference)
+
+
+def align(models: Understudy | AcousticModels, audio: FileSource, text: str) -> AlignedLine:
+    """The words and phones of a line in time, and the fillers ("um") between them (§3.1). `AcousticModels` suffice.
+
+    Raises InputError for audio or text that cannot be used.
+    """
+    acoustic = models.acoustic if isinstance(models, Understudy) else models
+    return _align(acoustic, _line(audio, text))
+
+
+def find_functions(models: Understudy | LanguageModels, text: str) -> Analysis:
+    """What the words alone do (§3.2, §3.3): nothing is heard, so nothing has a time. `LanguageModels` suffice.
+
+    Raises InputError for a text that is too long or not well formed.
+    """
+    return _find_functions(models.language if isinstance(models, Understudy) else models, text)
+
+
+def make_reference(models: Understudy | AcousticModels, recordings: Sequence[FileSource]) -> SpeakerReference:
+    """How the speaker of these recordings, one or more, usually sounds, to judge his agitation by (§3.1.4).
+
+    Raises InputError for audio that cannot be used, and `value_wrong` when there is none.
+    """
+    if not recordings:
+        raise InputError("value_wrong", "recordings: give one at least", field="recordings")
+    acoustic = models.acoustic if isinstance(models, Understudy) else models
+    return _make_reference(acoustic, [analyze_signal(acoustic, _content(each)) for each in recordings])
+
+
+def realize(
+    models: Understudy | Realizer, performance: Performance, *, fps: Literal[30, 60] = 60, seed: int | None = None
+) -> Realized:
+    """The motion of a performance (§3.8), frame by frame; `seed` is the performance's own unless given. `Realizer`
+    suffices.
+
+    `realized.motion.decisions` tells what could not be played as it was asked for, and why.
+    """
+    prepared = PreparedSchedule(schedule_of(performance), performance.notices)
+    return _played(models, prepared, fps=fps, seed=performance.seed if seed is None else seed)
+
+
+def realize_bml(
+    models: Understudy, bml: FileSource, audio: FileSource | None = None, **options: Unpack[RealizeKeywords]
+) -> Realized:
+    """The motion of BML, ours or others'. With the recording the lips move, and marks of the speech fall where its
+    words are heard; without it `realized.motion.notices` tells what was missing.
+
+    Raises WrongBmlError with every mistake in the BML, InputError for audio, words and options that cannot be used.
+    """
+    checked = check_realize_options({**options})
+    heard = None if audio is None else _content(audio)
+    name = Path("BML") if isinstance(bml, bytes) else Path(bml)
+    prepared = prepare_schedule(
+        models.acoustic,
+        BmlInput(_content(bml), name, heard),
+        agitation=checked.agitation,
+        character=checked.character,
+    )
+    return _played(models, prepared, fps=checked.fps, seed=checked.seed)
+
+
+def write_bml(
+    performance: Performance,
+    *,
+    dialect: DialectName | Literal["bml", "smartbody"] = DialectName.BML,
+    timing: TimeForm | Literal["absolute", "sync"] = TimeForm.ABSOLUTE,
+    audio_name: str | None = None,
+    listener: str | None = None,
+) -> bytes:
+    """The schedule as BML, XML in UTF-8 (docs/bml.md), in BML 1.0 or SmartBody's dialect.
+
+    `timing` "sync" tells times by marks of the speech instead of seconds; `audio_name` is the recording's name for
+    SmartBody, which plays it. `listener` asks for what that listener does instead. Raises InputError `value_wrong`.
+    """
+    form = _bml_form(dialect, timing, audio_name)
+    if listener is None:
+        return _write_bml(performance, form)
+    for listening in performance.listeners:
+        if listening.name == listener:
+            return _write_listener(performance, listening, form)
+    known = ", ".join(each.name for each in performance.listeners) or "nobody"
+    raise InputError("value_wrong", f"no listener is called {listener!r}; {known} listens", field="listener")
+
+
+def write_bml_json(
+    performance: Performance,
+    *,
+    dialect: DialectName | Literal["bml", "smartbody"] = DialectName.BML,
+    timing: TimeForm | Literal["absolute", "sync"] = TimeForm.ABSOLUTE,
+    audio_name: str | None = None,
+) -> bytes:
+    """The same document as JSON (docs/bml-json.md)."""
+    return _write_bml_json(performance, _bml_form(dialect, timing, audio_name))
+
+
+def write_json(found: Performance | Analysis | AlignedLine, *, indent: int | None = None) -> bytes:
+    """All of a performance, an analysis or an alignment as JSON, in the shapes of command line and service."""
+    return _response(found).to_json(indent)
+
+
+def write_textgrid(found: Performance | Analysis | AlignedLine) -> bytes:
+    """The words and phones in time as a Praat TextGrid with the tiers "words" and "phones"."""
+    timed = _aligned(found)
+    return to_textgrid(timed.words, timed.duration_s).encode()
+
+
+def write_ctm(found: Performance | Analysis | AlignedLine, name: str = "audio") -> bytes:
+    """The words in time as CTM, a line each; `name` is what the recording is called there."""
+    return to_ctm(_aligned(found).words, name).encode()
+
+
+def write_motion(
+    models: Understudy | Realizer,
+    realized: Realized,
+    form: MotionFormat | str,
+    *,
+    skeleton: str | None = None,
+    avatar: FileSource | None = None,
+) -> bytes:
+    """The motion as `form`, a `MotionFormat` or the name of a file that ends in one ("line.glb", or "glb" alone).
+
+    `skeleton` names the joints of BVH and JSON as another rig does, `avatar` is a GLB or VRM file that wears the motion
+    in GLB (docs/motion-formats.md). Raises InputError `motion_format`, `unknown_skeleton`, `unknown_avatar`,
+    UndecodableError `avatar_undecodable`, and ModuleNotFoundError for a picture without matplotlib.
+    """
+    motion_format = form if isinstance(form, MotionFormat) else format_of(f".{PurePath(form).name}")
+    wearer = AvatarOptions(skeleton, None if avatar is None else _content(avatar))
+    return _write_motion(realized, _realizer(models), motion_format, wearer)
+
+
+def _line(
+    audio: FileSource,
+    text: str,
+    words: FileSource | Timings | None = None,
+    functions: Sequence[GivenFunction] = (),
+) -> Line:
+    return Line(_content(audio), text, _timings(words), tuple(functions))
+
+
+def _content(source: FileSource) -> bytes:
+    return source if isinstance(source, bytes) else Path(source).read_bytes()
+
+
+def _timings(words: FileSource | Timings | None) -> Timings | None:
+    if words is None or isinstance(words, Timings):
+        return words
+    if isinstance(words, bytes):
+        message = "words: bytes do not tell their format; give the name of a file, or Timings(content, format)"
+        raise InputError("timings_format", message, field="words")
+    return read_timings(os.fspath(words), _content(words))
+
+
+def _bml_form(dialect: str, timing: str, audio_name: str | None) -> BmlForm:
+    checked = check_options({"dialect": dialect, "timing": timing}).form
+    return replace(checked, audio_name=audio_name)
+
+
+def _played(models: Understudy | Realizer, prepared: PreparedSchedule, *, fps: int, seed: int) -> Realized:
+    options = check_realize_options({"fps": fps, "seed": seed})
+    motion = _realize(_realizer(models), prepared.schedule, frame_rate_hz=options.fps, seed=options.seed)
+    return Realized(prepared.schedule, replace(motion, notices=prepared.notices))
+
+
+def _realizer(models: Understudy | Realizer) -> Realizer:
+    return models.realizer if isinstance(models, Understudy) else models
+
+
+def _aligned(found: Performance | Analysis | AlignedLine) -> AlignedLine:
+    """The words in time; raises InputError `value_wrong` where nothing was heard."""
+    if isinstance(found, AlignedLine):
+        return found
+    utterance = found.utterance
+    if utterance.duration_s is None:
+        raise InputError("value_wrong", "nothing was heard, so no word has a time; align or analyze the recording")
+    return AlignedLine(utterance.words, utterance.duration_s, found.notices, utterance.fillers)
+
+
+def _response(found: Performance | Analysis | AlignedLine) -> ResponseModel:
+    match found:
+        case Performance():
+            return PerformanceResponse.of_performance(found)
+        case AlignedLine():
+            return AlignResponse.of(found)
+        case Analysis() if found.heard is None:
+            return FunctionsResponse.of(found)
+        case Analysis():
+            return AnalysisResponse.of(found)
