@@ -1,4 +1,5 @@
 """The command line door: arguments and files in, results on standard output or in files, one line for every mistake.
 One module a command in `commands/`, the rest is what they share. Imports `performance`, `realization`, `authoring`,
-`schemas`, and `api` to serve. Begin with `main.py`, then `commands/perform.py`.
+`schemas`, a few values of the stages to print them, and `api` to serve. Begin with `main.py`, then
+`commands/perform.py`.
 """

@@ -1,3 +1,3 @@
-"""What holds whichever way a line comes in: command line, service and library give the same bytes, forms and messages.
-Imports the doors, `performance` and `support`. Begin with `test_lines.py`.
+"""What holds whichever way a line comes in: command line and service give the same bytes, forms and messages. Imports
+the doors, `performance` and `support`. Begin with `test_lines.py`.
 """

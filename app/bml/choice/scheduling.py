@@ -2,7 +2,7 @@
 hand.
 
 How a movement is timed by its word is in `candidates.py`, which alternatives are taken in `choosing.py`, what does not
-fit together is settled in `conflicts.py`, what the body does by itself is in `unasked.py`.
+fit together is settled in `conflicts.py`, what the body does by itself is in `idle_behaviors.py`.
 """
 
 from collections.abc import Iterable

@@ -1,3 +1,3 @@
-"""Agitation and the features that it is judged by, on voices made by formula: `app/acoustic/agitation`. Begin with
-`test_agitation.py`.
+"""Agitation and the features that it is judged by, mostly on signals made by formula: `app/acoustic/agitation`. Begin
+with `test_agitation.py`.
 """
