@@ -76,8 +76,8 @@ def test_a_file_that_ends_in_json_is_json(from_command_line: Perform, performanc
     assert [part["attributes"]["id"] for part in told["root"]["content"]] == ["speech1", *kept]
 
 
-def test_the_service_writes_the_form_asked_for(performance: Performance) -> None:
-    with TestClient(create_app(Settings())) as client:
+def test_the_service_writes_the_form_asked_for(understudy: Understudy, performance: Performance) -> None:
+    with TestClient(create_app(Settings(), understudy)) as client:
         answer = client.post(
             "/perform",
             files={"audio": ("take 7.flac", AUDIO.read_bytes())},

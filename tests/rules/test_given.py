@@ -1,22 +1,20 @@
 """Functions from outside: they join the derived ones, win over them, and say where they come from."""
 
-from pathlib import Path
-
 import pytest
 
+from tests.support.shipped_rules import shipped_rules
 from tests.support.utterances import utterance
 from understudy.errors import InputError
 from understudy.model import Function, GivenFunction
 from understudy.rules.derivation import FunctionRules, derive_functions
 from understudy.rules.given import GIVEN_PRIORITY
 
-ROOT = Path(__file__).resolve().parents[2]
 LINE = utterance("nobody came", "0:nobody/nobody/PRON 1:came/come/VERB")
 
 
 @pytest.fixture(scope="module")
 def rules() -> FunctionRules:
-    return FunctionRules.load(ROOT / "app" / "rules", ROOT / "lexicon" / "en")
+    return shipped_rules()
 
 
 def negations(functions: tuple[Function, ...]) -> dict[tuple[int, int], Function]:

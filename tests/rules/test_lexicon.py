@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.utterances import PARSER, utterance, words_of
+from tests.support.shipped_rules import shipped_parser
+from tests.support.utterances import utterance, words_of
 from understudy.errors import AuthoringError
 from understudy.model import Utterance
 from understudy.rules.lexicon import GAP, SLOT, LexicalEntry, Lexicon
-from understudy.syntax.parser import Parser
 
 SHIPPED = Path(__file__).resolve().parents[2] / "lexicon" / "en"
 
@@ -123,14 +123,14 @@ def example_of(entry: LexicalEntry) -> tuple[str, int, int]:
 
 
 def test_every_word_of_the_lexicon_is_found_in_its_example() -> None:
-    parser, lexicon = Parser.load(PARSER), Lexicon.load(SHIPPED)
+    lexicon = Lexicon.load(SHIPPED)
+    examples = [(entry, *example_of(entry)) for entry in lexicon.entries if entry.example is not None]
+    lines = [words_of(text) for _, text, _, _ in examples]
     missed = []
-    for entry in lexicon.entries:
-        if entry.example is None:
-            continue
-        text, first, last = example_of(entry)
-        words = words_of(text)
-        matches = lexicon.matches(Utterance(words, parser.parse(words)))
+    for (entry, text, first, last), words, parse in zip(
+        examples, lines, shipped_parser().parse_all(lines), strict=True
+    ):
+        matches = lexicon.matches(Utterance(words, parse))
         if not any(
             (match.class_name, match.subtype, match.first, match.last) == (entry.class_name, entry.subtype, first, last)
             for match in matches

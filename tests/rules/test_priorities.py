@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.shipped_rules import shipped_rules
 from tests.support.utterances import utterance
 from understudy.errors import AuthoringError
 from understudy.model import Utterance
@@ -17,7 +18,7 @@ TABLE = ROOT / "app" / "rules" / "functions" / "priorities.yaml"
 
 @pytest.fixture(scope="module")
 def rules() -> FunctionRules:
-    return FunctionRules.load(ROOT / "app" / "rules", ROOT / "lexicon" / "en")
+    return shipped_rules()
 
 
 def priorities(rules: FunctionRules, spoken: Utterance) -> dict[tuple[str, str, int, int], float]:

@@ -113,7 +113,8 @@ def test_a_name_that_no_gesture_has(tmp_path: Path) -> None:
 def test_what_smartbody_asks_for_is_more_than_a_beat() -> None:
     """Its gesture types (shared/bml.md), those that our own lexemes go out as among them."""
     types = {*SMARTBODY.values(), "QUESTION", "WE", "NEGATION", "INDIFFERENCE"}
-    assert {one for one in types if load_gestures().nearest(one) in {None, LAST_RESORT}} == set()
+    found = load_gestures()
+    assert {one for one in types if found.nearest(one) in {None, LAST_RESORT}} == set()
 
 
 def test_every_alias_is_found_however_it_is_spelt() -> None:

@@ -1,17 +1,15 @@
 """The paper's Figure 8 from its text: the words, the stress the figure shows, and the functions it draws from them."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
-from tests.support.utterances import PARSER, words_of
+from tests.support.shipped_rules import shipped_parser, shipped_rules
+from tests.support.utterances import words_of
 from understudy.acoustic.stress.emphasis import Measure, with_emphasis
 from understudy.model import Function, Utterance
-from understudy.rules.derivation import FunctionRules, derive_functions
-from understudy.syntax.parser import Parser
+from understudy.rules.derivation import derive_functions
 
-ROOT = Path(__file__).resolve().parents[3]
 LINE = "I guess not, I think I must've misread all of those signals."
 STRESSED = {1: 0.23, 10: 0.42}
 """The two words that pass the threshold in the figure (its W2 and W11), with ratios of ours; the rest stay under .1."""
@@ -21,8 +19,7 @@ STRESSED = {1: 0.23, 10: 0.42}
 def functions() -> tuple[Function, ...]:
     words = tuple(replace(word, stressed_ratio=STRESSED.get(word.index, 0.05)) for word in words_of(LINE))
     words = with_emphasis(words, Measure())
-    rules = FunctionRules.load(ROOT / "app" / "rules", ROOT / "lexicon" / "en")
-    return derive_functions(rules, Utterance(words, Parser.load(PARSER).parse(words)))
+    return derive_functions(shipped_rules(), Utterance(words, shipped_parser().parse(words)))
 
 
 @pytest.mark.parametrize(
