@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from fastapi.testclient import TestClient
 
-from tests.conftest import SHARED_LINES
 from tests.support.bml_checker import check
+from tests.support.shared_data import SHARED_LINES, needs
 from understudy.api.application import create_app
 from understudy.cli.main import main
 from understudy.model import Performance
@@ -18,8 +18,6 @@ from understudy.settings import Settings
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "example.flac"
 LINES = [EXAMPLE, *sorted(SHARED_LINES.glob("*.flac"))]
-
-needs_shared = pytest.mark.skipif(not SHARED_LINES.is_dir(), reason="needs the lines of ../shared/data/speech")
 
 
 def _line(path: Path) -> Line:
@@ -81,7 +79,7 @@ def test_every_line_performs_over_http(understudy: Understudy, performances: dic
             assert answer.json()["bml"].encode() == write_bml(performance)
 
 
-@needs_shared
+@needs(SHARED_LINES)
 @pytest.mark.parametrize("path", LINES, ids=lambda path: path.stem)
 def test_no_filler_is_heard_in_what_is_read(performances: dict[Path, Performance], path: Path) -> None:
     """In "And so, my fellow Americans" the drawn out vowel of "so" is all its own."""

@@ -1,10 +1,7 @@
-from pathlib import Path
-
 import pytest
 
 from tests.support.bml_checker import check
-
-SUITE = Path(__file__).resolve().parents[3] / "shared" / "data" / "bml" / "realizertester-bml1"
+from tests.support.shared_data import BML_SUITE, needs
 
 RIGHT = """\
 <bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="bml1" characterId="Anna">
@@ -95,9 +92,9 @@ def test_bytes_that_are_no_utf8_are_told() -> None:
     assert check(RIGHT.replace("Oh", "é").encode("latin-1"))
 
 
-@pytest.mark.skipif(not SUITE.is_dir(), reason="needs ../shared")
+@needs(BML_SUITE)
 @pytest.mark.parametrize(
     "name", ["testgaze", "testgazewaist", "testnodlong", "testpoint", "testpose", "testshortbeh", "testspeech2"]
 )
 def test_files_that_realizers_read_have_no_mistakes_but_ours(name: str) -> None:
-    assert check((SUITE / f"core__{name}.xml").read_bytes()) == ["<bml> has no characterId"]
+    assert check((BML_SUITE / f"core__{name}.xml").read_bytes()) == ["<bml> has no characterId"]

@@ -1,7 +1,6 @@
 """f0 of signals whose f0 is known: pulse trains through a vocal tract, glides, missing and strong harmonics, noise."""
 
 import tracemalloc
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,12 +8,13 @@ import soxr
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.support.shared_data import SHARED_SPEECH, needs
 from understudy.acoustic.pitch.harmonics import HIGHEST_F0_HZ, LOWEST_F0_HZ
 from understudy.acoustic.pitch.pitch import PUBLISHED, TUNED, Tuning, track_f0
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray
 
-SHARED = Path(__file__).resolve().parents[4] / "shared"
+RECORDING = SHARED_SPEECH / "fda" / "sb002.flac"
 VOWEL_HZ = (700, 1200, 2500, 3500)
 
 
@@ -132,11 +132,10 @@ def test_a_minute_takes_little_more_memory_than_its_samples() -> None:
     assert peak_bytes < audio.samples.nbytes + 4e6  # the SRH of all candidates, and blocks
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="needs ../shared")
+@needs(RECORDING)
 def test_a_real_voice_agrees_with_its_laryngograph() -> None:
-    path = SHARED / "data" / "speech" / "fda" / "sb002.flac"
-    reference_hz = np.loadtxt(path.with_suffix(".f0ref"))[::2]
-    audio, _ = decode(path.read_bytes(), AudioLimits())
+    reference_hz = np.loadtxt(RECORDING.with_suffix(".f0ref"))[::2]
+    audio, _ = decode(RECORDING.read_bytes(), AudioLimits())
     found_hz = track_f0(audio)[::3][: len(reference_hz)]
     both = (found_hz > 0) & (reference_hz[: len(found_hz)] > 0)
     assert both.sum() > 25

@@ -1,8 +1,8 @@
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 
+from tests.support.shared_data import MOTION_PAGE, needs
 from understudy.bml.choice.visemes import LEAST_ARTICULATION, OPENINGS, PHONES, SILENCE, visemes
 from understudy.model import Interval, Phone, Viseme, Word
 
@@ -92,11 +92,9 @@ def test_nothing_passes_the_end() -> None:
     assert shapes(word("AA S"), duration_s=0.55)[-1].interval.end_s == 0.55
 
 
+@needs(MOTION_PAGE)
 def test_the_page_that_says_so_says_so() -> None:
-    page = Path(__file__).resolve().parents[4] / "shared" / "motion.md"
-    if not page.is_file():
-        pytest.skip("needs ../shared")
-    line = page.read_text().split("ARPABET: ")[1].split(".")[0]
+    line = MOTION_PAGE.read_text().split("ARPABET: ")[1].split(".")[0]
     assert line == "; ".join(" ".join((shape, *phones)) for shape, phones in PHONES.items())
 
 

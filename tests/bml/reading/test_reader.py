@@ -4,15 +4,15 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.shared_data import BML_SUITE, needs
 from understudy.bml.markup.documents import DialectName, Document, Element, Reference
 from understudy.bml.markup.markup import to_xml
 from understudy.bml.markup.parsing import ReadingLimits
 from understudy.bml.reading.reader import MOST_MISTAKES, read_bml
 from understudy.errors import TooLargeError, WrongBmlError
 
-SUITE = Path(__file__).resolve().parents[4] / "shared" / "data" / "bml" / "realizertester-bml1"
-FILES = sorted(path.stem for path in SUITE.glob("*.xml"))
-needs_suite = pytest.mark.skipif(not SUITE.is_dir(), reason="needs ../shared")
+FILES = sorted(path.stem for path in BML_SUITE.glob("*.xml"))
+needs_suite = needs(BML_SUITE)
 
 REFUSED = {
     "core__bmlnoid": (13, "<bml>: no id"),
@@ -58,7 +58,7 @@ def refusal(text: str | bytes, limits: ReadingLimits | None = None) -> WrongBmlE
 @needs_suite
 @pytest.mark.parametrize("name", [name for name in FILES if name not in REFUSED])
 def test_every_file_of_the_suite_is_read_and_comes_back_from_what_is_written(name: str) -> None:
-    document, notices = read_bml((SUITE / f"{name}.xml").read_bytes(), Path(f"{name}.xml"))
+    document, notices = read_bml((BML_SUITE / f"{name}.xml").read_bytes(), Path(f"{name}.xml"))
     again, _ = read_bml(to_xml(document), Path("again.xml"))
     assert again == document
     if name.startswith("core__"):
@@ -69,7 +69,7 @@ def test_every_file_of_the_suite_is_read_and_comes_back_from_what_is_written(nam
 @pytest.mark.parametrize("name", sorted(REFUSED))
 def test_the_wrong_files_of_the_suite_are_refused_with_the_reason(name: str) -> None:
     line, reason = REFUSED[name]
-    (mistake,) = refusal((SUITE / f"{name}.xml").read_bytes()).mistakes
+    (mistake,) = refusal((BML_SUITE / f"{name}.xml").read_bytes()).mistakes
     assert mistake.line == line
     assert reason in mistake.message
 
@@ -88,14 +88,14 @@ def test_the_wrong_files_of_the_suite_are_refused_with_the_reason(name: str) -> 
     ],
 )
 def test_extensions_are_reported(name: str, reported: str) -> None:
-    _, notices = read_bml((SUITE / f"{name}.xml").read_bytes(), Path(f"{name}.xml"))
+    _, notices = read_bml((BML_SUITE / f"{name}.xml").read_bytes(), Path(f"{name}.xml"))
     assert {notice.code for notice in notices} == {"bml_foreign"}
     assert any(reported in notice.message for notice in notices)
 
 
 @needs_suite
 def test_extensions_are_not_lost() -> None:
-    path = SUITE / "murml__murmlbodykeyframe.xml"
+    path = BML_SUITE / "murml__murmlbodykeyframe.xml"
     document, _ = read_bml(path.read_bytes(), path)
     postures = to_xml(document).decode().count("Humanoid (l_shoulder 3 100 0 0)")
     assert postures == path.read_text().count("Humanoid (l_shoulder 3 100 0 0)") > 0

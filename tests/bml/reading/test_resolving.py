@@ -7,6 +7,7 @@ import pytest
 
 from tests.bml.writing.test_writer import everything
 from tests.support.by_hand import spoken
+from tests.support.shared_data import BML_SUITE, needs
 from understudy.bml.choice.table import STROKED
 from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.reading.reader import read_bml
@@ -15,7 +16,6 @@ from understudy.bml.writing.writer import BmlForm, write_bml
 from understudy.errors import WrongBmlError
 from understudy.model import Behavior, Channel, Interval, Level, Word
 
-SUITE = Path(__file__).resolve().parents[4] / "shared" / "data" / "bml" / "realizertester-bml1"
 CORE = 'xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="c"'
 
 
@@ -114,9 +114,9 @@ def test_what_is_not_played_is_said() -> None:
     assert sorted(notice.code for notice in found.notices) == ["bml_not_played", "bml_untimed"]
 
 
-@pytest.mark.skipif(not SUITE.is_dir(), reason="the conformance suite lies in ../shared, not in the repository")
+@needs(BML_SUITE)
 def test_every_file_of_the_suite_that_is_read_is_resolved_in_order() -> None:
-    for path in sorted(SUITE.glob("*.xml")):
+    for path in sorted(BML_SUITE.glob("*.xml")):
         try:
             document, _notices = read_bml(path.read_bytes(), path)
         except WrongBmlError:
@@ -127,10 +127,10 @@ def test_every_file_of_the_suite_that_is_read_is_resolved_in_order() -> None:
             assert times_s[0] >= 0, path.name
 
 
-@pytest.mark.skipif(not SUITE.is_dir(), reason="the conformance suite lies in ../shared, not in the repository")
+@needs(BML_SUITE)
 def test_the_suites_own_comment_on_three_gestures_is_fulfilled() -> None:
     """Its comment: relaxleft starts half a second after g1 ends, transleft ends where g1 starts, nothing before 0."""
-    path = SUITE / "core__testspeechgestures.xml"
+    path = BML_SUITE / "core__testspeechgestures.xml"
     by_id = {each.id: each.sync for each in resolve(read_bml(path.read_bytes(), path)[0]).behaviors}
     assert by_id["relaxleft"].start == pytest.approx(by_id["g1"].end + 0.5)
     assert by_id["transleft"].end == pytest.approx(by_id["g1"].start)

@@ -7,6 +7,7 @@ from lxml import etree
 
 from tests.support.bml_checker import check
 from tests.support.by_hand import FIGURE_8, spoken, utterance
+from tests.support.shared_data import SHARED, needs
 from understudy.bml.choice.characters import Characters
 from understudy.bml.choice.table import GAZE_LEXEMES, STROKED
 from understudy.bml.markup.elements import CORE, CORE_EXTENSIONS
@@ -15,7 +16,7 @@ from understudy.model import Behavior, Channel, Hand, Performance, SyncPoints, W
 
 ROOT = Path(__file__).resolve().parents[3]
 CHARACTERS = Characters.load(ROOT / "lexicon")
-SCHEMA = ROOT.parent / "shared" / "data" / "bml" / "bml-1.0.xsd"
+SCHEMA = SHARED / "data" / "bml" / "bml-1.0.xsd"
 
 STROKE = SyncPoints(start=0.1, ready=0.25, stroke_start=0.3, stroke=0.4, stroke_end=0.5, relax=0.75, end=1.0)
 PEAK = SyncPoints(start=0.1, ready=0.25, relax=0.75, end=1.0)
@@ -159,7 +160,7 @@ def test_small_times_are_fixed_decimals() -> None:
     assert (face.get("attackPeak"), face.get("end")) == ("0.000", "10000.000")
 
 
-@pytest.mark.skipif(not SCHEMA.is_file(), reason="needs ../shared")
+@needs(SCHEMA)
 def test_the_schema_in_the_wild_agrees_where_it_can() -> None:
     """It lacks gazeShift and faceFacs and spells a pose's `part` as `type` (shared/bml.md)."""
     root = etree.fromstring(write_bml(everything()))

@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from tests.support.gltf_reading import Gltf, read
 from tests.support.hand_made_motion import BODY, waving
+from tests.support.shared_data import AVATAR, needs
 from understudy.errors import InputError, UndecodableError
 from understudy.model import FloatArray
 from understudy.realizer.body.motion import SHAPES
@@ -20,7 +21,6 @@ from understudy.realizer.exporting.gltf import Accessors, Json, binary, joint_no
 from understudy.realizer.exporting.retargeting import load_rigs
 
 RIGS = load_rigs(Path(__file__).parents[3] / "lexicon" / "retarget", BODY)
-AVATAR = Path(__file__).parents[4] / "shared" / "data" / "motion" / "avatar" / "cc0_avatar.glb"
 MOTION = waving(1.0)
 FRAMES = len(MOTION.body.times_s)
 FOREARM = ("rightLowerArm", "rightHand")
@@ -195,9 +195,8 @@ def test_files_that_are_no_avatar_are_refused(content: bytes) -> None:
     assert caught.value.code == "avatar_undecodable"
 
 
+@needs(AVATAR)
 def test_a_real_avatar_in_an_a_pose_points_where_ours_does() -> None:
-    if not AVATAR.exists():
-        pytest.skip("no ../shared/data with an avatar")
     found = read(to_avatar_glb(MOTION, BODY, AVATAR.read_bytes(), RIGS))
     names = (RIGS["ready_player_me"].names[FOREARM[0]], RIGS["ready_player_me"].names[FOREARM[1]])
     assert directions(found, names) == pytest.approx(ours(FOREARM), abs=1e-4)

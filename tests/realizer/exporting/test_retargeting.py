@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.shared_data import AVATAR, needs
 from understudy.errors import AuthoringError, InputError
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.exporting.retargeting import find_rig, load_rigs
 
 BODY = Skeleton.standing()
 FOLDER = Path(__file__).parents[3] / "lexicon" / "retarget"
-AVATAR = Path(__file__).parents[4] / "shared" / "data" / "motion" / "avatar" / "cc0_avatar.glb"
 RIGS = load_rigs(FOLDER, BODY)
 
 
@@ -45,9 +45,8 @@ def test_unreals_axes_and_unit_are_noted() -> None:
     assert (RIGS["unreal"].unit_m, RIGS["unreal"].up, RIGS["unreal"].rest) == (0.01, "Z", "A-pose")
 
 
+@needs(AVATAR)
 def test_ready_player_mes_names_are_those_of_an_avatar() -> None:
-    if not AVATAR.exists():
-        pytest.skip("no ../shared/data with an avatar")
     content = AVATAR.read_bytes()
     described = json.loads(content[20 : 20 + struct.unpack("<I", content[12:16])[0]])
     assert set(RIGS["ready_player_me"].names.values()) <= {node["name"] for node in described["nodes"]}

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from sklearn.svm import SVC
 
+from tests.support.shared_data import SHARED_SPEECH, needs
 from training.agitation import choosing
 from training.agitation.choosing import choose
 from training.agitation.conditions import TRAINING_CONDITIONS
@@ -25,8 +26,6 @@ from training.agitation.fuzzy_svm import (
 from understudy.acoustic.agitation.agitation import squared_distances
 from understudy.acoustic.agitation.speaker import SpeakerReference, TypicalSpeaker
 from understudy.model import Audio, Level
-
-SHARED_SPEECH = Path(__file__).resolve().parents[4] / "shared" / "data" / "speech"
 
 RECIPE = Recipe(features=12, reach=0.25, cost=1.0, corpus_shares={"clouds": 1.0})
 
@@ -241,7 +240,7 @@ def test_no_speaker_is_in_two_folds() -> None:
     assert all(set(speakers[fold]).isdisjoint(speakers[~fold]) for fold in folds)
 
 
-@pytest.mark.skipif(not SHARED_SPEECH.is_dir(), reason="needs ../shared")
+@needs(SHARED_SPEECH)
 def test_labels_are_read_as_memberships() -> None:
     recordings = read_recordings(SHARED_SPEECH, ("ravdess",))
     assert all(sum(recording.memberships) == 1 for recording in recordings)
