@@ -6,6 +6,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from ..acoustic.pronunciation.normalisation import Normaliser
+from ..acting.families import load_families
 from ..bml.choice.characters import Characters
 from ..bml.choice.table import BehaviorEntry, load_table
 from ..errors import AuthoringError, InputError, Mistake
@@ -38,6 +39,9 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "abbreviations.yaml": lambda file: Normaliser.load(file, ()),
         "behaviors.yaml": load_table,
         "face.yaml": FaceTables.load,
+        "families.yaml": lambda file: load_families(
+            file, load_table(resource_folder("lexicon") / "behaviors.yaml").lines
+        ),
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
@@ -58,6 +62,7 @@ def check_files_in_use() -> None:
         lambda: MappingRules.load(RULES, load_characters().behavior_names),
         load_gestures,
         partial(FaceTables.load, lexicon / "face.yaml"),
+        lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     ) or _mistakes_of(lambda: check_coverage(lexicon, load_gestures()))
     if mistakes:

@@ -40,6 +40,7 @@ WRONG = {
     "priorities.yaml": ("negation: {plain: 5}\naffirmation: {plain: much}\n", 2),
     "behaviors.yaml": ("behaviors: {}\ntimings: {}\nmore: 1\n", 3),
     "face.yaml": ("units: {}\nlexemes: {}\nmore: 1\n", 3),
+    "families.yaml": ("gesture: {}\nhead: {}\nface: {frown: [smirk]}\nshows: {}\n", 3),
     "aliases.yaml": ("aliases:\n  WAVE: [HELLO]\n", 2),
     "wave.gesture": ("GESTURECLASS emblem\nGESTUREINSTANCE wave\nDURATION no\n", 3),
 }

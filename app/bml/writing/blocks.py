@@ -97,8 +97,11 @@ def _face(behavior: Behavior, times: Times) -> Element:
 
 
 def _posture(behavior: Behavior, times: Times) -> Element:
+    """A `postureShift`, which lasts, or the `posture`, from which the body comes back."""
     stance = Element("stance", {"type": "STANDING"})
     pose = Element("pose", {"part": "WHOLEBODY", "lexeme": behavior.lexeme})
+    if behavior.sync.relax is not None and behavior.sync.relax < behavior.sync.end:
+        return Element("posture", {"id": behavior.id, **times}, (stance, pose))
     return Element("postureShift", {"id": behavior.id, **_ends(times)}, (stance, pose))
 
 

@@ -72,7 +72,7 @@ def test_an_alternative_that_fits_is_preferred_to_one_that_must_be_shortened() -
     swept_or_pointed = between((movement("gesture_future", 7),), (movement("gesture_here", 7),))
     alone, _ = settled(swept_or_pointed)
     beside, _ = settled(winner, swept_or_pointed)
-    assert lexemes(alone) == ["SWEEP_FORWARD"]
+    assert lexemes(alone) == ["FUTURE"]
     assert "shortened" in (beside[-1].reason or "") or lexemes(beside)[-1] == "HERE"
 
 

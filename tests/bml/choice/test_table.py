@@ -3,6 +3,7 @@ from pathlib import Path
 
 import pytest
 
+from understudy.acting.families import load_families
 from understudy.bml.choice.table import UNASKED, Anchor, load_table
 from understudy.errors import AuthoringError
 from understudy.model import Channel, Hand
@@ -99,8 +100,12 @@ def test_every_behaviour_is_documented() -> None:
     assert missing == []
 
 
-def test_every_behaviour_is_chosen_by_a_rule_or_done_unasked() -> None:
-    postures = {name for name in load_table(TABLE).lines if name.startswith("rest_")}
+def test_every_behaviour_is_chosen_by_a_rule_or_for_a_family_or_done_unasked() -> None:
+    table = load_table(TABLE)
+    postures = {name for name in table.lines if name.startswith("rest_")}
+    families = load_families(TABLE.parent / "acting" / "families.yaml", table.lines)
+    asked = [each for part in (families.gesture, families.head, families.face) for each in part.values()]
+    acted = {behavior.name for behaviors in asked for behavior in behaviors}
     rules = (TABLE.parents[1] / "app" / "rules" / "behaviors").glob("*.rules")
     called = {name for path in rules for name in re.findall(r"(\w+)\(\$\w+, \$end\)", path.read_text(encoding="utf-8"))}
-    assert load_table(TABLE).lines.keys() - called - postures - set(UNASKED) == set()
+    assert table.lines.keys() - called - acted - postures - set(UNASKED) == set()

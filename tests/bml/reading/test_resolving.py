@@ -26,7 +26,7 @@ def resolved(inside: str, words: tuple[Word, ...] = ()) -> Resolved:
 
 def in_core_bml(behavior: Behavior) -> Behavior:
     """What core BML can say of one of our behaviours."""
-    shifts = behavior.lexeme == "SHIFT" or behavior.kind is Channel.POSTURE
+    shifts = behavior.lexeme == "SHIFT"
     sync = behavior.sync
     return replace(
         behavior,

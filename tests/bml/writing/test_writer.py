@@ -141,11 +141,19 @@ def test_a_gaze_beside_its_target_has_an_angle() -> None:
 
 
 def test_a_posture_has_a_stance_and_a_pose() -> None:
-    shift = written(behavior(Channel.POSTURE, "LEAN_BACK"))
+    shift = written(behavior(Channel.POSTURE, "LEAN_BACK", SyncPoints(start=0.1, ready=0.75, relax=0.75, end=0.75)))
+    assert (shift.tag, shift.get("start"), shift.get("end")) == (f"{{{CORE}}}postureShift", "0.100", "0.750")
     assert [(part.tag.split("}")[1], attributes(part)) for part in shift] == [
         ("stance", {"type": "STANDING"}),
         ("pose", {"part": "WHOLEBODY", "lexeme": "LEAN_BACK"}),
     ]
+
+
+def test_a_posture_from_which_the_body_comes_back_is_no_shift() -> None:
+    lean = written(behavior(Channel.POSTURE, "LEAN_FORWARD", PEAK))
+    assert lean.tag == f"{{{CORE}}}posture"
+    syncs = {name: value for name, value in attributes(lean).items() if name != "id"}
+    assert syncs == {"start": "0.100", "ready": "0.250", "relax": "0.750", "end": "1.000"}
 
 
 def test_where_nothing_is_said_there_is_no_speech() -> None:
