@@ -8,6 +8,7 @@ know nothing of the stages; the forms in which results leave (BML, TextGrid, CTM
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial, reduce
+from types import MappingProxyType
 from typing import Self
 
 from .acoustic.agitation.agitation import AgitationModel
@@ -20,7 +21,10 @@ from .acoustic.signal.decoding import AudioLimits, decode
 from .acoustic.stress.emphasis import Measure, with_emphasis
 from .acoustic.stress.prominence import prominence
 from .acoustic.stress.stress import stress
-from .bml.choice.characters import Characters
+from .acting.candidates import Stage, candidates_of
+from .acting.families import Families, load_families
+from .acting.planning import Planner, plan
+from .bml.choice.characters import Character, Characters
 from .bml.choice.listening import listen
 from .bml.choice.scheduling import schedule
 from .bml.choice.visemes import visemes
@@ -36,6 +40,7 @@ from .model import (
     Level,
     Listening,
     Mode,
+    Moment,
     Notice,
     Parse,
     Performance,
@@ -85,6 +90,9 @@ Progress = Callable[[str], None]
 """Told the name of each stage as it begins."""
 
 DEFAULT_CHARACTER = "default"
+
+QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
+"""How much the body does at each level of agitation (paper §1), beside how much it does by itself."""
 
 
 def no_progress(_stage: str) -> None:
@@ -205,14 +213,26 @@ class LanguageModels:
 class BehaviorModels:
     """What moving needs (paper §3.4, §3.5)."""
 
+    settings: Settings
     characters: Characters
     rules: MappingRules
+    families: Families
+    planner: Planner
 
     @classmethod
-    def load(cls) -> "BehaviorModels":
-        """Raises AuthoringError with every mistake in characters, behaviour table and mapping rules."""
-        characters = Characters.load(resource_folder("lexicon"))
-        return cls(characters=characters, rules=MappingRules.load(RULES, characters.behavior_names))
+    def load(cls, settings: Settings) -> "BehaviorModels":
+        """Raises AuthoringError with every mistake in characters, behaviour table, families and mapping rules,
+        ServiceError when a model is missing or broken."""
+        lexicon = resource_folder("lexicon")
+        characters = Characters.load(lexicon)
+        families = load_families(lexicon / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
+        return cls(
+            settings=settings,
+            characters=characters,
+            rules=MappingRules.load(RULES, characters.behavior_names),
+            families=families,
+            planner=Planner.load(resource_folder("models") / "acting", families),
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,7 +250,7 @@ class Understudy:
         return cls(
             acoustic=AcousticModels.load(settings),
             language=LanguageModels.load(settings),
-            behavior=BehaviorModels.load(),
+            behavior=BehaviorModels.load(settings),
             realizer=realizer,
         )
 
@@ -251,8 +271,13 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
     """
     character = understudy.behavior.characters.named(options.character)
     analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
+    progress("plan")
+    moments = plan_moments(understudy.behavior, analysis, character)
     progress("mapping")
     candidates = offer_movements(understudy.behavior.rules, analysis.utterance, analysis.functions, seed=options.seed)
+    if understudy.behavior.settings.choice == "terms":
+        stage = Stage(understudy.behavior.families, character.lexemes, options.seed)
+        candidates = candidates_of(stage, analysis.utterance, moments, candidates)
     progress("schedule")
     behaviors = schedule(candidates, analysis.utterance, character, seed=options.seed, mode=options.mode)
     lips, lip_notices = visemes(analysis.utterance.words, analysis.utterance.duration_s or 0.0)
@@ -264,8 +289,21 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
         seed=options.seed,
         notices=analysis.notices + lip_notices,
         visemes=lips,
+        moments=moments,
     )
     return reduce(partial(_heard_by, understudy.behavior.characters), options.listeners, performance)
+
+
+def plan_moments(behavior: BehaviorModels, analysis: Analysis, character: Character) -> tuple[Moment, ...]:
+    """What the line's phrases mean to the body; nothing where functions choose by priority alone, as in the paper.
+
+    How much is done depends on the speaker's agitation (paper §1) and on who performs.
+    """
+    if behavior.settings.choice != "terms":
+        return ()
+    agitation = analysis.utterance.agitation
+    quantity = QUANTITY[agitation.level if agitation else Level.MEDIUM] * character.liveliness
+    return plan(behavior.planner, analysis.utterance, analysis.functions, quantity=quantity)
 
 
 def listener_part(performance: Performance, listening: Listening) -> Performance:

@@ -86,7 +86,12 @@ def read_again(understudy: Understudy) -> Understudy:
     """
     rules, lexicon = files_in_use()
     language = replace(understudy.language, rules=FunctionRules.load(rules, lexicon / "en"))
-    return replace(understudy, language=language, behavior=BehaviorModels.load(), realizer=Realizer.load(lexicon))
+    return replace(
+        understudy,
+        language=language,
+        behavior=BehaviorModels.load(understudy.behavior.settings),
+        realizer=Realizer.load(lexicon),
+    )
 
 
 def _still_unused(rules: Sequence[Rule], derivation: Derivation) -> list[Rule]:

@@ -20,6 +20,9 @@ from .conflicts import Fitted, Kept, fitted
 REPEAT_S = 5.0
 """No gesture is made twice within this time, from stroke to stroke."""
 
+PLANNED_REPEAT_S = 1.2
+"""The same for planned gestures: directors have people deny twice what they deny twice."""
+
 HAND_SWITCH_S = 2.0
 """The hand in use stays in use for this long, from stroke to stroke."""
 
@@ -40,7 +43,7 @@ NEAR_UNIT_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """What the choice depends on besides the candidates: the words that have times, who moves, and how many gestures."""
+    """What the choice depends on besides the candidates: the timed words, who moves, and how many gestures."""
 
     timed: tuple[Word, ...]
     character: Character
@@ -60,16 +63,11 @@ def choose(candidates: Iterable[BehaviorCandidates], line: Line) -> tuple[Kept, 
     """What is done, and what was asked and is not, with the reasons; each function by one alternative at most."""
     kept: Kept = ()
     lost: list[Behavior] = []
-    for offer in sorted(candidates, key=_rank):
+    for offer in sorted(candidates, key=lambda each: each.rank):
         attempt = _best(offer, kept, line)
         kept = attempt.kept
         lost += attempt.lost
     return kept, tuple(lost)
-
-
-def _rank(offer: BehaviorCandidates) -> tuple[float, int, int, str]:
-    function = offer.function
-    return -function.priority, function.first, function.last, function.id
 
 
 def _best(offer: BehaviorCandidates, kept: Kept, line: Line) -> _Attempt:
@@ -107,7 +105,7 @@ def _attempted(alternative: Alternative, number: int, kept: Kept, line: Line) ->
     own: list[Fitted] = []
     lost: list[Behavior] = []
     for place, movement in enumerate(alternative.movements):
-        name = f"{movement.function}.{number}.{place}"
+        name = f"{movement.moment or movement.function}.{number}.{place}"
         candidate = asked(movement, line.character.entries[movement.name], line.timed, name)
         outcome = _taken(with_hand(candidate, kept, line.character.handedness), kept, line)
         if isinstance(outcome, Fitted):
@@ -134,8 +132,9 @@ def _refused(behavior: Behavior, gestures: list[Behavior], most_gestures: int) -
     """The gesture as a loser where the character would not make it beside those it makes."""
     for other in gestures:
         apart_s = abs(_stroke_s(behavior) - _stroke_s(other))
-        if other.lexeme == behavior.lexeme and apart_s < REPEAT_S:
-            return _lost_to(other, behavior, f"{other.lexeme} is made already within {REPEAT_S:g} s")
+        repeat_s = PLANNED_REPEAT_S if behavior.moment else REPEAT_S
+        if other.lexeme == behavior.lexeme and apart_s < repeat_s:
+            return _lost_to(other, behavior, f"{other.lexeme} is made already within {repeat_s:g} s")
         if _switches(behavior, other) and apart_s < HAND_SWITCH_S:
             return _lost_to(other, behavior, f"the other hand is in use for {other.lexeme}")
     if len(gestures) >= most_gestures:
