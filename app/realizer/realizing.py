@@ -1,7 +1,7 @@
-"""BML in, motion out, in the order of the paper's controllers (§3.8): the whole body first, the eyelids last.
+"""Realizes a BML schedule as motion, with the paper's controllers (§3.8) in order: the idle body first, the face last.
 
-Each controller takes the body's motion so far and gives it back changed: gestures and gaze override the joints that
-they move, head movements are added to what is there, and what would go through the body is moved out of it at the end.
+Each controller takes the body's motion so far and returns a new one. Gestures and gaze override the joints that they
+move, head movements are added to the current rotations, and a last pass resolves collisions of the arms with the body.
 """
 
 from collections.abc import Mapping
@@ -30,7 +30,7 @@ from .torso.idle import idle
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Realizer:
-    """What realizing needs, loaded once: the body, its gestures and its face."""
+    """The resources that realization needs, loaded once: skeleton, gesture library, face tables and export rigs."""
 
     skeleton: Skeleton
     library: Library
@@ -39,7 +39,10 @@ class Realizer:
 
     @classmethod
     def load(cls, lexicon: Path) -> "Realizer":
-        """From a lexicon folder. Raises AuthoringError with every mistake in the first kind of file that has any."""
+        """Load everything from a lexicon folder.
+
+        Raises AuthoringError with all mistakes of the first kind of file that has any.
+        """
         skeleton = Skeleton.standing()
         return cls(
             skeleton=skeleton,
@@ -49,12 +52,12 @@ class Realizer:
         )
 
     def rig(self, name: str) -> Rig:
-        """The joints' names in a rig; raises InputError `unknown_skeleton`."""
+        """The rig of this name, with its joint names. Raises InputError `unknown_skeleton`."""
         return find_rig(self.rigs, name)
 
 
 def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, seed: int = 0) -> Motion:
-    """The motion of a schedule, from 0 until it is over and the hands are at rest."""
+    """The motion of a schedule, from time 0 until the audio is over and the hands are back at rest."""
     plan = plan_gestures(realizer.library, schedule, seed=seed)
     times_s = frame_times_s(max(schedule.duration_s, plan.end_s), frame_rate_hz)
     skeleton = realizer.skeleton
@@ -79,11 +82,12 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
 
 
 def frame_times_s(end_s: float, frame_rate_hz: int) -> FloatArray:
-    """The times of the frames, two at least, until the first that is not before `end_s`."""
+    """Times (T,) of the frames, at least two, up to the first one at or after `end_s`."""
     return np.arange(max(2, int(np.ceil(end_s * frame_rate_hz)) + 1)) / frame_rate_hz
 
 
 def _realized(behaviors: tuple[Behavior, ...], plan: GesturePlan, *, frame_s: float) -> dict[str, SyncPoints]:
-    """When everything really happens: gestures as planned, faces as fast as they can, all else as scheduled."""
+    """The sync points as realized: gestures as planned, faces within their speed limits, everything else as
+    scheduled."""
     others = {each.id: each.sync for each in behaviors if each.kind is not Channel.GESTURE}
     return {**others, **realized_faces(behaviors, frame_s), **plan.realized}

@@ -1,8 +1,8 @@
-"""The performance on somebody else's avatar: its GLB or VRM with our motion as its animation.
+"""Exports the motion on another avatar: its own GLB or VRM file, with the motion as its animation.
 
-Its rest pose may be any: where an arm, a leg or a finger does not point as in our T-pose (an A-pose does not), it is
-first turned there, by the least turn. What the rig does not name stays as it is. Face shapes go to every mesh that has
-targets of ARKit's names. Conventions as in `understudy.realizer.exporting.avatar_reading`.
+The rest pose may be any: where an arm, leg or finger does not point as in our T-pose (as in an A-pose), it is first
+rotated there by the smallest rotation. Nodes that the rig does not name keep their rest pose. Face weights go to every
+mesh that has morph targets with ARKit's names. Conventions as in `understudy.realizer.exporting.avatar_reading`.
 """
 
 from collections.abc import Mapping
@@ -28,13 +28,13 @@ _POINTED: tuple[tuple[str, str], ...] = (
     *((f"{finger}Proximal", f"{finger}Intermediate") for finger in FINGERS[1:]),
     *((f"{finger}Intermediate", f"{finger}Distal") for finger in FINGERS[1:]),
 )
-"""Joints that are turned so that they point to the second as in our T-pose."""
+"""Joints that are rotated to point to the second joint as in our T-pose."""
 
 
 def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mapping[str, Rig]) -> bytes:
     """The avatar's file with the motion as its only animation.
 
-    Raises UndecodableError when it is no binary glTF, and InputError `unknown_avatar` when its joints are not found.
+    Raises UndecodableError if it is not binary glTF, and InputError `unknown_avatar` if its joints are not found.
     """
     found = read_avatar(avatar, rigs)
     tree = dict(found.tree)
@@ -48,7 +48,7 @@ def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mappi
 
 
 def _add_body(tracks: Tracks, avatar: Avatar, motion: Motion, skeleton: Skeleton) -> None:
-    """The joints' local rotations, and the hips' place in proportion to the avatar's legs."""
+    """The joints' local rotations, and the hips' position scaled to the length of the avatar's legs."""
     turned = _turned(avatar, motion, skeleton)
     for joint, node in avatar.nodes.items():
         if joint in skeleton.index:
@@ -59,7 +59,7 @@ def _add_body(tracks: Tracks, avatar: Avatar, motion: Motion, skeleton: Skeleton
 
 
 def _turned(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> dict[int, FloatArray]:
-    """How each node is turned in the world in each frame (T, 4): by our joint, or else with its parent."""
+    """The rotation of each node in the world in each frame (T, 4): that of our joint, or else its parent's."""
     front = _front(avatar)
     _places, ours = forward(skeleton, motion.body.rotations, motion.body.hips_m)
     to_t_pose = _to_t_pose(avatar, skeleton)
@@ -78,13 +78,13 @@ def _turned(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> dict[int, Flo
 
 
 def _front(avatar: Avatar) -> FloatArray:
-    """Half a turn about Y if the avatar faces -Z, as VRM 0 does; else none."""
+    """A half turn about Y if the avatar faces -Z, as in VRM 0; else the identity."""
     left, right = (avatar.places_m[avatar.nodes[f"{side}UpperArm"], 0] for side in SIDES)
     return about((0.0, 1.0, 0.0), np.array(0.0 if left > right else np.pi))
 
 
 def _to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
-    """The turn that takes each joint from the avatar's rest pose to our T-pose, with all that hangs on it."""
+    """The rotation of each joint, with its descendants, from the avatar's rest pose to our T-pose."""
     ours_m, front = t_pose_m(skeleton), _front(avatar)
     pointed = {side + first: side + second for side in SIDES for first, second in _POINTED}
     turns: dict[str, FloatArray] = {}
@@ -100,7 +100,7 @@ def _to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
 
 
 def _hips_m(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> FloatArray:
-    """Where the hips' node is in its parent (T, 3)."""
+    """The position of the hips' node relative to its parent (T, 3)."""
     node = avatar.nodes["hips"]
     rest_m = skeleton.offsets_m[0]
     size = avatar.places_m[node, 1] / rest_m[1]
@@ -115,7 +115,8 @@ def _hips_m(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> FloatArray:
 
 
 def _add_faces(tracks: Tracks, avatar: Avatar, motion: Motion) -> None:
-    """A weights track for each mesh with targets of ARKit's names. Eyeballs that turn by joints are not moved twice."""
+    """A weights track for each mesh with ARKit's morph targets. Eyes that turn by joints get no look weights as
+    well."""
     eyes_turn = all(f"{side}Eye" in avatar.nodes for side in SIDES)
     weights = np.clip(motion.shapes, 0.0, 1.0)
     for number, node in enumerate(avatar.tree["nodes"]):

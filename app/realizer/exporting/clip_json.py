@@ -1,8 +1,8 @@
-"""A clip as JSON, for engines that play it by themselves (docs/motion-formats.md has the schema).
+"""Exports a clip as JSON for game engines (schema in docs/motion-formats.md).
 
-Conventions: metres, seconds from the first frame, quaternions x y z w local to the joint's parent, T-pose at the
-identity. A track that never changes has one value instead of one a frame. Numbers are written in text at a time for a
-whole track, so that ten minutes need little memory.
+Conventions: metres, seconds from the first frame, quaternions x y z w local to the joint's parent, the T-pose is the
+identity. A constant track has one value instead of one per frame. Numbers are formatted one track at a time, so that
+ten minutes need little memory.
 """
 
 import io
@@ -26,10 +26,10 @@ ROTATION_DECIMALS, PLACE_DECIMALS, WEIGHT_DECIMALS = 5, 4, 4
 
 
 def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig, *, visemes: FloatArray | None = None) -> bytes:
-    """The clip with the rig's names of the joints; a line a track.
+    """The clip with the rig's joint names, one line per track.
 
-    `visemes` are weights (T, 15) for rigs that have visemes as shapes (`understudy.realizer.face.lips.viseme_weights`);
-    they stand for the mouth's blendshapes, not beside them.
+    `visemes` are weights (T, 15) for rigs that have visemes as morph targets
+    (`understudy.realizer.face.lips.viseme_weights`); they replace the blendshapes of the mouth.
     """
     content = io.BytesIO()
     content.write(b"{\n")
@@ -47,7 +47,7 @@ def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig, *, visemes: Float
 
 
 def _head(motion: Motion, skeleton: Skeleton, rig: Rig) -> dict[str, Json]:
-    """All but the tracks."""
+    """Everything but the tracks."""
     return {
         "format": FORMAT,
         "version": VERSION,
@@ -89,7 +89,7 @@ def _weights(names: tuple[str, ...], weights: FloatArray) -> Iterator[tuple[str,
 
 
 def _write_tracks(content: io.BytesIO, key: str, tracks: Iterator[tuple[str, str]]) -> None:
-    """An object of tracks by name."""
+    """Write an object of tracks by name."""
     content.write(f"{json.dumps(key)}: {{".encode())
     separators = chain([""], repeat(","))
     content.writelines(
@@ -100,7 +100,7 @@ def _write_tracks(content: io.BytesIO, key: str, tracks: Iterator[tuple[str, str
 
 
 def _track(values: FloatArray, decimals: int) -> str:
-    """A JSON array of values (T,) or of arrays of them (T, N); only the first, if all are the same."""
+    """A JSON array of values (T,) or of arrays (T, N); only the first element if all are equal."""
     rounded = np.round(values, decimals) + 0.0
     if np.all(rounded == rounded[:1]):
         rounded = rounded[:1]

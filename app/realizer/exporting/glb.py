@@ -1,7 +1,8 @@
-"""glTF binary: the mannequin, skinned, with a face of 52 ARKit shapes and 15 visemes, and its motion.
+"""Exports binary glTF: the skinned mannequin with 52 ARKit blendshapes and 15 visemes, animated.
 
-Conventions (shared/motion.md): metres, seconds from the first frame, LINEAR tracks. Rotations of neighbouring keys have
-one sign. The weights of all shapes are one track; the visemes' stay 0: the ARKit shapes show what they would.
+Conventions (shared/motion.md): metres, seconds from the first frame, LINEAR interpolation. Successive quaternions have
+continuous signs. The weights of all morph targets are one track; the visemes' stay 0, since the ARKit shapes already
+show the speech.
 """
 
 from collections.abc import Mapping
@@ -20,7 +21,7 @@ from .gltf import Accessors, Json, Tracks, binary, joint_nodes
 
 
 def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:
-    """The file; any glTF viewer shows it."""
+    """The GLB file."""
     mannequin = Mannequin.around(skeleton)
     accessors = Accessors()
     nodes = joint_nodes(skeleton)
@@ -82,7 +83,7 @@ def _material(name: str) -> Json:
 
 
 def _skin(skeleton: Skeleton, accessors: Accessors) -> Json:
-    """The joints' inverse bind matrices: in the T-pose nothing turns, so they only move."""
+    """The joints' inverse bind matrices: pure translations, since no joint is rotated in the T-pose."""
     matrices = np.tile(np.eye(4), (len(skeleton.names), 1, 1))
     matrices[:, 3, :3] = -t_pose_m(skeleton)
     return {
@@ -104,7 +105,7 @@ def _animation(motion: Motion, face: int, accessors: Accessors) -> Json:
 
 
 def clock_s(motion: Motion) -> FloatArray:
-    """The frames' times (T,) from the first on."""
+    """The frames' times (T,), starting at 0."""
     return np.arange(len(motion.body.times_s)) / motion.frame_rate_hz
 
 

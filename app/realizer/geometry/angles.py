@@ -1,7 +1,7 @@
-"""Turns as people describe them: how far down, to the left, and to which shoulder.
+"""Rotations as pitch, yaw and roll.
 
-Conventions: radians. `pitch` looks down (about x), `yaw` looks to the character's left (about y), `roll` lowers the
-character's right side (about z); yaw is done last. A direction is a unit vector, (0, 0, 1) straight ahead.
+Conventions: radians. Positive `pitch` looks down (about x), `yaw` to the character's left (about y), `roll` tilts to
+the character's right (about z); roll is applied first, yaw last. A direction is a vector; (0, 0, 1) is straight ahead.
 """
 
 import numpy as np
@@ -33,11 +33,11 @@ def angles(q: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 
 def aim(direction: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Pitch and yaw of the directions (…, 3) of any length."""
+    """Pitch and yaw of the directions (…, 3), of any length."""
     x, y, z = (direction[..., k] for k in range(3))
     return np.arctan2(-y, np.hypot(x, z)), np.arctan2(x, z)
 
 
 def direction(pitch: FloatArray, yaw: FloatArray) -> FloatArray:
-    """Where one looks (…, 3) that is turned so."""
+    """The unit vectors (…, 3) with this pitch and yaw."""
     return np.stack([np.cos(pitch) * np.sin(yaw), -np.sin(pitch), np.cos(pitch) * np.cos(yaw)], axis=-1)

@@ -1,6 +1,6 @@
-"""What makes no sense in a gesture that is written well (Gesture Engine §4.3): times, phases, strokes, names.
+"""Semantic checks of parsed gestures (Gesture Engine §4.3): frame times, phases, strokes, duplicate names.
 
-Frame times rise within 0 … 1, phases follow each other, the stroke is there, the first frame puts the arm somewhere.
+Frame times increase within 0 … 1, phases are in order, there is a stroke, and the first frame places the arm.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -13,18 +13,18 @@ from .language import mistake_in
 from .statements import FrameTree, GestureFile, GestureTree, Located, Statement, Word
 
 IN_ORDER: tuple[FrameType, ...] = tuple(FrameType)
-"""The order of the phases."""
+"""The phases in order."""
 
 REPEATED = frozenset({FrameType.PREPARATION, FrameType.STROKE, FrameType.HOLD, FrameType.RETRACTION})
-"""Poses inside a phase: as many as it takes. The other types are moments, of which there is one."""
+"""Poses within a phase, which may occur any number of times. The other types are instants and occur once."""
 
 _PARTS = frozenset({"FINGER", "JOINT", "EXPRESSIVITY"})
-"""Statements that may stand several times, each with another first word."""
+"""Statements that may occur several times, each with a different first word."""
 
 
 @dataclass(frozen=True, slots=True)
 class TimedFrame:
-    """A frame as understood; None where its file is wrong. `type_at` is where its type stands."""
+    """An interpreted frame; fields are None where the file is wrong. `type_at` is the position of its type."""
 
     tree: FrameTree
     time: float | None
@@ -36,7 +36,7 @@ class TimedFrame:
 
 
 def frame_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[Located]:
-    """All that is wrong with the frames of a gesture together."""
+    """All mistakes in the frames of a gesture."""
     for frame in frames:
         sound = all(statement.sound for statement in frame.tree.statements)
         if sound and not any(statement.keyword.text == "FRAMETYPE" for statement in frame.tree.statements):
@@ -49,7 +49,7 @@ def frame_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[
 
 
 def said_twice(statements: Iterable[Statement]) -> Iterator[Located]:
-    """The lines of a frame or a header that say again what an earlier one says."""
+    """The lines of a frame or header that repeat an earlier statement."""
     seen: dict[tuple[str, ...], Word] = {}
     for statement in statements:
         keyword = statement.keyword
@@ -62,7 +62,7 @@ def said_twice(statements: Iterable[Statement]) -> Iterator[Located]:
 
 
 def names_twice(files: Sequence[GestureFile]) -> Iterator[Mistake]:
-    """Gestures of one name, in one file or several: a mistake at each but the first."""
+    """Gestures with the same name, in one file or several: a mistake at each but the first."""
     first: dict[str, tuple[GestureFile, Word]] = {}
     for file in files:
         for name in (word for tree in file.gestures for word in _names(tree)):
@@ -101,7 +101,7 @@ def _phase_mistakes(frames: Sequence[TimedFrame]) -> Iterator[Located]:
 
 
 def _stroke_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[Located]:
-    """Only the stroke is mandatory, and it takes time: from a frame before it or its start, to its end."""
+    """Only the stroke is mandatory. It must have a duration: from its start or the frame before it, to its end."""
     types = [frame.type for frame in frames]
     ends = [position for position, type_ in enumerate(types) if type_ in {FrameType.STROKE, FrameType.STROKE_END}]
     if not frames:
@@ -115,7 +115,7 @@ def _stroke_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterato
 
 
 def _place_mistakes(frames: Sequence[TimedFrame]) -> Iterator[Located]:
-    """Where a gesture begins must be said; what follows may leave it open."""
+    """The first frame must place the arm; later ones may leave the place open."""
     for frame in frames[:1]:
         fixed = {name for name, _ in frame.leading.joints}
         if frame.leading.place is None and not {"UpperArm", "LowerArm"} <= fixed:

@@ -1,7 +1,7 @@
-"""Gesture definitions out of what a file says (`statements.py`), or every mistake in them.
+"""Builds gesture definitions from parsed statements (`statements.py`), collecting every mistake.
 
-A level of agitation that a file says nothing of is made from medium: low smaller, slower and rounder, high larger,
-faster and sharper. What OTHER does not say in a frame that has it, the other arm does as the mirror image.
+Levels of agitation that a file does not define are derived from medium: low is smaller, slower and smoother, high
+larger, faster and sharper. In a frame with OTHER, whatever it leaves open is mirrored from the leading arm.
 """
 
 import re
@@ -24,7 +24,7 @@ FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(
 SUMMANDS: Mapping[Level, tuple[float, float, float]] = MappingProxyType(
     {Level.LOW: (0.2, -0.2, -0.2), Level.MEDIUM: (0.0, 0.0, 0.0), Level.HIGH: (-0.15, 0.25, 0.3)}
 )
-"""Fluidity, power and repetition of a level, on top of medium's."""
+"""Fluidity, power and repetition of a level, added to medium's."""
 RANGES: Mapping[str, tuple[float, float]] = MappingProxyType(
     {
         "amplitude": (0.25, 2.0),
@@ -52,7 +52,7 @@ class _Header:
 
 
 def definition(tree: GestureTree, path: Path | None, wrong: list[Located]) -> Definition | None:
-    """The gesture that `tree` defines; None when anything in it is wrong, and each mistake in `wrong`."""
+    """The gesture defined by `tree`, or None if it has mistakes, which are appended to `wrong`."""
     found: list[Located] = []
     header = _header(tree, found)
     both = header is None or header.hand is Hand.BOTH
@@ -76,7 +76,7 @@ def definition(tree: GestureTree, path: Path | None, wrong: list[Located]) -> De
 
 
 def derived(level: Level, medium: Expressivity) -> Expressivity:
-    """How a gesture that is made as `medium` at medium agitation is made at another, when its file does not say."""
+    """The default expressivity at `level` of a gesture with this expressivity at medium agitation."""
     amplitude, tempo = FACTORS[level]
     rounder, stronger, again = SUMMANDS[level]
     made = replace(
@@ -95,7 +95,7 @@ def _within(value: float, least: float, most: float) -> float:
 
 
 def _header(tree: GestureTree, wrong: list[Located]) -> _Header | None:
-    """None when a statement that it needs is missing, wrong or could not be read."""
+    """None if a required statement is missing, wrong or unreadable."""
     wrong += (*said_twice(tree.header), *_missing(tree))
     said = {statement.keyword.text: statement for statement in tree.header if statement.sound}
     hand = one_of(Hand, said["ARMS"].words[0], "an arm, nor both", wrong) if "ARMS" in said else None
@@ -121,7 +121,7 @@ def _header(tree: GestureTree, wrong: list[Located]) -> _Header | None:
 
 
 def _missing(tree: GestureTree) -> Iterator[Located]:
-    """What a header lacks; nothing when a line could not be read, which may be the one."""
+    """Required statements that are missing; none if a line was unreadable, since it may be the missing one."""
     if all(statement.sound for statement in tree.header):
         for keyword in sorted(NEEDED - {statement.keyword.text for statement in tree.header}):
             yield Located(tree.start, f"this gesture has no {keyword}")
@@ -142,7 +142,7 @@ def _repeated(words: Sequence[Word]) -> Iterator[Located]:
 
 
 def _levels(header: Iterable[Statement], wrong: list[Located]) -> Mapping[Level, Expressivity]:
-    """How the gesture is made at each level that it is fit for."""
+    """The expressivity at each level that the gesture suits."""
     sound = [statement for statement in header if statement.sound]
     listed = next((statement.words for statement in sound if statement.keyword.text == "LEVELS"), ())
     wrong += _repeated(listed)
@@ -164,7 +164,7 @@ def _levels(header: Iterable[Statement], wrong: list[Located]) -> Mapping[Level,
 
 
 def _factors(statement: Statement, wrong: list[Located]) -> dict[str, float]:
-    """Of one EXPRESSIVITY line: what it says of amplitude, tempo and the rest."""
+    """The values of one EXPRESSIVITY line."""
     found: dict[str, float] = {}
     wrong += _repeated(statement.words[1:])
     for name, value in zip(statement.words[1:], statement.numbers, strict=True):
@@ -198,7 +198,8 @@ def _timed(tree: FrameTree, wrong: list[Located], *, both: bool) -> TimedFrame:
 
 
 def mirrored_where_silent(other: ArmKey, leading: ArmKey) -> ArmKey:
-    """`other`, and what it leaves open as `leading` says it. Fingers are the hand's: they come with its form."""
+    """`other`, with undefined parts taken from `leading`. Finger bends belong to the hand shape and are copied with
+    it."""
     says_hand = other.hand is not None or other.fingers != ()
     kept = {"hand", "fingers"} if says_hand else set()
     silent = {

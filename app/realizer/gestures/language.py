@@ -1,7 +1,7 @@
-"""Reads gesture files (Gesture Engine §4.2): text in, gestures as written out (`statements.py`), or every mistake.
+"""Parses gesture files (Gesture Engine §4.2) into statements (`statements.py`), collecting every mistake.
 
-The language is a statement a line. Each line is parsed by itself, then lines are put together: GESTURECLASS begins a
-gesture, STARTFRAME … ENDFRAME hold a frame. What the words mean is for `definitions.py`.
+The language has one statement per line. Each line is parsed separately, then lines are assembled: GESTURECLASS begins a
+gesture, STARTFRAME … ENDFRAME enclose a frame. `definitions.py` interprets the words.
 """
 
 import re
@@ -29,7 +29,7 @@ HEADER: Mapping[str, str] = MappingProxyType(
         "EXPRESSIVITY": "EXPRESSIVITY low amplitude 0.8 tempo 0.9",
     }
 )
-"""The statements before the frames, each with an example of how it is written."""
+"""The statements before the frames, each with an example."""
 
 FRAME: Mapping[str, str] = MappingProxyType(
     {
@@ -49,11 +49,11 @@ FRAME: Mapping[str, str] = MappingProxyType(
 
 OTHER = "OTHER"
 OF_AN_ARM = frozenset({"ARM", "HAND", "FINGER", "WRIST", "SHOULDER", "JOINT"})
-"""The statements that OTHER may stand before."""
+"""The statements that may follow OTHER."""
 
 
 def read_gestures(path: Path) -> tuple[GestureFile, tuple[Mistake, ...]]:
-    """What could be read of the file at `path`, and what is wrong with its lines and their order."""
+    """The parsed file at `path`, as far as it is readable, and its syntax mistakes."""
     try:
         text = path.read_text(encoding="utf-8-sig")
     except OSError as error:
@@ -64,7 +64,7 @@ def read_gestures(path: Path) -> tuple[GestureFile, tuple[Mistake, ...]]:
 
 
 def parse_gestures(text: str, path: Path) -> tuple[GestureFile, tuple[Mistake, ...]]:
-    """As `read_gestures`, of text already read; `path` is where it says it comes from."""
+    """As `read_gestures`, for text in memory; `path` is for messages."""
     lines = tuple(line.expandtabs(1) for line in text.split("\n"))
     wrong: list[Located] = []
     gestures = _Assembly(wrong).of(_statements(lines, wrong))
@@ -73,7 +73,7 @@ def parse_gestures(text: str, path: Path) -> tuple[GestureFile, tuple[Mistake, .
 
 
 def mistake_in(file: GestureFile, found: Located) -> Mistake:
-    """A mistake with its file and the line it is on."""
+    """A located mistake with its file and source line."""
     at = found.at
     return Mistake(file.path, at.line, at.column, found.message, file.lines[at.line - 1].rstrip("\r"))
 
@@ -85,12 +85,12 @@ def _grammar() -> Lark:
 
 @lru_cache(maxsize=2048)
 def _parsed(code: str) -> Tree[Token]:
-    """Kept, for gestures repeat their lines: in a library one in six is new."""
+    """Cached, since gestures repeat lines: only one in six of a library is new."""
     return _grammar().parse(code)
 
 
 def _statements(lines: tuple[str, ...], wrong: list[Located]) -> Iterator[Statement]:
-    """Each line that says something; one that could not be read counts as what it most likely is."""
+    """The statement of each non-empty line; an unreadable one counts as what it most likely is."""
     for number, line in enumerate(lines, start=1):
         code = line.split("#", maxsplit=1)[0].rstrip()
         if not code.strip():
@@ -113,7 +113,7 @@ def _statement(tree: Tree[Token], line: int) -> Statement:
 
 
 def _words(code: str, line: int) -> list[Word]:
-    """The words of a line that could not be read; an empty one after them stands for its end."""
+    """The words of an unreadable line; an empty word marks its end."""
     words = [Word(found.group(), line, found.start() + 1) for found in re.finditer(r"\S+", code)]
     return [*words, Word("", line, len(code) + 1)]
 
@@ -124,7 +124,7 @@ def _column(error: UnexpectedInput, code: str) -> int:
 
 
 def _unread(words: list[Word], column: int, wrong: list[Located]) -> Statement:
-    """What a line was meant to be that cannot be read from `column` on; what is wrong with it goes to `wrong`."""
+    """The probable statement of a line that is unreadable from `column` on; its mistake is appended to `wrong`."""
     other = words[0].text == OTHER and len(words) > 2
     keyword = words[1] if other else words[0]
     known = {**HEADER, **FRAME}
@@ -148,7 +148,7 @@ def _nearest(word: str, known: Iterable[str]) -> str | None:
 
 
 class _Assembly:
-    """Puts statements together into gestures; what stands in the wrong place goes to `wrong`."""
+    """Assembles statements into gestures; misplaced ones are appended to `wrong`."""
 
     def __init__(self, wrong: list[Located]) -> None:
         self._wrong = wrong
@@ -207,6 +207,6 @@ class _Assembly:
         self._header, self._frames = [], []
 
     def _say(self, statement: Statement, message: str) -> None:
-        """Of lines that could be read: the others are mistakes already."""
+        """Report a mistake, but only on readable lines: the others have been reported already."""
         if statement.sound:
             self._wrong.append(Located(statement.keyword, message))

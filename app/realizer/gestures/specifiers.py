@@ -1,6 +1,6 @@
-"""What the lines of a frame say of an arm (Gesture Engine §4.2): sectors, hand shapes, fingers, wrists, joints.
+"""Interprets the statements of a frame (Gesture Engine §4.2): sectors, hand shapes, fingers, wrists, joints.
 
-Each function turns a sound statement into its value, or into None with what is wrong in `wrong`.
+Each function converts a readable statement into its value, or returns None and appends the mistake to `wrong`.
 """
 
 import re
@@ -45,13 +45,13 @@ THUMB_IN_FORM = frozenset(
         HandForm.CEE_OPEN,
     }
 )
-"""The forms that the thumb makes together with the fingers, so that it cannot stand otherwise."""
+"""The forms that include the thumb, which therefore cannot be given separately."""
 
 _DIRECTIONS = re.compile("|".join(Direction))
 
 
 def arm_key(statements: Iterable[Statement], wrong: list[Located]) -> ArmKey:
-    """What a frame's statements of one arm say together; each thing at most once."""
+    """The key that a frame's statements define for one arm; each part may be defined only once."""
     said = {(statement.keyword.text, *_part(statement)): statement for statement in statements}
     one = {name: statement for (name, *_), statement in said.items()}
     fingers = [finger(statement, wrong) for (name, *_), statement in said.items() if name == "FINGER"]
@@ -102,7 +102,7 @@ def finger(statement: Statement, wrong: list[Located]) -> tuple[Finger, Bend] | 
 
 
 def wrist(statement: Statement, wrong: list[Located]) -> Wrist | None:
-    """`WRIST FB… Palm…`: two sums of directions, at right angles to each other."""
+    """`WRIST FB… Palm…`: two sums of directions, orthogonal to each other."""
     base_word, palm_word = statement.words
     base, palm = _directions(FINGER_BASE, base_word, wrong), _directions(PALM, palm_word, wrong)
     if base is None or palm is None:
@@ -117,12 +117,12 @@ def wrist(statement: Statement, wrong: list[Located]) -> Wrist | None:
 
 
 def orthogonal(finger_base: Iterable[Direction], palm: Iterable[Direction]) -> bool:
-    """Whether the two sums of directions are at a right angle, exactly: the sums are whole. True of an empty one."""
+    """Whether the sums of directions are orthogonal; exact, since sums are integers. True if either is empty."""
     return sum(_dot(one, other) for one, other in product(finger_base, tuple(palm))) == 0
 
 
 def joint(statement: Statement, wrong: list[Located]) -> tuple[str, tuple[float, float, float]] | None:
-    """`JOINT name x y z`, degrees: the explicit override of Gesture Engine §4.2."""
+    """`JOINT name x y z` in degrees: the explicit override of Gesture Engine §4.2."""
     name = statement.words[0]
     known = name.text in ARM_JOINTS
     if not known:
@@ -132,7 +132,7 @@ def joint(statement: Statement, wrong: list[Located]) -> tuple[str, tuple[float,
 
 
 def number(word: Word, least: float, most: float, wrong: list[Located], *, unit: str = "") -> float | None:
-    """The number that `word` is, when it is in [least, most]."""
+    """The number, if it is in [least, most]."""
     value = float(word.text)
     if least <= value <= most:
         return value + 0.0
@@ -141,7 +141,7 @@ def number(word: Word, least: float, most: float, wrong: list[Located], *, unit:
 
 
 def one_of(names: type[Named], word: Word, what: str, wrong: list[Located]) -> Named | None:
-    """The member of `names` that `word` is."""
+    """The member of `names` with this value."""
     if word.text in set(names):
         return names(word.text)
     wrong.append(_unknown(what, word, list(names)))
@@ -149,7 +149,7 @@ def one_of(names: type[Named], word: Word, what: str, wrong: list[Located]) -> N
 
 
 def _unknown(what: str, word: Word, known: Iterable[str]) -> Located:
-    """The nearest of the known words when one is near; all of them when they are few."""
+    """Suggests the nearest of the known words, or lists all if they are few."""
     words = [str(one) for one in known]
     by_capitals = {one.lower(): one for one in words}
     close = get_close_matches(word.text.lower(), by_capitals, n=1)
@@ -159,7 +159,7 @@ def _unknown(what: str, word: Word, known: Iterable[str]) -> Located:
 
 
 def _part(statement: Statement) -> tuple[str, ...]:
-    """What tells two statements of one keyword apart: the finger, the joint."""
+    """What distinguishes two statements of one keyword: the finger or the joint."""
     return (statement.words[0].text,) if statement.keyword.text in {"FINGER", "JOINT"} else ()
 
 

@@ -1,8 +1,8 @@
-"""How a hand is held: finger base and palm as seen from the body → the forearm's twist and the hand's bend.
+"""Converts between hand orientation in the body's space, and forearm twist with wrist bend.
 
-Conventions: the left arm's, angles in radians, whole arrays (…) at once. In the T-pose a hand's fingers run along its
-x, the palm faces -y and the thumb z. A forearm's twist turns about its own x axis (pronation and supination; VRM has
-one joint for it, the lower arm's); the hand bends about z (palm-wards is negative) and y (thumb-wards is negative).
+Conventions: the left arm, angles in radians, vectorized (…). In the T-pose the fingers run along the hand's x axis, the
+palm faces -y and the thumb z. Forearm twist (pronation, supination) is about the forearm's x axis and belongs to VRM's
+lower arm joint; the hand bends about z (negative is flexion) and y (negative is towards the thumb).
 """
 
 from dataclasses import dataclass
@@ -26,7 +26,8 @@ from ..geometry.rotations import (
 
 LOWEST_DEG: FloatArray = np.array([-80.0, -20.0, -80.0])
 HIGHEST_DEG: FloatArray = np.array([80.0, 30.0, 70.0])
-"""Limits of twist, of the bend about y (20 to the thumb, 30 away) and about z (80 to the palm, 70 back)."""
+"""Limits of the twist, of the bend about y (20° towards the thumb, 30° away) and about z (80° flexion, 70°
+extension)."""
 
 _FINGERS: FloatArray = np.array([1.0, 0.0, 0.0])
 _PALM: FloatArray = np.array([0.0, -1.0, 0.0])
@@ -34,34 +35,34 @@ _PALM: FloatArray = np.array([0.0, -1.0, 0.0])
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Turn:
-    """A hand's `angles` (…, 3) against the forearm: twist, bend about y, bend about z."""
+    """The `angles` (…, 3) of a hand relative to its forearm: twist, bend about y, bend about z."""
 
     angles: FloatArray
 
     @property
     def forearm(self) -> FloatArray:
-        """The twist of the forearm about its own axis."""
+        """The rotation of the forearm's twist."""
         return about((1.0, 0.0, 0.0), self.angles[..., 0])
 
     @property
     def hand(self) -> FloatArray:
-        """The hand's rotation, without twist."""
+        """The rotation of the hand's bend."""
         return from_rotation_vector(self.angles * np.array([0.0, 1.0, 1.0]))
 
     @property
     def excess(self) -> FloatArray:
-        """How far each angle is outside the limits (…, 3)."""
+        """By how much each angle exceeds its limits (…, 3)."""
         return np.asarray(np.abs(self.angles - self.clamped().angles))
 
     def clamped(self) -> "Turn":
-        """The same, within the limits."""
+        """The angles clamped to the limits."""
         return Turn(np.clip(self.angles, np.radians(LOWEST_DEG), np.radians(HIGHEST_DEG)))
 
 
 def turned(forearm: FloatArray, finger_base: FloatArray | None, palm: FloatArray | None) -> Turn:
-    """The turn that brings a hand's fingers and palm to the directions (3,), the untwisted forearm being (…, 4).
+    """The angles that point fingers and palm in the given directions (3,), for an untwisted forearm orientation (…, 4).
 
-    Without a finger base the hand stays in line with the forearm; without a palm it takes no twist.
+    Without a finger base the hand stays in line with the forearm; without a palm there is no twist.
     """
     if finger_base is None and palm is None:
         return Turn(np.zeros((*forearm.shape[:-1], 3)))
@@ -73,12 +74,13 @@ def turned(forearm: FloatArray, finger_base: FloatArray | None, palm: FloatArray
 
 
 def kept(forearm: FloatArray, hand: FloatArray) -> Turn:
-    """The turn that leaves a hand of the orientation `hand` (…, 4) as it is, the untwisted forearm being (…, 4)."""
+    """The angles that preserve a hand's orientation `hand` (…, 4), for an untwisted forearm orientation (…, 4)."""
     return _parted(multiply(inverse(forearm), hand))
 
 
 def _held(fingers: FloatArray, palm: FloatArray) -> FloatArray:
-    """The orientation of a hand by its directions; the palm gives way where they are not at right angles."""
+    """The orientation of a hand by the directions of fingers and palm; the palm yields where they are not
+    orthogonal."""
     fingers = fingers / length(fingers)
     back_of_hand = dot(palm, fingers) * fingers - palm
     size = length(back_of_hand)

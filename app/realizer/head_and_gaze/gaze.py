@@ -1,10 +1,10 @@
-"""Gaze: the eyes get to their target first, the head follows, the trunk gives a little (paper §3.8).
+"""The gaze controller: the eyes reach the target first, the head follows, the trunk contributes a little (paper §3.8).
 
-The gaze takes the place of what neck, head and eyes did before. The trunk's joints turn in addition to what they do,
-unlike the paper's, so that the body still leans and breathes while it looks somewhere. While head and body move the
-eyes stay on the target (vestibulo-ocular reflex), as far as they can turn.
+Gaze overrides neck, head and eyes. Unlike in the paper, the trunk's rotation is added to its current motion, so that
+the body still leans and breathes. While head and body move, the eyes stay on the target (vestibulo-ocular reflex) as
+far as they can rotate.
 
-Conventions: radians, metres and seconds; pitch and yaw in the world, as seen from where the eyes are in the T-pose.
+Conventions: radians, metres and seconds; pitch and yaw in the world, as seen from the eyes' position in the T-pose.
 """
 
 from collections.abc import Mapping
@@ -26,10 +26,10 @@ from .looks import Aims, Position, looks
 _TRUNK = ("spine", "chest", "upperChest")
 
 HEAD_LAG_S = 0.04
-"""The head is heavier and starts later than the eyes, the trunk later than the head."""
+"""The head is heavier and starts later than the eyes; the trunk starts later than the head."""
 TRUNK_LAG_S = 0.12
 HEAD_S, HEAD_S_PER_RADIAN = 0.2, 0.008 * 180 / np.pi
-"""The head takes no less time, and gets there late if the schedule has less: 20° have a peak of about 100°/s."""
+"""The minimum duration of a head movement, kept even if the schedule has less: 20° peak at about 100°/s."""
 TRUNK_SLOWNESS = 1.8
 
 
@@ -41,9 +41,9 @@ def gaze(
     targets_m: Mapping[str, Position] = MappingProxyType({}),
     seed: int = 0,
 ) -> BodyMotion:
-    """`body` with eyes, head and trunk turned by the schedule's gazes, looking at the listener before and between.
+    """The body with eyes, head and trunk following the schedule's gazes, and looking at the listener otherwise.
 
-    `targets_m` places targets in the world; one that it does not name is the other in the talk (`LISTENER_M`).
+    `targets_m` has the world positions of targets; any other target is the other person (`LISTENER_M`).
     """
     times_s, from_m = body.times_s, _eyes_in_t_pose(skeleton)
     line, head, trunk = _courses(times_s, looks(schedule, from_m, targets_m))
@@ -61,7 +61,7 @@ def gaze(
 
 
 def _courses(times_s: FloatArray, aims: Aims) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """The eyes' pitch, yaw and nearness (T, 3), the head's pitch and yaw (T, 2), the trunk's yaw (T,)."""
+    """The eyes' pitch, yaw and inverse distance (T, 3), the head's pitch and yaw (T, 2), and the trunk's yaw (T,)."""
     eyes_by, head_by, trunk_by = (np.diff(each, axis=0) for each in (aims.eyes, aims.head, aims.trunk))
     eyes_s = saccade_s(np.linalg.norm(eyes_by[:, :2], axis=-1))
     head_s = np.maximum(HEAD_S + HEAD_S_PER_RADIAN * np.linalg.norm(head_by, axis=-1), aims.within_s - HEAD_LAG_S)
@@ -74,13 +74,13 @@ def _courses(times_s: FloatArray, aims: Aims) -> tuple[FloatArray, FloatArray, F
 
 
 def _half_turned(carrying: Chest, head: FloatArray) -> FloatArray:
-    """The rotations (T, 4) of neck and of head, half of it each, that give the head the pitch and yaw `head` (T, 2) in
-    the world."""
+    """The rotations (T, 4) of neck and head, half each, that give the head the pitch and yaw `head` (T, 2) in the
+    world."""
     over_chest = multiply(inverse(carrying.turned), turn(head[:, 0], head[:, 1], np.zeros(len(head))))
     return from_rotation_vector(to_rotation_vector(within_neck_limits(over_chest)) / 2)
 
 
 def _eyes_in_t_pose(skeleton: Skeleton) -> FloatArray:
-    """The place between the eyes (3,)."""
+    """The point between the eyes (3,)."""
     down = skeleton.chain("hips", "spine", "chest", "upperChest", "neck", "head")
     return np.asarray(skeleton.offsets_m[down].sum(axis=0) + skeleton.offsets_m[skeleton.chain(*EYES)].mean(axis=0))

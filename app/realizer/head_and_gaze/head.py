@@ -1,9 +1,10 @@
-"""Head movements, added to where the gaze has turned neck and head (paper §3.8), and the life between them.
+"""The head controller: adds head movements to the gaze's rotations of neck and head (paper §3.8), and idle movement.
 
-Neck and head do half of each movement; the neck goes ahead of the head by a part of the phase. The eyes stay where they
-looked. Between movements the head is never still.
+Neck and head each take half of a movement; the neck leads by a phase shift. The eyes keep their direction. Between
+movements the head is never quite still.
 
-Conventions: degrees in the constants, else radians; pitch down, yaw left, roll to the right shoulder; seconds.
+Conventions: degrees in the constants, else radians; positive pitch is down, yaw left, roll to the right shoulder;
+seconds.
 """
 
 from collections.abc import Sequence
@@ -24,17 +25,18 @@ from .head_movements import MOVEMENTS, moved, unhurried
 
 _IDLE_DEGREES, _IDLE_HZ = (3.0, 4.0, 2.6), 0.5
 _TREMBLE_DEGREES, _TREMBLE_HZ = 0.25, 2.3
-"""Noise of the head between its movements; the usual distance from the middle is a quarter of it."""
+"""Amplitudes of idle noise; the typical deviation is a quarter of them."""
 
 _CALMED = 0.75
-"""How much of it is left out in the middle of a movement."""
+"""The share of idle noise that is suppressed in the middle of a movement."""
 
 _EMPHASIS_DEGREES, _EMPHASIS_S = 1.6, 0.18
-"""Stress shows in the head a little even where nothing is scheduled: down in this time, and back in twice as much."""
+"""Emphasized words show in the head a little without any behaviour: down within this time, and back in twice as
+much."""
 
 
 def head(skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int) -> BodyMotion:
-    """`body` with the schedule's head movements, and a little life between them, on neck and head."""
+    """The body with the schedule's head movements, and idle movement between them, on neck and head."""
     times_s = body.times_s
     movements = [
         each for each in schedule.behaviors if each.kept and each.kind is Channel.HEAD and each.lexeme in MOVEMENTS
@@ -58,7 +60,7 @@ def head(skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int)
 
 
 def _add(times_s: FloatArray, behavior: Behavior, neck_turn: FloatArray, head_turn: FloatArray) -> None:
-    """Adds the movement to pitch, yaw and roll (T, 3) of neck and head."""
+    """Add the movement to pitch, yaw and roll (T, 3) of neck and head."""
     during = slice(*np.searchsorted(times_s, [behavior.sync.start, behavior.sync.end]))
     frame_s = float(times_s[1] - times_s[0])
     for turned, ahead in ((neck_turn, 0.5), (head_turn, -0.5)):
@@ -66,7 +68,7 @@ def _add(times_s: FloatArray, behavior: Behavior, neck_turn: FloatArray, head_tu
 
 
 def _calm(times_s: FloatArray, movements: Sequence[Behavior]) -> FloatArray:
-    """How much (T,) the head does by itself: less while it nods or shakes, so that its extremes are in time."""
+    """The weight (T,) of idle movement: less during nods and shakes, so that their extremes are on time."""
     busy = np.zeros(len(times_s))
     for movement in movements:
         sync, kind = movement.sync, MOVEMENTS[movement.lexeme]
@@ -80,7 +82,7 @@ def _calm(times_s: FloatArray, movements: Sequence[Behavior]) -> FloatArray:
 
 
 def _still_moving(times_s: FloatArray, schedule: Schedule, seed: int) -> tuple[FloatArray, FloatArray]:
-    """Pitch, yaw and roll (T, 3) of neck and head where no movement is asked for: noise, and a dip at each emphasis."""
+    """Pitch, yaw and roll (T, 3) of idle neck and head movement: noise, and a dip at each emphasis."""
     slow = perlin(times_s, frequency_hz=_IDLE_HZ, seed=seed + 3, channels=3, in_step=False)
     slow *= LIVELINESS[schedule.agitation] * np.radians(_IDLE_DEGREES) / 2
     tremble = perlin(times_s, frequency_hz=_TREMBLE_HZ, seed=seed + 4, channels=6, in_step=False)

@@ -1,8 +1,8 @@
-"""What each arm does with its time: gesture units, the rests between them, and every phase on the clock.
+"""Builds each arm's timeline: gesture units, the rests between them, and absolute times of all phases.
 
-A gesture that flows into the next is held until the way to its stroke start is as fast as that stroke (paper §3.8); one
-that does not goes back to rest. A preparation from rest takes its natural time, more when the way is long, less when
-there is no more; a pre-stroke hold gives way first. All of a unit's arms rest in the same way after it.
+A gesture that blends into the next is held until the transition is as fast as the next stroke (paper §3.8); otherwise
+the arm returns to rest. A preparation from rest takes its natural time, more for long ways, less if there is less time;
+the pre-stroke hold is shortened first. Both arms of a unit take the same rest pose after it.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -30,19 +30,20 @@ from .rests import (
 from .transitions import Setting, flow_together, natural_preparation_s, prolonged_relax_s, within_reach
 
 SHORTEST_STAY_S = 1.0
-"""A hand does not go to a rest that it would leave for another so soon."""
+"""A hand does not go to a rest pose that changes again within this time."""
 
 
 @dataclass(frozen=True, slots=True)
 class ArmTimeline:
-    """One arm's gestures and rests in order; the last rest is open, its end infinite."""
+    """One arm's gestures and rests in order; the last rest ends at infinity."""
 
     gestures: tuple[ArmGesture, ...]
     rests: tuple[ArmRest, ...]
 
 
 def units_of(gestures: Iterable[Placed], setting: Setting) -> tuple[tuple[Placed, ...], ...]:
-    """The gestures, in order, as units: of those that flow together, or whose arm has no time to rest between them."""
+    """The gestures grouped into units: those that blend into each other, or whose arm has no time to rest in
+    between."""
     units: list[list[Placed]] = []
     for gesture in gestures:
         if units and _joins(units[-1], gesture, setting):
@@ -60,7 +61,7 @@ def _joins(unit: Sequence[Placed], gesture: Placed, setting: Setting) -> bool:
 
 
 def rest_changes(units: Sequence[Sequence[Placed]], setting: Setting) -> tuple[RestChange, ...]:
-    """How hands rest that rest, from the first frame on: it changes when a unit ends, and when a posture says so."""
+    """The rest poses from the first frame on: they change at the end of a unit and with postures of the schedule."""
     ends_s = [0.0, *(max(each.relax_s for each in unit) for unit in units)]
     starts_s = [min(each.stroke_start_s for each in unit) for unit in units]
     poses = [pose_for(start_s - end_s) for end_s, start_s in zip(ends_s, starts_s, strict=False)]
@@ -92,8 +93,8 @@ def arm_timeline(
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """How an arm goes from a gesture to the next: the hold of the first ends, the arm has arrived at rest, it starts,
-    it is ready. In a blend it arrives nowhere: it starts when the hold ends."""
+    """The time between two gestures of an arm: end of the first one's hold, arrival at rest, departure, ready for the
+    second. In a blend there is no arrival: the arm departs when the hold ends."""
 
     relax_s: float
     arrival_s: float
@@ -118,8 +119,8 @@ def _between(first: Placed, second: Placed, side: Hand, changes: tuple[RestChang
 
 
 def _from_the_first_frame(first: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
-    """A speaker lifts the hands before the first word. What is too far for the time from the first frame is therefore
-    behind them in that frame already."""
+    """The way to the first gesture. Speakers raise their hands before the first word, so if there is too little time,
+    part of the way has already been covered in the first frame."""
     window_s = first.stroke_start_s
     way_s = min(_preparation_s(first, side, changes), window_s)
     ready_s = window_s - _hold_s(first, window_s - way_s)
@@ -133,7 +134,7 @@ def _to_rest(last: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
 
 
 def _hold_s(gesture: Placed, room_s: float) -> float:
-    """The pre-stroke hold, as far as there is room for it."""
+    """The pre-stroke hold, as long as there is time for it."""
     natural_s = gesture.clip.markers.stroke_start - gesture.clip.markers.ready
     return max(0.0, min(natural_s, room_s))
 
@@ -170,17 +171,17 @@ def _arm_gesture(side: Hand, gesture: Placed, before: _Way, after: _Way) -> ArmG
 
 
 def pose_at(changes: Iterable[RestChange], time_s: float) -> str:
-    """How hands rest at a time."""
+    """The rest pose at a time."""
     return max((each for each in changes if each.from_s <= time_s), key=lambda each: each.from_s).pose
 
 
 def pose_on_arrival(changes: Iterable[RestChange], time_s: float) -> str:
-    """How a hand rests that arrives then: as it will soon, if that is going to change."""
+    """The rest pose of a hand that arrives at `time_s`: already the next one if it changes soon."""
     return pose_at(changes, time_s + SHORTEST_STAY_S)
 
 
 def _rests(side: Hand, start_s: float, end_s: float, changes: Iterable[RestChange]) -> Iterator[ArmRest]:
-    """An arm's rest from its arrival to its next start, with the changes of pose for which there is time."""
+    """An arm's rests from arrival to departure, with those changes of pose for which there is time."""
     pose = pose_on_arrival(changes, start_s)
     for change in changes:
         if change.from_s <= start_s + SHORTEST_STAY_S or change.pose == pose:

@@ -1,6 +1,6 @@
-"""Lays a plan's gestures over the body (paper §3.8, the second controller): arms and hands, and the trunk with them.
+"""The gesture controller (paper §3.8, the second): overrides arms and hands with a plan's gestures; the trunk follows.
 
-The arms take the place of those that hung idly; only the breath stays in the collarbones.
+Only the breathing of the collarbones is kept from the idle arms.
 """
 
 from dataclasses import replace
@@ -23,7 +23,7 @@ _MUSCLE_S = 0.03
 
 
 def gesture(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int) -> BodyMotion:
-    """The body with the arms of the plan, and the trunk with them. The same seed gives the same motion."""
+    """The body with the plan's arm motion, and the trunk following it. Deterministic for a seed."""
     rotations = body.rotations.copy()
     wrists_m = []
     for side in (Hand.LEFT, Hand.RIGHT):
@@ -36,7 +36,7 @@ def gesture(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: in
 
 
 def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
-    """Rotations (T, J, 4) without the corners of acceleration that splines have at their keys: muscles have none."""
+    """Rotations (T, J, 4) without the steps in acceleration that splines have at their keys."""
     if len(times_s) < 2:
         return rotations
     width = _MUSCLE_S / float(times_s[1] - times_s[0])
@@ -44,6 +44,6 @@ def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
 
 
 def _breath(collarbone: FloatArray) -> FloatArray:
-    """What an idle collarbone (T, 4) does about its own mean."""
+    """The deviation of an idle collarbone (T, 4) from its mean."""
     mean = normalized(np.sum(collarbone * np.sign(collarbone[:, 3:]), axis=0))
     return multiply(inverse(mean), collarbone)

@@ -1,9 +1,9 @@
-"""The scheduler of the paper's §3.8: from the gestures of a schedule to clips on a timeline, arm by arm.
+"""The gesture scheduler (paper §3.8): from a schedule's gestures to clips on a timeline for each arm.
 
-In order: each gesture gets a clip (`selection`), which is aligned by its stroke and never warped in time; neighbours
-that get in each other's way are replaced or pruned by priority (`pruning`); strokes are repeated on further emphases
-(`repetition`); gestures that are close flow together in units, and units end at rest (`arm_timelines`). Whatever is
-not played as asked for has a `Decision`. docs/realizer-scheduling.md tells the rules with their reasons.
+In order: each gesture gets a clip (`selection`), aligned by its stroke and never time-warped; conflicting neighbours
+are replaced or pruned by priority (`pruning`); strokes are repeated on further emphases (`repetition`); gestures close
+together blend into units, and units end at rest (`arm_timelines`). Whatever is not played as requested has a
+`Decision`. docs/realizer-scheduling.md explains the rules.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -29,15 +29,16 @@ from .transitions import Setting, natural_preparation_s
 SIDES = (Hand.LEFT, Hand.RIGHT)
 
 _NOTICEABLE_S = 0.02
-"""A phase that differs by less from what was asked for needs no word."""
+"""Differences from the schedule below this are not reported."""
 
 
 def plan_gestures(
     library: Clips, schedule: Schedule, *, seed: int, targets_m: Mapping[str, Position] = MappingProxyType({})
 ) -> GesturePlan:
-    """What the arms do through a schedule. The stroke of every gesture that is played is on its time in the BML.
+    """What the arms do during a schedule. The stroke of every gesture that is played is at its time in the BML.
 
-    `targets_m` places what is pointed at in the world, as for the gaze."""
+    `targets_m` has the world positions of pointing targets, as for the gaze.
+    """
     setting = Setting(schedule.phrases, posture_changes(schedule))
     chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
     gestures = tuple(_repeated(chosen.kept, schedule, setting))
@@ -61,7 +62,7 @@ def plan_gestures(
 def chosen_clips(
     library: Clips, schedule: Schedule, setting: Setting, *, seed: int, targets_m: Mapping[str, Position]
 ) -> Admission:
-    """The gestures that are played, with their clips, in order of their strokes, and what became of the others."""
+    """The gestures that are played with their clips, in order of their strokes, and the decisions about the others."""
     rng = np.random.default_rng(seed)
     kept: tuple[Placed, ...] = ()
     decisions: list[Decision] = []
@@ -84,7 +85,7 @@ def _repeated(gestures: tuple[Placed, ...], schedule: Schedule, setting: Setting
 
 
 def _transitions(side: Hand, arms: Iterable[ArmGesture]) -> Iterator[Transition]:
-    """The blends of one arm, as fast as they came out."""
+    """The blends of one arm with their actual speeds."""
     own = (each for each in arms if each.side is side)
     for first, second in pairwise(own):
         if second.blended_from is not None:
@@ -107,7 +108,7 @@ def _unit(unit: tuple[Placed, ...], arms: tuple[ArmGesture, ...]) -> Unit:
 
 
 def _realized(gesture: Placed, arms: Iterable[ArmGesture]) -> SyncPoints:
-    """The sync points of a gesture as its arms play it: of both, who starts first and ends last."""
+    """The sync points of a gesture over both arms: the earliest start and the latest end."""
     own = [each.markers for each in _of_behavior(gesture, arms)]
     return SyncPoints(
         start=min(markers.start for markers in own),
@@ -121,7 +122,7 @@ def _realized(gesture: Placed, arms: Iterable[ArmGesture]) -> SyncPoints:
 
 
 def _decisions(arms: Iterable[ArmGesture]) -> Iterator[Decision]:
-    """What was decided about gestures that are played; what holds of both arms is told once."""
+    """The decisions about gestures that are played; those that apply to both arms are reported once."""
     told = {(each.behavior, each.action): each for arm in arms for each in reversed(list(_told(arm)))}
     yield from told.values()
 

@@ -1,4 +1,4 @@
-"""What no controller can play as it is asked to: no such movement, no such place, too little time. Each is told."""
+"""Reports behaviours that no controller can play as scheduled: unknown movements, unknown targets, too little time."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -11,13 +11,13 @@ from ..torso.posture import POSTURES, SHORTEST_SHIFT_S, reached_s
 from .rests import POSTURES as HAND_POSTURES
 
 Trouble = tuple[str, str] | None
-"""The action and the reason of a decision."""
+"""The action and reason of a decision."""
 
 
 def unplayed(schedule: Schedule, *, targets_m: Mapping[str, Position] = MappingProxyType({})) -> tuple[Decision, ...]:
-    """A decision for each kept head movement, posture or gaze that is not played, or not as it was asked for.
+    """A decision for each kept head movement, posture or gaze that is not played, or not as scheduled.
 
-    Who is the target of every gaze is the other in the talk, whose place is known, by whatever name.
+    If all gazes have the same target, it is the other person, whose position is known under any name.
     """
     kept = [behavior for behavior in schedule.behaviors if behavior.kept]
     looked_at = {each.target for each in kept if each.kind is Channel.GAZE and each.target}
