@@ -11,21 +11,21 @@ from pathlib import Path
 import numpy as np
 
 from ..model import Behavior, Channel, FloatArray, Schedule, SyncPoints
-from .arms.collisions import clear
+from .arms.collisions import resolve_collisions
 from .body.motion import Motion
 from .body.skeleton import Skeleton
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
-from .face.face import face
+from .face.face import face_weights
 from .face.face_tables import FaceTables
 from .gestures.gesture_plan import GesturePlan
 from .gestures.library import Library
-from .head_and_gaze.gaze import gaze
-from .head_and_gaze.head import head
-from .scheduling.gesturing import gesture
+from .head_and_gaze.gaze import apply_gaze
+from .head_and_gaze.head import apply_head_movements
+from .scheduling.gesture_controller import apply_gestures
 from .scheduling.planning import plan_gestures
-from .scheduling.unplayed import unplayed
-from .torso.idle import idle
+from .scheduling.unplayable import unplayable_behaviors
+from .torso.idle import idle_motion
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,12 +61,12 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
     plan = plan_gestures(realizer.library, schedule, seed=seed)
     times_s = frame_times_s(max(schedule.duration_s, plan.end_s), frame_rate_hz)
     skeleton = realizer.skeleton
-    body = idle(skeleton, times_s, schedule, seed=seed)
-    body = gesture(skeleton, body, plan, seed=seed)
-    body = gaze(skeleton, body, schedule, seed=seed)
-    body = head(skeleton, body, schedule, seed=seed)
-    body, moved = clear(skeleton, body)
-    shapes = face(realizer.face, schedule, body, skeleton, seed=seed)
+    body = idle_motion(skeleton, times_s, schedule, seed=seed)
+    body = apply_gestures(skeleton, body, plan, seed=seed)
+    body = apply_gaze(skeleton, body, schedule, seed=seed)
+    body = apply_head_movements(skeleton, body, schedule, seed=seed)
+    body, moved = resolve_collisions(skeleton, body)
+    shapes = face_weights(realizer.face, schedule, body, skeleton, seed=seed)
     return Motion(
         frame_rate_hz=frame_rate_hz,
         body=body,
@@ -74,8 +74,8 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
         realized=_realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz),
         decisions=(
             *plan.decisions,
-            *unplayed(schedule),
-            *unknown_faces(realizer.face.words, schedule.behaviors),
+            *unplayable_behaviors(schedule),
+            *unknown_faces(realizer.face.lexemes, schedule.behaviors),
             *moved,
         ),
     )

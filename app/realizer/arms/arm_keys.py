@@ -35,7 +35,7 @@ def arm_track(skeleton: Skeleton, side: Hand, plan: GesturePlan) -> ArmTrack:
     gestures, rests = plan.of_arm(side)
     keys = [key for rest in rests for key in _rest_keys(skeleton, rest)]
     keys += [key for gesture in gestures for key in _gesture_keys(skeleton, gesture)]
-    if gestures and gestures[0].underway:
+    if gestures and gestures[0].initial_progress:
         keys = _underway(skeleton, gestures[0], keys)
     return ArmTrack(side, tuple(_apart(sorted(keys, key=lambda key: key.time_s))))
 
@@ -46,7 +46,7 @@ def _underway(skeleton: Skeleton, first: ArmGesture, keys: list[TimedPose]) -> l
     posed = _posed(skeleton, first)
     start = _together(each.pose for each in posed if each.key.time_s <= first.placed.clip.markers.stroke_start)
     at_rest = next(key for key in keys if key.time_s == 0.0)
-    parts = slerp(at_rest.pose.parts, start.over(at_rest.pose).parts, np.array(first.underway))
+    parts = slerp(at_rest.pose.parts, start.over(at_rest.pose).parts, np.array(first.initial_progress))
     return [replace(at_rest, pose=PartialPose(parts)), *(key for key in keys if key.time_s > 0.0)]
 
 

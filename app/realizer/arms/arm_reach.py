@@ -12,7 +12,17 @@ import numpy as np
 from ...model import FloatArray
 from ..body.limits import within_shoulder_limits
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import about, cross, dot, from_axes, from_rotation_vector, inverse, length, multiply, rotate
+from ..geometry.rotations import (
+    cross,
+    dot,
+    from_axes,
+    from_axis_angle,
+    from_rotation_vector,
+    inverse,
+    length,
+    multiply,
+    rotate,
+)
 
 ELBOW_FLEXION_DEG = (12.0, 136.0)
 """The range of elbow flexion seen in speakers' strokes (shared/motion.md)."""
@@ -113,8 +123,8 @@ def collarbone_for(bones: ArmBones, wrist_m: FloatArray, raised: FloatArray | fl
     far = np.hypot(np.maximum(away, 0.0), np.maximum(-outwards, 0.0))
     up_deg = _RAISED_DEG * _ease(up + 0.1) + np.where(np.asarray(raised) > 0, _SHRUG_DEG, _SLUMP_DEG) * raised
     forward_deg = _PROTRACTED_DEG * _ease((far - 0.5) / 0.5) - _RETRACTED_DEG * _ease(-away / 0.5)
-    forward = about((0.0, -1.0, 0.0), np.radians(forward_deg))
-    return multiply(forward, about((0.0, 0.0, 1.0), np.radians(up_deg)))
+    forward = from_axis_angle((0.0, -1.0, 0.0), np.radians(forward_deg))
+    return multiply(forward, from_axis_angle((0.0, 0.0, 1.0), np.radians(up_deg)))
 
 
 def elbow_direction(direction: FloatArray) -> FloatArray:
@@ -143,7 +153,7 @@ def _bent(
     upper = direction * along + pole * aside
     towards = direction * aside - pole * along
     orientation = within_shoulder_limits(from_axes(upper, cross(towards, upper), towards))
-    elbow = about((0.0, -1.0, 0.0), _flexion(bones, distance_m)[..., 0])
+    elbow = from_axis_angle((0.0, -1.0, 0.0), _flexion(bones, distance_m)[..., 0])
     forearm = multiply(orientation, elbow)
     shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
     elbow_m = shoulder_m + rotate(orientation, np.array([bones.upper_m, 0.0, 0.0]))

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...model import FloatArray, Hand
 from ..geometry.noise import perlin
-from ..geometry.rotations import from_rotation_vector, multiply, of_one_sign
+from ..geometry.rotations import from_rotation_vector, multiply, with_continuous_signs
 from ..geometry.splines import Curve, splines
 from ..gestures.arm_joints import PARTS
 from .posing import PartialPose, arm_rotations
@@ -59,7 +59,7 @@ class ArmTrack:
 
     def __post_init__(self) -> None:
         times_s = [key.time_s for key in self.keys]
-        if not self.keys or not self.keys[0].pose.said.all():
+        if not self.keys or not self.keys[0].pose.defined.all():
             raise ValueError("an arm's track begins with a pose that says the whole arm")
         if any(later <= sooner for sooner, later in pairwise(times_s)):
             raise ValueError("the keys of an arm's track are at rising times")
@@ -67,13 +67,13 @@ class ArmTrack:
 
 def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int) -> FloatArray:
     """The arm's rotations (T, 19, 4) at `times_s` (T,), with continuous quaternion signs."""
-    said = np.stack([key.pose.said for key in track.keys])
+    said = np.stack([key.pose.defined for key in track.keys])
     keys = np.stack([key.pose.parts for key in track.keys])
     shapes = np.array([(key.tension, key.continuity, key.bias) for key in track.keys])
     key_times_s = _shifted(track)
     through = [(row, said[:, row]) for row in range(len(PARTS))]
     curves = [Curve(key_times_s[keyed, row], keys[keyed, row], shapes[keyed]) for row, keyed in through]
-    return of_one_sign(arm_rotations(_stirred(track, splines(curves, times_s), times_s, seed)))
+    return with_continuous_signs(arm_rotations(_stirred(track, splines(curves, times_s), times_s, seed)))
 
 
 def _shifted(track: ArmTrack) -> FloatArray:

@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 
 from ...model import FloatArray, Hand
 from ..body.build import BUILD
-from ..body.contacts import LIMBS, PAIRS, RADII_M, Contacts, Posed, contacts, depths_m
-from ..body.limits import MIRROR, clamped, parted_deg
+from ..body.contacts import LIMBS, PAIRS, RADII_M, Contacts, PosedBody, contacts, depths_m
+from ..body.limits import MIRROR, clamped, swing_twist_deg
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.easing import minimum_jerk
-from ..geometry.rotations import about, angle_between, dot, inverse, length, multiply, nearest_sign, rotate
-from ..gestures.wrist_turns import kept
+from ..geometry.rotations import angle_between, dot, from_axis_angle, inverse, length, multiply, nearest_sign, rotate
+from ..gestures.wrist_angles import preserving_wrist_angles
 from .arm_reach import ArmBones, reach_by_elbow, towards_elbow
 
 _CLEARANCE_M = 0.004
@@ -57,7 +57,7 @@ class _Push:
         return _Push(*(taper * _swelling(push_m, swell) for push_m in (self.wrist_m, self.elbow_m)))
 
 
-def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
+def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
     """Move hands and forearms out of torso, head, upper legs and each other, and bring trunk, neck and arms within
     limits.
 
@@ -76,7 +76,7 @@ def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decis
     rotations = body.rotations.copy()
     for first, past in _stretches(_around(depth_m.max(axis=1) > 0, 2 * swell)):
         there, ends = slice(first, past), (first > 0, past < len(rotations))
-        posed = Posed.of(skeleton, body.rotations[there], body.hips_m[there])
+        posed = PosedBody.of(skeleton, body.rotations[there], body.hips_m[there])
         rotations[there], left_m = _cleared(skeleton, posed, swell, _taper(past - first, swell, ends))
         if left_m > _TOLERATED_M:
             decisions = (*decisions, _unsolved(body.times_s[there], left_m))
@@ -92,7 +92,7 @@ def _taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:
     return minimum_jerk(np.minimum(from_start, from_end) / swell)[:, None]
 
 
-def _cleared(skeleton: Skeleton, start: Posed, swell: int, taper: FloatArray) -> tuple[FloatArray, float]:
+def _cleared(skeleton: Skeleton, start: PosedBody, swell: int, taper: FloatArray) -> tuple[FloatArray, float]:
     """The local rotations of a stretch of frames after the round with the least penetration, and its depth in metres;
     displacements are blended over `swell` frames."""
     found = contacts(skeleton, start)
@@ -149,7 +149,7 @@ def _one_way(found: Contacts, way_out: FloatArray) -> Contacts:
     )
 
 
-def _moved(skeleton: Skeleton, body: Posed, pushes: Mapping[str, _Push]) -> FloatArray:
+def _moved(skeleton: Skeleton, body: PosedBody, pushes: Mapping[str, _Push]) -> FloatArray:
     """The local rotations with both arms displaced, in the frames concerned."""
     rotations = body.rotations.copy()
     for side, push in pushes.items():
@@ -214,7 +214,7 @@ def _swelling(push_m: FloatArray, swell: int) -> FloatArray:
     return np.asarray(towards / np.maximum(agreed, 1e-12)[:, None] * size_m[:, None])
 
 
-def _solved_again(skeleton: Skeleton, body: Posed, side: Hand, push: _Push) -> FloatArray:
+def _solved_again(skeleton: Skeleton, body: PosedBody, side: Hand, push: _Push) -> FloatArray:
     """Upper arm, lower arm and hand (T, 3, 4) of the arm `side`, solved for the displaced wrist and elbow."""
     names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
     chest, *joints = skeleton.chain("upperChest", *(side.value + name for name in names))
@@ -231,13 +231,13 @@ def _solved_again(skeleton: Skeleton, body: Posed, side: Hand, push: _Push) -> F
     elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
     elbow = elbow + (elbow_push_m - dot(elbow_push_m, elbow) * elbow) / _ELBOW_AT_LEAST_M
     arm = reach_by_elbow(bones, collarbone, wrist_m + root_m, elbow)
-    turn = kept(arm.forearm, multiply(back, turned[:, joints[-1]]) * mirror).clamped()
+    turn = preserving_wrist_angles(arm.forearm, multiply(back, turned[:, joints[-1]]) * mirror).clamped()
     after = np.stack((arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand), axis=1)
     return nearest_sign(after * mirror, before[:, 1:])
 
 
 def _without_twist(lower_arm: FloatArray) -> FloatArray:
-    return multiply(lower_arm, about((-1.0, 0.0, 0.0), np.radians(parted_deg(lower_arm, 0)[..., 0])))
+    return multiply(lower_arm, from_axis_angle((-1.0, 0.0, 0.0), np.radians(swing_twist_deg(lower_arm, 0)[..., 0])))
 
 
 def _swell_frames(times_s: FloatArray) -> int:

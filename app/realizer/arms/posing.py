@@ -12,14 +12,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...model import FloatArray, Hand
-from ..body.limits import MIRROR, parted_deg
+from ..body.limits import MIRROR, swing_twist_deg
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import about, from_rotation_vector, inverse, length, multiply, rotate
+from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, length, multiply, rotate
 from ..gestures.arm_joints import PARTS
 from ..gestures.gesture import ArmKey, Depth, HandForm, HandShape, Height, Place, Sideways, Wrist
 from ..gestures.gesture_space import DIRECTIONS, sector_m
 from ..gestures.hand_shapes import finger_rows, hand_shape
-from ..gestures.wrist_turns import Turn, turned
+from ..gestures.wrist_angles import WristAngles, wrist_angles
 from .arm_reach import ArmBones, Reach, collarbone_for, reach
 
 ARM_ROWS, WRIST_ROWS, HAND_ROWS = slice(0, 3), slice(3, 5), slice(5, 20)
@@ -43,13 +43,13 @@ class PartialPose:
     wrist_m: FloatArray | None = None
 
     @property
-    def said(self) -> FloatArray:
+    def defined(self) -> FloatArray:
         """Which of `PARTS` are defined: booleans (20,)."""
         return np.asarray(~np.isnan(self.parts[:, 3]))
 
     def over(self, below: "PartialPose") -> "PartialPose":
         """This pose, completed from `below` where it leaves parts open."""
-        parts = np.where(self.said[:, None], self.parts, below.parts)
+        parts = np.where(self.defined[:, None], self.parts, below.parts)
         return PartialPose(parts, below.wrist_m if self.wrist_m is None else self.wrist_m)
 
 
@@ -104,13 +104,13 @@ def pose_arms(
     )
 
 
-def held(
+def solve_arm(
     bones: ArmBones, wrist_m: FloatArray, finger_base: FloatArray, palm: FloatArray, swivel_deg: float
 ) -> FloatArray:
     """The first five parts of a left arm with the wrist at a position, the hand in an orientation, and the elbow at a
     swivel."""
     arm = reach(bones, wrist_m, swivel_rad=np.radians(swivel_deg))
-    turn = turned(arm.forearm, finger_base, palm).clamped()
+    turn = wrist_angles(arm.forearm, finger_base, palm).clamped()
     return np.stack([arm.collarbone, arm.upper_arm, arm.elbow, turn.forearm, turn.hand])
 
 
@@ -124,7 +124,7 @@ def arm_rotations(parts: FloatArray) -> FloatArray:
 def parts_of(rotations: FloatArray) -> FloatArray:
     """The inverse of `arm_rotations`: (…, 19, 4) as parts (…, 20, 4)."""
     lower_arm = rotations[..., 2, :]
-    twist = about((1.0, 0.0, 0.0), np.radians(parted_deg(lower_arm, 0)[..., 0]))
+    twist = from_axis_angle((1.0, 0.0, 0.0), np.radians(swing_twist_deg(lower_arm, 0)[..., 0]))
     hinge = multiply(lower_arm, inverse(twist))
     return np.concatenate(
         [rotations[..., :2, :], hinge[..., None, :], twist[..., None, :], rotations[..., 3:, :]], axis=-2
@@ -180,13 +180,13 @@ def _solved(bones: ArmBones, asked: Sequence[_Asked]) -> FloatArray:
     arms = reach(bones, np.repeat(wrists_m, len(_SWIVELS), axis=1), swivel_rad=_SWIVELS, raised=raised)
     turns = _turned(arms.forearm, asked)
     best = np.arange(len(asked)), np.argmin(_discomfort(arms, turns, wrists_m), axis=1)
-    turn = Turn(turns.angles[best]).clamped()
+    turn = WristAngles(turns.angles[best]).clamped()
     return np.stack(
         (*(part[best] for part in (arms.collarbone, arms.upper_arm, arms.elbow)), turn.forearm, turn.hand), 1
     )
 
 
-def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> Turn:
+def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> WristAngles:
     """The wrist angles (K, swivels), computed in groups of keys that define the same directions."""
     angles = np.zeros((*forearm.shape[:-1], 3))
     said = [(each.finger_base is not None, each.palm is not None) for each in asked]
@@ -196,11 +196,11 @@ def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> Turn:
             np.array([getattr(asked[row], name) for row in rows])[:, None] if known else None
             for name, known in zip(("finger_base", "palm"), kind, strict=True)
         )
-        angles[rows] = turned(forearm[rows], finger_base, palm).angles
-    return Turn(angles)
+        angles[rows] = wrist_angles(forearm[rows], finger_base, palm).angles
+    return WristAngles(angles)
 
 
-def _discomfort(arms: Reach, turns: Turn, wrists_m: FloatArray) -> FloatArray:
+def _discomfort(arms: Reach, turns: WristAngles, wrists_m: FloatArray) -> FloatArray:
     """The cost of each swivel: wrist and forearm near or beyond their limits, wrist targets out of the shoulder's
     range, a forearm too near to the trunk, and the swivel itself, so that the elbow hangs unless there is a reason."""
     strained = np.maximum(np.abs(np.degrees(turns.angles)) - _AT_EASE_DEG, 0.0) / 30.0
@@ -256,7 +256,7 @@ def _add_joints(parts: FloatArray, key: ArmKey) -> None:
         x, y, z = (from_rotation_vector(angle) for angle in np.radians(np.diag(degrees)))
         rotation = multiply(z, multiply(y, x))
         if joint == "LowerArm":
-            twist = about((1.0, 0.0, 0.0), np.radians(parted_deg(rotation, 0)[0]))
+            twist = from_axis_angle((1.0, 0.0, 0.0), np.radians(swing_twist_deg(rotation, 0)[0]))
             parts[2:4] = multiply(rotation, inverse(twist)), twist
         else:
             parts[PARTS.index(joint)] = rotation

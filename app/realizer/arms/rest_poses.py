@@ -19,7 +19,7 @@ from ..body.skeleton import Skeleton
 from ..gestures.gesture import Bend, Finger, HandForm, HandShape, Thumb
 from ..gestures.hand_shapes import hand_shape
 from .arm_reach import ArmBones
-from .posing import ArmPose, arm_rotations, held
+from .posing import ArmPose, arm_rotations, solve_arm
 
 _EASY = HandShape(HandForm.DEFAULT)
 _FOUR = (Finger.INDEX, Finger.MIDDLE, Finger.RING, Finger.LITTLE)
@@ -72,7 +72,7 @@ def rest_pose(skeleton: Skeleton, side: Hand, name: str) -> ArmPose:
     """The pose of the arm `side` at rest; `name` is one of `RESTS`. Cached per skeleton."""
     rest = RESTS[name][0 if side is Hand.LEFT else 1]
     wrist_m, finger_base, palm = np.array([rest.wrist_m, rest.finger_base, rest.palm])
-    arm = held(ArmBones.of(skeleton), wrist_m, finger_base, palm, rest.swivel_deg)
+    arm = solve_arm(ArmBones.of(skeleton), wrist_m, finger_base, palm, rest.swivel_deg)
     rotations = arm_rotations(np.concatenate([arm, hand_shape(rest.hand, rest.fingers)]))
     rotations = rotations if side is Hand.LEFT else rotations * MIRROR
     rotations.setflags(write=False)

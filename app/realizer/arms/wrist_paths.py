@@ -9,7 +9,7 @@ import numpy as np
 from ...model import FloatArray, Hand
 from ..body.skeleton import HIPS_HEIGHT_M
 from ..gestures.gesture import ArmKey, Clip, ClipKey, Depth, Height, Place, Sideways
-from ..gestures.gesture_plan import Placed
+from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
 
 _UNPLACED = Place(Sideways.C, Height.CC, Depth.MIDDLE)
@@ -24,12 +24,12 @@ def arm_key(key: ClipKey, side: Hand) -> ArmKey | None:
     return key.left if side is Hand.LEFT else key.right
 
 
-def amplitude(placed: Placed) -> float:
+def amplitude(placed: PlacedGesture) -> float:
     """The size of a gesture: its level's expressivity times the size that the schedule requests."""
     return placed.clip.expressivity.amplitude * placed.size
 
 
-def wrist_m(placed: Placed, side: Hand, time_s: float) -> FloatArray:
+def wrist_m(placed: PlacedGesture, side: Hand, time_s: float) -> FloatArray:
     """The wrist's position (3,) at `time_s` of the clip; for an aimed gesture, on the line from the shoulder to its
     target."""
     place_m = _wrist_m(placed.clip, side, time_s, amplitude(placed))
@@ -40,12 +40,12 @@ def wrist_m(placed: Placed, side: Hand, time_s: float) -> FloatArray:
     return np.asarray(_SHOULDER_M + distance_m(place_m, _SHOULDER_M) * way_m / np.linalg.norm(way_m))
 
 
-def stroke_start_m(placed: Placed, side: Hand) -> FloatArray:
+def stroke_start_m(placed: PlacedGesture, side: Hand) -> FloatArray:
     """The wrist's position (3,) at the start of the stroke."""
     return wrist_m(placed, side, placed.clip.markers.stroke_start)
 
 
-def relax_m(placed: Placed, side: Hand) -> FloatArray:
+def relax_m(placed: PlacedGesture, side: Hand) -> FloatArray:
     """The wrist's position (3,) at the relax time."""
     return wrist_m(placed, side, placed.clip.markers.relax)
 

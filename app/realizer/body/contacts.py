@@ -59,7 +59,7 @@ class Contacts:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Posed:
+class PosedBody:
     """Frames of a body: local rotations (T, J, 4), and positions and orientations in the world of the joints that carry
     compared parts."""
 
@@ -68,24 +68,24 @@ class Posed:
     orientations: FloatArray
 
     @classmethod
-    def of(cls, skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> "Posed":
+    def of(cls, skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> "PosedBody":
         """The frames of a motion; runs forward kinematics on the joints needed."""
         joints = {skeleton.index[BUILD[number].joint] for number in _USED}
         return cls(rotations, *forward(skeleton, rotations, hips_m, _with_parents(skeleton, joints)))
 
-    def frames(self, which: slice | NDArray[np.intp]) -> "Posed":
+    def frames(self, which: slice | NDArray[np.intp]) -> "PosedBody":
         """A selection of the frames."""
-        return Posed(self.rotations[which], self.positions_m[which], self.orientations[which])
+        return PosedBody(self.rotations[which], self.positions_m[which], self.orientations[which])
 
-    def with_arms(self, skeleton: Skeleton, rotations: FloatArray) -> "Posed":
+    def with_arms(self, skeleton: Skeleton, rotations: FloatArray) -> "PosedBody":
         """The same frames with new local rotations of the arms."""
         arms = frozenset(
             skeleton.chain(*(side + joint for side in SIDES for joint in ("UpperArm", "LowerArm", "Hand")))
         )
-        return Posed(rotations, *forward_again(skeleton, rotations, self.positions_m, self.orientations, arms))
+        return PosedBody(rotations, *forward_again(skeleton, rotations, self.positions_m, self.orientations, arms))
 
 
-def contacts(skeleton: Skeleton, body: Posed) -> Contacts:
+def contacts(skeleton: Skeleton, body: PosedBody) -> Contacts:
     """The contacts of every pair in every frame."""
     starts, ends = _lines(skeleton, body)
     start, other_start = starts[_LIMB_COLUMN], starts[_OTHER_COLUMN]
@@ -105,7 +105,7 @@ def depths_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> F
     """The depth of every pair in every frame (T, P), positive inside."""
     blocks = (slice(first, first + _BLOCK) for first in range(0, len(rotations), _BLOCK))
     return np.concatenate(
-        [contacts(skeleton, Posed.of(skeleton, rotations[block], hips_m[block])).depth_m for block in blocks]
+        [contacts(skeleton, PosedBody.of(skeleton, rotations[block], hips_m[block])).depth_m for block in blocks]
     )
 
 
@@ -115,7 +115,7 @@ def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray
     return np.asarray(np.maximum(depths_m(skeleton, rotations, hips_m).max(axis=1), 0.0))
 
 
-def _lines(skeleton: Skeleton, body: Posed) -> tuple[FloatArray, FloatArray]:
+def _lines(skeleton: Skeleton, body: PosedBody) -> tuple[FloatArray, FloatArray]:
     """Both ends (parts, T, 3) of the segments of the compared parts, in the world."""
     joints = [skeleton.index[BUILD[number].joint] for number in _USED]
     at = np.moveaxis(body.positions_m, 1, 0)[joints]

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...model import FloatArray
-from ..geometry.rotations import about, from_rotation_vector, inverse, multiply, nearest_sign
+from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, multiply, nearest_sign
 from .skeleton import FINGERS, SIDES, Skeleton
 
 Degrees = tuple[float, float, float]
 
-_HANGING = about((0.0, 0.0, 1.0), np.array(-np.pi / 2))
+_HANGING = from_axis_angle((0.0, 0.0, 1.0), np.array(-np.pi / 2))
 _TOLERATED_DEG = 1e-3
 _NEAR_ZERO = 1e-12
 MIRROR: FloatArray = np.array([1.0, -1.0, -1.0, 1.0])
@@ -107,7 +107,7 @@ def _brought_back(skeleton: Skeleton, limit: Limit, rotations: FloatArray, angle
     return nearest_sign(within, rotations[..., last, :])
 
 
-def parted_deg(rotation: FloatArray, bone: int) -> FloatArray:
+def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:
     """Swing-twist decomposition: rotations (…, 4) as three angles in degrees, the twist on the axis `bone`, the swing's
     rotation vector on the others."""
     one, other = (bone + 1) % 3, (bone + 2) % 3
@@ -127,7 +127,7 @@ def parted_deg(rotation: FloatArray, bone: int) -> FloatArray:
 
 def shoulder_deg(orientation: FloatArray) -> FloatArray:
     """The angles of the left upper arm, given its orientation (…, 4) in the upper chest's space."""
-    return parted_deg(multiply(orientation, inverse(_HANGING)), 1)
+    return swing_twist_deg(multiply(orientation, inverse(_HANGING)), 1)
 
 
 def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
@@ -140,7 +140,7 @@ def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
 
 def within_neck_limits(turned: FloatArray) -> FloatArray:
     """The head's rotation (…, 4) relative to the upper chest, clamped to the limits of neck and head together."""
-    neck, angles = _TRUNK[1], parted_deg(turned, 1)
+    neck, angles = _TRUNK[1], swing_twist_deg(turned, 1)
     within = np.clip(angles, neck.lowest_deg, neck.highest_deg)
     passed = (within != angles).any(axis=-1, keepdims=True)
     return np.asarray(np.where(passed, _joined(neck, within), turned)) if passed.any() else turned
@@ -167,7 +167,7 @@ def _measured(skeleton: Skeleton, limits: Sequence[Limit], columns: Sequence[int
         rotation = multiply(rotation, rotations[..., joints, :])
     right = np.array([limit.joints[0].startswith("right") for limit in alike])
     rotation = np.where(right[:, None], rotation * MIRROR, rotation)
-    return shoulder_deg(rotation) if alike[0].from_hanging else parted_deg(rotation, alike[0].bone)
+    return shoulder_deg(rotation) if alike[0].from_hanging else swing_twist_deg(rotation, alike[0].bone)
 
 
 def _bounds(limits: Sequence[Limit], columns: list[int]) -> tuple[FloatArray, FloatArray]:
@@ -176,7 +176,7 @@ def _bounds(limits: Sequence[Limit], columns: list[int]) -> tuple[FloatArray, Fl
 
 
 def _joined(limit: Limit, angles_deg: FloatArray) -> FloatArray:
-    """The rotation with these three angles; the inverse of `parted_deg`."""
+    """The rotation with these three angles; the inverse of `swing_twist_deg`."""
     angles = np.radians(angles_deg)
     twist = _about_bone(limit.bone, angles[..., limit.bone])
     bend = angles.copy()

@@ -12,11 +12,20 @@ import numpy as np
 from ...model import FloatArray
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import FINGERS, SIDES, Skeleton, forward
-from ..geometry.rotations import IDENTITY, about, between, inverse, multiply, normalized, of_one_sign, rotate
+from ..geometry.rotations import (
+    IDENTITY,
+    from_axis_angle,
+    inverse,
+    multiply,
+    normalized,
+    rotate,
+    shortest_rotation,
+    with_continuous_signs,
+)
 from ..mannequin.body import t_pose_m
 from .avatar_reading import Avatar, local_matrix, read_avatar, target_names
-from .events import described
-from .gltf import Accessors, Tracks, binary
+from .events import events_json
+from .gltf import Accessors, Tracks, to_glb_bytes
 from .retargeting import Rig
 
 _POINTED: tuple[tuple[str, str], ...] = (
@@ -43,8 +52,8 @@ def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mappi
     tracks = Tracks(accessors, np.arange(len(motion.body.times_s)) / motion.frame_rate_hz)
     _add_body(tracks, found, motion, skeleton)
     _add_faces(tracks, found, motion)
-    tree["animations"] = [{"name": "performance", **tracks.tree(), "extras": described(motion)}]
-    return binary(tree, accessors)
+    tree["animations"] = [{"name": "performance", **tracks.tree(), "extras": events_json(motion)}]
+    return to_glb_bytes(tree, accessors)
 
 
 def _add_body(tracks: Tracks, avatar: Avatar, motion: Motion, skeleton: Skeleton) -> None:
@@ -54,7 +63,7 @@ def _add_body(tracks: Tracks, avatar: Avatar, motion: Motion, skeleton: Skeleton
         if joint in skeleton.index:
             parent = avatar.parents[node]
             above = turned[parent] if parent >= 0 else IDENTITY
-            tracks.add(node, "rotation", of_one_sign(normalized(multiply(inverse(above), turned[node]))))
+            tracks.add(node, "rotation", with_continuous_signs(normalized(multiply(inverse(above), turned[node]))))
     tracks.add(avatar.nodes["hips"], "translation", _hips_m(avatar, motion, skeleton))
 
 
@@ -66,12 +75,12 @@ def _turned(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> dict[int, Flo
     joints = {node: joint for joint, node in avatar.nodes.items() if joint in skeleton.index}
     turned: dict[int, FloatArray] = {}
     for node in avatar.in_order():
-        parent, rest = avatar.parents[node], avatar.turns[node]
+        parent, rest = avatar.parents[node], avatar.orientations[node]
         if node in joints:
             here = multiply(multiply(front, ours[:, skeleton.index[joints[node]]]), inverse(front))
             turned[node] = multiply(here, multiply(to_t_pose[joints[node]], rest))
         elif parent >= 0:
-            turned[node] = multiply(turned[parent], multiply(inverse(avatar.turns[parent]), rest))
+            turned[node] = multiply(turned[parent], multiply(inverse(avatar.orientations[parent]), rest))
         else:
             turned[node] = rest
     return turned
@@ -79,8 +88,8 @@ def _turned(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> dict[int, Flo
 
 def _front(avatar: Avatar) -> FloatArray:
     """A half turn about Y if the avatar faces -Z, as in VRM 0; else the identity."""
-    left, right = (avatar.places_m[avatar.nodes[f"{side}UpperArm"], 0] for side in SIDES)
-    return about((0.0, 1.0, 0.0), np.array(0.0 if left > right else np.pi))
+    left, right = (avatar.positions_m[avatar.nodes[f"{side}UpperArm"], 0] for side in SIDES)
+    return from_axis_angle((0.0, 1.0, 0.0), np.array(0.0 if left > right else np.pi))
 
 
 def _to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
@@ -92,9 +101,9 @@ def _to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
         turn = turns[skeleton.names[parent]] if parent >= 0 else np.array(IDENTITY)
         towards = pointed.get(joint)
         if towards is not None and joint in avatar.nodes and towards in avatar.nodes:
-            there = avatar.places_m[avatar.nodes[towards]] - avatar.places_m[avatar.nodes[joint]]
+            there = avatar.positions_m[avatar.nodes[towards]] - avatar.positions_m[avatar.nodes[joint]]
             wanted = rotate(front, ours_m[skeleton.index[towards]] - ours_m[skeleton.index[joint]])
-            turn = multiply(between(rotate(turn, there), wanted), turn)
+            turn = multiply(shortest_rotation(rotate(turn, there), wanted), turn)
         turns[joint] = turn
     return turns
 
@@ -103,8 +112,8 @@ def _hips_m(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> FloatArray:
     """The position of the hips' node relative to its parent (T, 3)."""
     node = avatar.nodes["hips"]
     rest_m = skeleton.offsets_m[0]
-    size = avatar.places_m[node, 1] / rest_m[1]
-    world = avatar.places_m[node] + size * rotate(_front(avatar), motion.body.hips_m - rest_m)
+    size = avatar.positions_m[node, 1] / rest_m[1]
+    world = avatar.positions_m[node] + size * rotate(_front(avatar), motion.body.hips_m - rest_m)
     above = np.eye(4)
     parent = avatar.parents[node]
     while parent >= 0:

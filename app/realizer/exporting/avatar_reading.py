@@ -32,8 +32,8 @@ class Avatar:
     tree: Tree
     content: bytes
     parents: tuple[int, ...]
-    places_m: FloatArray
-    turns: FloatArray
+    positions_m: FloatArray
+    orientations: FloatArray
     nodes: Mapping[str, int]
 
     def in_order(self) -> Iterator[int]:
@@ -71,8 +71,8 @@ def _avatar(tree: Tree, buffer: bytes, rigs: Mapping[str, Rig]) -> Avatar:
         message = f"the avatar has no {', '.join(missing)} by the names of VRM or of {', '.join(rigs)}"
         raise InputError("unknown_avatar", message, field="avatar")
     avatar = Avatar(tree, buffer, tuple(parents), np.zeros((len(nodes), 3)), np.zeros((len(nodes), 4)), named)
-    places_m, turns = _at_rest(avatar)
-    return replace(avatar, places_m=places_m, turns=turns)
+    positions_m, orientations = _at_rest(avatar)
+    return replace(avatar, positions_m=positions_m, orientations=orientations)
 
 
 def _undecodable(why: str) -> UndecodableError:
@@ -126,20 +126,20 @@ def _named_bones(nodes: Sequence[Tree], rigs: Mapping[str, Rig]) -> dict[str, in
 def _at_rest(avatar: Avatar) -> tuple[FloatArray, FloatArray]:
     """The nodes' positions (N, 3) and orientations (N, 4) in the world."""
     nodes = avatar.tree["nodes"]
-    matrices, turns = np.tile(np.eye(4), (len(nodes), 1, 1)), np.tile(IDENTITY, (len(nodes), 1))
+    matrices, orientations = np.tile(np.eye(4), (len(nodes), 1, 1)), np.tile(IDENTITY, (len(nodes), 1))
     reached = 0
     for number in avatar.in_order():
         parent = avatar.parents[number]
         turn = np.array(nodes[number].get("rotation", IDENTITY), dtype=np.float64)
         matrices[number] = local_matrix(nodes[number])
-        turns[number] = turn
+        orientations[number] = turn
         if parent >= 0:
             matrices[number] = matrices[parent] @ matrices[number]
-            turns[number] = multiply(turns[parent], turn)
+            orientations[number] = multiply(orientations[parent], turn)
         reached += 1
     if reached < len(nodes):
         raise ValueError("nodes are their own ancestors")
-    return matrices[:, :3, 3], normalized(turns)
+    return matrices[:, :3, 3], normalized(orientations)
 
 
 def local_matrix(node: Tree) -> FloatArray:

@@ -16,8 +16,8 @@ from ...model import FloatArray
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton
 from ..face.face_tables import VISEMES
-from ..geometry.rotations import of_one_sign
-from .events import described
+from ..geometry.rotations import with_continuous_signs
+from .events import events_json
 from .gltf import Json
 from .retargeting import Rig
 
@@ -54,7 +54,7 @@ def _head(motion: Motion, skeleton: Skeleton, rig: Rig) -> dict[str, Json]:
         "skeleton": _skeleton(skeleton, rig),
         "frames": len(motion.body.times_s),
         "duration_s": round(motion.duration_s, 6),
-        **described(motion),
+        **events_json(motion),
         "notices": [{"code": notice.code, "message": notice.message} for notice in motion.notices],
     }
 
@@ -80,7 +80,7 @@ def _skeleton(skeleton: Skeleton, rig: Rig) -> Json:
 
 def _bones(motion: Motion, rig: Rig) -> Iterator[tuple[str, str]]:
     for joint, name in enumerate(rig.names.values()):
-        yield name, _track(of_one_sign(motion.body.rotations[:, joint]), ROTATION_DECIMALS)
+        yield name, _track(with_continuous_signs(motion.body.rotations[:, joint]), ROTATION_DECIMALS)
 
 
 def _weights(names: tuple[str, ...], weights: FloatArray) -> Iterator[tuple[str, str]]:

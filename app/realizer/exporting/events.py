@@ -4,7 +4,7 @@ from ..body.motion import Motion
 from .gltf import Json
 
 
-def described(motion: Motion) -> dict[str, Json]:
+def events_json(motion: Motion) -> dict[str, Json]:
     """The sync points by BML id, in seconds from the first frame, which is at `audio_offset_s` of the audio, and the
     decisions."""
     start_s = float(motion.body.times_s[0])

@@ -12,12 +12,12 @@ import numpy as np
 from ...model import FloatArray
 from ..body.motion import Motion
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import of_one_sign
+from ..geometry.rotations import with_continuous_signs
 from ..mannequin.body import t_pose_m
 from ..mannequin.face import FACE_SHAPES
 from ..mannequin.mannequin import COLOURS, Mannequin, Part, joined
-from .events import described
-from .gltf import Accessors, Json, Tracks, binary, joint_nodes
+from .events import events_json
+from .gltf import Accessors, Json, Tracks, joint_nodes, to_glb_bytes
 
 
 def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:
@@ -39,7 +39,7 @@ def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:
         "skins": [_skin(skeleton, accessors)],
         "animations": [_animation(motion, face, accessors)],
     }
-    return binary(tree, accessors)
+    return to_glb_bytes(tree, accessors)
 
 
 def _mesh(name: str, parts: tuple[Part, ...], accessors: Accessors) -> dict[str, Json]:
@@ -94,17 +94,17 @@ def _skin(skeleton: Skeleton, accessors: Accessors) -> Json:
 
 
 def _animation(motion: Motion, face: int, accessors: Accessors) -> Json:
-    tracks = Tracks(accessors, clock_s(motion))
+    tracks = Tracks(accessors, frame_times_s(motion))
     tracks.add(0, "translation", motion.body.hips_m)
     for joint in range(motion.body.rotations.shape[1]):
-        tracks.add(joint, "rotation", of_one_sign(motion.body.rotations[:, joint]))
+        tracks.add(joint, "rotation", with_continuous_signs(motion.body.rotations[:, joint]))
     weights = np.zeros((len(motion.shapes), len(FACE_SHAPES)))
     weights[:, : motion.shapes.shape[1]] = np.clip(motion.shapes, 0.0, 1.0)
     tracks.add(face, "weights", weights)
-    return {"name": "performance", **tracks.tree(), "extras": described(motion)}
+    return {"name": "performance", **tracks.tree(), "extras": events_json(motion)}
 
 
-def clock_s(motion: Motion) -> FloatArray:
+def frame_times_s(motion: Motion) -> FloatArray:
     """The frames' times (T,), starting at 0."""
     return np.arange(len(motion.body.times_s)) / motion.frame_rate_hz
 

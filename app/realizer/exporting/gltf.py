@@ -120,7 +120,7 @@ class Accessors:
         return len(self._views) - 1
 
 
-def binary(tree: Mapping[str, Json], accessors: Accessors) -> bytes:
+def to_glb_bytes(tree: Mapping[str, Json], accessors: Accessors) -> bytes:
     """The GLB file of a JSON tree, completed by the accessors' part, and the buffer."""
     asset = {"version": "2.0", "generator": f"Understudy {__version__}"}
     described = json.dumps({"asset": asset, **tree, **accessors.tree()}, separators=(",", ":")).encode()

@@ -15,10 +15,10 @@ import numpy as np
 from ...model import FloatArray
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import of_one_sign, slerp
+from ..geometry.rotations import slerp, with_continuous_signs
 from ..mannequin.face import VISEME_MIXTURES
-from .events import described
-from .gltf import Accessors, Json, Tracks, binary, joint_nodes
+from .events import events_json
+from .gltf import Accessors, Json, Tracks, joint_nodes, to_glb_bytes
 
 EXTENSION = "VRMC_vrm_animation"
 FRAME_RATE_HZ = 30
@@ -54,7 +54,7 @@ def to_vrma(motion: Motion, skeleton: Skeleton, *, shapes: bool = False) -> byte
     accessors = Accessors()
     tracks = Tracks(accessors, np.arange(len(weights)) * _stride(motion) / motion.frame_rate_hz)
     _add_body(tracks, motion, skeleton, frames)
-    tracks.add(look_at, "rotation", of_one_sign(_gaze(motion, skeleton, frames)))
+    tracks.add(look_at, "rotation", with_continuous_signs(_gaze(motion, skeleton, frames)))
     for number, values in enumerate(expressions.values()):
         tracks.add(first + number, "translation", np.pad(values[:, None], ((0, 0), (0, 2))))
     named: Json = {name: {"node": first + number} for number, name in enumerate(expressions)}
@@ -65,9 +65,9 @@ def to_vrma(motion: Motion, skeleton: Skeleton, *, shapes: bool = False) -> byte
         "scene": 0,
         "scenes": [{"nodes": [0, *range(first, len(nodes))]}],
         "nodes": nodes,
-        "animations": [{"name": "performance", **tracks.tree(), "extras": described(motion)}],
+        "animations": [{"name": "performance", **tracks.tree(), "extras": events_json(motion)}],
     }
-    return binary(tree, accessors)
+    return to_glb_bytes(tree, accessors)
 
 
 def _stride(motion: Motion) -> int:
@@ -121,7 +121,7 @@ def _add_body(tracks: Tracks, motion: Motion, skeleton: Skeleton, frames: slice)
     tracks.add(0, "translation", motion.body.hips_m[frames])
     for joint, name in enumerate(skeleton.names):
         if name not in EYES:
-            tracks.add(joint, "rotation", of_one_sign(motion.body.rotations[frames, joint]))
+            tracks.add(joint, "rotation", with_continuous_signs(motion.body.rotations[frames, joint]))
 
 
 def _gaze(motion: Motion, skeleton: Skeleton, frames: slice) -> FloatArray:

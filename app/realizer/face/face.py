@@ -17,8 +17,8 @@ from ..geometry.noise import perlin
 from .diphthongs import with_glides
 from .expressions import expressions
 from .face_tables import COLUMNS, FaceTables
-from .lids import looks, with_lids
-from .lips import Speech, speak
+from .lids import eye_look_weights, with_lids
+from .lips import LipSync, lip_sync
 
 CORNERS = ("mouthSmile", "mouthFrown", "mouthDimple", "mouthStretch", "mouthLeft", "mouthRight")
 """The shapes at the corners of the mouth, which speech uses only in part."""
@@ -53,7 +53,9 @@ _FRAMES_AT_ONCE = 2048
 """Frames computed at a time, so that ten minutes need little more memory than half a minute."""
 
 
-def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Skeleton, *, seed: int) -> FloatArray:
+def face_weights(
+    tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Skeleton, *, seed: int
+) -> FloatArray:
     """The weights (T, 52) in [0, 1], in the order of `SHAPES`, at the frames of `body`, whose eye joints determine the
     eye look shapes. Faces with unknown lexemes are left out; `expressions.unknown_faces` reports them."""
     times_s = body.times_s
@@ -63,9 +65,9 @@ def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Ske
     for first in range(0, len(times_s), _FRAMES_AT_ONCE):
         frames = slice(first, first + _FRAMES_AT_ONCE)
         part = BodyMotion(times_s[frames], body.rotations[frames], body.hips_m[frames])
-        at_rest = _together(looks(tables.eyes, part, skeleton), micro_movement(part.times_s, seed))
-        shown = expressions(tables.words, schedule.behaviors, part.times_s, frame_s) * _sides(part.times_s, seed)
-        speech = speak(tables.visemes, spoken, part.times_s)
+        at_rest = _together(eye_look_weights(tables.eyes, part, skeleton), micro_movement(part.times_s, seed))
+        shown = expressions(tables.lexemes, schedule.behaviors, part.times_s, frame_s) * _sides(part.times_s, seed)
+        speech = lip_sync(tables.visemes, spoken, part.times_s)
         beside = _beside_speech(_together(shown, at_rest), speech)
         shapes[frames] = with_lids(tables.eyes, _together(speech.shapes, beside))
     return shapes
@@ -81,7 +83,7 @@ def micro_movement(times_s: FloatArray, seed: int) -> FloatArray:
     return shapes
 
 
-def _beside_speech(shown: FloatArray, speech: Speech) -> FloatArray:
+def _beside_speech(shown: FloatArray, speech: LipSync) -> FloatArray:
     """The expressions, reduced to what speech leaves of the mouth."""
     shown = shown.copy()
     for left, names in ((speech.corners, CORNERS), (speech.lips, LIPS)):

@@ -102,9 +102,9 @@ class EyeTable:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FaceTables:
-    """The validated file. `words` has the 52 weights of every lexeme and action unit (`AU12`) at full amount."""
+    """The validated file. `lexemes` has the 52 weights of every lexeme and action unit (`AU12`) at full amount."""
 
-    words: Mapping[str, FloatArray]
+    lexemes: Mapping[str, FloatArray]
     visemes: VisemeTable
     eyes: EyeTable
 

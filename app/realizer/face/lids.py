@@ -20,7 +20,7 @@ _AHEAD: FloatArray = np.array([0.0, 0.0, 1.0])
 _AHEAD.setflags(write=False)
 
 
-def looks(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> FloatArray:
+def eye_look_weights(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> FloatArray:
     """The weights (T, 52) of the eight eye look shapes."""
     shapes = np.zeros((len(body.times_s), len(SHAPES)))
     for side, outwards in (("Left", 1.0), ("Right", -1.0)):

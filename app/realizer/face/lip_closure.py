@@ -25,7 +25,7 @@ class Closure:
     """A viseme that requires a closed mouth, and the interval in which it is closed; None if it never is."""
 
     viseme: Viseme
-    shut: Interval | None
+    closed: Interval | None
 
 
 def lip_opening(shapes: FloatArray, *, to_teeth: bool = False) -> FloatArray:

@@ -32,7 +32,7 @@ _NEAR_ZERO = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Speech:
+class LipSync:
     """The mouth in speech, `shapes` (T, 52), and the shares left to expressions: of the mouth's `corners` (T,), and of
     `lips` and jaw (T,), which are free only in silence."""
 
@@ -41,7 +41,7 @@ class Speech:
     lips: FloatArray
 
 
-def speak(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> Speech:
+def lip_sync(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> LipSync:
     """The mouth at `times_s` of the audio; closed in silence."""
     spoken, segments = _segmented(visemes, times_s)
     columns = np.flatnonzero(np.array(table.articulator) >= 0)
@@ -54,14 +54,14 @@ def speak(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) 
     shapes = np.zeros((len(times_s), len(SHAPES)))
     shapes[:, columns] = mean[:, :-2]
     shapes[:, _CLOSE] = np.minimum(shapes[:, _CLOSE], 1) * shapes[:, _JAW]
-    return Speech(shapes, corners=mean[:, -2], lips=mean[:, -1])
+    return LipSync(shapes, corners=mean[:, -2], lips=mean[:, -1])
 
 
 def viseme_weights(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> FloatArray:
     """Weights (T, 15) of the visemes, for rigs that have them as morph targets: each in [0, 1], their sum at most 1.
 
     They use a single dominance for the whole mouth, in which each viseme has a minimum strength so that none is
-    skipped. Closing visemes are strengthened as in `speak`, at the cost of the others.
+    skipped. Closing visemes are strengthened as in `lip_sync`, at the cost of the others.
     """
     spoken, segments = _segmented(visemes, times_s)
     equal = replace(table.dominance, strength=np.maximum(table.dominance.strength, 1))

@@ -18,7 +18,9 @@ def minimum_jerk(share: FloatArray) -> FloatArray:
     return np.asarray(share**3 * (10.0 + share * (6.0 * share - 15.0)))
 
 
-def changes(times_s: FloatArray, starts_s: FloatArray, durations_s: FloatArray, by: FloatArray) -> FloatArray:
+def superposed_movements(
+    times_s: FloatArray, starts_s: FloatArray, durations_s: FloatArray, by: FloatArray
+) -> FloatArray:
     """The sum (T, C) of lasting movements by `by` (K, C) at increasing `times_s`. A movement that starts before another
     has ended is superposed on it, as people do when a target jumps (Flash & Henis 1991), so velocity is continuous."""
     moving = by.any(axis=1) & (starts_s < times_s[-1])
@@ -32,12 +34,14 @@ def changes(times_s: FloatArray, starts_s: FloatArray, durations_s: FloatArray, 
     return np.asarray(course)
 
 
-def through(times_s: FloatArray, at_s: FloatArray, values: FloatArray) -> FloatArray:
+def minimum_jerk_through(times_s: FloatArray, at_s: FloatArray, values: FloatArray) -> FloatArray:
     """The curve (T,) that comes to rest at each of `values` (K,) at the increasing times `at_s` (K,), constant before
     and after."""
     if len(at_s) == 1:
         return np.full(len(times_s), values[0])
-    return np.asarray(values[0] + changes(times_s, at_s[:-1], np.diff(at_s), np.diff(values)[:, None])[:, 0])
+    return np.asarray(
+        values[0] + superposed_movements(times_s, at_s[:-1], np.diff(at_s), np.diff(values)[:, None])[:, 0]
+    )
 
 
 def plateau(times_s: FloatArray, start_s: float, reached_s: float, left_s: float, end_s: float) -> FloatArray:

@@ -78,13 +78,13 @@ def to_rotation_vector(q: FloatArray) -> FloatArray:
     return np.asarray(q[..., :3] * np.where(sine > _NEAR_ZERO, angle / np.maximum(sine, _NEAR_ZERO), 2.0))
 
 
-def about(axis: tuple[float, float, float], angle: FloatArray) -> FloatArray:
+def from_axis_angle(axis: tuple[float, float, float], angle: FloatArray) -> FloatArray:
     """The rotations by the angles (…) about one unit axis."""
     half = np.asarray(angle)[..., None] / 2
     return np.concatenate([np.sin(half) * np.array(axis), np.cos(half)], axis=-1)
 
 
-def between(a: FloatArray, b: FloatArray) -> FloatArray:
+def shortest_rotation(a: FloatArray, b: FloatArray) -> FloatArray:
     """The shortest rotation that takes the direction `a` (…, 3) to the direction `b`."""
     a, b = a / length(a), b / length(b)
     w = 1 + dot(a, b)
@@ -122,7 +122,7 @@ def normalized(q: FloatArray) -> FloatArray:
     return np.asarray(q / length(q))
 
 
-def of_one_sign(q: FloatArray) -> FloatArray:
+def with_continuous_signs(q: FloatArray) -> FloatArray:
     """The same rotations (T, …, 4), with signs such that each quaternion is near to the previous one in time."""
     turned = dot(q[1:], q[:-1]) < 0
     if not turned.any():

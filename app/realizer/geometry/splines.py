@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from .rotations import from_rotation_vector, inverse, length, multiply, of_one_sign, to_rotation_vector
+from .rotations import from_rotation_vector, inverse, length, multiply, to_rotation_vector, with_continuous_signs
 
 _MOST_SLOPE = 3.0
 _STILL = 1e-9
@@ -38,7 +38,7 @@ def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
     """The rotations (T, C, 4) of the curves at `times_s` (T,)."""
     counts = [max(len(curve.times_s), 2) for curve in curves]
     key_times_s = np.concatenate([_two_at_least(curve.times_s, 1.0) for curve in curves])
-    keys = of_one_sign(np.concatenate([_two_at_least(curve.keys, 0.0) for curve in curves]))
+    keys = with_continuous_signs(np.concatenate([_two_at_least(curve.keys, 0.0) for curve in curves]))
     shape = np.concatenate([_two_at_least(curve.shape, 0.0) for curve in curves])
     lasts = np.cumsum(counts, dtype=np.intp) - 1
     spans_s = np.diff(key_times_s)

@@ -18,7 +18,7 @@ TOP_STROKE_SPEED_M_S = 1.0
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
+class GestureRequest:
     """A gesture of the schedule: category, desired stroke and relax time, priority (paper §3.8, eq. 4), and what our
     BML adds: hand, level of agitation, size (1 as defined) and the name of a target."""
 
@@ -44,11 +44,11 @@ class Repeat:
 
 
 @dataclass(frozen=True, slots=True)
-class Placed:
+class PlacedGesture:
     """A clip A_i for a request G_i, its stroke at the desired time; `relax_s` is the earliest end of its hold. `aim_m`
     is the world position that it points at; None plays it as defined."""
 
-    request: Request
+    request: GestureRequest
     clip: Clip
     relax_s: float
     repeats: tuple[Repeat, ...] = ()
@@ -85,15 +85,15 @@ class Placed:
 @dataclass(frozen=True, slots=True)
 class ArmGesture:
     """A placed gesture as played by one arm. `blended_from` and `blended_to` are the gestures that the arm comes from
-    and goes to without rest; None is from or to rest. `underway` is the share of the way to the stroke start that the
-    arm has already covered in the first frame, when the first stroke of a line leaves no time for it."""
+    and goes to without rest; None is from or to rest. `initial_progress` is the share of the way to the stroke start
+    that the arm has already covered in the first frame, when the first stroke of a line leaves no time for it."""
 
     side: Hand
-    placed: Placed
+    placed: PlacedGesture
     markers: Markers
     blended_from: str | None = None
     blended_to: str | None = None
-    underway: float = 0.0
+    initial_progress: float = 0.0
 
     @property
     def behavior(self) -> str:
@@ -124,7 +124,7 @@ class Transition:
 
 
 @dataclass(frozen=True, slots=True)
-class Unit:
+class GestureUnit:
     """A gesture unit: gestures without rest between them, from the first preparation to the end of the last
     retraction."""
 
@@ -142,7 +142,7 @@ class GesturePlan:
     gestures: tuple[ArmGesture, ...]
     rests: tuple[ArmRest, ...]
     transitions: tuple[Transition, ...]
-    units: tuple[Unit, ...]
+    units: tuple[GestureUnit, ...]
     decisions: tuple[Decision, ...]
     realized: Mapping[str, SyncPoints]
     end_s: float

@@ -14,12 +14,12 @@ from types import MappingProxyType
 from ...errors import AuthoringError, InputError, Mistake
 from ...model import Hand, Level
 from .aliases import ALIASES, read_aliases
-from .checking import names_twice
+from .checking import duplicate_names
 from .clips import clip
 from .definitions import definition
 from .gesture import Clip, Definition
 from .language import mistake_in, read_gestures
-from .statements import GestureFile, Located
+from .statements import GestureFile, LocatedMistake
 
 SUFFIX = ".gesture"
 LAST_RESORT = "BEAT"
@@ -103,12 +103,12 @@ def read_definitions(paths: Sequence[Path]) -> tuple[Definition, ...]:
     mistakes: list[Mistake] = []
     for path in paths:
         file, found = read_gestures(path)
-        wrong: list[Located] = []
+        wrong: list[LocatedMistake] = []
         read = [definition(tree, path, wrong) for tree in file.gestures]
         definitions += [one for one in read if one is not None]
         mistakes += [*found, *(mistake_in(file, one) for one in wrong)]
         files.append(file)
-    mistakes += names_twice(files)
+    mistakes += duplicate_names(files)
     if mistakes:
         order = {path: number for number, path in enumerate(paths)}
         raise AuthoringError(tuple(sorted(mistakes, key=lambda one: (order[one.path], one.line, one.column))))

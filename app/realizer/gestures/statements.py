@@ -1,6 +1,6 @@
 """The syntax tree of gesture files: statements, frames and gestures.
 
-Lines and columns count from 1. An unreadable line is a statement without words and with `sound` false, so that the
+Lines and columns count from 1. An unreadable line is a statement without words and with `readable` false, so that the
 lines around it can still be interpreted.
 """
 
@@ -27,7 +27,7 @@ class Statement:
     words: tuple[Word, ...] = ()
     numbers: tuple[Word, ...] = ()
     other: bool = False
-    sound: bool = True
+    readable: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,9 +49,9 @@ class GestureTree:
     def start(self) -> Word:
         return self.header[0].keyword
 
-    def all_sound(self) -> bool:
+    def all_readable(self) -> bool:
         """Whether all its lines were readable."""
-        return all(statement.sound for statement in self._statements())
+        return all(statement.readable for statement in self._statements())
 
     def _statements(self) -> Iterator[Statement]:
         yield from self.header
@@ -69,7 +69,7 @@ class GestureFile:
 
 
 @dataclass(frozen=True, slots=True)
-class Located:
+class LocatedMistake:
     """A mistake and the word at which it was found."""
 
     at: Word

@@ -4,7 +4,7 @@
 from collections.abc import Iterator
 
 from ...model import Level
-from .definitions import RANGES, mirrored_where_silent
+from .definitions import RANGES, completed_by_mirroring
 from .gesture import ArmKey, Definition, Direction, Expressivity, Frame, HandShape, Place, Thumb, Wrist
 from .language import OTHER
 from .specifiers import AS_THE_FOREARM, FINGER_BASE, PALM
@@ -52,7 +52,7 @@ def _other(frame: Frame) -> Iterator[str]:
     if frame.other is None:
         return
     lines = list(_key(frame.other))
-    if not lines or mirrored_where_silent(frame.other, frame.leading) != frame.other:
+    if not lines or completed_by_mirroring(frame.other, frame.leading) != frame.other:
         raise ValueError(f"at {frame.time:g} the other arm leaves open what the leading arm says")
     yield from lines
 

@@ -1,15 +1,15 @@
 """Finds the targets of pointing gestures.
 
 Conventions: world positions in metres (`understudy.realizer.body.skeleton`). The listener's position is that of the
-gaze (`understudy.realizer.head_and_gaze.looks`), but hands point lower than eyes look.
+gaze (`understudy.realizer.head_and_gaze.gaze_targets`), but hands point lower than eyes look.
 """
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from ..body.motion import Decision
-from ..gestures.gesture_plan import Placed, Position
-from .looks import LISTENER_M
+from ..gestures.gesture_plan import PlacedGesture, Position
+from .gaze_targets import LISTENER_M
 
 LISTENER = "listener"
 BELOW_THE_EYES_M = 0.35
@@ -18,7 +18,7 @@ AT_THE_LISTENER = "YOU"
 """The category that points at the listener, with or without a named target."""
 
 
-def aimed(placed: Placed, targets_m: Mapping[str, Position]) -> Placed:
+def with_target(placed: PlacedGesture, targets_m: Mapping[str, Position]) -> PlacedGesture:
     """The gesture with its target position; if the target's position is unknown, the gesture as defined."""
     target = placed.request.target or (LISTENER if placed.clip.category == AT_THE_LISTENER else None)
     if target is None or not placed.clip.aimed:
@@ -29,7 +29,7 @@ def aimed(placed: Placed, targets_m: Mapping[str, Position]) -> Placed:
     return replace(placed, aim_m=targets_m.get(target))
 
 
-def missed(placed: Placed) -> Iterator[Decision]:
+def unknown_target(placed: PlacedGesture) -> Iterator[Decision]:
     """A decision for a pointing gesture whose target has no known position."""
     if placed.clip.aimed and placed.request.target and placed.aim_m is None:
         where = f"where {placed.request.target!r} is nobody has said"

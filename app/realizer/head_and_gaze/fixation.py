@@ -7,7 +7,7 @@ pitch and yaw relative to the target's centre; seconds.
 import numpy as np
 
 from ...model import FloatArray
-from ..geometry.easing import changes
+from ..geometry.easing import superposed_movements
 from ..geometry.noise import perlin
 
 SACCADE_S, SACCADE_S_PER_RADIAN = 0.021, 0.0022 * 180 / np.pi
@@ -27,7 +27,7 @@ def saccade_s(angle: FloatArray) -> FloatArray:
     return np.asarray(SACCADE_S + SACCADE_S_PER_RADIAN * angle)
 
 
-def fixating(times_s: FloatArray, *, seed: int) -> FloatArray:
+def fixation_offsets(times_s: FloatArray, *, seed: int) -> FloatArray:
     """Pitch and yaw (T, 2) relative to the target's centre; deterministic for a seed."""
     when, where = np.random.default_rng(seed).spawn(2)
     count = int((times_s[-1] - times_s[0]) / SHORTEST_S) + 2
@@ -36,5 +36,5 @@ def fixating(times_s: FloatArray, *, seed: int) -> FloatArray:
     parts = PARTS[np.cumsum(steps) % len(PARTS)]
     by = np.diff(parts, axis=0)
     drift = perlin(times_s, frequency_hz=DRIFT_HZ, seed=seed + 5, channels=2, in_step=False)
-    jumps = changes(times_s, starts_s, saccade_s(np.linalg.norm(by, axis=-1)), by)
+    jumps = superposed_movements(times_s, starts_s, saccade_s(np.linalg.norm(by, axis=-1)), by)
     return np.asarray(parts[0] + jumps + np.radians(DRIFT_DEGREES) * drift)

@@ -16,12 +16,12 @@ from ...model import FloatArray, Schedule
 from ..body.limits import within_neck_limits
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
-from ..geometry.angles import turn
-from ..geometry.easing import changes
+from ..geometry.angles import from_pitch_yaw_roll
+from ..geometry.easing import superposed_movements
 from ..geometry.rotations import from_rotation_vector, inverse, multiply, to_rotation_vector
-from .fixation import fixating, saccade_s
-from .gaze_geometry import EYES, Chest, aimed, chest, face, toward
-from .looks import Aims, Position, looks
+from .fixation import fixation_offsets, saccade_s
+from .gaze_geometry import EYES, Chest, chest, eye_rotations, face, point_in_direction
+from .gaze_targets import GazeTargets, Position, gaze_targets
 
 _TRUNK = ("spine", "chest", "upperChest")
 
@@ -33,7 +33,7 @@ HEAD_S, HEAD_S_PER_RADIAN = 0.2, 0.008 * 180 / np.pi
 TRUNK_SLOWNESS = 1.8
 
 
-def gaze(
+def apply_gaze(
     skeleton: Skeleton,
     body: BodyMotion,
     schedule: Schedule,
@@ -46,29 +46,31 @@ def gaze(
     `targets_m` has the world positions of targets; any other target is the other person (`LISTENER_M`).
     """
     times_s, from_m = body.times_s, _eyes_in_t_pose(skeleton)
-    line, head, trunk = _courses(times_s, looks(schedule, from_m, targets_m))
+    line, head, trunk = _courses(times_s, gaze_targets(schedule, from_m, targets_m))
     rotations = body.rotations.copy()
-    share = turn(np.zeros_like(trunk), trunk / len(_TRUNK), np.zeros_like(trunk))
+    share = from_pitch_yaw_roll(np.zeros_like(trunk), trunk / len(_TRUNK), np.zeros_like(trunk))
     for joint in skeleton.chain(*_TRUNK):
         rotations[:, joint] = multiply(rotations[:, joint], share)
     carrying = chest(skeleton, rotations, body.hips_m)
     half = _half_turned(carrying, head)
-    aside = fixating(times_s, seed=seed)
-    at_m = toward(line[:, 0] + aside[:, 0], line[:, 1] + aside[:, 1], 1.0 / line[:, 2], from_m)
+    aside = fixation_offsets(times_s, seed=seed)
+    at_m = point_in_direction(line[:, 0] + aside[:, 0], line[:, 1] + aside[:, 1], 1.0 / line[:, 2], from_m)
     rotations[:, skeleton.chain("neck", "head")] = half[:, None]
-    rotations[:, skeleton.chain(*EYES)] = aimed(face(skeleton, carrying, half, half), at_m)
+    rotations[:, skeleton.chain(*EYES)] = eye_rotations(face(skeleton, carrying, half, half), at_m)
     return BodyMotion(times_s, rotations, body.hips_m)
 
 
-def _courses(times_s: FloatArray, aims: Aims) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _courses(times_s: FloatArray, aims: GazeTargets) -> tuple[FloatArray, FloatArray, FloatArray]:
     """The eyes' pitch, yaw and inverse distance (T, 3), the head's pitch and yaw (T, 2), and the trunk's yaw (T,)."""
     eyes_by, head_by, trunk_by = (np.diff(each, axis=0) for each in (aims.eyes, aims.head, aims.trunk))
     eyes_s = saccade_s(np.linalg.norm(eyes_by[:, :2], axis=-1))
     head_s = np.maximum(HEAD_S + HEAD_S_PER_RADIAN * np.linalg.norm(head_by, axis=-1), aims.within_s - HEAD_LAG_S)
-    trunk = aims.trunk[0] + changes(times_s, aims.starts_s + TRUNK_LAG_S, TRUNK_SLOWNESS * head_s, trunk_by)
+    trunk = aims.trunk[0] + superposed_movements(
+        times_s, aims.starts_s + TRUNK_LAG_S, TRUNK_SLOWNESS * head_s, trunk_by
+    )
     return (
-        aims.eyes[0] + changes(times_s, aims.starts_s, eyes_s, eyes_by),
-        aims.head[0] + changes(times_s, aims.starts_s + HEAD_LAG_S, head_s, head_by),
+        aims.eyes[0] + superposed_movements(times_s, aims.starts_s, eyes_s, eyes_by),
+        aims.head[0] + superposed_movements(times_s, aims.starts_s + HEAD_LAG_S, head_s, head_by),
         trunk[:, 0],
     )
 
@@ -76,7 +78,9 @@ def _courses(times_s: FloatArray, aims: Aims) -> tuple[FloatArray, FloatArray, F
 def _half_turned(carrying: Chest, head: FloatArray) -> FloatArray:
     """The rotations (T, 4) of neck and head, half each, that give the head the pitch and yaw `head` (T, 2) in the
     world."""
-    over_chest = multiply(inverse(carrying.turned), turn(head[:, 0], head[:, 1], np.zeros(len(head))))
+    over_chest = multiply(
+        inverse(carrying.orientation), from_pitch_yaw_roll(head[:, 0], head[:, 1], np.zeros(len(head)))
+    )
     return from_rotation_vector(to_rotation_vector(within_neck_limits(over_chest)) / 2)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...model import FloatArray
 from ..body.skeleton import Skeleton
-from ..geometry.angles import aim, direction, turn
+from ..geometry.angles import from_pitch_yaw_roll, pitch_and_yaw, unit_vector
 from ..geometry.rotations import inverse, multiply, rotate
 
 EYES = ("leftEye", "rightEye")
@@ -29,7 +29,7 @@ _AHEAD = np.array([0.0, 0.0, 1.0])
 class Chest:
     """What carries the head: the upper chest's orientation in the world (T, 4), and the neck's position (T, 3)."""
 
-    turned: FloatArray
+    orientation: FloatArray
     neck_m: FloatArray
 
 
@@ -37,7 +37,7 @@ class Chest:
 class Face:
     """The head's orientation in the world (T, 4), and the positions of the left and right eye (T, 2, 3)."""
 
-    turned: FloatArray
+    orientation: FloatArray
     eyes_m: FloatArray
 
 
@@ -53,22 +53,22 @@ def chest(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Ches
 def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArray) -> Face:
     """Head and eyes on the chest, for local rotations (T, 4) of neck and head."""
     joint, *eyes = skeleton.chain("head", *EYES)
-    turned = multiply(carried_by.turned, neck)
+    turned = multiply(carried_by.orientation, neck)
     head_m = carried_by.neck_m + rotate(turned, skeleton.offsets_m[joint])
     turned = multiply(turned, head)
     return Face(turned, head_m[:, None] + rotate(turned[:, None], skeleton.offsets_m[eyes]))
 
 
-def aimed(where: Face, at_m: FloatArray) -> FloatArray:
+def eye_rotations(where: Face, at_m: FloatArray) -> FloatArray:
     """The rotations (T, 2, 4) of the left and right eye towards the points `at_m` (T, 3), within their limits."""
-    pitch, yaw = aim(rotate(inverse(where.turned)[:, None], at_m[:, None] - where.eyes_m))
+    pitch, yaw = pitch_and_yaw(rotate(inverse(where.orientation)[:, None], at_m[:, None] - where.eyes_m))
     pitch = np.clip(pitch, -UPRIGHT_LIMIT, UPRIGHT_LIMIT)
-    return turn(pitch, np.clip(yaw, -SIDEWAYS_LIMIT, SIDEWAYS_LIMIT), np.zeros_like(yaw))
+    return from_pitch_yaw_roll(pitch, np.clip(yaw, -SIDEWAYS_LIMIT, SIDEWAYS_LIMIT), np.zeros_like(yaw))
 
 
-def seen_m(where: Face, eyes: FloatArray) -> FloatArray:
+def fixation_point_m(where: Face, eyes: FloatArray) -> FloatArray:
     """The points (T, 3) at which eyes with these rotations (T, 2, 4) look: where their lines of sight come nearest."""
-    lines = rotate(multiply(where.turned[:, None], eyes), _AHEAD)
+    lines = rotate(multiply(where.orientation[:, None], eyes), _AHEAD)
     left, right = lines[:, 0], lines[:, 1]
     base = where.eyes_m[:, 0] - where.eyes_m[:, 1]
     cosine, on_left, on_right = (np.sum(a * b, axis=-1) for a, b in ((left, right), (base, left), (base, right)))
@@ -79,6 +79,6 @@ def seen_m(where: Face, eyes: FloatArray) -> FloatArray:
     return np.asarray(ends_m.mean(axis=1))
 
 
-def toward(pitch: FloatArray, yaw: FloatArray, distance_m: FloatArray, from_m: FloatArray) -> FloatArray:
+def point_in_direction(pitch: FloatArray, yaw: FloatArray, distance_m: FloatArray, from_m: FloatArray) -> FloatArray:
     """The points (T, 3) at a distance from `from_m` in the direction of `pitch` and `yaw`."""
-    return np.asarray(from_m + distance_m[:, None] * direction(pitch, yaw))
+    return np.asarray(from_m + distance_m[:, None] * unit_vector(pitch, yaw))

@@ -62,10 +62,10 @@ FASTEST_RAD_S = 3.5
 """Nods and shakes are limited to 5 Hz, and joints to 200°/s, whatever the schedule says."""
 
 
-def moved(times_s: FloatArray, behavior: Behavior, *, ahead: float) -> FloatArray:
+def movement_angles(times_s: FloatArray, behavior: Behavior, *, ahead: float) -> FloatArray:
     """Pitch, yaw and roll (T, 3) of either neck or head, at frames within the movement. Its phase leads by the share
     `ahead` of `PHASE_SHIFT` in the middle."""
-    movement, waves = MOVEMENTS[behavior.lexeme], waves_of(behavior)
+    movement, waves = MOVEMENTS[behavior.lexeme], cycle_count(behavior)
     amount = DEFAULT_AMOUNT if behavior.amount is None else behavior.amount
     nods, swings, held = (
         np.radians(amount * np.array(degrees) / 2) for degrees in (movement.nods, movement.swings, movement.held)
@@ -80,13 +80,13 @@ def moved(times_s: FloatArray, behavior: Behavior, *, ahead: float) -> FloatArra
     return turned
 
 
-def waves_of(behavior: Behavior) -> int:
+def cycle_count(behavior: Behavior) -> int:
     """The number of nods or shakes: as many as requested, if there is time for them."""
     time_for = int((behavior.sync.end - behavior.sync.start) / SHORTEST_WAVE_S)
     return max(1, min(behavior.repetitions or 1, time_for))
 
 
-def unhurried(turned: FloatArray, frame_s: float) -> FloatArray:
+def limited_speed(turned: FloatArray, frame_s: float) -> FloatArray:
     """The same curve (T, 3), reduced in size where it would exceed the neck's maximum speed."""
     speed = np.linalg.norm(np.diff(turned, axis=0, prepend=0.0, append=0.0), axis=-1).max() / frame_s
     return np.asarray(turned * (FASTEST_RAD_S / max(speed, FASTEST_RAD_S)))

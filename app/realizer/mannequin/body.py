@@ -45,7 +45,7 @@ class Garment:
     """A surface of one material: `middle` bones occur once, `left` bones are mirrored."""
 
     material: str
-    melt_m: float
+    blend_m: float
     grid_m: float
     middle: tuple[Bone, ...] = ()
     left: tuple[Bone, ...] = ()
@@ -53,7 +53,7 @@ class Garment:
 
 JUMPER = Garment(
     "jumper",
-    melt_m=0.012,
+    blend_m=0.012,
     grid_m=0.016,
     middle=(
         Bone("hips", "upperChest", 0.1045, 0.1065, (0, -0.03, 0.0), (0, 0.02, 0.008), (1.45, 0.9, 1.03), Use.DRAWN),
@@ -71,7 +71,7 @@ JUMPER = Garment(
 
 TROUSERS = Garment(
     "trousers",
-    melt_m=0.012,
+    blend_m=0.012,
     grid_m=0.018,
     middle=(Bone("hips", "hips", 0.102, 0.100, (0, 0.01, 0.0), (0, -0.06, -0.008), (1.42, 0.8, 1.02)),),
     left=(
@@ -82,7 +82,7 @@ TROUSERS = Garment(
 
 SHOES = Garment(
     "shoes",
-    melt_m=0.008,
+    blend_m=0.008,
     grid_m=0.012,
     left=(
         Bone("leftFoot", "leftFoot", 0.040, 0.040, (0, 0.02, 0.0), (0, -0.035, -0.018)),
@@ -117,7 +117,7 @@ def _finger_bones() -> tuple[Bone, ...]:
 
 HANDS = Garment(
     "skin",
-    melt_m=0.0030,
+    blend_m=0.0030,
     grid_m=0.0055,
     left=(
         Bone("leftLowerArm", "leftHand", 0.026, 0.026, (0.21, 0, 0), (-0.005, 0, 0), (1, 0.82, 1.05)),
@@ -133,7 +133,7 @@ HANDS = Garment(
 
 NECK = Garment(
     "skin",
-    melt_m=0.008,
+    blend_m=0.008,
     grid_m=0.012,
     middle=(
         Bone("neck", "head", 0.051, 0.046, (0, -0.07, 0.002), (0, -0.02, 0.0)),
@@ -144,12 +144,12 @@ NECK = Garment(
 GARMENTS: tuple[Garment, ...] = (JUMPER, TROUSERS, SHOES, HANDS, NECK)
 
 
-def drawn(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+def drawn_capsules(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
     """The capsules that form the garment's surface on this skeleton: middle, left, right."""
     return _capsules(garment, skeleton, besides=Use.CARRIES)
 
 
-def carrying(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+def skinning_capsules(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
     """The capsules whose joints the garment's surface is skinned to."""
     return _capsules(garment, skeleton, besides=Use.DRAWN)
 

@@ -92,7 +92,7 @@ def brow(side: str) -> tuple[Surface, Tissue]:
         Capsule("head", first, second, BROW[number][2], BROW[number + 1][2])
         for number, (first, second) in enumerate(pairwise(ends))
     )
-    surface = mesh(rods, melt_m=0.0008, grid_m=0.0021)
+    surface = mesh(rods, blend_m=0.0008, grid_m=0.0021)
     nothing = np.zeros(len(surface.positions_m))
     return surface, Tissue(surface.positions_m, nothing, nothing, nothing)
 

@@ -16,7 +16,7 @@ import numpy as np
 from ...model import FloatArray
 from ..body.motion import SHAPES
 from ..face.face_tables import VISEMES
-from ..geometry.rotations import about, rotate
+from ..geometry.rotations import from_axis_angle, rotate
 
 MOUTH_Y_M = 0.017
 """The height of the line between the closed lips."""
@@ -164,7 +164,7 @@ def displacements_m(tissue: Tissue) -> dict[str, FloatArray]:
 def _jaw_displacements(tissue: Tissue) -> dict[str, FloatArray]:
     """The jaw rotates about its hinge, and slides."""
     from_hinge = tissue.points_m - JAW_HINGE_M
-    turn = about((1.0, 0.0, 0.0), np.radians(JAW_OPEN_DEGREES) * tissue.jaw)
+    turn = from_axis_angle((1.0, 0.0, 0.0), np.radians(JAW_OPEN_DEGREES) * tissue.jaw)
     moves = {name: tissue.jaw[:, None] * np.array(move) * _MM for name, move in JAW_MOVES_MM.items()}
     return {"jawOpen": rotate(turn, from_hinge) - from_hinge, **moves}
 

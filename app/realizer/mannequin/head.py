@@ -12,13 +12,13 @@ import numpy as np
 
 from ...model import FloatArray
 from .face import MOUTH_HALF_M, MOUTH_Y_M, Tissue
-from .surface import Capsule, IntArray, Surface, melted, mesh
+from .surface import Capsule, IntArray, Surface, blended_field, mesh
 
 COLUMNS = 64
 CENTRE_M = np.array([0.0, 0.06, 0.0])
 """The origin of rays to the skin."""
 
-MELT_M = 0.009
+BLEND_M = 0.009
 MOUTH_M = np.array([0.0, MOUTH_Y_M, 0.106])
 
 
@@ -109,12 +109,12 @@ def skin() -> tuple[tuple[str, Surface, Tissue], ...]:
 
 def ears() -> Surface:
     """Both ears."""
-    return mesh(EARS, melt_m=0.004, grid_m=0.008)
+    return mesh(EARS, blend_m=0.004, grid_m=0.008)
 
 
 def hair() -> Surface:
     """A cap of short hair, which ends where it meets the skin."""
-    return mesh(HAIR, melt_m=0.012, grid_m=0.010)
+    return mesh(HAIR, blend_m=0.012, grid_m=0.010)
 
 
 def on_skin_m(points: FloatArray) -> FloatArray:
@@ -167,7 +167,7 @@ def _cast(rays: FloatArray) -> FloatArray:
     """Where rays (N, 3) from the centre leave the skull, searched from outside."""
     distance = np.full(len(rays), 0.17)
     for _ in range(24):
-        distance -= 0.9 * melted(SKULL, CENTRE_M + distance[:, None] * rays, MELT_M)
+        distance -= 0.9 * blended_field(SKULL, CENTRE_M + distance[:, None] * rays, BLEND_M)
     return np.asarray(CENTRE_M + distance[:, None] * rays)
 
 

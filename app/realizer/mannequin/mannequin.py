@@ -16,7 +16,7 @@ from ..body.motion import SHAPES
 from ..body.skeleton import SIDES, Skeleton, forward
 from ..geometry.rotations import rotate
 from . import head as mannequin_head
-from .body import GARMENTS, carrying, drawn, t_pose_m
+from .body import GARMENTS, drawn_capsules, skinning_capsules, t_pose_m
 from .eyes import ball, brow, lids
 from .face import displacements_m
 from .mouth import teeth, tongue
@@ -73,10 +73,10 @@ class Mannequin:
 @lru_cache(maxsize=2)
 def _parts(skeleton: Skeleton) -> tuple[Part, ...]:
     """Cached per skeleton, since building takes a second; never mutated."""
-    bones = tuple(capsule for garment in GARMENTS for capsule in carrying(garment, skeleton))
+    bones = tuple(capsule for garment in GARMENTS for capsule in skinning_capsules(garment, skeleton))
     parts = []
     for garment in GARMENTS:
-        surface = mesh(drawn(garment, skeleton), melt_m=garment.melt_m, grid_m=garment.grid_m)
+        surface = mesh(drawn_capsules(garment, skeleton), blend_m=garment.blend_m, grid_m=garment.grid_m)
         parts.append(Part(garment.material, surface, *_skinned(surface.positions_m, bones, skeleton)))
     return (*parts, *_head_parts(skeleton))
 

@@ -40,7 +40,7 @@ def teeth(*, upper: bool) -> tuple[Surface, Tissue]:
 
 def tongue() -> tuple[Surface, Tissue]:
     """The tongue, attached to the jaw; its tip moves farthest out."""
-    surface = mesh(TONGUE, melt_m=0.002, grid_m=0.005)
+    surface = mesh(TONGUE, blend_m=0.002, grid_m=0.005)
     points = surface.positions_m
     ones = np.ones(len(points))
     forward = np.clip((points[:, 2] - 0.055) / 0.030, 0.0, 1.0)

@@ -49,36 +49,36 @@ def distances_m(capsules: tuple[Capsule, ...], points_m: FloatArray) -> FloatArr
     return np.stack([_distance_m(capsule, points_m) for capsule in capsules])
 
 
-def mesh(capsules: tuple[Capsule, ...], *, melt_m: float, grid_m: float) -> Surface:
-    """The surface of the capsules, blended over about `melt_m`, with vertices about `grid_m` apart."""
-    boxes = [_box_m(capsule, margin_m=2 * grid_m + REACH * melt_m) for capsule in capsules]
+def mesh(capsules: tuple[Capsule, ...], *, blend_m: float, grid_m: float) -> Surface:
+    """The surface of the capsules, blended over about `blend_m`, with vertices about `grid_m` apart."""
+    boxes = [_box_m(capsule, margin_m=2 * grid_m + REACH * blend_m) for capsule in capsules]
     low = np.min([lowest for lowest, _highest in boxes], axis=0)
     axes = [np.arange(low[k], max(highest[k] for _lowest, highest in boxes) + grid_m, grid_m) for k in range(3)]
     near = np.zeros([len(axis) for axis in axes])
     for capsule, (lowest, highest) in zip(capsules, boxes, strict=True):
         within = tuple(slice(*np.searchsorted(axes[k], (lowest[k], highest[k]))) for k in range(3))
         points = np.stack(np.meshgrid(*(axes[k][within[k]] for k in range(3)), indexing="ij"), axis=-1)
-        near[within] += np.exp(-_distance_m(capsule, points) / melt_m)
-    cells, triangles = _surface_net(_field_m(near, melt_m))
+        near[within] += np.exp(-_distance_m(capsule, points) / blend_m)
+    cells, triangles = _surface_net(_field_m(near, blend_m))
     positions = low + grid_m * cells
     for _ in range(PROJECTIONS):
-        positions = _projected(capsules, positions, melt_m)
-    gradient = _gradient(capsules, positions, melt_m)[1]
+        positions = _projected(capsules, positions, blend_m)
+    gradient = _gradient(capsules, positions, blend_m)[1]
     return Surface(positions, gradient / np.linalg.norm(gradient, axis=-1, keepdims=True), triangles)
 
 
-def melted(capsules: tuple[Capsule, ...], points_m: FloatArray, melt_m: float) -> FloatArray:
+def blended_field(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: float) -> FloatArray:
     """The combined field of all capsules at the points (N, 3): a smooth minimum of their distances."""
     near = np.zeros(len(points_m))
     for capsule in capsules:
-        lowest, highest = _box_m(capsule, margin_m=REACH * melt_m)
+        lowest, highest = _box_m(capsule, margin_m=REACH * blend_m)
         within = np.flatnonzero(np.all((points_m > lowest) & (points_m < highest), axis=1))
-        near[within] += np.exp(-_distance_m(capsule, points_m[within]) / melt_m)
-    return _field_m(near, melt_m)
+        near[within] += np.exp(-_distance_m(capsule, points_m[within]) / blend_m)
+    return _field_m(near, blend_m)
 
 
-def _field_m(near: FloatArray, melt_m: float) -> FloatArray:
-    return np.asarray(-melt_m * np.log(np.maximum(near, np.exp(-REACH))))
+def _field_m(near: FloatArray, blend_m: float) -> FloatArray:
+    return np.asarray(-blend_m * np.log(np.maximum(near, np.exp(-REACH))))
 
 
 def _box_m(capsule: Capsule, *, margin_m: float) -> tuple[FloatArray, FloatArray]:
@@ -98,16 +98,16 @@ def _distance_m(capsule: Capsule, points_m: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.norm(from_start - along[..., None] * axis, axis=-1) - radius)
 
 
-def _gradient(capsules: tuple[Capsule, ...], points_m: FloatArray, melt_m: float) -> tuple[FloatArray, FloatArray]:
+def _gradient(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: float) -> tuple[FloatArray, FloatArray]:
     """The field at the points, and its gradient by finite differences."""
     steps = _GRADIENT_STEP_M * np.eye(3)
-    field = melted(capsules, points_m, melt_m)
-    ahead = [melted(capsules, points_m + step, melt_m) for step in steps]
+    field = blended_field(capsules, points_m, blend_m)
+    ahead = [blended_field(capsules, points_m + step, blend_m) for step in steps]
     return field, (np.stack(ahead, axis=-1) - field[..., None]) / _GRADIENT_STEP_M
 
 
-def _projected(capsules: tuple[Capsule, ...], points_m: FloatArray, melt_m: float) -> FloatArray:
-    field, gradient = _gradient(capsules, points_m, melt_m)
+def _projected(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: float) -> FloatArray:
+    field, gradient = _gradient(capsules, points_m, blend_m)
     return np.asarray(points_m - (field / np.sum(gradient**2, axis=-1))[..., None] * gradient)
 
 

@@ -14,7 +14,7 @@ from ..body.motion import SHAPES, Motion
 from ..body.skeleton import HIPS_HEIGHT_M, Skeleton, forward
 from ..geometry.rotations import rotate
 from ..mannequin.mannequin import COLOURS, Mannequin, posed
-from .rasterizer import Camera, Paint, draw
+from .rasterizer import Camera, ColouredMesh, draw
 
 BACKGROUND = np.array([0.80, 0.81, 0.82])
 FRONT = Camera((0.0, 1.14, 0.0), 1.62)
@@ -96,7 +96,9 @@ def _cell(mannequin: Mannequin, still: Still, *, faces: bool) -> FloatArray:
     shapes = np.zeros(len(SHAPES)) if still.shapes is None else still.shapes
     surfaces = posed(mannequin, still.rotations, hips_m, shapes)
     paints = tuple(
-        Paint(each.positions_m, each.normals, each.triangles, np.tile(COLOURS[part.material], (len(each.normals), 1)))
+        ColouredMesh(
+            each.positions_m, each.normals, each.triangles, np.tile(COLOURS[part.material], (len(each.normals), 1))
+        )
         for part, each in zip(mannequin.parts, surfaces, strict=True)
     )
     views = [(FRONT, BODY_HEIGHT), (THREE_QUARTERS, BODY_HEIGHT)]

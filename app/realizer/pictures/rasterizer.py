@@ -30,7 +30,7 @@ class Camera:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Paint:
+class ColouredMesh:
     """A triangle mesh with colours: positions (V, 3), normals (V, 3), triangles (F, 3), colours (V, 3) in linear
     light."""
 
@@ -40,7 +40,9 @@ class Paint:
     colours: FloatArray
 
 
-def draw(paints: tuple[Paint, ...], camera: Camera, *, height: int, width: int, ground: FloatArray) -> FloatArray:
+def draw(
+    paints: tuple[ColouredMesh, ...], camera: Camera, *, height: int, width: int, ground: FloatArray
+) -> FloatArray:
     """The picture on a background of the colour `ground` (3,)."""
     rows, columns = height * SAMPLES, width * SAMPLES
     right, up, towards = _axes(camera)

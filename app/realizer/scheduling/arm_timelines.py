@@ -13,21 +13,21 @@ from math import inf
 from ...model import Hand
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..gestures.gesture import Markers
-from ..gestures.gesture_plan import ArmGesture, ArmRest, Placed
+from ..gestures.gesture_plan import ArmGesture, ArmRest, PlacedGesture
 from .rests import (
     AT_SIDE,
     SHORTEST_REST_S,
     SHORTEST_RETRACTION_S,
     RestChange,
     change_s,
-    hurried_s,
-    own_pose,
-    pose_for,
+    posture_pose,
     preparation_s,
     rest_m,
+    rest_pose_for_gap,
     retraction_s,
+    shortest_way_s,
 )
-from .transitions import Setting, flow_together, natural_preparation_s, prolonged_relax_s, within_reach
+from .transitions import TransitionContext, blends, natural_preparation_s, prolonged_relax_s, within_reach
 
 SHORTEST_STAY_S = 1.0
 """A hand does not go to a rest pose that changes again within this time."""
@@ -41,10 +41,10 @@ class ArmTimeline:
     rests: tuple[ArmRest, ...]
 
 
-def units_of(gestures: Iterable[Placed], setting: Setting) -> tuple[tuple[Placed, ...], ...]:
+def units_of(gestures: Iterable[PlacedGesture], setting: TransitionContext) -> tuple[tuple[PlacedGesture, ...], ...]:
     """The gestures grouped into units: those that blend into each other, or whose arm has no time to rest in
     between."""
-    units: list[list[Placed]] = []
+    units: list[list[PlacedGesture]] = []
     for gesture in gestures:
         if units and _joins(units[-1], gesture, setting):
             units[-1].append(gesture)
@@ -53,22 +53,22 @@ def units_of(gestures: Iterable[Placed], setting: Setting) -> tuple[tuple[Placed
     return tuple(map(tuple, units))
 
 
-def _joins(unit: Sequence[Placed], gesture: Placed, setting: Setting) -> bool:
+def _joins(unit: Sequence[PlacedGesture], gesture: PlacedGesture, setting: TransitionContext) -> bool:
     if within_reach(max(unit, key=lambda each: each.relax_s), gesture, setting):
         return True
     last = ((side, next((each for each in reversed(unit) if side in each.arms), None)) for side in gesture.arms)
-    return any(before is not None and flow_together(before, gesture, side, setting) for side, before in last)
+    return any(before is not None and blends(before, gesture, side, setting) for side, before in last)
 
 
-def rest_changes(units: Sequence[Sequence[Placed]], setting: Setting) -> tuple[RestChange, ...]:
+def rest_changes(units: Sequence[Sequence[PlacedGesture]], setting: TransitionContext) -> tuple[RestChange, ...]:
     """The rest poses from the first frame on: they change at the end of a unit and with postures of the schedule."""
     ends_s = [0.0, *(max(each.relax_s for each in unit) for unit in units)]
     starts_s = [min(each.stroke_start_s for each in unit) for unit in units]
-    poses = [pose_for(start_s - end_s) for end_s, start_s in zip(ends_s, starts_s, strict=False)]
+    poses = [rest_pose_for_gap(start_s - end_s) for end_s, start_s in zip(ends_s, starts_s, strict=False)]
     by_gap = tuple(zip(ends_s, [*poses, AT_SIDE], strict=True))
     times_s = sorted({*ends_s, *(from_s for from_s, _pose in setting.postures)})
     changes = [
-        RestChange(time_s, own_pose(setting.postures, time_s) or _in_force(by_gap, time_s)) for time_s in times_s
+        RestChange(time_s, posture_pose(setting.postures, time_s) or _in_force(by_gap, time_s)) for time_s in times_s
     ]
     return (changes[0], *(after for before, after in pairwise(changes) if after.pose != before.pose))
 
@@ -78,7 +78,7 @@ def _in_force(poses: Iterable[tuple[float, str]], time_s: float) -> str:
 
 
 def arm_timeline(
-    side: Hand, gestures: Iterable[Placed], changes: tuple[RestChange, ...], setting: Setting
+    side: Hand, gestures: Iterable[PlacedGesture], changes: tuple[RestChange, ...], setting: TransitionContext
 ) -> ArmTimeline:
     """The timeline of one arm; `gestures` are those of both."""
     own = [each for each in gestures if side in each.arms]
@@ -100,14 +100,16 @@ class _Way:
     arrival_s: float
     start_s: float
     ready_s: float
-    first: Placed | None = None
-    second: Placed | None = None
+    first: PlacedGesture | None = None
+    second: PlacedGesture | None = None
     joined: bool = False
-    underway: float = 0.0
+    initial_progress: float = 0.0
 
 
-def _between(first: Placed, second: Placed, side: Hand, changes: tuple[RestChange, ...], setting: Setting) -> _Way:
-    if flow_together(first, second, side, setting):
+def _between(
+    first: PlacedGesture, second: PlacedGesture, side: Hand, changes: tuple[RestChange, ...], setting: TransitionContext
+) -> _Way:
+    if blends(first, second, side, setting):
         relax_s = prolonged_relax_s(first, second, side)
         return _Way(relax_s, relax_s, relax_s, second.stroke_start_s, first, second, joined=True)
     there_s, back_s = _retraction_s(first, side, changes), _preparation_s(second, side, changes)
@@ -118,39 +120,39 @@ def _between(first: Placed, second: Placed, side: Hand, changes: tuple[RestChang
     return _Way(first.relax_s, first.relax_s + share * there_s, ready_s - share * back_s, ready_s, first, second)
 
 
-def _from_the_first_frame(first: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
+def _from_the_first_frame(first: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
     """The way to the first gesture. Speakers raise their hands before the first word, so if there is too little time,
     part of the way has already been covered in the first frame."""
     window_s = first.stroke_start_s
     way_s = min(_preparation_s(first, side, changes), window_s)
     ready_s = window_s - _hold_s(first, window_s - way_s)
-    hurried = hurried_s(distance_m(rest_m(changes[0].pose, side), stroke_start_m(first, side)))
+    hurried = shortest_way_s(distance_m(rest_m(changes[0].pose, side), stroke_start_m(first, side)))
     underway = max(0.0, 1.0 - window_s / hurried)
-    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, underway=underway)
+    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, initial_progress=underway)
 
 
-def _to_rest(last: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
+def _to_rest(last: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
     return _Way(last.relax_s, last.relax_s + _retraction_s(last, side, changes), inf, inf, last)
 
 
-def _hold_s(gesture: Placed, room_s: float) -> float:
+def _hold_s(gesture: PlacedGesture, room_s: float) -> float:
     """The pre-stroke hold, as long as there is time for it."""
     natural_s = gesture.clip.markers.stroke_start - gesture.clip.markers.ready
     return max(0.0, min(natural_s, room_s))
 
 
-def _preparation_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...]) -> float:
+def _preparation_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> float:
     natural_s = natural_preparation_s(gesture)
     pose = pose_at(changes, max(0.0, gesture.stroke_start_s - natural_s))
     return preparation_s(distance_m(rest_m(pose, side), stroke_start_m(gesture, side)), natural_s)
 
 
-def _retraction_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...]) -> float:
+def _retraction_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> float:
     pose = pose_on_arrival(changes, gesture.relax_s + SHORTEST_RETRACTION_S)
     return retraction_s(distance_m(relax_m(gesture, side), rest_m(pose, side)))
 
 
-def _arm_gesture(side: Hand, gesture: Placed, before: _Way, after: _Way) -> ArmGesture:
+def _arm_gesture(side: Hand, gesture: PlacedGesture, before: _Way, after: _Way) -> ArmGesture:
     markers = Markers(
         start=before.start_s,
         ready=before.ready_s,
@@ -166,7 +168,7 @@ def _arm_gesture(side: Hand, gesture: Placed, before: _Way, after: _Way) -> ArmG
         markers=markers,
         blended_from=before.first.request.behavior if before.joined and before.first else None,
         blended_to=after.second.request.behavior if after.joined and after.second else None,
-        underway=before.underway,
+        initial_progress=before.initial_progress,
     )
 
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 from ...model import Hand
 from ..body.motion import Decision
-from ..gestures.gesture_plan import Placed
-from .transitions import Setting, flow_together, gap_s, stroke_speed_m_s, transition_speed_m_s
+from ..gestures.gesture_plan import PlacedGesture
+from .transitions import TransitionContext, blends, gap_s, stroke_speed_m_s, transition_speed_m_s
 
 BLEND_SPEED_THRESHOLD_M_S = 0.5
 """The paper's v_th, which it does not quantify. A stroke of .6 m/s may be reached by a transition at 1.1 m/s, whose
@@ -24,18 +24,18 @@ class Obstacle:
     """Why a gesture cannot be played, and the previous gesture that conflicts with it (None: the start of the line)."""
 
     reason: str
-    rival: Placed | None = None
+    rival: PlacedGesture | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Admission:
     """The gestures kept so far, and the decisions about the one that was processed."""
 
-    kept: tuple[Placed, ...]
+    kept: tuple[PlacedGesture, ...]
     decisions: tuple[Decision, ...]
 
 
-def admitted(options: Sequence[Placed], kept: tuple[Placed, ...], setting: Setting) -> Admission:
+def admit(options: Sequence[PlacedGesture], kept: tuple[PlacedGesture, ...], setting: TransitionContext) -> Admission:
     """Try to add one gesture to those kept; `options` are its clips in order of preference."""
     decisions: list[Decision] = []
     while True:
@@ -53,24 +53,24 @@ def admitted(options: Sequence[Placed], kept: tuple[Placed, ...], setting: Setti
         decisions.append(_made_way(hurdle.rival, first, hurdle))
 
 
-def _replaced(first: Placed, other: Placed, hurdle: Obstacle) -> Decision:
+def _replaced(first: PlacedGesture, other: PlacedGesture, hurdle: Obstacle) -> Decision:
     return Decision(first.request.behavior, "replaced", f"{first.clip.name} by {other.clip.name}: {hurdle.reason}")
 
 
-def _dropped(first: Placed, hurdle: Obstacle) -> Decision:
+def _dropped(first: PlacedGesture, hurdle: Obstacle) -> Decision:
     if hurdle.rival is None:
         return Decision(first.request.behavior, "dropped", hurdle.reason)
     matters = f"which has priority {hurdle.rival.request.priority:g}, not {first.request.priority:g}"
     return Decision(first.request.behavior, "dropped", f"{hurdle.reason}, {matters}")
 
 
-def _made_way(rival: Placed, winner: Placed, hurdle: Obstacle) -> Decision:
+def _made_way(rival: PlacedGesture, winner: PlacedGesture, hurdle: Obstacle) -> Decision:
     """The reason is told from the point of view of the gesture that stays."""
     matters = f"priority {winner.request.priority:g}, not {rival.request.priority:g}"
     return Decision(rival.request.behavior, "dropped", f"for {winner.request.behavior}, of {matters}: {hurdle.reason}")
 
 
-def obstacle(second: Placed, before: tuple[Placed, ...], setting: Setting) -> Obstacle | None:
+def obstacle(second: PlacedGesture, before: tuple[PlacedGesture, ...], setting: TransitionContext) -> Obstacle | None:
     """What prevents a gesture from being played after those before it; None if nothing does."""
     for side in second.arms:
         first = next((each for each in reversed(before) if side in each.arms), None)
@@ -80,21 +80,21 @@ def obstacle(second: Placed, before: tuple[Placed, ...], setting: Setting) -> Ob
     return None
 
 
-def _too_early(placed: Placed) -> Obstacle | None:
+def _too_early(placed: PlacedGesture) -> Obstacle | None:
     """Nothing moves before the first frame, so a stroke that would already have begun cannot be played."""
     if placed.stroke_start_s >= 0:
         return None
     return Obstacle(f"its stroke would start {-placed.stroke_start_s:.2f} s before the first frame")
 
 
-def _in_the_way(first: Placed, second: Placed, side: Hand, setting: Setting) -> Obstacle | None:
+def _in_the_way(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> Obstacle | None:
     """The paper's first and third rule."""
     name, between_s = first.request.behavior, gap_s(first, second)
     if between_s < 0:
         return Obstacle(f"its stroke starts {-between_s:.2f} s before {name} relaxes", first)
     if between_s < SHORTEST_TRANSITION_S:
         return Obstacle(f"its stroke starts {between_s:.2f} s after {name} relaxes", first)
-    if not flow_together(first, second, side, setting):
+    if not blends(first, second, side, setting):
         return None
     speed_m_s = transition_speed_m_s(first, second, side)
     own_m_s = stroke_speed_m_s(second)

@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import inf
 
-from ..gestures.gesture_plan import Placed, Repeat
-from .transitions import Setting, transition_s
+from ..gestures.gesture_plan import PlacedGesture, Repeat
+from .transitions import TransitionContext, transition_s
 
 AMPLITUDES = (0.6, 0.4, 0.25)
 """Of the first, second and third repetition, as shares of the stroke."""
@@ -23,7 +23,7 @@ BEATS = frozenset({"BEAT", "BEAT_HIGH", "RHYTHM", "PRECISION", "CHOP", "PALM_BEA
 BEAT_REPEATS = 2
 
 
-def with_repeats(placed: Placed, emphases_s: Iterable[float], until_s: float) -> Placed:
+def with_repeats(placed: PlacedGesture, emphases_s: Iterable[float], until_s: float) -> PlacedGesture:
     """The gesture with its stroke repeated on the emphases before `until_s`, and its relax time after the last one."""
     repeats = tuple(_repeats(placed, sorted(emphases_s), until_s))
     if not repeats:
@@ -31,13 +31,13 @@ def with_repeats(placed: Placed, emphases_s: Iterable[float], until_s: float) ->
     return replace(placed, repeats=repeats, relax_s=max(placed.relax_s, min(repeats[-1].end_s + AFTER_S, until_s)))
 
 
-def most_repeats(placed: Placed) -> int:
+def most_repeats(placed: PlacedGesture) -> int:
     """The maximum number of repetitions: none at a `repetition` of 0, three at 1."""
     wanted = round(len(AMPLITUDES) * placed.clip.expressivity.repetition)
     return max(wanted, BEAT_REPEATS) if placed.clip.category in BEATS else wanted
 
 
-def _repeats(placed: Placed, emphases_s: list[float], until_s: float) -> Iterator[Repeat]:
+def _repeats(placed: PlacedGesture, emphases_s: list[float], until_s: float) -> Iterator[Repeat]:
     amplitudes = iter(AMPLITUDES[: most_repeats(placed)])
     stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
     last_s = placed.stroke_end_s
@@ -54,7 +54,7 @@ def _repeats(placed: Placed, emphases_s: list[float], until_s: float) -> Iterato
         last_s = emphasis_s
 
 
-def repeats_until_s(placed: Placed, later: Iterable[Placed], setting: Setting) -> float:
+def repeats_until_s(placed: PlacedGesture, later: Iterable[PlacedGesture], setting: TransitionContext) -> float:
     """How long a gesture may be repeated: until the end of its phrase, or until an arm leaves for its next gesture."""
     phrase = setting.phrase_of(placed.request.stroke_s)
     ends_s = [inf if phrase is None else setting.phrases[phrase].end_s]

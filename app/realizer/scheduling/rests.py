@@ -60,7 +60,7 @@ class RestChange:
     pose: str
 
 
-def pose_for(gap_s: float) -> str:
+def rest_pose_for_gap(gap_s: float) -> str:
     """The rest pose for a gap of this length until the next unit."""
     if gap_s < SMALL_GAP_S:
         return CLASPED
@@ -90,7 +90,7 @@ def _from_s(posture: Behavior) -> float:
     return 0.0 if posture.sync.start < FIRST_MOMENT_S else posture.sync.start
 
 
-def own_pose(changes: tuple[tuple[float, str | None], ...], time_s: float) -> str | None:
+def posture_pose(changes: tuple[tuple[float, str | None], ...], time_s: float) -> str | None:
     """The hand pose determined by postures before `time_s`; None if there is none."""
     return next((pose for from_s, pose in reversed(changes) if from_s <= time_s), None)
 
@@ -106,7 +106,7 @@ def preparation_s(way_m: float, natural_s: float) -> float:
     return max(natural_s, way_m / PREPARATION_SPEED_M_S, SHORTEST_PREPARATION_S)
 
 
-def hurried_s(way_m: float) -> float:
+def shortest_way_s(way_m: float) -> float:
     """The minimum duration of a way from or to rest."""
     return max(way_m / TOP_SPEED_M_S, HURRIED_PREPARATION_S)
 

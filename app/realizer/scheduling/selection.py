@@ -18,7 +18,7 @@ import numpy as np
 from ...model import Behavior, Channel, Hand, Level, Schedule
 from ..body.motion import Decision
 from ..gestures.gesture import Clip
-from ..gestures.gesture_plan import Placed, Request
+from ..gestures.gesture_plan import GestureRequest, PlacedGesture
 
 TOLERANCE_S = 0.1
 USUAL_AMOUNT = 0.5
@@ -34,20 +34,20 @@ class Clips(Protocol):
     def nearest(self, lexeme: str) -> str | None: ...
 
 
-def requests_of(schedule: Schedule) -> tuple[Request, ...]:
+def requests_of(schedule: Schedule) -> tuple[GestureRequest, ...]:
     """The requests G_i for a schedule's kept gestures (eq. 4), in order of their strokes."""
     gestures = (each for each in schedule.behaviors if each.kept and each.kind is Channel.GESTURE)
     requests = (_request(gesture, schedule.agitation) for gesture in gestures)
     return tuple(sorted(requests, key=lambda request: (request.stroke_s, request.behavior)))
 
 
-def _request(gesture: Behavior, level: Level) -> Request:
+def _request(gesture: Behavior, level: Level) -> GestureRequest:
     """BML sync points are optional: without a stroke it is where the stroke ends, or where the gesture begins."""
     sync = gesture.sync
     stroke_s = next((point for point in (sync.stroke, sync.stroke_end, sync.stroke_start) if point is not None), None)
     stroke_s = sync.start if stroke_s is None else stroke_s
     relax_s = next((point for point in (sync.relax, sync.stroke_end) if point is not None), sync.end)
-    return Request(
+    return GestureRequest(
         behavior=gesture.id,
         category=gesture.lexeme,
         stroke_s=stroke_s,
@@ -60,24 +60,24 @@ def _request(gesture: Behavior, level: Level) -> Request:
     )
 
 
-def fits(clip: Clip, request: Request) -> bool:
+def fits(clip: Clip, request: GestureRequest) -> bool:
     """Eq. 5: t_rl - t_st <= t_grl - t_gst."""
     return clip.markers.relax - clip.markers.stroke <= request.relax_s - request.stroke_s + TOLERANCE_S
 
 
-def fits_without_hold(clip: Clip, request: Request) -> bool:
+def fits_without_hold(clip: Clip, request: GestureRequest) -> bool:
     """Eq. 5 with the clip's hold cut: t_se - t_st <= t_grl - t_gst."""
     return clip.markers.stroke_end - clip.markers.stroke <= request.relax_s - request.stroke_s + TOLERANCE_S
 
 
-def placed(clip: Clip, request: Request) -> Placed:
+def place_clip(clip: Clip, request: GestureRequest) -> PlacedGesture:
     """The clip with its stroke at the desired time and its hold extended to the desired relax time, at least until the
     stroke's end."""
-    aligned = Placed(request, clip, request.relax_s)
+    aligned = PlacedGesture(request, clip, request.relax_s)
     return replace(aligned, relax_s=max(request.relax_s, aligned.stroke_end_s))
 
 
-def candidates(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
+def candidates(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
     """The clips that fit a request, none if it must be dropped, and the decisions made."""
     clips, decisions = _of_category(request, library)
     if not clips:
@@ -93,13 +93,13 @@ def candidates(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tupl
     return (), (*decisions, Decision(request.behavior, "dropped", reason))
 
 
-def in_drawn_order(clips: tuple[Clip, ...], last_used: str | None, rng: np.random.Generator) -> tuple[Clip, ...]:
+def shuffled(clips: tuple[Clip, ...], last_used: str | None, rng: np.random.Generator) -> tuple[Clip, ...]:
     """The clips in random order, with the variant used last at the end."""
     shuffled = [clips[number] for number in rng.permutation(len(clips))]
     return tuple(sorted(shuffled, key=lambda clip: clip.name == last_used))
 
 
-def _of_category(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
+def _of_category(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
     """The clips of the nearest category with the requested hand and level, or else with others."""
     category = library.nearest(request.category)
     if category is None:
@@ -115,7 +115,7 @@ def _of_category(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tu
     return (), ()
 
 
-def _changes(request: Request, category: str, hand: Hand, level: Level) -> Iterator[str]:
+def _changes(request: GestureRequest, category: str, hand: Hand, level: Level) -> Iterator[str]:
     """Differences between the clip and the request, in words."""
     if category != request.category:
         yield f"the library has no {request.category}: {category} stands in"

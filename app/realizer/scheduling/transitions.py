@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 from ...model import Hand, Interval
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
-from ..gestures.gesture_plan import Placed
-from .rests import SHORTEST_REST_S, own_pose, pose_for, preparation_s, rest_m, retraction_s
+from ..gestures.gesture_plan import PlacedGesture
+from .rests import SHORTEST_REST_S, posture_pose, preparation_s, rest_m, rest_pose_for_gap, retraction_s
 
 UNIT_GAP_S = 1.5
 EASY_TRANSITION_S = 0.40
@@ -21,7 +21,7 @@ SLOWEST_STROKE_M_S = 0.25
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
+class TransitionContext:
     """The parts of a schedule that affect transitions: its phrases, and the rest poses of its postures."""
 
     phrases: tuple[Interval, ...] = ()
@@ -34,43 +34,43 @@ class Setting:
 
     def pose_in_gap(self, start_s: float, gap_s: float) -> str:
         """The rest pose in a gap between units."""
-        return own_pose(self.postures, start_s) or pose_for(gap_s)
+        return posture_pose(self.postures, start_s) or rest_pose_for_gap(gap_s)
 
 
-def gap_s(first: Placed, second: Placed) -> float:
+def gap_s(first: PlacedGesture, second: PlacedGesture) -> float:
     """The time from the desired relax time of the first to the stroke start of the second: t_ss of k+1 - t_grl of k."""
     return second.stroke_start_s - first.relax_s
 
 
-def within_reach(first: Placed, second: Placed, setting: Setting) -> bool:
+def within_reach(first: PlacedGesture, second: PlacedGesture, setting: TransitionContext) -> bool:
     """Whether two neighbours are close enough for one unit and in the same phrase."""
     same = setting.phrase_of(first.request.stroke_s) == setting.phrase_of(second.request.stroke_s)
     return same and gap_s(first, second) < UNIT_GAP_S
 
 
-def flow_together(first: Placed, second: Placed, side: Hand, setting: Setting) -> bool:
+def blends(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> bool:
     """Whether an arm goes from the first to the second without rest."""
     return within_reach(first, second, setting) or gap_s(first, second) < _rest_between_s(first, second, side, setting)
 
 
-def _rest_between_s(first: Placed, second: Placed, side: Hand, setting: Setting) -> float:
+def _rest_between_s(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> float:
     """The time needed to return to rest and come back."""
     rest = rest_m(setting.pose_in_gap(first.relax_s, gap_s(first, second)), side)
     there_m, back_m = distance_m(relax_m(first, side), rest), distance_m(rest, stroke_start_m(second, side))
     return retraction_s(there_m) + SHORTEST_REST_S + preparation_s(back_m, natural_preparation_s(second))
 
 
-def natural_preparation_s(placed: Placed) -> float:
+def natural_preparation_s(placed: PlacedGesture) -> float:
     """The duration of the preparation in the clip."""
     return placed.clip.markers.ready - placed.clip.markers.start
 
 
-def transition_speed_m_s(first: Placed, second: Placed, side: Hand) -> float:
+def transition_speed_m_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
     """The paper's v of k → k+1: the distance between the hand's positions divided by the time available."""
     return distance_m(relax_m(first, side), stroke_start_m(second, side)) / gap_s(first, second)
 
 
-def prolonged_relax_s(first: Placed, second: Placed, side: Hand) -> float:
+def prolonged_relax_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
     """t_grl*: the end of the first one's hold, such that the transition is as fast as the next stroke (paper §3.8, Fig.
     4).
 
@@ -81,12 +81,12 @@ def prolonged_relax_s(first: Placed, second: Placed, side: Hand) -> float:
     return first.relax_s + max(gap_s(first, second) - transition_s(first, second, side), 0.0)
 
 
-def transition_s(first: Placed, second: Placed, side: Hand) -> float:
+def transition_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
     """The natural duration of a transition to `second`: as fast as its stroke, and at least `EASY_TRANSITION_S`."""
     way_m = distance_m(relax_m(first, side), stroke_start_m(second, side))
     return max(way_m / stroke_speed_m_s(second), EASY_TRANSITION_S)
 
 
-def stroke_speed_m_s(placed: Placed) -> float:
+def stroke_speed_m_s(placed: PlacedGesture) -> float:
     """The paper's v of a gesture. Strokes of the wrist or the fingers alone have none and count as slow."""
     return max(placed.clip.stroke_speed_m_s * placed.size, SLOWEST_STROKE_M_S)

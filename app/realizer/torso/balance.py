@@ -11,7 +11,7 @@ import numpy as np
 
 from ...model import FloatArray
 from ..body.skeleton import SIDES, Skeleton
-from ..geometry.rotations import about, inverse, multiply, rotate
+from ..geometry.rotations import from_axis_angle, inverse, multiply, rotate
 
 LEG_JOINTS = tuple(side + part for side in SIDES for part in ("UpperLeg", "LowerLeg", "Foot"))
 
@@ -58,7 +58,7 @@ def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet 
     found = []
     for side, foot in zip(SIDES, feet, strict=True):
         hip_m = hips_m + rotate(turned, skeleton.offsets_m[skeleton.index[f"{side}UpperLeg"]])
-        flat = about((0.0, 1.0, 0.0), np.array(foot.yaw))
+        flat = from_axis_angle((0.0, 1.0, 0.0), np.array(foot.yaw))
         thigh, knee = _leg(skeleton, side, rotate(inverse(flat), np.asarray(foot.ankle_m) - hip_m))
         thigh = multiply(flat, thigh)
         found += [multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat)]

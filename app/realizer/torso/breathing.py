@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from ...model import FloatArray, Interval
-from ..geometry.easing import through
+from ..geometry.easing import minimum_jerk_through
 
 QUIET_CYCLE_S = 4.0
 INHALING_SHARE = 0.4
@@ -22,7 +22,7 @@ SHORTEST_BETWEEN_S = 1.5
 """A pause sooner than this after the last breath gets no breath of its own."""
 
 
-def lungs(
+def lung_volume(
     times_s: FloatArray,
     phrases: Sequence[Interval],
     generator: np.random.Generator,
@@ -33,7 +33,7 @@ def lungs(
     of about `cycle_s` where nobody speaks."""
     during = Interval(float(times_s[0]), float(times_s[-1]))
     at_s, volumes = np.array(list(_knots(during, phrases, generator, cycle_s))).T
-    return through(times_s, at_s, volumes)
+    return minimum_jerk_through(times_s, at_s, volumes)
 
 
 def _knots(

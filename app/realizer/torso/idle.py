@@ -16,14 +16,14 @@ from ...model import FloatArray, Hand, Schedule
 from ..arms.rest_poses import rest_pose
 from ..body.motion import BodyMotion
 from ..body.skeleton import SIDES, Skeleton
-from ..geometry.angles import turn
+from ..geometry.angles import from_pitch_yaw_roll
 from ..geometry.noise import perlin
 from ..geometry.rotations import IDENTITY, multiply
 from ..gestures.arm_joints import arm_joints
 from .balance import LEG_JOINTS, hips_height_m, legs
-from .breathing import QUIET_CYCLE_S, lungs
-from .liveliness import LIVELINESS
-from .posture import Held, postures
+from .breathing import QUIET_CYCLE_S, lung_volume
+from .idle_activity import IDLE_ACTIVITY
+from .posture import TrunkPosture, trunk_postures
 
 Degrees = tuple[float, float, float]
 """Pitch, yaw and roll of the left side; yaw and roll change sign on the right."""
@@ -63,15 +63,15 @@ _STIRRED: Mapping[str, Degrees] = MappingProxyType(
 """Noise of the arm joints, about the axes in which they can rotate: the forearm twists."""
 
 
-def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: int) -> BodyMotion:
+def idle_motion(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: int) -> BodyMotion:
     """The idle motion at `times_s` (T,), with the schedule's postures, and breaths in its speech pauses. The feet stay
     in place. Deterministic for a seed."""
     generator = np.random.default_rng(seed)
-    held = postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
+    held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     wandering = _WANDERING_WEIGHT * perlin(times_s, frequency_hz=_WANDERING_HZ, seed=seed + 2)[:, 0]
     held = replace(held, weight=held.weight + wandering)
-    lively = LIVELINESS[schedule.agitation]
-    breath = lungs(times_s, schedule.phrases, generator, cycle_s=QUIET_CYCLE_S / lively)
+    lively = IDLE_ACTIVITY[schedule.agitation]
+    breath = lung_volume(times_s, schedule.phrases, generator, cycle_s=QUIET_CYCLE_S / lively)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
     sway = lively * perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14, in_step=False)
     _hold_trunk(skeleton, rotations, held, breath, sway[:, :12])
@@ -87,7 +87,9 @@ def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: i
     return BodyMotion(times_s, rotations, hips_m)
 
 
-def _hold_trunk(skeleton: Skeleton, rotations: FloatArray, held: Held, breath: FloatArray, sway: FloatArray) -> None:
+def _hold_trunk(
+    skeleton: Skeleton, rotations: FloatArray, held: TrunkPosture, breath: FloatArray, sway: FloatArray
+) -> None:
     """Set lean, weight shift, breath and sway (T, 12) of the joints from the hips up."""
     angles = np.radians(_SWAY_DEGREES) * sway.reshape(len(sway), len(_TRUNK), 3)
     for number, joint in enumerate(_TRUNK):
@@ -95,7 +97,7 @@ def _hold_trunk(skeleton: Skeleton, rotations: FloatArray, held: Held, breath: F
         angles[:, number, 0] += _LEAN.get(joint, 0.0) * held.forward
         angles[:, number, 2] += _UPRIGHT.get(joint, 0.0) * np.radians(_PELVIS_DEGREES) * held.weight
         angles[:, number, 2] -= _LEAN.get(joint, 0.0) * held.left
-    rotations[:, skeleton.chain(*_TRUNK)] = turn(*np.moveaxis(angles, -1, 0))
+    rotations[:, skeleton.chain(*_TRUNK)] = from_pitch_yaw_roll(*np.moveaxis(angles, -1, 0))
 
 
 @cache
@@ -114,7 +116,7 @@ def _stir_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, st
         stirs = np.radians(_STIRRING_DEGREES) * noise[:, :, None] * (_mirrored(side) * list(_STIRRED.values()))
         stirs[:, 0] += np.radians(_COLLARBONE_BREATH) * _mirrored(side) * breath[:, None]
         stirred = skeleton.chain(*(side + name for name in _STIRRED))
-        rotations[:, stirred] = multiply(rotations[0, stirred], turn(*np.moveaxis(stirs, -1, 0)))
+        rotations[:, stirred] = multiply(rotations[0, stirred], from_pitch_yaw_roll(*np.moveaxis(stirs, -1, 0)))
 
 
 def _mirrored(side: str) -> FloatArray:

@@ -14,7 +14,7 @@ from types import MappingProxyType
 import numpy as np
 
 from ...model import Behavior, Channel, FloatArray
-from ..geometry.easing import changes
+from ..geometry.easing import superposed_movements
 
 SHORTEST_SHIFT_S = 0.6
 """The minimum duration of a shift; one that is scheduled shorter ends later."""
@@ -44,7 +44,7 @@ POSTURES: Mapping[str, Posture] = MappingProxyType(
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Held:
+class TrunkPosture:
     """The trunk over time, each (T,): lean forward and to the left in radians, and the side of the weight."""
 
     forward: FloatArray
@@ -52,7 +52,7 @@ class Held:
     weight: FloatArray
 
 
-def postures(times_s: FloatArray, behaviors: Iterable[Behavior], *, weight: float) -> Held:
+def trunk_postures(times_s: FloatArray, behaviors: Iterable[Behavior], *, weight: float) -> TrunkPosture:
     """The trunk through the kept posture behaviours, starting upright with `weight`; all transitions are minimum
     jerk."""
     base = np.array([0.0, 0.0, weight])
@@ -63,8 +63,8 @@ def postures(times_s: FloatArray, behaviors: Iterable[Behavior], *, weight: floa
         starts_s.append(start_s)
         durations_s.append(max(duration_s, SHORTEST_SHIFT_S))
     by = np.diff(np.array(states), axis=0)
-    course = states[0] + changes(times_s, np.array(starts_s), np.array(durations_s), by)
-    return Held(np.radians(course[:, 0]), np.radians(course[:, 1]), course[:, 2])
+    course = states[0] + superposed_movements(times_s, np.array(starts_s), np.array(durations_s), by)
+    return TrunkPosture(np.radians(course[:, 0]), np.radians(course[:, 1]), course[:, 2])
 
 
 def reached_s(shift: Behavior) -> float:

@@ -41,7 +41,7 @@ _WEIGHT_SMOOTHING_S = 0.40
 _AHEAD_S = 0.08
 
 
-def with_trunk(skeleton: Skeleton, body: BodyMotion, left_m: FloatArray, right_m: FloatArray) -> BodyMotion:
+def with_trunk_following(skeleton: Skeleton, body: BodyMotion, left_m: FloatArray, right_m: FloatArray) -> BodyMotion:
     """The body with its trunk following the wrists (T, 3); the feet stay in place."""
     left, right = left_m - _AT_EASE_M, right_m - _AT_EASE_M
     turns = _followed(body.times_s, _turns(left, right), _SMOOTHING_S)

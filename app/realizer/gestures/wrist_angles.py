@@ -11,16 +11,16 @@ import numpy as np
 
 from ...model import FloatArray
 from ..geometry.rotations import (
-    about,
-    between,
     cross,
     dot,
     from_axes,
+    from_axis_angle,
     from_rotation_vector,
     inverse,
     length,
     multiply,
     rotate,
+    shortest_rotation,
     to_rotation_vector,
 )
 
@@ -34,7 +34,7 @@ _PALM: FloatArray = np.array([0.0, -1.0, 0.0])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Turn:
+class WristAngles:
     """The `angles` (…, 3) of a hand relative to its forearm: twist, bend about y, bend about z."""
 
     angles: FloatArray
@@ -42,7 +42,7 @@ class Turn:
     @property
     def forearm(self) -> FloatArray:
         """The rotation of the forearm's twist."""
-        return about((1.0, 0.0, 0.0), self.angles[..., 0])
+        return from_axis_angle((1.0, 0.0, 0.0), self.angles[..., 0])
 
     @property
     def hand(self) -> FloatArray:
@@ -54,26 +54,26 @@ class Turn:
         """By how much each angle exceeds its limits (…, 3)."""
         return np.asarray(np.abs(self.angles - self.clamped().angles))
 
-    def clamped(self) -> "Turn":
+    def clamped(self) -> "WristAngles":
         """The angles clamped to the limits."""
-        return Turn(np.clip(self.angles, np.radians(LOWEST_DEG), np.radians(HIGHEST_DEG)))
+        return WristAngles(np.clip(self.angles, np.radians(LOWEST_DEG), np.radians(HIGHEST_DEG)))
 
 
-def turned(forearm: FloatArray, finger_base: FloatArray | None, palm: FloatArray | None) -> Turn:
+def wrist_angles(forearm: FloatArray, finger_base: FloatArray | None, palm: FloatArray | None) -> WristAngles:
     """The angles that point fingers and palm in the given directions (3,), for an untwisted forearm orientation (…, 4).
 
     Without a finger base the hand stays in line with the forearm; without a palm there is no twist.
     """
     if finger_base is None and palm is None:
-        return Turn(np.zeros((*forearm.shape[:-1], 3)))
+        return WristAngles(np.zeros((*forearm.shape[:-1], 3)))
     back = inverse(forearm)
     if palm is None:
-        return _parted(between(_FINGERS, rotate(back, np.asarray(finger_base))))
+        return _parted(shortest_rotation(_FINGERS, rotate(back, np.asarray(finger_base))))
     ahead = _FINGERS if finger_base is None else rotate(back, finger_base)
     return _parted(_held(ahead, rotate(back, palm)))
 
 
-def kept(forearm: FloatArray, hand: FloatArray) -> Turn:
+def preserving_wrist_angles(forearm: FloatArray, hand: FloatArray) -> WristAngles:
     """The angles that preserve a hand's orientation `hand` (…, 4), for an untwisted forearm orientation (…, 4)."""
     return _parted(multiply(inverse(forearm), hand))
 
@@ -89,9 +89,9 @@ def _held(fingers: FloatArray, palm: FloatArray) -> FloatArray:
     return from_axes(fingers, back_of_hand, cross(fingers, back_of_hand))
 
 
-def _parted(rotation: FloatArray) -> Turn:
+def _parted(rotation: FloatArray) -> WristAngles:
     """A rotation as a twist about x, then a bend without any (swing-twist decomposition)."""
     twist = 2 * np.arctan2(rotation[..., 0], rotation[..., 3])
     twist = np.where(twist > np.pi, twist - 2 * np.pi, np.where(twist < -np.pi, twist + 2 * np.pi, twist))
-    bend = to_rotation_vector(multiply(about((-1.0, 0.0, 0.0), twist), rotation))
-    return Turn(np.concatenate([twist[..., None], bend[..., 1:]], axis=-1))
+    bend = to_rotation_vector(multiply(from_axis_angle((-1.0, 0.0, 0.0), twist), rotation))
+    return WristAngles(np.concatenate([twist[..., None], bend[..., 1:]], axis=-1))

@@ -5,5 +5,5 @@ from types import MappingProxyType
 
 from ...model import Level
 
-LIVELINESS: Mapping[Level, float] = MappingProxyType({Level.LOW: 0.8, Level.MEDIUM: 1.0, Level.HIGH: 1.25})
+IDLE_ACTIVITY: Mapping[Level, float] = MappingProxyType({Level.LOW: 0.8, Level.MEDIUM: 1.0, Level.HIGH: 1.25})
 """Factors of the amplitudes of sway and noise, and of the breathing rate."""

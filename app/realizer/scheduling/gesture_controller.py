@@ -17,12 +17,12 @@ from ..body.skeleton import Skeleton
 from ..geometry.rotations import inverse, multiply, normalized
 from ..gestures.arm_joints import arm_joints
 from ..gestures.gesture_plan import GesturePlan
-from ..torso.trunk import with_trunk
+from ..torso.trunk import with_trunk_following
 
 _MUSCLE_S = 0.03
 
 
-def gesture(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int) -> BodyMotion:
+def apply_gestures(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int) -> BodyMotion:
     """The body with the plan's arm motion, and the trunk following it. Deterministic for a seed."""
     rotations = body.rotations.copy()
     wrists_m = []
@@ -32,7 +32,7 @@ def gesture(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: in
         wrists_m.append(wrist_of(skeleton, side, arm))
         arm[:, 0] = multiply(arm[:, 0], _breath(body.rotations[:, joints[0]]))
         rotations[:, joints] = arm
-    return with_trunk(skeleton, replace(body, rotations=rotations), *wrists_m)
+    return with_trunk_following(skeleton, replace(body, rotations=rotations), *wrists_m)
 
 
 def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:

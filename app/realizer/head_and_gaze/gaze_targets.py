@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, Schedule
-from ..geometry.angles import aim
+from ..geometry.angles import pitch_and_yaw
 
 Position = tuple[float, float, float]
 
@@ -52,7 +52,7 @@ _NOWHERE: FloatArray = np.zeros(3)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Aims:
+class GazeTargets:
     """Target angles: the first row applies before any gaze, the others from `starts_s` (K,) on, in order; head
     movements take at least `within_s`. Pitch, yaw and inverse distance (1 / m) of the eyes (K + 1, 3), pitch and yaw of
     the head (K + 1, 2), yaw of the trunk (K + 1, 1)."""
@@ -75,7 +75,7 @@ class _Line(NamedTuple):
     lexeme: str
 
 
-def looks(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position]) -> Aims:
+def gaze_targets(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position]) -> GazeTargets:
     """The targets of a schedule's gazes, beginning with the listener. Head and trunk take their shares of the
     direction; the head assists where the eyes alone would rotate too far."""
     names = {each.target for each in schedule.behaviors if each.kind is Channel.GAZE and each.kept}
@@ -85,7 +85,7 @@ def looks(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Positi
     shares = np.array([[HEAD_SHARE[each.lexeme], TRUNK_SHARE[each.lexeme]] for each in lines])
     head = shares[:, :1] * line[:, :2]
     in_head = (line + glance)[:, :2] - head
-    return Aims(
+    return GazeTargets(
         starts_s=np.array([each.at_s for each in lines[1:]]),
         within_s=np.array([each.within_s for each in lines[1:]]),
         eyes=line + glance,
@@ -137,4 +137,4 @@ def _aside(gaze: Behavior) -> FloatArray:
 
 def _at(target: str | None, from_m: FloatArray, targets_m: Mapping[str, Position]) -> FloatArray:
     way_m = np.array(targets_m.get(target or LISTENER, LISTENER_M)) - from_m
-    return np.array([*aim(way_m), 1.0 / np.linalg.norm(way_m)])
+    return np.array([*pitch_and_yaw(way_m), 1.0 / np.linalg.norm(way_m)])
