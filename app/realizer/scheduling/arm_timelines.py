@@ -27,7 +27,7 @@ from .rests import (
     retraction_s,
     shortest_way_s,
 )
-from .transitions import TransitionContext, blends, natural_preparation_s, prolonged_relax_s, within_reach
+from .transitions import TransitionContext, blends, in_same_unit, natural_preparation_s, prolonged_relax_s
 
 SHORTEST_STAY_S = 1.0
 """A hand does not go to a rest pose that changes again within this time."""
@@ -54,7 +54,7 @@ def units_of(gestures: Iterable[PlacedGesture], setting: TransitionContext) -> t
 
 
 def _joins(unit: Sequence[PlacedGesture], gesture: PlacedGesture, setting: TransitionContext) -> bool:
-    if within_reach(max(unit, key=lambda each: each.relax_s), gesture, setting):
+    if in_same_unit(max(unit, key=lambda each: each.relax_s), gesture, setting):
         return True
     last = ((side, next((each for each in reversed(unit) if side in each.arms), None)) for side in gesture.arms)
     return any(before is not None and blends(before, gesture, side, setting) for side, before in last)
@@ -127,8 +127,8 @@ def _from_the_first_frame(first: PlacedGesture, side: Hand, changes: tuple[RestC
     way_s = min(_preparation_s(first, side, changes), window_s)
     ready_s = window_s - _hold_s(first, window_s - way_s)
     hurried = shortest_way_s(distance_m(rest_m(changes[0].pose, side), stroke_start_m(first, side)))
-    underway = max(0.0, 1.0 - window_s / hurried)
-    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, initial_progress=underway)
+    progress = max(0.0, 1.0 - window_s / hurried)
+    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, initial_progress=progress)
 
 
 def _to_rest(last: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> _Way:

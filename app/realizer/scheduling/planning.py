@@ -23,7 +23,7 @@ from .arm_timelines import arm_timeline, rest_changes, units_of
 from .pruning import Admission, admit
 from .repetition import repeats_until_s, with_repeats
 from .rests import posture_changes
-from .selection import Clips, candidates, place_clip, requests_of, shuffled
+from .selection import Clips, candidate_clips, place_clip, requests_of, shuffled
 from .transitions import TransitionContext, natural_preparation_s
 
 SIDES = (Hand.LEFT, Hand.RIGHT)
@@ -71,7 +71,7 @@ def chosen_clips(
     kept: tuple[PlacedGesture, ...] = ()
     decisions: list[Decision] = []
     for request in requests_of(schedule):
-        clips, told = candidates(request, library)
+        clips, told = candidate_clips(request, library)
         decisions += told
         if clips:
             used = next((each.clip.name for each in reversed(kept) if each.clip.category == clips[0].category), None)

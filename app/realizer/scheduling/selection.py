@@ -77,7 +77,7 @@ def place_clip(clip: Clip, request: GestureRequest) -> PlacedGesture:
     return replace(aligned, relax_s=max(request.relax_s, aligned.stroke_end_s))
 
 
-def candidates(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
+def candidate_clips(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
     """The clips that fit a request, none if it must be dropped, and the decisions made."""
     clips, decisions = _of_category(request, library)
     if not clips:

@@ -42,7 +42,7 @@ def gap_s(first: PlacedGesture, second: PlacedGesture) -> float:
     return second.stroke_start_s - first.relax_s
 
 
-def within_reach(first: PlacedGesture, second: PlacedGesture, setting: TransitionContext) -> bool:
+def in_same_unit(first: PlacedGesture, second: PlacedGesture, setting: TransitionContext) -> bool:
     """Whether two neighbours are close enough for one unit and in the same phrase."""
     same = setting.phrase_of(first.request.stroke_s) == setting.phrase_of(second.request.stroke_s)
     return same and gap_s(first, second) < UNIT_GAP_S
@@ -50,7 +50,7 @@ def within_reach(first: PlacedGesture, second: PlacedGesture, setting: Transitio
 
 def blends(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> bool:
     """Whether an arm goes from the first to the second without rest."""
-    return within_reach(first, second, setting) or gap_s(first, second) < _rest_between_s(first, second, side, setting)
+    return in_same_unit(first, second, setting) or gap_s(first, second) < _rest_between_s(first, second, side, setting)
 
 
 def _rest_between_s(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> float:

@@ -7,7 +7,7 @@ import pytest
 
 from tests.support.gesture_clips import clip, gesture, library
 from understudy.model import Hand, Level, Schedule, SyncPoints
-from understudy.realizer.scheduling.selection import candidates, fits, fits_without_hold, requests_of, shuffled
+from understudy.realizer.scheduling.selection import candidate_clips, fits, fits_without_hold, requests_of, shuffled
 
 
 @pytest.mark.parametrize(
@@ -49,7 +49,7 @@ def test_eq_5_with_and_without_the_hold(left_s: float, whole: bool, without_hold
 def test_a_gesture_made_by_another_hand_or_at_another_level_only_stands_in() -> None:
     calm = replace(clip("both", hand=Hand.BOTH), level=Level.LOW)
     (request,) = requests_of(Schedule((gesture("g1", 2.0, 2.5),), 4.0, agitation=Level.HIGH))
-    (found,), (decision,) = candidates(request, library(calm))
+    (found,), (decision,) = candidate_clips(request, library(calm))
     assert found is calm
     assert decision.action == "replaced"
     assert "both hands" in decision.reason
