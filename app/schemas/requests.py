@@ -78,7 +78,7 @@ def read_options(content: bytes) -> Options:
 
 
 def check_options(fields: dict[str, Any]) -> Options:
-    """The options in `fields`, which go by the names of a request's; raises InputError as `read_options` does."""
+    """The options in `fields`, with the names of a request's options; raises InputError as `read_options` does."""
     return _checked(PerformOptions, _with_level(fields)).to_options()
 
 
@@ -93,7 +93,7 @@ def check_realize_options(fields: dict[str, Any]) -> RealizeOptions:
 
 
 def _with_level(fields: dict[str, Any]) -> dict[str, Any]:
-    """The fields with the agitation that is named in them as a value."""
+    """The fields, with the name of the agitation replaced by its value."""
     level = fields.get("agitation")
     return fields | {"agitation": _level(level)} if isinstance(level, str) else fields
 

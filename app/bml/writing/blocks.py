@@ -98,7 +98,7 @@ def _face(behavior: Behavior, times: Times) -> Element:
 
 
 def _posture(behavior: Behavior, times: Times) -> Element:
-    """A `postureShift`, which lasts, or the `posture`, from which the body comes back."""
+    """A `postureShift`, which lasts, or a `posture`, which returns to the previous one."""
     stance = Element("stance", {"type": "STANDING"})
     pose = Element("pose", {"part": "WHOLEBODY", "lexeme": behavior.lexeme})
     if behavior.sync.relax is not None and behavior.sync.relax < behavior.sync.end:
