@@ -1,9 +1,0 @@
-"""How much the body moves and breathes by itself, by the speaker's agitation; the factors are ours."""
-
-from collections.abc import Mapping
-from types import MappingProxyType
-
-from ...model import Level
-
-LIVELINESS: Mapping[Level, float] = MappingProxyType({Level.LOW: 0.8, Level.MEDIUM: 1.0, Level.HIGH: 1.25})
-"""Of the sizes of sway and noise, and of the rate of breath."""
