@@ -6,8 +6,9 @@ READINGS are those of `training.acting.encoder read`, each line by a reader trai
 is trusted as far as it can be on new lines. The worth of a family with its stroke on a word, for the one director there
 is, is regressed on the reading's log-odds and the word's terms (`app/acting/choice_model.py`): logistic regression on
 soft targets, the weights of terms drawn to 0. Terms on fewer than `FEWEST` words are left out. Then the price of a
-gesture is set so that lines get `GESTURES_A_LINE`, and the likelihoods that head and face movements need, so that
-`F_beta` is best: a wrong shake, smile or frown says the contrary of what is meant, a wrong tilt hardly anything.
+gesture is set so that lines get `GESTURES_A_LINE`, and the likelihoods that head and face movements need, so that they
+are not missed, or are right often enough: a wrong shake, smile or frown says the contrary of what is meant, a wrong
+tilt hardly anything.
 """
 
 import argparse
@@ -37,9 +38,15 @@ PENALTY = 100.0
 """What a squared weight costs, in words."""
 
 GESTURES_A_LINE = 2.1
-TONED = frozenset({"shake", "smile", "frown", "sad", "disgust", "squint"})
-"""Movements that say something of their own (narrowed eyes are read as a frown)."""
-BETA_TONED, BETA_PLAIN = 0.5, 1.5
+READ_AS = {"squint": "frown"}
+"""What an audience reads in a face, where that is not what it is called."""
+
+BETA = 1.5
+"""How much more it matters that a movement is made than that every director wants it."""
+
+TONED_PRECISION = {"shake": 0.6} | dict.fromkeys(("smile", "frown", "sad", "disgust", "squint"), 0.4)
+"""How often movements that say something of their own must be what the one director wanted; of three, another one wants
+most of the others. A wrong shake denies what is said."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -127,14 +134,17 @@ def price_of(lines: Sequence[DirectedLine], gain: Sequence[SingleArray]) -> floa
 
 
 def threshold_of(kind: str, likely: FloatArray, wanted: FloatArray) -> float:
-    """The level (N,) of a stretch from which a movement is made, F_beta on stretches being best."""
-    beta = BETA_TONED if kind in TONED else BETA_PLAIN
-    best = (0.0, 0.5)
+    """The level (N,) of a stretch from which a movement is made: with F_beta on stretches at its best, for a toned one
+    where it is right often enough."""
+    best = (0.0, 0.9)
     for threshold in np.arange(0.1, 0.9, 0.02):
         made = likely >= threshold
         right = float((made * wanted).sum())
-        score = (1 + beta**2) * right / max(beta**2 * wanted.sum() + made.sum(), 1e-9)
-        best = max(best, (score, float(threshold)))
+        if kind in TONED_PRECISION and right >= TONED_PRECISION[kind] * made.sum() and made.any():
+            return round(float(threshold), 2)
+        score = (1 + BETA**2) * right / max(BETA**2 * wanted.sum() + made.sum(), 1e-9)
+        if kind not in TONED_PRECISION:
+            best = max(best, (score, float(threshold)))
     return round(best[1], 2)
 
 
@@ -188,7 +198,8 @@ def _thresholds(
             levels.append(stretch_level(likely[begin : end + 1]))
             asked.append(target[begin : end + 1].max(axis=0))
     level, any_asked = np.stack(levels), np.stack(asked)
-    return {kind: threshold_of(kind, level[:, place], any_asked[:, place]) for place, kind in enumerate(kinds)}
+    read_as = [list(kinds).index(READ_AS.get(kind, kind)) for kind in kinds]
+    return {kind: threshold_of(kind, level[:, place], any_asked[:, read_as[place]]) for place, kind in enumerate(kinds)}
 
 
 def read_readings(path: Path) -> dict[str, SingleArray]:
