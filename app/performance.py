@@ -20,6 +20,7 @@ from .acoustic.signal.decoding import AudioLimits, decode
 from .acoustic.stress.emphasis import Measure, with_emphasis
 from .acoustic.stress.prominence import prominence
 from .acoustic.stress.stress import stress
+from .acting.notes import check_direction, conflicts
 from .bml.choice.characters import Characters
 from .bml.choice.listening import listen
 from .bml.choice.scheduling import schedule
@@ -30,6 +31,7 @@ from .model import (
     Agitation,
     Audio,
     Contours,
+    Direction,
     Filler,
     Function,
     GivenFunction,
@@ -101,13 +103,14 @@ class Timings:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """What is sent in: the audio file's bytes, the transcript, the words' timings when they are known already, and the
-    functions that the caller knows."""
+    """What is sent in: the audio file's bytes, the transcript, the words' timings when they are known already, the
+    functions that the caller knows, and a director's notes."""
 
     audio: bytes
     text: str
     timings: Timings | None = None
     functions: tuple[GivenFunction, ...] = ()
+    direction: Direction | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,9 +250,10 @@ class Understudy:
 def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress) -> Performance:
     """The performance of a recorded line (paper §3, Figure 2).
 
-    Raises InputError for audio, text, timings, functions or options that cannot be used.
+    Raises InputError for audio, text, timings, functions, notes or options that cannot be used.
     """
     character = understudy.behavior.characters.named(options.character)
+    direction_notices = _checked_direction(understudy, line)
     analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
     progress("mapping")
     candidates = offer_movements(understudy.behavior.rules, analysis.utterance, analysis.functions, seed=options.seed)
@@ -262,10 +266,19 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
         behaviors=behaviors,
         character=character.name,
         seed=options.seed,
-        notices=analysis.notices + lip_notices,
+        notices=direction_notices + analysis.notices + lip_notices,
         visemes=lips,
     )
     return reduce(partial(_heard_by, understudy.behavior.characters), options.listeners, performance)
+
+
+def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:
+    """What a director's notes say against each other; raises InputError where they do not fit the words."""
+    if line.direction is None:
+        return ()
+    limit = understudy.language.settings.max_text_characters
+    check_direction(line.direction, words=len(read_transcript(line.text, max_characters=limit)))
+    return conflicts(line.direction)
 
 
 def listener_part(performance: Performance, listening: Listening) -> Performance:

@@ -62,6 +62,7 @@ def _add_perform(add: Adding) -> None:
     parser = add("perform", "perform one line: audio and words in, BML out")
     _add_line(parser)
     _add_functions(parser)
+    parser.add_argument("--direction", metavar="FILE", help="a director's notes: what the body should mean where, JSON")
     parser.add_argument(
         "-o", "--output", metavar="OUT.bml", help="where the BML goes, OUT.json: as JSON (default: standard output)"
     )
@@ -148,7 +149,7 @@ def _add_line(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--words", metavar="FILE", help="the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned"
     )
-    parser.set_defaults(functions=None)
+    parser.set_defaults(functions=None, direction=None)
 
 
 def _add_functions(parser: argparse.ArgumentParser) -> None:
