@@ -22,11 +22,13 @@ from .acoustic.stress.prominence import prominence
 from .acoustic.stress.stress import stress
 from .acting.notes import check_direction, conflicts
 from .bml.choice.characters import Characters
+from .bml.choice.lead_in import LONGEST_LEAD_IN_S, with_lead_in
 from .bml.choice.listening import listen
 from .bml.choice.scheduling import schedule
 from .bml.choice.visemes import visemes
 from .bml.markup.documents import DialectName, TimeForm
 from .bml.writing.writer import CORE_FORM, BmlForm, write_bml, write_bml_json
+from .errors import InputError
 from .model import (
     Agitation,
     Audio,
@@ -116,7 +118,10 @@ class Line:
 @dataclass(frozen=True, slots=True)
 class Options:
     """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
-    it usually sounds."""
+    it usually sounds. `lead_in_s` is how long before the recording the performance begins.
+
+    Raises InputError `value_wrong`.
+    """
 
     character: str = DEFAULT_CHARACTER
     agitation: Level | None = None
@@ -125,6 +130,12 @@ class Options:
     listeners: tuple[str, ...] = ()
     form: BmlForm = CORE_FORM
     reference: SpeakerReference | None = None
+    lead_in_s: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:
+            message = f"lead_in_s: {self.lead_in_s:g}; give 0 to {LONGEST_LEAD_IN_S:g} seconds"
+            raise InputError("value_wrong", message, field="lead_in_s")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -255,13 +266,14 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
     character = understudy.behavior.characters.named(options.character)
     direction_notices = _checked_direction(understudy, line)
     analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
+    utterance = with_lead_in(analysis.utterance, options.lead_in_s)
     progress("mapping")
-    candidates = offer_movements(understudy.behavior.rules, analysis.utterance, analysis.functions, seed=options.seed)
+    candidates = offer_movements(understudy.behavior.rules, utterance, analysis.functions, seed=options.seed)
     progress("schedule")
-    behaviors = schedule(candidates, analysis.utterance, character, seed=options.seed, mode=options.mode)
-    lips, lip_notices = visemes(analysis.utterance.words, analysis.utterance.duration_s or 0.0)
+    behaviors = schedule(candidates, utterance, character, seed=options.seed, mode=options.mode)
+    lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
     performance = Performance(
-        utterance=analysis.utterance,
+        utterance=utterance,
         functions=analysis.functions,
         behaviors=behaviors,
         character=character.name,

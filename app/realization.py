@@ -122,6 +122,7 @@ def schedule_of(performance: Performance) -> Schedule:
         emphases_s=emphases_s(utterance.words),
         agitation=utterance.agitation.level if utterance.agitation else Level.MEDIUM,
         character=performance.character,
+        lead_in_s=utterance.lead_in_s,
     )
 
 
@@ -170,7 +171,7 @@ def _words(
 
 def _schedule(resolved: Resolved, heard: SignalAnalysis | None, level: Level) -> tuple[Schedule, tuple[Notice, ...]]:
     spoken_s = [word.interval.end_s for word in resolved.words if word.interval]
-    heard_s = heard.audio.duration_s if heard else 0.0
+    heard_s = resolved.speech_start_s + heard.audio.duration_s if heard else 0.0
     lips, notices = visemes(resolved.words, heard_s) if heard else ((), ())
     schedule = Schedule(
         behaviors=resolved.behaviors,
@@ -180,6 +181,7 @@ def _schedule(resolved: Resolved, heard: SignalAnalysis | None, level: Level) ->
         phrases=phrases(resolved.words),
         emphases_s=emphases_s(resolved.words),
         agitation=level,
+        lead_in_s=resolved.speech_start_s,
     )
     return schedule, notices
 

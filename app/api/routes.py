@@ -104,9 +104,9 @@ router = APIRouter()
 @router.post("/perform", responses=_PERFORMED | _ERRORS, openapi_extra=_PERFORM_BODY)
 async def post_perform(request: Request, shared: Shared) -> Response:
     """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation,
-    seed, mode, listener (a list of names; then only JSON is answered), dialect, timing, reference (what `understudy
-    reference` writes). The file `reference` is the same as a .json, or another recording of the speaker;
-    `functions` are functions known already, `direction` is a director's notes (docs/directing.md).
+    seed, mode, listener (a list of names; then only JSON is answered), dialect, timing, lead_in_s (0 to 3), reference
+    (what `understudy reference` writes). The file `reference` is the same as a .json, or another recording of the
+    speaker; `functions` are functions known already, `direction` is a director's notes (docs/directing.md).
     """
     media_type = _media_type(request, (XML, JSON), "a performance comes")
     shared.capacity.require_place()

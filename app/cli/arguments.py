@@ -77,6 +77,13 @@ def _add_perform(add: Adding) -> None:
     parser.add_argument(
         "--listener", metavar="NAME", action="append", default=[], help="who listens; his BML goes to OUT.NAME.bml"
     )
+    parser.add_argument(
+        "--lead-in",
+        metavar="SECONDS",
+        type=float,
+        default=0.0,
+        help="begin that long before the recording, so that the first words' gestures have time (0 to 3, default 0)",
+    )
     _add_form(parser)
     parser.add_argument("--trace", metavar="FILE", help="write the whole performance as JSON: every reason")
     parser.add_argument(

@@ -75,6 +75,7 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
             *unknown_faces(realizer.face.words, schedule.behaviors),
             *moved,
         ),
+        lead_in_s=schedule.lead_in_s,
     )
 
 

@@ -35,6 +35,7 @@ class PerformOptions(BaseModel):
     listener: Annotated[tuple[str, ...], Field(strict=False)] = ()
     dialect: Annotated[DialectName, Field(strict=False)] = DialectName.BML
     timing: Annotated[TimeForm, Field(strict=False)] = TimeForm.ABSOLUTE
+    lead_in_s: float = 0.0
 
     def to_options(self) -> Options:
         return Options(
@@ -45,6 +46,7 @@ class PerformOptions(BaseModel):
             mode=self.mode,
             listeners=listener_names(self.listener),
             form=BmlForm(self.dialect, self.timing),
+            lead_in_s=self.lead_in_s,
         )
 
 

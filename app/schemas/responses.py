@@ -306,10 +306,14 @@ class ListeningResponse(ResponseModel):
 
 
 class PerformanceResponse(AnalysisResponse):
-    """The whole performance: what was heard and understood, what the body does with it, and every reason."""
+    """The whole performance: what was heard and understood, what the body does with it, and every reason.
+
+    The recording starts at `lead_in_s`; all times are from the start of the performance.
+    """
 
     character: str
     seed: int
+    lead_in_s: Number
     behaviors: list[BehaviorResponse]
     visemes: list[VisemeResponse]
     listeners: list[ListeningResponse] | None = None
@@ -318,7 +322,8 @@ class PerformanceResponse(AnalysisResponse):
     def of_performance(cls, performance: Performance) -> Self:
         understood = _understood(performance.utterance, performance.functions, performance.notices)
         chosen = {name: getattr(performance, name) for name in ("character", "seed", "behaviors", "visemes")}
-        return cls.model_validate(understood | chosen | {"listeners": performance.listeners or None})
+        begun = {"lead_in_s": performance.utterance.lead_in_s}
+        return cls.model_validate(understood | chosen | begun | {"listeners": performance.listeners or None})
 
 
 class PerformResponse(ResponseModel):
@@ -339,7 +344,7 @@ class PerformResponse(ResponseModel):
 def _understood(utterance: Utterance, functions: Sequence[Function], notices: Sequence[Notice]) -> dict[str, object]:
     """The fields that an analysis and a performance share, for an utterance that was heard."""
     return {
-        "audio": {"duration_s": utterance.duration_s},
+        "audio": {"duration_s": None if utterance.duration_s is None else utterance.duration_s - utterance.lead_in_s},
         "words": utterance.words,
         "fillers": utterance.fillers,
         "stress": utterance.thresholds,

@@ -40,7 +40,10 @@ def schedule(
     if not timed:
         return ()
     duration_s = utterance.duration_s or interval_of(timed[-1]).end_s
-    candidates, line = tuple(candidates), Line(timed, character, most_gestures(character, duration_s))
+    candidates, line = (
+        tuple(candidates),
+        Line(timed, character, most_gestures(character, duration_s - utterance.lead_in_s)),
+    )
     kept, lost = choose(candidates, line)
     kept, lost = in_mode(mode, (kept, lost), candidates, line, seed)
     own = [

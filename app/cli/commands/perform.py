@@ -40,6 +40,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         mode=Mode(arguments.mode),
         listeners=listener_names(arguments.listener),
         form=_form(arguments),
+        lead_in_s=arguments.lead_in,
     )
     with Understudy.load(settings) as understudy:
         options = replace(options, reference=speaker_reference(understudy.acoustic, arguments.reference, log))

@@ -1,7 +1,8 @@
 """What the realizer makes: a motion, frame by frame.
 
-Conventions: frame k is at `start_s + k / frame_rate_hz` seconds of the audio. Rotations are local to the joint's
-parent, quaternions x y z w (`understudy.realizer.geometry.rotations`), joints in the skeleton's order.
+Conventions: frame k is at `start_s + k / frame_rate_hz` seconds of the performance, whose audio starts at `lead_in_s`.
+Rotations are local to the joint's parent, quaternions x y z w (`understudy.realizer.geometry.rotations`), joints in the
+skeleton's order.
 """
 
 from collections.abc import Mapping
@@ -71,7 +72,7 @@ SHAPES: tuple[str, ...] = (
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """A sync point of a behaviour as it was realized: BML id, point (`stroke`), time in the audio."""
+    """A sync point of a behaviour as it was realized: BML id, point (`stroke`), time."""
 
     behavior: str
     point: str
@@ -82,7 +83,7 @@ class Event:
 class Decision:
     """What the realizer did with a behaviour that could not be played as it was asked for, and why.
 
-    `action` is one word, as `dropped`, `replaced`, `held`, `blended`, `repeated`, `shortened`."""
+    `action` is one word, as `dropped`, `replaced`, `held`, `blended`, `repeated`, `shortened`, `late`."""
 
     behavior: str
     action: str
@@ -110,6 +111,7 @@ class Motion:
     realized: Mapping[str, SyncPoints]
     decisions: tuple[Decision, ...] = ()
     notices: tuple[Notice, ...] = ()
+    lead_in_s: float = 0.0
 
     @property
     def duration_s(self) -> float:

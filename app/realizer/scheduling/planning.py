@@ -17,13 +17,13 @@ import numpy as np
 from ...model import Hand, Schedule, SyncPoints
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..body.motion import Decision
-from ..gestures.gesture_plan import ArmGesture, GesturePlan, Placed, Position, Transition, Unit
+from ..gestures.gesture_plan import ArmGesture, GesturePlan, Placed, Position, Request, Transition, Unit
 from ..head_and_gaze.aiming import aimed, missed
 from .arm_timelines import arm_timeline, rest_changes, units_of
 from .pruning import Admission, admitted
 from .repetition import repeats_until_s, with_repeats
 from .rests import posture_changes
-from .selection import Clips, candidates, in_drawn_order, placed, requests_of
+from .selection import Clips, candidates, in_drawn_order, in_time, placed, requests_of
 from .transitions import Setting, natural_preparation_s
 
 SIDES = (Hand.LEFT, Hand.RIGHT)
@@ -35,7 +35,8 @@ _NOTICEABLE_S = 0.02
 def plan_gestures(
     library: Clips, schedule: Schedule, *, seed: int, targets_m: Mapping[str, Position] = MappingProxyType({})
 ) -> GesturePlan:
-    """What the arms do through a schedule. The stroke of every gesture that is played is on its time in the BML.
+    """What the arms do through a schedule. The stroke of every gesture that is played is on its time in the BML,
+    save on the first sound of a line, where it may be late.
 
     `targets_m` places what is pointed at in the world, as for the gaze."""
     setting = Setting(schedule.phrases, posture_changes(schedule))
@@ -70,11 +71,19 @@ def chosen_clips(
         decisions += told
         if clips:
             used = next((each.clip.name for each in reversed(kept) if each.clip.category == clips[0].category), None)
-            options = [aimed(placed(clip, request), targets_m) for clip in in_drawn_order(clips, used, rng)]
+            drawn = [aimed(placed(clip, request), targets_m) for clip in in_drawn_order(clips, used, rng)]
+            options = [in_time(each) for each in sorted(drawn, key=lambda each: each.stroke_start_s < 0)]
             admission = admitted(options, kept, setting)
             kept = admission.kept
-            decisions += admission.decisions
+            decisions += (*admission.decisions, *_late(kept, request))
     return Admission(kept, tuple(decisions))
+
+
+def _late(kept: Iterable[Placed], request: Request) -> Iterator[Decision]:
+    for gesture in kept:
+        late_s = gesture.request.stroke_s - request.stroke_s
+        if gesture.request.behavior == request.behavior and late_s > _NOTICEABLE_S:
+            yield Decision(request.behavior, "late", f"by {late_s:.2f} s: its stroke begins with the first frame")
 
 
 def _repeated(gestures: tuple[Placed, ...], schedule: Schedule, setting: Setting) -> Iterator[Placed]:

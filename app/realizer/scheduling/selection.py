@@ -22,6 +22,9 @@ from ..gestures.gesture import Clip
 from ..gestures.gesture_plan import Placed, Request
 
 TOLERANCE_S = 0.1
+LATEST_S = 0.35
+"""A gesture on the first sound of a recording may come this late, about a word, rather than not at all."""
+
 USUAL_AMOUNT = 0.5
 """The size of a gesture that BML calls neither small nor large. The hands go as far as its root: twice
 the amount is not twice the reach of an arm."""
@@ -76,6 +79,16 @@ def placed(clip: Clip, request: Request) -> Placed:
     its stroke ends."""
     aligned = Placed(request, clip, request.relax_s)
     return replace(aligned, relax_s=max(request.relax_s, aligned.stroke_end_s))
+
+
+def in_time(placed: Placed) -> Placed:
+    """The clip as late as it takes for its stroke to begin with the first frame, the hand raised already; where that is
+    more than `LATEST_S` it stays where it is, before the first frame."""
+    late_s = -placed.stroke_start_s
+    if not 0 < late_s <= LATEST_S:
+        return placed
+    late = replace(placed, request=replace(placed.request, stroke_s=placed.request.stroke_s + late_s))
+    return replace(late, relax_s=max(late.relax_s, late.stroke_end_s))
 
 
 def candidates(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
