@@ -25,6 +25,7 @@ from .bml.choice.characters import Characters
 from .bml.choice.lead_in import LONGEST_LEAD_IN_S, with_lead_in
 from .bml.choice.listening import listen
 from .bml.choice.scheduling import schedule
+from .bml.choice.stillness import check_stillness, with_stillness
 from .bml.choice.visemes import visemes
 from .bml.markup.documents import DialectName, TimeForm
 from .bml.writing.writer import CORE_FORM, BmlForm, write_bml, write_bml_json
@@ -118,7 +119,8 @@ class Line:
 @dataclass(frozen=True, slots=True)
 class Options:
     """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
-    it usually sounds. `lead_in_s` is how long before the recording the performance begins.
+    it usually sounds. `lead_in_s` is how long before the recording the performance begins,
+    `stillness` (0 to 1) how much less than usual moves.
 
     Raises InputError `value_wrong`.
     """
@@ -131,11 +133,13 @@ class Options:
     form: BmlForm = CORE_FORM
     reference: SpeakerReference | None = None
     lead_in_s: float = 0.0
+    stillness: float = 0.0
 
     def __post_init__(self) -> None:
         if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:
             message = f"lead_in_s: {self.lead_in_s:g}; give 0 to {LONGEST_LEAD_IN_S:g} seconds"
             raise InputError("value_wrong", message, field="lead_in_s")
+        check_stillness(self.stillness)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -281,7 +285,8 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
         notices=direction_notices + analysis.notices + lip_notices,
         visemes=lips,
     )
-    return reduce(partial(_heard_by, understudy.behavior.characters), options.listeners, performance)
+    performance = reduce(partial(_heard_by, understudy.behavior.characters), options.listeners, performance)
+    return with_stillness(performance, options.stillness)
 
 
 def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:

@@ -104,9 +104,10 @@ router = APIRouter()
 @router.post("/perform", responses=_PERFORMED | _ERRORS, openapi_extra=_PERFORM_BODY)
 async def post_perform(request: Request, shared: Shared) -> Response:
     """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation,
-    seed, mode, listener (a list of names; then only JSON is answered), dialect, timing, lead_in_s (0 to 3), reference
-    (what `understudy reference` writes). The file `reference` is the same as a .json, or another recording of the
-    speaker; `functions` are functions known already, `direction` is a director's notes (docs/directing.md).
+    seed, mode, listener (a list of names; then only JSON is answered), dialect, timing, lead_in_s (0 to 3), stillness
+    (0 to 1), reference (what `understudy reference` writes). The file `reference` is the same as a .json, or another
+    recording of the speaker; `functions` are functions known already, `direction` is a director's notes
+    (docs/directing.md).
     """
     media_type = _media_type(request, (XML, JSON), "a performance comes")
     shared.capacity.require_place()
@@ -123,7 +124,8 @@ async def post_perform(request: Request, shared: Shared) -> Response:
 @router.post("/realize", responses=_REALIZED | _ERRORS, openapi_extra=_REALIZE_BODY)
 async def post_realize(request: Request, shared: Shared) -> Response:
     """BML in, motion out: the BML alone as the body, or a form with `bml`, the `audio` of its speech, an `avatar`
-    (GLB or VRM) and `options` (JSON: agitation, character, fps, seed, skeleton). Answers a clip as JSON, GLB or BVH.
+    (GLB or VRM) and `options` (JSON: agitation, character, fps, seed, skeleton, stillness). Answers a clip as JSON, GLB
+    or BVH.
     """
     media_type = _media_type(request, tuple(_MOTION_FORMATS), "motion comes")
     shared.capacity.require_place()
@@ -243,7 +245,12 @@ def _realized(understudy: Understudy, asked: _Asked, media_type: str, progress: 
     if question.skeleton:
         realizer.rig(question.skeleton)
     staged = prepare_schedule(
-        understudy.acoustic, asked.sheet, agitation=question.agitation, character=question.character, progress=progress
+        understudy.acoustic,
+        asked.sheet,
+        agitation=question.agitation,
+        character=question.character,
+        stillness=question.stillness,
+        progress=progress,
     )
     progress("realize")
     motion = realize(realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed)

@@ -84,6 +84,7 @@ def _add_perform(add: Adding) -> None:
         default=0.0,
         help="begin that long before the recording, so that the first words' gestures have time (0 to 3, default 0)",
     )
+    _add_stillness(parser)
     _add_form(parser)
     parser.add_argument("--trace", metavar="FILE", help="write the whole performance as JSON: every reason")
     parser.add_argument(
@@ -102,6 +103,7 @@ def _add_realize(add: Adding) -> None:
     parser.add_argument("--character", metavar="NAME", help="who moves (default: whom the BML names)")
     _add_agitation(parser)
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other variants (default 0)")
+    _add_stillness(parser)
     _add_motion(parser)
 
 
@@ -112,6 +114,16 @@ def _add_motion(parser: argparse.ArgumentParser) -> None:
         "--skeleton", metavar="NAME", help="whose names joints go by (default: mixamo in BVH, vrm in JSON)"
     )
     parser.add_argument("--avatar", metavar="FILE", help="your own GLB or VRM, to wear the motion in .glb")
+
+
+def _add_stillness(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--stillness",
+        metavar="0…1",
+        type=float,
+        default=0.0,
+        help="how much less than usual moves; at 1 only breath, blinks and lips (default 0)",
+    )
 
 
 def _add_form(parser: argparse.ArgumentParser) -> None:

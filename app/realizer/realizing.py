@@ -59,7 +59,7 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
     times_s = frame_times_s(max(schedule.duration_s, plan.end_s), frame_rate_hz)
     skeleton = realizer.skeleton
     body = idle(skeleton, times_s, schedule, seed=seed)
-    body = gesture(skeleton, body, plan, seed=seed)
+    body = gesture(skeleton, body, plan, seed=seed, life=1 - schedule.stillness)
     body = gaze(skeleton, body, schedule, seed=seed)
     body = head(skeleton, body, schedule, seed=seed)
     body, moved = clear(skeleton, body)

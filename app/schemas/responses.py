@@ -314,6 +314,7 @@ class PerformanceResponse(AnalysisResponse):
     character: str
     seed: int
     lead_in_s: Number
+    stillness: Number
     behaviors: list[BehaviorResponse]
     visemes: list[VisemeResponse]
     listeners: list[ListeningResponse] | None = None
@@ -321,7 +322,9 @@ class PerformanceResponse(AnalysisResponse):
     @classmethod
     def of_performance(cls, performance: Performance) -> Self:
         understood = _understood(performance.utterance, performance.functions, performance.notices)
-        chosen = {name: getattr(performance, name) for name in ("character", "seed", "behaviors", "visemes")}
+        chosen = {
+            name: getattr(performance, name) for name in ("character", "seed", "stillness", "behaviors", "visemes")
+        }
         begun = {"lead_in_s": performance.utterance.lead_in_s}
         return cls.model_validate(understood | chosen | begun | {"listeners": performance.listeners or None})
 

@@ -64,15 +64,16 @@ class ArmTrack:
             raise ValueError("the keys of an arm's track are at rising times")
 
 
-def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int) -> FloatArray:
-    """The arm's rotations (T, 19, 4) at `times_s` (T,), neighbours of one sign."""
+def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int, life: float = 1.0) -> FloatArray:
+    """The arm's rotations (T, 19, 4) at `times_s` (T,), neighbours of one sign, with `life` (0 to 1) of the keys'
+    noise."""
     said = np.stack([key.pose.said for key in track.keys])
     keys = np.stack([key.pose.parts for key in track.keys])
     shapes = np.array([(key.tension, key.continuity, key.bias) for key in track.keys])
     key_times_s = _shifted(track)
     through = [(row, said[:, row]) for row in range(len(PARTS))]
     curves = [Curve(key_times_s[keyed, row], keys[keyed, row], shapes[keyed]) for row, keyed in through]
-    return of_one_sign(arm_rotations(_stirred(track, splines(curves, times_s), times_s, seed)))
+    return of_one_sign(arm_rotations(_stirred(track, splines(curves, times_s), times_s, seed, life=life)))
 
 
 def _shifted(track: ArmTrack) -> FloatArray:
@@ -98,9 +99,9 @@ def _stir_deg() -> FloatArray:
     return np.array([stir.get(part, (0.0, 0.0, 0.0)) for part in PARTS])
 
 
-def _stirred(track: ArmTrack, parts: FloatArray, times_s: FloatArray, seed: int) -> FloatArray:
+def _stirred(track: ArmTrack, parts: FloatArray, times_s: FloatArray, seed: int, *, life: float) -> FloatArray:
     """Perlin noise on top, which "removes the freezing effect during the gesture hold" (paper §3.8)."""
-    strengths = [key.noise for key in track.keys]
+    strengths = [life * key.noise for key in track.keys]
     if not any(strengths):
         return parts
     strength = np.interp(times_s, [key.time_s for key in track.keys], strengths)

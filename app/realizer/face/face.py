@@ -65,7 +65,9 @@ def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Ske
     for first in range(0, len(times_s), _FRAMES_AT_ONCE):
         frames = slice(first, first + _FRAMES_AT_ONCE)
         part = BodyMotion(times_s[frames], body.rotations[frames], body.hips_m[frames])
-        at_rest = _together(looks(tables.eyes, part, skeleton), micro_movement(part.times_s, seed))
+        at_rest = _together(
+            looks(tables.eyes, part, skeleton), (1 - schedule.stillness) * micro_movement(part.times_s, seed)
+        )
         shown = expressions(tables.words, schedule.behaviors, part.times_s, frame_s) * _sides(part.times_s, seed)
         speech = speak(tables.visemes, spoken, part.times_s)
         beside = _beside_speech(_together(shown, at_rest), speech)

@@ -22,13 +22,14 @@ from ..torso.trunk import with_trunk
 _MUSCLE_S = 0.03
 
 
-def gesture(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int) -> BodyMotion:
-    """The body with the arms of the plan, and the trunk with them. The same seed gives the same motion."""
+def gesture(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int, life: float = 1.0) -> BodyMotion:
+    """The body with the arms of the plan, and the trunk with them. The same seed gives the same motion; arms that hold
+    or rest stir by `life` (0 to 1) of the usual."""
     rotations = body.rotations.copy()
     wrists_m = []
     for side in (Hand.LEFT, Hand.RIGHT):
         joints = skeleton.chain(*arm_joints(side))
-        arm = _smooth(arm_motion(arm_track(skeleton, side, plan), body.times_s, seed=seed), body.times_s)
+        arm = _smooth(arm_motion(arm_track(skeleton, side, plan), body.times_s, seed=seed, life=life), body.times_s)
         wrists_m.append(wrist_of(skeleton, side, arm))
         arm[:, 0] = multiply(arm[:, 0], _breath(body.rotations[:, joints[0]]))
         rotations[:, joints] = arm
