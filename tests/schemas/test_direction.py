@@ -5,13 +5,14 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.shared_data import SHARED, needs
 from understudy.acting.notes import check_direction
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Avoidance, DirectedMoment, Direction
 from understudy.schemas.direction import MOST_NOTES, direction_schema, read_direction
 
 ROOT = Path(__file__).resolve().parents[2]
-DIRECTING = ROOT.parent / "shared" / "directing"
+DIRECTING = SHARED / "directing"
 
 
 def test_notes_are_read() -> None:
@@ -85,7 +86,7 @@ def test_the_documented_schema_is_that_of_the_notes() -> None:
     assert (ROOT / "docs" / "direction.schema.json").read_text(encoding="utf-8") == direction_schema()
 
 
-@pytest.mark.skipif(not DIRECTING.is_dir(), reason="needs ../shared/directing")
+@needs(DIRECTING)
 def test_every_reading_of_the_directed_lines_is_a_direction() -> None:
     lines = [*(DIRECTING / "dev-lines.jsonl").open(), *(DIRECTING / "directed-lines.jsonl").open()]
     lengths = {line["id"]: len(line["words"]) for line in map(json.loads, lines)}

@@ -44,7 +44,7 @@ NEAR_UNIT_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """What the choice depends on besides the candidates: the words that have times, who moves, and how many gestures."""
+    """What the choice depends on besides the candidates: the words that have times, who moves, how many gestures."""
 
     timed: tuple[Word, ...]
     character: Character

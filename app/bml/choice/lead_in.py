@@ -15,14 +15,16 @@ _DECIMALS = 6
 
 
 def with_lead_in(utterance: Utterance, lead_in_s: float) -> Utterance:
-    """The utterance, heard from 0 on, as it lies on the clock of a performance that begins `lead_in_s` before it."""
-    if not lead_in_s:
+    """The utterance as it lies on the clock of a performance that begins `lead_in_s` before its recording, whatever
+    lead-in it has; with 0 that is the recording's own."""
+    delay_s = lead_in_s - utterance.lead_in_s
+    if not delay_s:
         return utterance
     return replace(
         utterance,
-        words=tuple(later_word(word, lead_in_s) for word in utterance.words),
-        fillers=tuple(replace(each, interval=_later(each.interval, lead_in_s)) for each in utterance.fillers),
-        duration_s=None if utterance.duration_s is None else utterance.duration_s + lead_in_s,
+        words=tuple(later_word(word, delay_s) for word in utterance.words),
+        fillers=tuple(replace(each, interval=_later(each.interval, delay_s)) for each in utterance.fillers),
+        duration_s=None if utterance.duration_s is None else round(utterance.duration_s + delay_s, _DECIMALS),
         lead_in_s=lead_in_s,
     )
 

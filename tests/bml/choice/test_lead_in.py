@@ -17,7 +17,8 @@ def test_all_times_are_later_by_the_lead_in(lead_in_ms: int, start_ms: int) -> N
     later = with_lead_in(heard, lead_in_ms / 1000)
     assert later.lead_in_s == lead_in_ms / 1000
     assert heard.duration_s is not None
-    assert later.duration_s == heard.duration_s + lead_in_ms / 1000
+    assert later.duration_s is not None
+    assert abs(later.duration_s - heard.duration_s - lead_in_ms / 1000) < 1e-6
     assert later.fillers[0].interval.start_s == round(0.05 + lead_in_ms / 1000, 6)
     for word, moved in zip(words, later.words, strict=True):
         assert word.interval is not None
@@ -27,6 +28,10 @@ def test_all_times_are_later_by_the_lead_in(lead_in_ms: int, start_ms: int) -> N
         moved_gaps = [phone.interval.start_s - moved.interval.start_s for phone in moved.phones]
         assert max(abs(a - b) for a, b in zip(gaps, moved_gaps, strict=True)) < 2e-6
         assert replace(moved, interval=word.interval, phones=word.phones) == word
+    back = with_lead_in(later, 0.0)
+    assert back.lead_in_s == 0
+    pairs = zip(words, back.words, strict=True)
+    assert all(abs(a.interval.end_s - b.interval.end_s) < 1e-5 for a, b in pairs if a.interval and b.interval)
 
 
 def test_without_a_lead_in_and_without_times_nothing_moves() -> None:
