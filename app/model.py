@@ -349,7 +349,11 @@ class Moment:
 
 @dataclass(frozen=True, slots=True)
 class Movement:
-    """A behaviour class, `name` in its table, that could show a function (paper §3.4), clock and neighbours aside."""
+    """A behaviour class, `name` in its table, that could show a function (paper §3.4), clock and neighbours aside.
+
+    Its stroke falls on word `stroke`; where that is None, on the word of its span that the table says. `moment` is the
+    id of the moment it makes visible.
+    """
 
     name: str
     first: int
@@ -357,6 +361,8 @@ class Movement:
     priority: float
     rule: str
     function: str | None
+    stroke: int | None = None
+    moment: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -374,10 +380,23 @@ class Alternative:
 
 @dataclass(frozen=True, slots=True)
 class BehaviorCandidates:
-    """A function that wants to be shown, and all that could show it; at least one alternative."""
+    """A function or a moment that wants to be shown, and all that could show it; at least one alternative."""
 
-    function: Function
+    function: Function | None
     alternatives: tuple[Alternative, ...]
+    moment: Moment | None = None
+
+    @property
+    def priority(self) -> float:
+        """What is shown first where not all can be: a moment by what it is worth, a function by its priority."""
+        return max(movement.priority for alternative in self.alternatives for movement in alternative.movements)
+
+    @property
+    def rank(self) -> tuple[float, int, int, str]:
+        """Sorts candidates: the most important first, then by their words."""
+        shown = self.moment or self.function
+        assert shown is not None, "candidates show something"
+        return -self.priority, shown.first, shown.last, shown.id
 
 
 @dataclass(frozen=True, slots=True)
@@ -408,9 +427,9 @@ class SyncPoints:
 @dataclass(frozen=True, slots=True)
 class Behavior:
     """One movement of the schedule. `rule` mapped it, `function` (an id) is what it shows; both are None for what the
-    body does by itself, such as blinks. `lexeme` is the BML word for it, `amount` its size in [0, 1], `target` what a
-    gaze or a pointing is at, `repetitions` how often a nod or shake goes. What lost a conflict stays, with `kept`
-    false, the winner's id in `lost_to` and the reason in words."""
+    body does by itself, such as blinks. `moment` (an id) is the moment it belongs to. `lexeme` is the BML word for it,
+    `amount` its size in [0, 1], `target` what a gaze or a pointing is at, `repetitions` how often a nod or shake goes.
+    What lost a conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words."""
 
     id: str
     kind: Channel
@@ -426,6 +445,7 @@ class Behavior:
     target: str | None = None
     direction: str | None = None
     repetitions: int | None = None
+    moment: str | None = None
     kept: bool = True
     lost_to: str | None = None
     reason: str | None = None
@@ -462,6 +482,7 @@ class Performance:
     notices: tuple[Notice, ...] = ()
     visemes: tuple[Viseme, ...] = ()
     listeners: tuple[Listening, ...] = ()
+    moments: tuple[Moment, ...] = ()
     stillness: float = 0.0
 
 

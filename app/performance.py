@@ -8,6 +8,7 @@ know nothing of the stages; the forms in which results leave (BML, TextGrid, CTM
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial, reduce
+from types import MappingProxyType
 from typing import Self
 
 from .acoustic.agitation.agitation import AgitationModel
@@ -20,8 +21,11 @@ from .acoustic.signal.decoding import AudioLimits, decode
 from .acoustic.stress.emphasis import Measure, with_emphasis
 from .acoustic.stress.prominence import prominence
 from .acoustic.stress.stress import stress
+from .acting.candidates import Stage, candidates_of
+from .acting.families import Families, load_families
 from .acting.notes import check_direction, conflicts
-from .bml.choice.characters import Characters
+from .acting.planning import Planner, plan
+from .bml.choice.characters import Character, Characters
 from .bml.choice.lead_in import LONGEST_LEAD_IN_S, with_lead_in
 from .bml.choice.listening import listen
 from .bml.choice.scheduling import schedule
@@ -33,6 +37,7 @@ from .errors import InputError
 from .model import (
     Agitation,
     Audio,
+    BehaviorCandidates,
     Contours,
     Direction,
     Filler,
@@ -41,6 +46,7 @@ from .model import (
     Level,
     Listening,
     Mode,
+    Moment,
     Notice,
     Parse,
     Performance,
@@ -90,6 +96,9 @@ Progress = Callable[[str], None]
 """Told the name of each stage as it begins."""
 
 DEFAULT_CHARACTER = "default"
+
+QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
+"""How much the body does at each level of agitation (paper §1), beside how much it does by itself."""
 
 
 def no_progress(_stage: str) -> None:
@@ -223,14 +232,26 @@ class LanguageModels:
 class BehaviorModels:
     """What moving needs (paper §3.4, §3.5)."""
 
+    settings: Settings
     characters: Characters
     rules: MappingRules
+    families: Families
+    planner: Planner
 
     @classmethod
-    def load(cls) -> "BehaviorModels":
-        """Raises AuthoringError with every mistake in characters, behaviour table and mapping rules."""
-        characters = Characters.load(resource_folder("lexicon"))
-        return cls(characters=characters, rules=MappingRules.load(RULES, characters.behavior_names))
+    def load(cls, settings: Settings) -> "BehaviorModels":
+        """Raises AuthoringError with every mistake in characters, behaviour table, families and mapping rules,
+        ServiceError when a model is missing or broken."""
+        lexicon = resource_folder("lexicon")
+        characters = Characters.load(lexicon)
+        families = load_families(lexicon / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
+        return cls(
+            settings=settings,
+            characters=characters,
+            rules=MappingRules.load(RULES, characters.behavior_names),
+            families=families,
+            planner=Planner.load(resource_folder("models") / "acting", families),
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,7 +269,7 @@ class Understudy:
         return cls(
             acoustic=AcousticModels.load(settings),
             language=LanguageModels.load(settings),
-            behavior=BehaviorModels.load(),
+            behavior=BehaviorModels.load(settings),
             realizer=realizer,
         )
 
@@ -270,9 +291,13 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
     character = understudy.behavior.characters.named(options.character)
     direction_notices = _checked_direction(understudy, line)
     analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
+    progress("plan")
+    moments = plan_moments(understudy.behavior, analysis, character)
     utterance = with_lead_in(analysis.utterance, options.lead_in_s)
     progress("mapping")
-    candidates = offer_movements(understudy.behavior.rules, utterance, analysis.functions, seed=options.seed)
+    candidates = _candidates(
+        understudy.behavior, replace(analysis, utterance=utterance), moments, character, seed=options.seed
+    )
     progress("schedule")
     behaviors = schedule(candidates, utterance, character, seed=options.seed, mode=options.mode)
     lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
@@ -284,9 +309,20 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
         seed=options.seed,
         notices=direction_notices + analysis.notices + lip_notices,
         visemes=lips,
+        moments=moments,
     )
     performance = reduce(partial(_heard_by, understudy.behavior.characters), options.listeners, performance)
     return with_stillness(performance, options.stillness)
+
+
+def _candidates(
+    behavior: BehaviorModels, analysis: Analysis, moments: tuple[Moment, ...], character: Character, *, seed: int
+) -> tuple[BehaviorCandidates, ...]:
+    """What could show the functions, or the moments of a line that is planned."""
+    candidates = offer_movements(behavior.rules, analysis.utterance, analysis.functions, seed=seed)
+    if behavior.settings.choice != "terms":
+        return candidates
+    return candidates_of(Stage(behavior.families, character.lexemes, seed), analysis.utterance, moments, candidates)
 
 
 def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:
@@ -296,6 +332,18 @@ def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]
     limit = understudy.language.settings.max_text_characters
     check_direction(line.direction, words=len(read_transcript(line.text, max_characters=limit)))
     return conflicts(line.direction)
+
+
+def plan_moments(behavior: BehaviorModels, analysis: Analysis, character: Character) -> tuple[Moment, ...]:
+    """What the line's phrases mean to the body; nothing where functions choose by priority alone, as in the paper.
+
+    How much is done depends on the speaker's agitation (paper §1) and on who performs.
+    """
+    if behavior.settings.choice != "terms":
+        return ()
+    agitation = analysis.utterance.agitation
+    quantity = QUANTITY[agitation.level if agitation else Level.MEDIUM] * character.liveliness
+    return plan(behavior.planner, analysis.utterance, analysis.functions, quantity=quantity)
 
 
 def listener_part(performance: Performance, listening: Listening) -> Performance:

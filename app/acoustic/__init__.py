@@ -1,6 +1,4 @@
-"""Audio in; words and phones in time, spectra, energy, pitch, stress and agitation out (paper §3.1). The rooms are
-`signal`, `pitch`, `pronunciation`, `alignment`, `stress` and `agitation`, each importing only those named before it;
-`contours.py` is the one pass that measures the signal frame by frame. Besides the values and errors of the ground
-floor, nothing of the package is imported here but `yaml_files`. Begin with `contours.py`, then
-`alignment/alignment.py`.
-"""
+"""Acoustic analysis of a recording (paper §3.1): aligned words and phones, spectra, energy, pitch, stress and
+agitation. The rooms are `signal`, `pitch`, `pronunciation`, `alignment`, `stress` and `agitation`, each importing only
+those before it; `contours.py` computes all frame-wise measurements. From the rest of the package only the data model,
+the errors and `yaml_files` are imported. Begin with `contours.py`, then `alignment/alignment.py`."""

@@ -1,4 +1,4 @@
-"""What is measured of a signal frame by frame, before anything is judged by it."""
+"""Computes all frame-wise measurements of a signal."""
 
 from ..model import Audio, Contours
 from .pitch.pitch import track_f0
@@ -7,6 +7,6 @@ from .signal.spectrum import energy_db, mel_db, mfcc
 
 def contours_of(audio: Audio) -> Contours:
     """The contours of `audio` (paper §3.1.1 to §3.1.3)."""
-    f0_hz = track_f0(audio)  # before the rest, for it takes the most memory
+    f0_hz = track_f0(audio)  # first, since it needs the most memory
     levels_db = mel_db(audio)
     return Contours(energy_db=energy_db(audio), f0_hz=f0_hz, mfcc=mfcc(levels_db), mel_db=levels_db)

@@ -1,5 +1,6 @@
-"""Acting: which movements an audience reads as what.
+"""Which words of a line the body means something with, and what: the plan that a director would make (paper §3.4).
 
-A director thinks in families of gestures ("show the listener", "wipe it away"); `families` says which entries of the
-behaviour table show each. Imports only the values, the errors and the YAML reader. Begin with `families.py`.
+`planning.py` is where to begin: it reads a line in context (`encoder.py`), weighs that with the named terms of the line
+(`terms.py`, `choice_model.py`) and takes the moments that are worth most. `families.py` says which behaviours show
+what, `notes.py` puts a director's own notes in. Imports the values of `model`, `errors` and `yaml_files`.
 """

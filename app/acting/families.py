@@ -19,6 +19,18 @@ from ..errors import AuthoringError, Mistake
 from ..model import Channel, Level
 from ..yaml_files import Entry, Source
 
+OTHER_FAMILY = 0.5
+"""What a lexeme is worth for a family that it shows beside its first (shared/directing/score.py)."""
+
+POINT = "point"
+POINTINGS = ("point_there", "point_here", "point_up")
+"""The families that are one in a plan: where a thing is, the scene and the words' lemmas tell, not the reading."""
+
+
+def merged(family: str) -> str:
+    """The family as plans name it."""
+    return POINT if family in POINTINGS else family
+
 
 class Playable(Protocol):
     """What this stage needs to know of an entry of the behaviour table."""

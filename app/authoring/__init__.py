@@ -1,4 +1,3 @@
-"""What authors edit, for their tools: listed with its place, checked as a whole, traced on a text, watched for changes.
-Imports the stages and `performance`, and is imported by `schemas` and the doors. Begin with `catalogue.py`, then
-`proofreading.py`, which is behind `understudy rules check`.
-"""
+"""Tools for authors of rules, words, characters and gestures: catalogue, proofreading, tracing on a text, watching
+files. Imports the stages and `performance`; imported by `schemas`, the command line and the HTTP API. Begin with
+`catalogue.py`, then `proofreading.py`, which implements `understudy rules check`."""

@@ -1,6 +1,6 @@
-"""What authors edit: every rule, word, mapping and table entry, listed with its place.
+"""The catalogue of everything authored: rules, words, mappings and table entries with their places in the files.
 
-Files are named relative to the folder that holds the package, `app/rules/…` and `lexicon/…` in a checkout.
+Files are named relative to the folder that contains the package, `app/rules/…` and `lexicon/…` in a checkout.
 """
 
 from collections.abc import Collection, Iterator, Sequence
@@ -23,7 +23,7 @@ __all__ = ["Catalogue", "Character", "Item", "Kind", "load_characters", "load_ge
 
 
 class Kind(StrEnum):
-    """What an item is."""
+    """The kind of an item."""
 
     FUNCTION = "function"
     BEHAVIOR = "behavior"
@@ -33,9 +33,9 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """One thing that an author can change. `class_name` and `subtype` are those of the function it speaks of, if any;
-    `comment` is what its author says of it, `source` what it is. `needs` and `gives` are facts as rules write them, a
-    movement being one of its name."""
+    """One authored item. `class_name` and `subtype` are those of the function it concerns, if any; `comment` is the
+    author's comment, `source` its text. `needs` and `gives` are its conditions and conclusions as facts in rule
+    notation; a behaviour is a fact with its name."""
 
     kind: Kind
     name: str
@@ -58,7 +58,7 @@ class Catalogue:
 
     @classmethod
     def load(cls) -> "Catalogue":
-        """Raises AuthoringError for the first kind of file that has mistakes, with all of that kind."""
+        """Load all files. Raises AuthoringError with all mistakes of the first kind of file that has any."""
         lexicon = resource_folder("lexicon")
         functions = FunctionRules.load(RULES, lexicon / "en")
         characters = load_characters()
@@ -66,7 +66,7 @@ class Catalogue:
 
     @classmethod
     def of(cls, functions: FunctionRules, characters: Characters, mappings: MappingRules) -> "Catalogue":
-        """The catalogue of what is loaded already."""
+        """The catalogue of resources already loaded."""
         items = (
             *(_rule_item(Kind.FUNCTION, rule, rule.asserts) for rule in functions.program.rules),
             *(_rule_item(Kind.BEHAVIOR, rule, rule.joins) for rule in mappings.program.rules),
@@ -76,7 +76,7 @@ class Catalogue:
         return cls(items, characters)
 
     def named(self, name: str) -> tuple[Item, ...]:
-        """The items of that name, capital letters aside; raises InputError `unknown_name`."""
+        """The items with this name, ignoring case. Raises InputError `unknown_name`."""
         found = tuple(item for item in self.items if item.name.lower() == name.lower())
         if not found:
             close = get_close_matches(name, sorted({item.name for item in self.items}), n=3)
@@ -85,32 +85,32 @@ class Catalogue:
         return found
 
     def that_lead_to(self, item: Item) -> tuple[Item, ...]:
-        """The items that can bring about what `item` needs; not those that raise functions of any class."""
+        """The items whose conclusions can satisfy a condition of `item`, except those for functions of any class."""
         return tuple(other for other in self.items if _feeds(other, item))
 
     def that_follow(self, item: Item) -> tuple[Item, ...]:
-        """The items that make something of what `item` brings about; not those that take functions of any class."""
+        """The items with a condition that `item` can satisfy, except those for functions of any class."""
         return tuple(other for other in self.items if _feeds(item, other))
 
 
 def load_characters() -> Characters:
-    """Raises AuthoringError with every mistake in the behaviour table and the characters."""
+    """The behaviour table and the characters. Raises AuthoringError with all their mistakes."""
     return Characters.load(resource_folder("lexicon"))
 
 
 def load_gestures() -> Library:
-    """Raises AuthoringError with every mistake in the gestures."""
+    """The gesture library. Raises AuthoringError with all its mistakes."""
     return Library.load(resource_folder("lexicon") / "gestures")
 
 
 def shown_path(path: Path) -> str:
-    """The path as it is told to authors."""
+    """The path as shown to authors."""
     root = RULES.parents[1]
     return str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
 
 
 def _rule_item(kind: Kind, rule: Rule, mentions: Sequence[Mention]) -> Item:
-    """A rule, by the first function it asserts or maps."""
+    """A rule, listed by the first function that it asserts or maps."""
     function = next((mention for mention in mentions if mention.predicate == "fcn"), None)
     return Item(
         kind=kind,
@@ -127,12 +127,12 @@ def _rule_item(kind: Kind, rule: Rule, mentions: Sequence[Mention]) -> Item:
 
 
 def _feeds(giver: Item, taker: Item) -> bool:
-    """Whether one can bring about what the other needs, as far as their constants tell."""
+    """Whether one item can satisfy a condition of the other, judged by their constants."""
     return any(_is_one(given, needed) for given in giver.gives for needed in taker.needs)
 
 
 def _is_one(given: Mention, needed: Mention) -> bool:
-    """Whether a fact can be both; a function of any class counts as none."""
+    """Whether one fact can match the other; a function of any class matches none."""
     pairs = list(zip(given.arguments, needed.arguments, strict=False))
     if given.predicate != needed.predicate or (given.predicate == "fcn" and "$" in (pairs[0][0][0], pairs[0][1][0])):
         return False

@@ -1,7 +1,7 @@
-"""What an author asks of rules and words at work: why a line came out so, what no line of a corpus ever uses, and to
-have them read again.
+"""Answers authors' questions about rules and words: why a line was interpreted as it was, and what a corpus never uses;
+and reloads authored files.
 
-Nothing is heard in a trace, so what asks for stress, pauses or agitation finds nothing (agitation counts as medium).
+Traces have no audio, so conditions on stress, pauses or agitation do not hold (agitation counts as medium).
 """
 
 from collections.abc import Iterable, Sequence
@@ -27,7 +27,7 @@ from ..transcript import read_transcript
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """A text, and what the rules that find functions and those that map them made of it."""
+    """A text, and the traces of the function rules and mapping rules on it."""
 
     utterance: Utterance
     functions: RuleTrace
@@ -36,14 +36,14 @@ class Trace:
 
 @dataclass(frozen=True, slots=True)
 class Unused:
-    """Rules that never fired and entries of the lexicon that were never found, in the order of their files."""
+    """Rules that never fired and lexicon entries that never matched, in the order of their files."""
 
     rules: tuple[Rule, ...]
     words: tuple[LexicalEntry, ...]
 
 
 def trace(language: LanguageModels, behavior: BehaviorModels, text: str) -> Trace:
-    """Which rules fired and which nearly did. Raises InputError for a text that cannot be used."""
+    """The rules that fired, and those that nearly did. Raises InputError for an unusable text."""
     utterance, found, mapped = _derived(language, behavior, text)
     return Trace(
         utterance, trace_rules(language.rules.program, found.facts), trace_rules(behavior.rules.program, mapped.facts)
@@ -51,7 +51,7 @@ def trace(language: LanguageModels, behavior: BehaviorModels, text: str) -> Trac
 
 
 def trace_one(language: LanguageModels, behavior: BehaviorModels, text: str, *, rule: str) -> Trace:
-    """Where one rule fired, or came nearest. Raises InputError `unknown_name` where there is no such rule."""
+    """Where one rule fired, or came nearest to it. Raises InputError `unknown_name` if there is no such rule."""
     of_functions, of_mappings = language.rules.program, behavior.rules.program
     program, chosen = _named(rule, (of_functions, of_mappings))
     utterance, found, mapped = _derived(language, behavior, text)
@@ -62,7 +62,7 @@ def trace_one(language: LanguageModels, behavior: BehaviorModels, text: str, *, 
 
 
 def find_unused(language: LanguageModels, behavior: BehaviorModels, texts: Iterable[str]) -> Unused:
-    """What none of the texts uses. An entry that always lies within a longer one of its class counts as unused."""
+    """What none of the texts uses. An entry that only occurs within a longer one of its class counts as unused."""
     waiting = (list(language.rules.program.rules), list(behavior.rules.program.rules))
     words = {id(entry): entry for entry in language.rules.lexicon.entries if entry.subtype is not None}
     for text in texts:
@@ -75,22 +75,27 @@ def find_unused(language: LanguageModels, behavior: BehaviorModels, texts: Itera
 
 
 def files_in_use() -> tuple[Path, ...]:
-    """The folders of what authors edit."""
+    """The folders of authored files."""
     return RULES, resource_folder("lexicon")
 
 
 def read_again(understudy: Understudy) -> Understudy:
-    """The same acoustic and parser with rules, words, tables, characters and gestures as their files say now.
+    """The same models with rules, words, tables, characters and gestures reloaded from their files.
 
-    The aligner keeps the abbreviations that it began with. Raises AuthoringError when something does not load.
+    The aligner keeps its abbreviations. Raises AuthoringError if a file has mistakes.
     """
     rules, lexicon = files_in_use()
     language = replace(understudy.language, rules=FunctionRules.load(rules, lexicon / "en"))
-    return replace(understudy, language=language, behavior=BehaviorModels.load(), realizer=Realizer.load(lexicon))
+    return replace(
+        understudy,
+        language=language,
+        behavior=BehaviorModels.load(understudy.behavior.settings),
+        realizer=Realizer.load(lexicon),
+    )
 
 
 def _still_unused(rules: Sequence[Rule], derivation: Derivation) -> list[Rule]:
-    """The rules that did not fire; those that are no fact's first reason are looked for one by one."""
+    """The rules that did not fire; those that are not the first reason of any fact are checked one by one."""
     fired = {reason.rule for reason in derivation.reasons.values()} | {choice.rule for choice in derivation.choices}
     base = FactBase.of(derivation.facts)
     silent = (rule for rule in rules if rule.name not in fired)
@@ -104,7 +109,7 @@ def _derived(language: LanguageModels, behavior: BehaviorModels, text: str) -> t
 
 
 def _mapped(mappings: MappingRules, utterance: Utterance, rules: FunctionRules) -> Derivation:
-    """What the mapping rules derive from the functions that are kept."""
+    """The derivation of the mapping rules from the functions that are kept."""
     kept = {_fact(function): function.priority for function in derive_functions(rules, utterance) if function.kept}
     given = (*utterance_facts(utterance), Fact("agitation", (Level.MEDIUM.value,)), *kept)
     return derive(mappings.program, given, annotations=kept)

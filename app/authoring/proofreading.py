@@ -1,4 +1,4 @@
-"""Proofreads what authors edit: all that is in use, or files that are not in use yet."""
+"""Checks authored files: all those in use, or others before they are put to use."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
@@ -30,7 +30,7 @@ from .watching import AUTHORED
 
 VOCABULARY = RULES / "vocabulary.rules"
 Check = Callable[[], object]
-"""Loads something; raises AuthoringError when it cannot be loaded."""
+"""Loads something, and raises AuthoringError if it has mistakes."""
 
 NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
     {
@@ -45,15 +45,15 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
-"""What reads the YAML files that are told by their names; the others hold words, in folders `characters` and
-`retarget` a character or the joints' names in a rig."""
+"""The loaders of YAML files with fixed names; others hold words or, in folders `characters` and `retarget`, a character
+or the joint names of a rig."""
 
 
 def check_files_in_use() -> None:
-    """Checks all that the program uses; raises AuthoringError with every mistake.
+    """Check all files in use. Raises AuthoringError with all mistakes.
 
-    Mapping rules are checked against the behaviour table, so mistakes in the table hide theirs; whether there are
-    gestures for all of the table shows when there are no other mistakes.
+    Mapping rules are checked against the behaviour table, so mistakes in the table hide theirs; missing gestures for
+    the table are reported only if there are no other mistakes.
     """
     lexicon = resource_folder("lexicon")
     mistakes = _mistakes_of(
@@ -70,8 +70,8 @@ def check_files_in_use() -> None:
 
 
 def check_coverage(lexicon: Path, library: Library) -> None:
-    """Raises AuthoringError with every entry of the table or of a character for which the library has no gesture, at
-    each level of agitation and with the entry's hand, or either."""
+    """Raises AuthoringError for every entry of the table or of a character that has no gesture in the library, at each
+    level of agitation and with the entry's hand, or either."""
     table = load_table(lexicon / "behaviors.yaml")
     source = Source(lexicon / "behaviors.yaml")
     mistakes = [found for name in table.lines for found in _unshown(source, table.entry(name), library)]
@@ -86,12 +86,11 @@ def check_coverage(lexicon: Path, library: Library) -> None:
 
 
 def check_files(paths: Iterable[Path]) -> int:
-    """Checks these files, and all that authors edit in these folders, instead of those in use; their number.
+    """Check these files, and all authored files in these folders, instead of those in use; returns their number.
 
-    Rule files are read as one program, after the vocabulary in use unless a file of that name is among them, gesture
-    files as one library.
-    Raises AuthoringError with every mistake in them (or, when they are right, in what they are read together with),
-    InputError `no_authored_file` for a path that holds none.
+    Rule files are read as one program, after the vocabulary in use unless there is one among them; gesture files as one
+    library. Raises AuthoringError with all mistakes in them (or, if they have none, in the files they are read with),
+    InputError `no_authored_file` for a path without any.
     """
     files = [file for path in paths for file in _authored_files(path)]
     rules = [file for file in files if file.suffix == ".rules"]
@@ -114,7 +113,7 @@ def _unshown(source: Source, entry: BehaviorEntry, library: Library) -> Iterator
 
 
 def _authored_files(path: Path) -> list[Path]:
-    """The files that `path` is or holds, by their full names."""
+    """The authored files in `path`, or the file itself."""
     inside = sorted(path.resolve().rglob("*")) if path.is_dir() else [path.resolve()]
     files = [file for file in inside if file.suffix in AUTHORED and file.is_file()]
     if not files:
@@ -139,7 +138,7 @@ def _load_rules(files: Sequence[Path]) -> None:
 
 
 def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:
-    """What reads a YAML file, keyed so that files which are read together are read once."""
+    """The loader of a YAML file, with a key so that files that are read together are read once."""
     folder = file.parent
     if file.name in NAMED_FILES:
         return (file.name, file), partial(NAMED_FILES[file.name], file)
@@ -151,7 +150,7 @@ def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:
 
 
 def _load_characters(lexicon: Path) -> None:
-    """Raises InputError `no_behavior_table` when the characters have no table to change."""
+    """Raises InputError `no_behavior_table` if there is no table for the characters to override."""
     if not (lexicon / "behaviors.yaml").is_file():
         raise InputError("no_behavior_table", f"{lexicon}: characters need the behaviors.yaml that they change here")
     Characters.load(lexicon)
@@ -162,7 +161,7 @@ def _definitions_beside(aliases: Path) -> tuple[Definition, ...]:
 
 
 def _load_words(folder: Path) -> None:
-    """Also refuses a file that nothing would read."""
+    """Load the words; also reject a file that nothing would read."""
     files = sorted(folder.glob("*.yaml"))
     unread = [file for file in files if file.name not in NAMED_FILES and "class" not in _keys(file)]
     if unread:
@@ -176,7 +175,7 @@ def _keys(file: Path) -> Collection[str]:
 
 
 def _mistakes_of(*checks: Check) -> list[Mistake]:
-    """The mistakes that the checks raise, each once: gestures are read for their aliases too."""
+    """The mistakes that the checks raise, without duplicates: gestures are also read for their aliases."""
     mistakes: list[Mistake] = []
     for check in checks:
         try:

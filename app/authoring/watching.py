@@ -1,7 +1,7 @@
-"""Notices that authored files were saved, by looking at their times every so often.
+"""Detects changes of authored files by polling their modification times.
 
-No library and no system service: this also works in containers and on network folders, and some eighty files cost a
-millisecond.
+Polling needs no library and no system service, and also works in containers and on network folders; checking some
+eighty files takes a millisecond.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -12,13 +12,13 @@ LOOK_EVERY_S = 0.5
 AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 
 Stamps: TypeAlias = Mapping[Path, tuple[int, int]]
-"""When each file was last written, in nanoseconds, and its bytes."""
+"""The modification time of each file in nanoseconds, and its size in bytes."""
 
 
 def saves(paths: Sequence[Path], wait: Callable[[], bool]) -> Iterator[None]:
-    """Yields whenever authored files among or in `paths` have changed, come or gone, and nobody is writing any more.
+    """Yield whenever authored files among or in `paths` have changed, appeared or disappeared, and writing has stopped.
 
-    `wait` waits until the next look; it returns False to end.
+    `wait` waits until the next poll; it returns False to stop.
     """
     known = _stamps(paths)
     while wait():
@@ -40,7 +40,7 @@ def _stamps(paths: Sequence[Path]) -> Stamps:
             if file.suffix in AUTHORED:
                 try:
                     state = file.stat()
-                except OSError:  # gone since it was listed
+                except OSError:  # deleted since it was listed
                     continue
                 stamps[file] = state.st_mtime_ns, state.st_size
     return stamps

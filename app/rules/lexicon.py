@@ -19,7 +19,7 @@ from pydantic import Field, field_validator
 from ..errors import AuthoringError, Mistake
 from ..model import Token, Utterance
 from ..yaml_files import Entry, Source, all_or_every_mistake
-from .chaining.facts import bare
+from .chaining.facts import normalized_word
 
 _HYPHENATED = re.compile(r"\w+(-\w+)+$")
 """One word in parts, which mean nothing by themselves: "uh-huh" is no "uh"."""
@@ -233,9 +233,9 @@ def _spellings(utterance: Utterance) -> tuple[_Spelling, ...]:
 
 
 def _spelling(written: str, parts: list[Token]) -> _Spelling:
-    text = bare(written)
+    text = normalized_word(written)
     parts = parts[-1:] if _HYPHENATED.match(text) else [part for part in parts if part.part_of_speech != "PUNCT"]
-    forms = {bare(part.text): frozenset((part.part_of_speech,)) for part in parts}
+    forms = {normalized_word(part.text): frozenset((part.part_of_speech,)) for part in parts}
     lemmas = {part.lemma.lower(): frozenset((part.part_of_speech,)) for part in parts}
     forms[text] = frozenset(part.part_of_speech for part in parts)
     return _Spelling(forms, lemmas, closes=bool(text) and written.rstrip("\"')”’")[-1:] in CLOSING_MARKS)

@@ -1,4 +1,3 @@
-"""The JSON shapes of what comes in and goes out, the same through every door: checked with pydantic and turned into the
-values of the performance, and back. Imports `performance`, and for what authors edit `authoring` and the values of
-gestures. Begin with `requests.py` and `responses.py`.
-"""
+"""Pydantic models of all JSON that enters or leaves through the command line or the HTTP API, with conversions from and
+to the data model. Imports `performance`, and for authored resources `authoring` and the data model of gestures. Begin
+with `requests.py` and `responses.py`."""

@@ -1,8 +1,8 @@
-"""The functions that come with a line (`--functions FILE`, the part `functions` of a request), checked for their form.
+"""Validates communicative functions supplied with a line (`--functions FILE`, the part `functions` of a request).
 
-A JSON list: `[{"class": "deixis", "subtype": "self", "first": 0, "last": 0, "priority": 5}, …]`; `subtype` is left out
-where the class has none, `priority` where the function matters more than all that is derived. Whether there are such
-functions and such words is asked where the rules are known (`understudy.rules.given`).
+A JSON list: `[{"class": "deixis", "subtype": "self", "first": 0, "last": 0, "priority": 5}, …]`; `subtype` is omitted
+where the class has none, `priority` for a function that takes precedence over all derived ones. Only the format is
+checked here; `understudy.rules.given` checks functions and words against the rules and the transcript.
 """
 
 from typing import Annotated
@@ -20,7 +20,7 @@ Position = Annotated[int, Field(ge=0)]
 
 
 class GivenFunctionRequest(BaseModel):
-    """One of the functions, in the names that the answers use."""
+    """One supplied function, with the field names of the responses."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
 
@@ -35,7 +35,8 @@ class GivenFunctionRequest(BaseModel):
 
 
 def read_functions(content: bytes) -> tuple[GivenFunction, ...]:
-    """Raises UndecodableError `not_json`, InputError `functions_wrong`, both with the field "functions"."""
+    """The functions in a JSON list. Raises UndecodableError `not_json`, InputError `functions_wrong`, with the field
+    "functions"."""
     items = read_json(content, FIELD)
     if not isinstance(items, list):
         raise InputError("functions_wrong", "functions must be a JSON list in brackets", field=FIELD)

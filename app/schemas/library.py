@@ -1,6 +1,5 @@
-"""The JSON shapes of what authors edit: rules and words, characters, gestures; by the conventions of
-`understudy.schemas.responses`.
-"""
+"""JSON responses about authored resources: rules and words, characters, gestures; see `understudy.schemas.responses`
+for the conventions."""
 
 from collections.abc import Iterable
 from typing import Self
@@ -15,7 +14,7 @@ from .responses import Number, ResponseModel
 
 
 class RuleResponse(ResponseModel):
-    """A rule, word, mapping or table entry, by the function it speaks of, and where an author finds it."""
+    """A rule, lexicon word, mapping or table entry, with the function it concerns and its place in the files."""
 
     kind: Kind
     name: str
@@ -26,7 +25,7 @@ class RuleResponse(ResponseModel):
 
 
 class RulesResponse(ResponseModel):
-    """All that authors edit."""
+    """All rules, words, mappings and table entries."""
 
     rules: list[RuleResponse]
 
@@ -36,7 +35,7 @@ class RulesResponse(ResponseModel):
 
 
 class TableEntryResponse(ResponseModel):
-    """A movement as one character makes it."""
+    """An entry of the behaviour table, as one character overrides it."""
 
     name: str
     channel: str
@@ -49,7 +48,7 @@ class TableEntryResponse(ResponseModel):
 
 
 class CharacterResponse(ResponseModel):
-    """Who performs; `behaviors` are the character's own versions of the table's entries."""
+    """A character; `behaviors` are its overrides of the table's entries."""
 
     name: str
     description: str
@@ -69,7 +68,7 @@ class CharacterResponse(ResponseModel):
 
 
 class CharactersResponse(ResponseModel):
-    """All who can perform."""
+    """All characters."""
 
     characters: list[CharacterResponse]
 
@@ -79,7 +78,7 @@ class CharactersResponse(ResponseModel):
 
 
 class GestureLevelResponse(ResponseModel):
-    """How a gesture is made at one level of agitation; `markers_s` count from its start."""
+    """The expressivity of a gesture at one level of agitation; `markers_s` are relative to its start."""
 
     amplitude: Number
     tempo: Number
@@ -91,7 +90,7 @@ class GestureLevelResponse(ResponseModel):
 
 
 class GestureResponse(ResponseModel):
-    """A gesture of the library; `arms` is absent when either hand may make it."""
+    """A gesture of the library; `arms` is absent if either hand may make it."""
 
     name: str
     gesture_class: str = Field(serialization_alias="class")

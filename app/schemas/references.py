@@ -1,4 +1,4 @@
-"""A speaker's reference as it is kept outside: `understudy reference` writes it, either door reads it."""
+"""The file format of a speaker's reference, written by `understudy reference` and read by command line and HTTP API."""
 
 from typing import Annotated, Literal, Self
 
@@ -43,7 +43,7 @@ class ReferenceForm(BaseModel):
 
 
 def read_reference(content: bytes, name: str) -> SpeakerReference:
-    """The reference in the file `name`; raises InputError `reference_unreadable`."""
+    """The reference in the file `name`. Raises InputError `reference_unreadable`."""
     try:
         return ReferenceForm.model_validate_json(content).to_reference()
     except ValidationError as error:
@@ -54,5 +54,5 @@ def read_reference(content: bytes, name: str) -> SpeakerReference:
 
 
 def to_json(reference: SpeakerReference) -> bytes:
-    """The reference as the file that `read_reference` reads."""
+    """The reference as a file that `read_reference` reads."""
     return ReferenceForm.of(reference).model_dump_json().encode() + b"\n"

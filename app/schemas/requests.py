@@ -1,4 +1,4 @@
-"""What comes in through either door besides audio and plain text, checked and turned into the performance's values."""
+"""Validates input of command line and HTTP API other than audio and plain text, and converts it to option values."""
 
 import json
 import re
@@ -23,7 +23,7 @@ Checked = TypeVar("Checked", bound=BaseModel)
 
 
 class PerformOptions(BaseModel):
-    """`options` of a request: the same names as on the command line."""
+    """The part `options` of a request, with the names of the command line's options."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
 
@@ -53,7 +53,7 @@ class PerformOptions(BaseModel):
 
 
 class RealizeOptions(BaseModel):
-    """`options` of a request for motion: the same names as on the command line."""
+    """The part `options` of a request for motion, with the names of the command line's options."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
 
@@ -66,7 +66,7 @@ class RealizeOptions(BaseModel):
 
 
 class FunctionsRequest(BaseModel):
-    """A text whose functions are asked for; keys besides these are not read."""
+    """A text to analyse; other keys are ignored."""
 
     model_config = ConfigDict(frozen=True, strict=True)
 
@@ -83,7 +83,7 @@ def read_options(content: bytes) -> Options:
 
 
 def check_options(fields: dict[str, Any]) -> Options:
-    """The options in `fields`, which go by the names of a request's; raises InputError as `read_options` does."""
+    """The options in `fields`, with the names of a request's options; raises InputError as `read_options` does."""
     return _checked(PerformOptions, _with_level(fields)).to_options()
 
 
@@ -98,15 +98,15 @@ def check_realize_options(fields: dict[str, Any]) -> RealizeOptions:
 
 
 def _with_level(fields: dict[str, Any]) -> dict[str, Any]:
-    """The fields with the agitation that is named in them as a value."""
+    """The fields, with the name of the agitation replaced by its value."""
     level = fields.get("agitation")
     return fields | {"agitation": _level(level)} if isinstance(level, str) else fields
 
 
 def listener_names(names: Sequence[str]) -> tuple[str, ...]:
-    """The listeners' names, which become names of files and of characters in BML.
+    """The validated names of listeners, which are used as file names and as BML character ids.
 
-    Raises InputError `value_wrong` for one that cannot, that comes twice, or for more than `MOST_LISTENERS`.
+    Raises InputError `value_wrong` for an invalid or repeated name, or more than `MOST_LISTENERS`.
     """
     for number, name in enumerate(names):
         if not _LISTENER.fullmatch(name):
@@ -120,9 +120,9 @@ def listener_names(names: Sequence[str]) -> tuple[str, ...]:
 
 
 def read_object(content: bytes, field: str) -> dict[str, Any]:
-    """The JSON object `content`, named `field` in errors.
+    """The JSON object in `content`, called `field` in errors.
 
-    Raises what `read_json` raises, and InputError `not_an_object`.
+    Raises as `read_json` does, and InputError `not_an_object`.
     """
     value = read_json(content, field)
     if not isinstance(value, dict):
@@ -131,7 +131,7 @@ def read_object(content: bytes, field: str) -> dict[str, Any]:
 
 
 def read_json(content: bytes, field: str) -> object:
-    """What the JSON `content` says, named `field` in errors.
+    """The JSON value in `content`, called `field` in errors.
 
     Raises UndecodableError `not_json`, InputError `text_surrogate` (anywhere in it).
     """
@@ -147,18 +147,18 @@ def read_json(content: bytes, field: str) -> object:
 
 
 def read_request(fields: dict[str, Any]) -> FunctionsRequest:
-    """Raises InputError `value_wrong` with the key's name in `field`."""
+    """The validated request. Raises InputError `value_wrong` with the key's name in `field`."""
     return _checked(FunctionsRequest, fields)
 
 
 def line_id(fields: dict[str, Any]) -> str | int | None:
-    """The `id` of a question that may be wrong otherwise; None where there is none that could come back."""
+    """The `id` of a request that may otherwise be invalid; None if there is none that can be returned."""
     found = fields.get("id")
     return found if isinstance(found, (str, int)) else None
 
 
 def read_timings(file_name: str, content: bytes) -> Timings:
-    """Words timed elsewhere; the ending of the file's name tells their format.
+    """Word timings of another tool, in the format that the file's extension indicates.
 
     Raises UnsupportedFormatError `timings_format`.
     """

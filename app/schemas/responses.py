@@ -1,9 +1,8 @@
-"""The JSON shapes that leave through either door, made from the values of `understudy.model`.
+"""The JSON responses of command line and HTTP API, made from the values of `understudy.model`.
 
-One rule for all: a key is absent where there is nothing to say (a time when nothing was heard, the winner when no
-conflict was lost). Numbers are rounded to `DECIMALS`, so that the same values give the same bytes everywhere. Most
-shapes read the equally named attributes of their value: `PhraseResponse.model_validate(phrase)`. What authors edit has
-its shapes in `understudy.schemas.library`.
+A key is absent if there is no value (a time without audio, the winner where no conflict was lost). Numbers are rounded
+to `DECIMALS`, so that equal values give equal bytes on all platforms. Most models read attributes of the same name:
+`PhraseResponse.model_validate(phrase)`. Responses about authored resources are in `understudy.schemas.library`.
 """
 
 from collections.abc import Mapping, Sequence
@@ -36,24 +35,24 @@ Times = Annotated[dict[str, Number], BeforeValidator(_set_points)]
 
 
 class ResponseModel(BaseModel):
-    """Base of every shape."""
+    """Base class of all responses."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", from_attributes=True)
 
     def to_json(self, indent: int | None = None) -> bytes:
-        """The shape as UTF-8 JSON without a final line break; on one line unless `indent` is given."""
+        """The response as UTF-8 JSON without a final line break; on one line unless `indent` is given."""
         return self.model_dump_json(by_alias=True, exclude_none=True, indent=indent).encode()
 
 
 class WarningResponse(ResponseModel):
-    """Something degraded, dropped or guessed."""
+    """A notice about something degraded, dropped or guessed."""
 
     code: str
     message: str
 
 
 class PhoneResponse(ResponseModel):
-    """A speech sound: ARPABET without digit, the stress beside it where it is known."""
+    """A phone: ARPABET without stress digit; the stress is separate and known only for some input formats."""
 
     label: str
     start_s: Number = Field(validation_alias=AliasPath("interval", "start_s"))
@@ -64,7 +63,7 @@ class PhoneResponse(ResponseModel):
 class WordResponse(ResponseModel):
     """A word of the transcript; one that is not spoken, such as a lone dash, has no times.
 
-    `spread` is there, and true, where the times are guessed from loudness.
+    `spread` is present, and true, if the times are estimated from loudness.
     """
 
     index: int
@@ -79,7 +78,7 @@ class WordResponse(ResponseModel):
 
 
 class FillerResponse(ResponseModel):
-    """A sound of hesitation that was heard and is no word of the transcript."""
+    """A hesitation sound that is not a word of the transcript."""
 
     text: str
     start_s: Number = Field(validation_alias=AliasPath("interval", "start_s"))
@@ -93,14 +92,14 @@ class AudioResponse(ResponseModel):
 
 
 class StressResponse(ResponseModel):
-    """The utterance's thresholds; a frame above either is stressed."""
+    """The utterance's stress thresholds; a frame above either is stressed."""
 
     energy_db: Number
     f0_hz: Number | None = None
 
 
 class MembershipsResponse(ResponseModel):
-    """How far the voice belongs to each level of agitation; they sum to 1."""
+    """The fuzzy memberships of the voice in the levels of agitation; they sum to 1."""
 
     low: Number
     medium: Number
@@ -108,7 +107,7 @@ class MembershipsResponse(ResponseModel):
 
 
 class TokenResponse(ResponseModel):
-    """A unit of the parser: `word` is the transcript word it belongs to, `head` the token that governs it."""
+    """A token of the parser: `word` is the index of its transcript word, `head` the index of its governor."""
 
     index: int
     word: int
@@ -121,7 +120,7 @@ class TokenResponse(ResponseModel):
 
 
 class PhraseResponse(ResponseModel):
-    """A noun phrase or verb group, in numbers of the transcript's words."""
+    """A noun phrase or verb group, by word indices."""
 
     kind: str
     first: int
@@ -130,7 +129,7 @@ class PhraseResponse(ResponseModel):
 
 
 class ClauseResponse(ResponseModel):
-    """A clause, in numbers of the transcript's words."""
+    """A clause, by word indices."""
 
     label: str
     first: int
@@ -147,7 +146,7 @@ class ParseResponse(ResponseModel):
 
 
 class BecauseResponse(ResponseModel):
-    """One support: a word of the transcript, or a fact with the rule that derived it."""
+    """One support of a function: a word of the transcript, or a fact with the rule that derived it."""
 
     word: int | None = None
     rule: str | None = None
@@ -173,7 +172,7 @@ class FunctionResponse(ResponseModel):
 
     @classmethod
     def of(cls, function: Function, words: Sequence[Word]) -> Self:
-        """`words` are the whole transcript's: they give the function its text and times."""
+        """`words` are those of the whole transcript, for the function's text and times."""
         spanned = words[function.first : function.last + 1]
         intervals = [word.interval for word in spanned if word.interval]
         return cls(
@@ -194,7 +193,7 @@ class FunctionResponse(ResponseModel):
 
 
 class BehaviorResponse(ResponseModel):
-    """One movement; the times of `sync` are seconds from the start of the audio."""
+    """A scheduled behaviour; the times of `sync` are seconds from the start of the audio."""
 
     id: str
     kind: str
@@ -216,7 +215,7 @@ class BehaviorResponse(ResponseModel):
 
 
 class VisemeResponse(ResponseModel):
-    """A shape of the mouth: how much of it is reached, and how wide the jaw is open in it."""
+    """A viseme: `articulation` is how far its shape is reached, `opening` how wide the jaw opens."""
 
     label: str
     start_s: Number = Field(validation_alias=AliasPath("interval", "start_s"))
@@ -226,7 +225,7 @@ class VisemeResponse(ResponseModel):
 
 
 class AlignResponse(ResponseModel):
-    """Words and phones in time, and the fillers between them."""
+    """Timed words and phones, and the fillers between them."""
 
     audio: AudioResponse
     words: list[WordResponse]
@@ -252,7 +251,7 @@ class AgitationResponse(ResponseModel):
 
 
 class FunctionsResponse(ResponseModel):
-    """What the words alone do; `id` comes back as it was sent."""
+    """The communicative functions of a text; `id` is returned as it was sent."""
 
     id: str | int | None = None
     functions: list[FunctionResponse]
@@ -263,14 +262,14 @@ class FunctionsResponse(ResponseModel):
 
 
 class ErrorResponse(ResponseModel):
-    """What was wrong."""
+    """An error's code and message."""
 
     code: str
     message: str
 
 
 class MistakeResponse(ResponseModel):
-    """The answer to one of many lines when it is wrong."""
+    """The response to an invalid line among many."""
 
     id: str | int | None = None
     error: ErrorResponse
@@ -281,7 +280,7 @@ class MistakeResponse(ResponseModel):
 
 
 class AnalysisResponse(ResponseModel):
-    """What a line says and does, before any movement is chosen."""
+    """The analysis of a line, before behaviours are chosen."""
 
     audio: AudioResponse
     words: list[WordResponse]
@@ -299,14 +298,14 @@ class AnalysisResponse(ResponseModel):
 
 
 class ListeningResponse(ResponseModel):
-    """What a listener does while the line is spoken."""
+    """A listener's behaviours during the line."""
 
     name: str
     behaviors: list[BehaviorResponse]
 
 
 class PerformanceResponse(AnalysisResponse):
-    """The whole performance: what was heard and understood, what the body does with it, and every reason.
+    """The complete performance: the analysis, and the chosen behaviours with their reasons.
 
     The recording starts at `lead_in_s`; all times are from the start of the performance.
     """
@@ -330,7 +329,7 @@ class PerformanceResponse(AnalysisResponse):
 
 
 class PerformResponse(ResponseModel):
-    """What `POST /perform` answers when asked for JSON; `listeners` has each listener's BML by name."""
+    """The response to `POST /perform` if JSON is requested; `listeners` has each listener's BML by name."""
 
     bml: str
     listeners: dict[str, str] | None = None
@@ -345,7 +344,7 @@ class PerformResponse(ResponseModel):
 
 
 def _understood(utterance: Utterance, functions: Sequence[Function], notices: Sequence[Notice]) -> dict[str, object]:
-    """The fields that an analysis and a performance share, for an utterance that was heard."""
+    """The fields common to analysis and performance, for an utterance with audio."""
     return {
         "audio": {"duration_s": None if utterance.duration_s is None else utterance.duration_s - utterance.lead_in_s},
         "words": utterance.words,

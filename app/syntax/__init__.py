@@ -1,4 +1,3 @@
-"""Words in; parts of speech, lemmas, dependencies, phrases and clauses out (paper §3.2). A spaCy pipeline parses; all
-that knows spaCy is in `parser.py` and `tokens.py`, the rest works on our own tokens. Imports the values, the errors and
-`transcript`. Begin with `parser.py`.
-"""
+"""Syntactic analysis of a transcript: parts of speech, lemmas, dependencies, phrases and clauses (paper §3.2). A spaCy
+pipeline parses; only `parser.py` and `tokens.py` depend on spaCy, the rest uses our own tokens. Imports the data model,
+the errors and `transcript`. Begin with `parser.py`."""

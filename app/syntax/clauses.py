@@ -1,8 +1,8 @@
-"""Clauses: the root of a sentence, and every predicate that a clausal label joins to its governor (paper §3.2).
+"""Finds clauses: the root of each sentence, and every predicate with a clausal dependency label (paper §3.2).
 
-Each token belongs to the clause of the nearest clause head above it, so an inner clause lies within the span of the
-outer one or beside it, never half over its edge in the tree. Heads are dependable (F 93 on test sentences), exact
-edges are not (F 73): anchor on the head. Spans are words of the transcript; punctuation never counts.
+Each token belongs to the clause of its nearest ancestor that heads one, so clauses are nested or disjoint in the tree.
+Heads are reliable (F 93 on test sentences), exact boundaries less so (F 73): refer to the head. Spans are words of the
+transcript, without punctuation.
 """
 
 from ..model import Clause, Token
@@ -14,7 +14,7 @@ _PREDICATE_DEPENDENTS = frozenset({"cop", "nsubj", "csubj", "aux"})
 
 
 def find_clauses(tree: Tree) -> tuple[Clause, ...]:
-    """The clauses of an utterance, in the order of their first words; a longer one before those it holds."""
+    """The clauses of an utterance in the order of their first words; a longer one before those it contains."""
     members: dict[int, list[int]] = {}
     for token in tree.tokens:
         if token.part_of_speech != "PUNCT":

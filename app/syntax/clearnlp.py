@@ -1,8 +1,8 @@
-"""ClearNLP's dependency labels, those of spaCy's own English pipelines, as Universal Dependencies'.
+"""Converts ClearNLP dependency labels, used by spaCy's English pipelines, to Universal Dependencies.
 
-Most labels translate one to one. Two constructions differ in shape and are rehung: where ClearNLP lets a preposition
-govern its noun and the verb the preposition, the verb here governs the noun and the noun the preposition (`case`);
-where it lets "be" govern the predicate, the predicate here governs "be" (`cop`).
+Most labels translate one to one. Two constructions have a different structure and are reattached: in ClearNLP a
+preposition governs its noun and depends on the verb, here the verb governs the noun and the noun the preposition
+(`case`); in ClearNLP "be" governs the predicate, here the predicate governs "be" (`cop`).
 """
 
 from dataclasses import replace
@@ -41,7 +41,7 @@ _NOMINAL_PARTS = frozenset({"NOUN", "PROPN", "PRON", "NUM", "DET"})
 
 
 def to_universal(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
-    """The same tokens under Universal Dependencies labels and heads."""
+    """The same tokens with Universal Dependencies labels and heads."""
     rehung = list(tokens)
     for token in tokens:
         if token.dependency in _PREPOSITION_LABELS:
@@ -53,7 +53,7 @@ def to_universal(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
 
 
 def _rehang_preposition(rehung: list[Token], tokens: tuple[Token, ...], index: int) -> None:
-    """Lets the object of preposition `index` take its place; without object it stays, as an adverbial of its head."""
+    """Put the object of preposition `index` in its place; without an object it becomes an adverbial of its head."""
     preposition = rehung[index]
     of_preposition = (token for token in tokens if token.head == index and token.dependency in ("pobj", "pcomp"))
     governed = next(of_preposition, None)
@@ -76,7 +76,7 @@ def _oblique_label(preposition: Token, head: Token, governed: Token) -> str:
 
 
 def _rehang_copula(rehung: list[Token], index: int) -> None:
-    """Lets the predicate of "be" take its place, with all that hung on it."""
+    """Put the predicate of "be" in its place, with all its dependents."""
     copula = rehung[index]
     of_copula = [token for token in rehung if token.head == index and token.index != index]
     predicate = next((token for token in of_copula if token.dependency in _PREDICATE_LABELS), None)

@@ -1,8 +1,8 @@
-"""The parser of lines: a spaCy pipeline, ours or another, behind one method that returns our own records (paper §3.2).
+"""Parses lines with a spaCy pipeline, our own or another, into our own data classes (paper §3.2).
 
-The paper used Charniak's constituent parser and names its trouble with spoken language. We use a dependency parser
+The paper used Charniak's constituent parser and notes its problems with spoken language. We use a dependency parser
 trained on speech (training/parser), and derive noun phrases, verb groups and clauses from the dependencies. spaCy is
-imported with the first pipeline: what parses nothing need not carry it (60 MB, two thirds of a second).
+imported with the first pipeline, to save memory and time where nothing is parsed (60 MB, two thirds of a second).
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _UNUSED_PIPES = ("ner", "senter", "textcat", "entity_linker")
 
 @dataclass(frozen=True, slots=True)
 class Parser:
-    """A loaded pipeline, which threads may share: they take turns, and its memory does not grow with what it reads."""
+    """A loaded pipeline; thread-safe (threads take turns), and its memory does not grow with use."""
 
     _pipeline: Language
     _scheme: Scheme
@@ -42,10 +42,11 @@ class Parser:
 
     @classmethod
     def load(cls, where: Path | str) -> Parser:
-        """The pipeline in a folder, or installed under a name, with Universal Dependencies or ClearNLP labels.
+        """Load a pipeline from a folder or by the name of an installed package; its labels are Universal Dependencies
+        or ClearNLP.
 
-        Raises ServiceError: `parser_missing` where spaCy loads nothing usable, `parser_labels` for dependency labels of
-        another kind, `parser_incomplete` for a pipeline that leaves out parts of speech, tags, lemmas or heads.
+        Raises ServiceError: `parser_missing` if spaCy cannot load it, `parser_labels` for other dependency labels,
+        `parser_incomplete` if it does not provide parts of speech, tags, lemmas or heads.
         """
         pipeline, probe = _load_pipeline(where)
         scheme = scheme_of(pipeline.pipe_labels.get("parser", ()))
@@ -63,16 +64,16 @@ class Parser:
         return cls(pipeline, scheme, threading.Lock())
 
     def parse(self, words: tuple[Word, ...]) -> Parse:
-        """Tokens, phrases and clauses of a line, each with the numbers of its words; all empty without words.
+        """Tokens, phrases and clauses of a line, each with the indices of its words; all empty without words.
 
-        Runs of punctuation are shortened for the tokenizer (`understudy.transcript.with_short_runs`). The same words
-        and pauses always give the same parse.
+        Runs of punctuation are shortened for the tokenizer (`understudy.transcript.with_short_runs`). The result is
+        deterministic, and depends on words and pauses only.
         """
         [parse] = self.parse_all([words])
         return parse
 
     def parse_all(self, lines: Sequence[tuple[Word, ...]]) -> tuple[Parse, ...]:
-        """The same parses as line by line, faster: the network reads them together."""
+        """The same parses as line by line, but faster, since lines are processed in batches."""
         with self._turn, self._pipeline.memory_zone():
             made = [self._document(words) for words in lines]
             documents = self._pipeline.pipe((document for document, _ in made), batch_size=max(1, len(lines)))
@@ -83,7 +84,7 @@ class Parser:
         return tuple(map(_with_structure, read))
 
     def _document(self, words: tuple[Word, ...]) -> tuple[Doc, list[int]]:
-        """The words as spaCy takes them, cut into tokens and sentences, and the transcript word of each token."""
+        """The words as a spaCy document with tokens and sentence starts, and the transcript word of each token."""
         texts = [with_short_runs(word.text) for word in words]
         document = self._pipeline.make_doc(" ".join(texts))
         numbers = _word_numbers(document, texts, words)
@@ -97,7 +98,7 @@ def _with_structure(tokens: tuple[Token, ...]) -> Parse:
 
 
 def _load_pipeline(where: Path | str) -> tuple[Language, Doc]:
-    """The pipeline and what it makes of a first sentence, for some damage only shows there."""
+    """The pipeline, and its parse of a test sentence, since some defects show only there."""
     import spacy
 
     try:
@@ -116,13 +117,13 @@ def _missing_annotations(document: Doc) -> tuple[str, ...]:
 
 
 def _word_numbers(document: Doc, texts: list[str], words: tuple[Word, ...]) -> list[int]:
-    """The transcript word of each token, found by where the token begins in the text."""
+    """The index of the transcript word of each token, by the token's offset in the text."""
     begins = list(accumulate((len(text) + 1 for text in texts[:-1]), initial=0))
     return [words[bisect_right(begins, token.idx) - 1].index for token in document]
 
 
 def _begin_sentences(document: Doc, numbers: list[int], starts: frozenset[int]) -> None:
-    """Tells the parser where sentences begin; between words it may begin further ones, within a word none."""
+    """Set the sentence starts; the parser may add others between words, but none within a word."""
     previous = None
     for token, number in zip(document, numbers, strict=True):
         if number == previous:

@@ -1,10 +1,10 @@
-"""Noun phrases and verb groups, by rules over the dependency tree (paper §3.2).
+"""Finds noun phrases and verb groups by rules over the dependency tree (paper §3.2).
 
-A noun phrase is a nominal that is no inner modifier itself, with the determiners, adjectives, numbers, compounds and
-possessives that stand unbroken before it; prepositions, copulas, conjunctions and clauses end it. A verb group is a
-verb with its auxiliaries, "to", negation, the adverbs between those, and the particle that follows it; a copula's
-group is its chain of auxiliaries. An auxiliary before the subject ("do you think") joins its verb, and the group then
-spans the subject. Spans are words of the transcript; punctuation never counts.
+A noun phrase is a nominal that does not itself modify another from within its phrase, with the contiguous determiners,
+adjectives, numerals, compounds and possessives before it; prepositions, copulas, conjunctions and clauses end it. A
+verb group is a verb with its auxiliaries, "to", negation, the adverbs between those, and a following particle; a
+copula's group is its chain of auxiliaries. An auxiliary before the subject ("do you think") belongs to its verb, and
+the group then includes the subject. Spans are words of the transcript, without punctuation.
 """
 
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ _AUXILIARY_LABELS = frozenset({"aux", "cop"})
 
 
 def find_phrases(tree: Tree) -> tuple[Phrase, ...]:
-    """The noun phrases and verb groups of an utterance, in the order of their first words."""
+    """The noun phrases and verb groups of an utterance in the order of their first words."""
     phrases = (*_noun_phrases(tree), *_verb_groups(tree))
     return tuple(sorted(phrases, key=lambda phrase: (phrase.first, phrase.last, phrase.kind)))
 
@@ -41,7 +41,7 @@ def _is_nominal(token: Token) -> bool:
 
 
 def _left_edge(tree: Tree, head: Token) -> int:
-    """The first token of the unbroken run of inner modifiers before a nominal; a comma between two is passed over."""
+    """The first token of the contiguous modifiers before a nominal; a single comma between them is skipped."""
     edge = reached = head.index
     for dependent in reversed(tree.dependents_of(head)):
         first, last = tree.edges_of(dependent)
@@ -56,7 +56,7 @@ def _left_edge(tree: Tree, head: Token) -> int:
 
 
 def _right_edge(tree: Tree, head: Token) -> int:
-    """The last token of a name that goes on after its head: "John" in "John Smith"."""
+    """The last token of a name that continues after its head: "John" in "John Smith"."""
     edge = head.index
     for dependent in tree.dependents_of(head):
         first, last = tree.edges_of(dependent)
@@ -82,7 +82,7 @@ def _heads_verb_group(token: Token) -> bool:
 
 
 def _verb_group(tree: Tree, verb: Token, dependents: tuple[Token, ...]) -> Phrase:
-    """From the first auxiliary, "to" or negation before the verb to what is closely bound to it on its right."""
+    """The span from the first auxiliary, "to" or negation before the verb to its particle or negation after it."""
     first = last = verb.index
     for dependent in reversed(dependents):
         is_bound = dependent.index == first - 1 and _is_negation(dependent)
@@ -103,7 +103,8 @@ def _is_negation(token: Token) -> bool:
 
 
 def _ends_group(token: Token, verb: Token) -> bool:
-    """A particle ("give up"), the "not" of an auxiliary ("is not"); that of "guess not" stands for a clause."""
+    """Whether the token is a particle ("give up") or the "not" of an auxiliary ("is not"); that of "guess not" stands
+    for a clause."""
     return token.dependency == "compound:prt" or (verb.part_of_speech == "AUX" and _is_negation(token))
 
 

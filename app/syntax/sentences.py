@@ -1,7 +1,7 @@
-"""Where the sentences of a line begin: at its punctuation or, in a line without any, after its long pauses.
+"""Finds where sentences begin: at punctuation or, in a line without any, after long pauses.
 
-A parser finds the boundaries of unpunctuated speech badly (F about 40), so it is given them. In a line whose writer
-marked the ends, a pause is a hesitation and ends nothing.
+Parsers find sentence boundaries in unpunctuated speech badly (F about 40), so they are given. In a punctuated line a
+pause is a hesitation and ends nothing.
 """
 
 import re
@@ -10,7 +10,7 @@ from itertools import pairwise
 from ..model import Word
 
 LONG_PAUSE_S = 0.5
-"""A silence from which on a pause between two words of an unpunctuated line ends a sentence."""
+"""The shortest pause between two words that ends a sentence in an unpunctuated line."""
 
 _END = re.compile(r"[.!?…]+[\"'”’)\]*]*$")
 _TRAILING_OFF = re.compile(r"(\.{2,}|…)[\"'”’)\]*]*$")
@@ -19,7 +19,7 @@ _CAPITAL_FIRST = re.compile(r"[^\w]*[A-Z0-9]")
 
 
 def sentence_starts(words: tuple[Word, ...]) -> frozenset[int]:
-    """Numbers of the words that begin a sentence; the first word is always one of them."""
+    """The indices of the words that begin a sentence; the first word always does."""
     pairs = tuple(pairwise(words))
     by_punctuation = {following.index for word, following in pairs if _ends_sentence(word.text, following.text)}
     by_pause = {following.index for word, following in pairs if _pause_s(word, following) >= LONG_PAUSE_S}
@@ -28,7 +28,7 @@ def sentence_starts(words: tuple[Word, ...]) -> frozenset[int]:
 
 
 def _ends_sentence(text: str, following: str) -> bool:
-    """Whether the marks after a word end a sentence; one that trails off only ends where a capital follows."""
+    """Whether the punctuation after a word ends a sentence; an ellipsis does only before a capital."""
     if not _END.search(text) or _ABBREVIATION.fullmatch(text):
         return False
     return not _TRAILING_OFF.search(text) or bool(_CAPITAL_FIRST.match(following))

@@ -1,7 +1,7 @@
-"""The one adapter from spaCy's documents to our records: a `Doc` in, `Token`s with Universal Dependencies labels out.
+"""Converts spaCy documents to `Token`s with Universal Dependencies labels.
 
-The labels of the token's governor are read as they are from a pipeline with Universal Dependencies labels; those of a
-ClearNLP pipeline, spaCy's own for English, are translated, tree and all (`understudy.syntax.clearnlp`).
+Labels of a Universal Dependencies pipeline are taken as they are; those of a ClearNLP pipeline, as in spaCy's English
+models, are converted with the tree (`understudy.syntax.clearnlp`).
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ ROOT = "root"
 
 
 class Scheme(StrEnum):
-    """Which dependency labels a pipeline gives."""
+    """The dependency scheme of a pipeline."""
 
     UNIVERSAL = "universal"
     CLEARNLP = "clearnlp"
 
 
 def scheme_of(labels: Iterable[str]) -> Scheme | None:
-    """The scheme a parser's labels belong to, told by how it names objects; None when it names them in no known way."""
+    """The scheme of a parser's labels, identified by its label for objects; None if unknown."""
     known = frozenset(labels)
     if {"dobj", "pobj"} & known:
         return Scheme.CLEARNLP
@@ -37,9 +37,9 @@ def scheme_of(labels: Iterable[str]) -> Scheme | None:
 
 
 def read_tokens(document: Doc, words: Sequence[int], scheme: Scheme) -> tuple[Token, ...]:
-    """The tokens of a parsed document; `words` gives the transcript word of each.
+    """The tokens of a parsed document; `words` is the index of each token's transcript word.
 
-    A token without dependency, as none of a whole pipeline is, counts as a root.
+    A token without a dependency, which complete pipelines do not produce, counts as a root.
     """
     tokens = tuple(
         Token(

@@ -1,4 +1,4 @@
-"""Tokens seen as a tree: who governs whom, and which run of tokens hangs on one."""
+"""Dependency tree navigation: dependents and subtree spans of tokens."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,7 @@ from ..model import Token
 
 @dataclass(frozen=True, slots=True)
 class Tree:
-    """The tokens of an utterance, all sentences together, and the dependents of each, in their order."""
+    """The tokens of an utterance, all sentences together, and the dependents of each, in order."""
 
     tokens: tuple[Token, ...]
     dependents: tuple[tuple[Token, ...], ...]
@@ -21,11 +21,11 @@ class Tree:
         return cls(tokens, tuple(tuple(group) for group in dependents))
 
     def dependents_of(self, token: Token) -> tuple[Token, ...]:
-        """What `token` governs directly, from left to right."""
+        """The direct dependents of `token`, from left to right."""
         return self.dependents[token.index]
 
     def edges_of(self, token: Token) -> tuple[int, int]:
-        """First and last token of all that hangs on `token`, itself included."""
+        """The first and last token of the subtree of `token`, itself included."""
         reached = [token]
         for governor in reached:
             reached.extend(self.dependents_of(governor))
@@ -39,7 +39,7 @@ def base_label(label: str) -> str:
 
 
 def is_inner(token: Token) -> bool:
-    """Whether the token only modifies a noun from within its phrase, as "running" in "running shoes" does."""
+    """Whether the token modifies a noun from within its phrase, as "running" in "running shoes" does."""
     return base_label(token.dependency) in INNER_LABELS or token.dependency in INNER_SUBTYPES
 
 

@@ -18,7 +18,7 @@ from pocketsphinx import get_model_path
 from benchmarks.acoustic.alignment import ROOT, read_acted, read_options
 from training.alignment.timit import read_sentences
 from understudy.acoustic.alignment.decoder_signal import FRAMES_PER_S, pcm
-from understudy.acoustic.alignment.decoder_worker import NARROW, WIDE, HeardPhones, Listener, Search
+from understudy.acoustic.alignment.decoder_worker import NARROW, WIDE, HeardPhones, Recognizer, Search
 from understudy.acoustic.pronunciation.normalisation import Normaliser
 from understudy.acoustic.pronunciation.pronunciation import Pronouncer
 from understudy.model import FloatArray
@@ -43,8 +43,8 @@ def main() -> None:
     sentences = read_sentences(options.timit)[0][::2][: options.sentences]
     recordings = [*((sentence.audio, sentence.text) for sentence in sentences), *clips]
     words_of = _Words()
-    listener = Listener()
-    runs = [_by_every_search(listener, pcm(audio.samples), words_of(text)) for audio, text in recordings]
+    recognizer = Recognizer()
+    runs = [_by_every_search(recognizer, pcm(audio.samples), words_of(text)) for audio, text in recordings]
     total_s = sum(audio.duration_s for audio, _ in recordings)
     print(f"{len(recordings)} recordings, {total_s:.0f} s")
     widest = next(iter(SEARCHES))
@@ -70,17 +70,19 @@ class _Words:
         return [[" ".join(phones) for phones in each.variants] for each in said if each]
 
 
-def _by_every_search(listener: Listener, audio: bytes, words: list[list[str]]) -> dict[str, tuple[float, HeardPhones]]:
+def _by_every_search(
+    recognizer: Recognizer, audio: bytes, words: list[list[str]]
+) -> dict[str, tuple[float, HeardPhones]]:
     """The least processor time of each search, seconds, and what it heard."""
     rounds = [
-        {name: _timed(listener, audio, words, search) for name, search in SEARCHES.items()} for _ in range(REPEATS)
+        {name: _timed(recognizer, audio, words, search) for name, search in SEARCHES.items()} for _ in range(REPEATS)
     ]
     return {name: (min(each[name][0] for each in rounds), rounds[0][name][1]) for name in SEARCHES}
 
 
-def _timed(listener: Listener, audio: bytes, words: list[list[str]], search: Search) -> tuple[float, HeardPhones]:
+def _timed(recognizer: Recognizer, audio: bytes, words: list[list[str]], search: Search) -> tuple[float, HeardPhones]:
     began_s = time.process_time()
-    heard = listener.aligned(audio, words, search)
+    heard = recognizer.aligned(audio, words, search)
     return time.process_time() - began_s, heard
 
 

@@ -20,13 +20,13 @@ from understudy.model import Channel, FloatArray, Schedule
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.geometry.angles import angles
-from understudy.realizer.geometry.rotations import angle_between, between, inverse, multiply, rotate
-from understudy.realizer.head_and_gaze.gaze import gaze
+from understudy.realizer.geometry.angles import to_pitch_yaw_roll
+from understudy.realizer.geometry.rotations import angle_between, inverse, multiply, rotate, shortest_rotation
+from understudy.realizer.head_and_gaze.gaze import apply_gaze
 from understudy.realizer.head_and_gaze.gaze_geometry import EYES, SIDEWAYS_LIMIT, UPRIGHT_LIMIT
-from understudy.realizer.head_and_gaze.head import head
-from understudy.realizer.head_and_gaze.looks import LISTENER_M
-from understudy.realizer.torso.idle import idle
+from understudy.realizer.head_and_gaze.gaze_targets import LISTENER_M
+from understudy.realizer.head_and_gaze.head import apply_head_movements
+from understudy.realizer.torso.idle import idle_motion
 
 BODY = Skeleton.standing()
 AHEAD = np.array([0.0, 0.0, 1.0])
@@ -62,9 +62,9 @@ def realized(schedule: Schedule, times_s: FloatArray, seed: int) -> tuple[BodyMo
         spent_ms[name] = 1000 * (time.process_time() - start_s)
         return body
 
-    still = clocked("idle", lambda: idle(BODY, times_s, schedule, seed=seed))
-    gazing = clocked("gaze", lambda: gaze(BODY, still, schedule, seed=seed))
-    return gazing, clocked("head", lambda: head(BODY, gazing, schedule, seed=seed)), spent_ms
+    still = clocked("idle", lambda: idle_motion(BODY, times_s, schedule, seed=seed))
+    gazing = clocked("gaze", lambda: apply_gaze(BODY, still, schedule, seed=seed))
+    return gazing, clocked("head", lambda: apply_head_movements(BODY, gazing, schedule, seed=seed)), spent_ms
 
 
 def measure(schedule: Schedule, *, rate_hz: int, seed: int) -> Found:
@@ -76,7 +76,7 @@ def measure(schedule: Schedule, *, rate_hz: int, seed: int) -> Found:
     others = [joint for joint in range(len(BODY.names)) if joint not in eyes]
     feet_m = places_m[:, BODY.chain("leftFoot", "rightFoot", "leftToes", "rightToes")]
     lines, ways = rotate(turned[:, eyes], AHEAD), np.array(LISTENER_M) - places_m[:, eyes]
-    missed = np.degrees(2 * np.arccos(np.clip(between(lines, ways)[..., 3], -1, 1))).max(axis=1)
+    missed = np.degrees(2 * np.arccos(np.clip(shortest_rotation(lines, ways)[..., 3], -1, 1))).max(axis=1)
     return Found(
         frozen_frames=int(np.sum(np.degrees(speeds[:, others]).max(axis=1) < FROZEN_DEGREES_S)),
         slide_mm=1000 * float(np.abs(feet_m - feet_m[0]).max()),
@@ -101,7 +101,7 @@ def on_listener(schedule: Schedule, times_s: FloatArray) -> FloatArray:
 
 def beyond_limits(body: BodyMotion) -> int:
     """Frames in which a joint or an eye is turned farther than it can be."""
-    pitch, yaw, _roll = angles(body.rotations[:, BODY.chain(*EYES)])
+    pitch, yaw, _roll = to_pitch_yaw_roll(body.rotations[:, BODY.chain(*EYES)])
     eyes = (np.abs(pitch) > UPRIGHT_LIMIT + 1e-6) | (np.abs(yaw) > SIDEWAYS_LIMIT + 1e-6)
     return int(np.sum((violations(BODY, body.rotations) > 0).any(axis=1) | eyes.any(axis=1)))
 
@@ -110,7 +110,7 @@ def nods_late_ms(schedule: Schedule, gazing: BodyMotion, body: BodyMotion) -> It
     """How long after its stroke the head is lowest, of each single nod, by what the head's movements add."""
     added = np.zeros(len(body.times_s))
     for joint in BODY.chain("neck", "head"):
-        added += angles(multiply(inverse(gazing.rotations[:, joint]), body.rotations[:, joint]))[0]
+        added += to_pitch_yaw_roll(multiply(inverse(gazing.rotations[:, joint]), body.rotations[:, joint]))[0]
     for behavior in schedule.behaviors:
         stroke_s = behavior.sync.stroke
         if not behavior.kept or behavior.lexeme not in NODS or behavior.repetitions != 1 or stroke_s is None:

@@ -21,11 +21,11 @@ from benchmarks.bml.schedule import TEXTS, Stages, outcome
 from understudy.model import FloatArray, Schedule
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.gestures.library import Library
-from understudy.realizer.head_and_gaze.gaze import gaze
-from understudy.realizer.head_and_gaze.head import head
-from understudy.realizer.scheduling.gesturing import gesture
+from understudy.realizer.head_and_gaze.gaze import apply_gaze
+from understudy.realizer.head_and_gaze.head import apply_head_movements
+from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
-from understudy.realizer.torso.idle import idle
+from understudy.realizer.torso.idle import idle_motion
 from understudy.resources import resource_folder
 
 PEOPLE = TEXTS.parents[1] / "motion" / "gesture-phases"
@@ -64,11 +64,11 @@ def ours_m(lines: int, seed: int, *, gestures: bool) -> FloatArray:
         if behavior.kept
     )
     schedule = Schedule(behaviors, sum(each.duration_s for each in outcomes))
-    body = idle(skeleton, np.arange(int(schedule.duration_s * RATE_HZ)) / RATE_HZ, schedule, seed=seed)
+    body = idle_motion(skeleton, np.arange(int(schedule.duration_s * RATE_HZ)) / RATE_HZ, schedule, seed=seed)
     if gestures:
         library = Library.load(resource_folder("lexicon") / "gestures")
-        body = gesture(skeleton, body, plan_gestures(library, schedule, seed=seed), seed=seed)
-    body = head(skeleton, gaze(skeleton, body, schedule, seed=seed), schedule, seed=seed)
+        body = apply_gestures(skeleton, body, plan_gestures(library, schedule, seed=seed), seed=seed)
+    body = apply_head_movements(skeleton, apply_gaze(skeleton, body, schedule, seed=seed), schedule, seed=seed)
     places_m, _turned = forward(skeleton, body.rotations, body.hips_m)
     return np.asarray(places_m[:, skeleton.chain("leftEye", "rightEye")].mean(axis=1))
 

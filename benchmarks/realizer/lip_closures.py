@@ -24,7 +24,7 @@ from training.alignment.timit import Sentence, read_sentences
 from understudy.acoustic.alignment.alignment import Aligner
 from understudy.bml.choice.visemes import visemes
 from understudy.model import Interval, Schedule, Word
-from understudy.realizer.face.face import face
+from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import FaceTables
 from understudy.realizer.face.lip_closure import SHUT, Closure, lip_closures, lip_opening
 from understudy.resources import resource_folder
@@ -56,7 +56,7 @@ def labelled(sentence: Sentence) -> Iterator[tuple[str, Interval]]:
 def compare(tables: FaceTables, sentence: Sentence, words: tuple[Word, ...], rate_hz: int) -> Iterator[Compared]:
     spoken, _ = visemes(words, sentence.audio.duration_s)
     body, skeleton = still_body(sentence.audio.duration_s, rate_hz)
-    shapes = face(tables, Schedule((), sentence.audio.duration_s, words, spoken), body, skeleton, seed=0)
+    shapes = face_weights(tables, Schedule((), sentence.audio.duration_s, words, spoken), body, skeleton, seed=0)
     closures = lip_closures(spoken, shapes, body.times_s)
     phones = [phone for word in words for phone in word.phones]
     for name, interval in labelled(sentence):
@@ -70,7 +70,7 @@ def compare(tables: FaceTables, sentence: Sentence, words: tuple[Word, ...], rat
 
 def _nearest(closures: Sequence[Closure], interval: Interval) -> Interval | None:
     """Our closure that overlaps the labelled one most, if it has an end of its own."""
-    shut = [closure.shut for closure in closures if closure.shut]
+    shut = [closure.closed for closure in closures if closure.closed]
     most = max(shut, key=lambda each: _overlap_s(each, interval), default=None)
     return most if most and most.duration_s < LONGEST_S and _overlap_s(most, interval) > 0 else None
 

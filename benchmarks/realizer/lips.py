@@ -28,7 +28,7 @@ from understudy.model import FRAME_SHIFT_S, FloatArray, Schedule, Viseme, Word
 from understudy.performance import Line, Understudy, align_words, analyze_signal
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.face.face import face
+from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import FaceTables
 from understudy.realizer.face.lip_closure import Closure, lip_closures, lip_opening
 from understudy.realizer.geometry.rotations import IDENTITY
@@ -78,16 +78,16 @@ def closing_and_parting_s(closures: Sequence[Closure], spoken: Sequence[Viseme])
     """How late the mouth shuts and parts, where it comes from a vowel and where it goes to one."""
     before = {viseme.interval: last.label for last, viseme in pairwise(spoken)}
     behind = {viseme.interval: following.label for viseme, following in pairwise(spoken)}
-    shut = [(each.viseme.interval, each.shut) for each in closures if each.shut]
+    shut = [(each.viseme.interval, each.closed) for each in closures if each.closed]
     closing = [span.start_s - phone.start_s for phone, span in shut if before.get(phone) in VOWELS]
     return closing, [span.end_s - phone.end_s for phone, span in shut if behind.get(phone) in VOWELS]
 
 
 def apart_s(closure: Closure) -> float:
     """From the phone to the nearest moment at which the mouth is shut."""
-    if closure.shut is None:
+    if closure.closed is None:
         return float("inf")
-    phone, shut = closure.viseme.interval, closure.shut
+    phone, shut = closure.viseme.interval, closure.closed
     return max(0.0, shut.start_s - phone.end_s, phone.start_s - shut.end_s)
 
 
@@ -139,7 +139,7 @@ def measure(tables: FaceTables, spoken: Spoken, rate_hz: int) -> Measured:
     schedule = Schedule((), spoken.duration_s, spoken.words, spoken.visemes)
     began = time.process_time()
     for _ in range(REPEATS):
-        shapes = face(tables, schedule, body, skeleton, seed=0)
+        shapes = face_weights(tables, schedule, body, skeleton, seed=0)
     seconds = (time.process_time() - began) / REPEATS
     closures = lip_closures(spoken.visemes, shapes, body.times_s)
     closing_s, parting_s = closing_and_parting_s(closures, spoken.visemes)
@@ -153,7 +153,7 @@ def measure(tables: FaceTables, spoken: Spoken, rate_hz: int) -> Measured:
 def tell(lines: Sequence[Measured], rate_hz: int) -> None:
     closures = [closure for line in lines for closure in line.closures]
     duration_s = sum(line.duration_s for line in lines)
-    never = sum(closure.shut is None for closure in closures)
+    never = sum(closure.closed is None for closure in closures)
     print(f"{duration_s:.1f} s at {rate_hz} frames a second, {len(closures)} closures, of which never shut {never}")
     print(told("apart", [apart_s(closure) for closure in closures]))
     print(told("closing", [late_s for line in lines for late_s in line.closing_s]))

@@ -42,9 +42,9 @@ from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.rotations import angle_between
 from understudy.realizer.gestures.arm_joints import arm_joints
 from understudy.realizer.realizing import frame_times_s
-from understudy.realizer.scheduling.gesturing import gesture
+from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
-from understudy.realizer.torso.idle import idle
+from understudy.realizer.torso.idle import idle_motion
 from understudy.resources import resource_folder
 from understudy.settings import Settings
 
@@ -192,7 +192,7 @@ def off_keys_m(realizer: Realizer, schedule: Schedule) -> Iterator[float]:
     """Of one schedule, at 60 frames a second; arms smoothed as they are played, before anything collides."""
     skeleton, plan = realizer.skeleton, plan_gestures(realizer.library, schedule, seed=0)
     times_s = frame_times_s(max(schedule.duration_s, plan.end_s), 60)
-    body = gesture(skeleton, idle(skeleton, times_s, schedule, seed=0), plan, seed=0)
+    body = apply_gestures(skeleton, idle_motion(skeleton, times_s, schedule, seed=0), plan, seed=0)
     for side in (Hand.LEFT, Hand.RIGHT):
         wrist_m = wrist_of(skeleton, side, body.rotations[:, skeleton.chain(*arm_joints(side))])
         for key in arm_track(skeleton, side, plan).keys:

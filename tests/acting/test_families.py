@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.shared_data import SHARED, needs
 from understudy.acting.families import Families, FamilyBehavior, fitting, load_families
 from understudy.bml.choice.table import BehaviorTable, load_table
 from understudy.errors import AuthoringError
@@ -15,9 +16,7 @@ from understudy.realizer.gestures.library import Library
 ROOT = Path(__file__).resolve().parents[2]
 LEXICON = ROOT / "lexicon"
 PAGE = ROOT / "docs" / "families.md"
-DIRECTING = ROOT.parent / "shared" / "directing"
-
-needs_directing = pytest.mark.skipif(not DIRECTING.is_dir(), reason=f"the directed lines are not at {DIRECTING}")
+DIRECTING = SHARED / "directing"
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +63,7 @@ def test_every_gesture_of_the_table_stands_under_a_family(families: Families, ta
     assert gestures - {each.name for behaviors in families.gesture.values() for each in behaviors} == set()
 
 
-@needs_directing
+@needs(DIRECTING)
 def test_what_the_lexemes_show_is_what_the_directing_says(families: Families) -> None:
     known = json.loads((DIRECTING / "families.json").read_text(encoding="utf-8"))
     ours = {lexeme: list(shown) for lexeme, shown in families.shows.items() if lexeme in known}
@@ -72,7 +71,7 @@ def test_what_the_lexemes_show_is_what_the_directing_says(families: Families) ->
     assert ours == {lexeme: known[lexeme] for lexeme in ours}
 
 
-@needs_directing
+@needs(DIRECTING)
 def test_all_families_and_kinds_of_the_guide_are_there(families: Families) -> None:
     guide = (DIRECTING / "GUIDE.md").read_text(encoding="utf-8").replace("\n", " ")
     gestures = re.sub(r"\([^)]*\)", "", guide.partition("Gesture families:")[2].partition("Be consistent")[0])

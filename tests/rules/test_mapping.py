@@ -150,7 +150,7 @@ def test_every_subtype_that_function_rules_derive_is_mapped(rules: MappingRules)
 def test_figure_8(rules: MappingRules) -> None:
     candidates = offered(rules, figure_8(), Level.HIGH)
     ideal = {
-        offer.function.id: {
+        offer.function and offer.function.id: {
             frozenset(each.name for each in alternative.movements) for alternative in offer.alternatives
         }
         for offer in candidates

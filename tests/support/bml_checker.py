@@ -222,8 +222,12 @@ def _resources(element: etree._Element) -> tuple[str, ...]:
         mode = element.get("mode", "BOTH_HANDS")
         return ("LEFT_HAND", "RIGHT_HAND") if mode == "BOTH_HANDS" else (mode,)
     if name == "faceFacs":
-        return ("eyelids",) if element.get("au") in ("43", "45") else ("face",)
-    return {"head": ("head",), "gaze": ("gaze",), "gazeShift": ("gaze",), "faceLexeme": ("face",)}.get(name, ())
+        if element.get("au") in ("43", "45"):
+            return ("eyelids",)
+        return ("brows",) if element.get("au") in ("1", "2", "4", "5", "6", "7") else ("mouth",)
+    if name == "faceLexeme":
+        return ("mouth",) if any(part in element.get("lexeme", "") for part in ("MOUTH", "LIP")) else ("brows",)
+    return {"head": ("head",), "gaze": ("gaze",), "gazeShift": ("gaze",)}.get(name, ())
 
 
 def _given(element: etree._Element) -> dict[str, str]:

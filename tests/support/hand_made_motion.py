@@ -5,7 +5,7 @@ import numpy as np
 from understudy.model import FloatArray, SyncPoints
 from understudy.realizer.body.motion import SHAPES, BodyMotion, Decision, Motion
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
-from understudy.realizer.geometry.rotations import IDENTITY, about, multiply
+from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle, multiply
 
 BODY = Skeleton.standing()
 
@@ -33,11 +33,13 @@ def waving(duration_s: float = 2.0, frame_rate_hz: int = 30) -> Motion:
     """The right hand waves from the elbow while the left hangs, the head nods, the mouth opens and the eyes blink."""
     plain = still(round(duration_s * frame_rate_hz) + 1, frame_rate_hz)
     times_s, rotations = plain.body.times_s, plain.body.rotations
-    rotations[:, BODY.index["leftUpperArm"]] = about(Z, np.array(-1.25))
-    rotations[:, BODY.index["rightUpperArm"]] = multiply(about(Z, np.array(0.7)), about(Y, np.array(0.4)))
-    rotations[:, BODY.index["rightLowerArm"]] = about(Z, -1.9 + 0.4 * np.sin(8 * times_s))
-    rotations[:, BODY.index["head"]] = about(X, 0.2 * np.sin(4 * times_s))
-    rotations[:, BODY.index["rightIndexProximal"]] = about(Z, 0.3 + 0.3 * np.sin(5 * times_s))
+    rotations[:, BODY.index["leftUpperArm"]] = from_axis_angle(Z, np.array(-1.25))
+    rotations[:, BODY.index["rightUpperArm"]] = multiply(
+        from_axis_angle(Z, np.array(0.7)), from_axis_angle(Y, np.array(0.4))
+    )
+    rotations[:, BODY.index["rightLowerArm"]] = from_axis_angle(Z, -1.9 + 0.4 * np.sin(8 * times_s))
+    rotations[:, BODY.index["head"]] = from_axis_angle(X, 0.2 * np.sin(4 * times_s))
+    rotations[:, BODY.index["rightIndexProximal"]] = from_axis_angle(Z, 0.3 + 0.3 * np.sin(5 * times_s))
     plain.body.hips_m[:, 0] += 0.01 * np.sin(times_s)
     plain.shapes[:, SHAPES.index("jawOpen")] = 0.3 - 0.3 * np.cos(9 * times_s)
     plain.shapes[:, SHAPES.index("eyeBlinkLeft")] = np.clip(1 - np.abs(times_s - 1) / 0.15, 0, 1)

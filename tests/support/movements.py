@@ -5,7 +5,7 @@ import numpy as np
 from understudy.model import Behavior, Channel, FloatArray, Schedule, SyncPoints
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.head_and_gaze.gaze_geometry import EYES, Face, chest, face, seen_m
+from understudy.realizer.head_and_gaze.gaze_geometry import EYES, Face, chest, face, fixation_point_m
 
 BODY = Skeleton.standing()
 
@@ -31,7 +31,7 @@ def faced(body: BodyMotion) -> Face:
 
 def seen_by(body: BodyMotion) -> FloatArray:
     """The points (T, 3) that the eyes look at."""
-    return seen_m(faced(body), body.rotations[:, BODY.chain(*EYES)])
+    return fixation_point_m(faced(body), body.rotations[:, BODY.chain(*EYES)])
 
 
 def schedule(*behaviors: Behavior) -> Schedule:

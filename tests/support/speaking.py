@@ -8,7 +8,7 @@ from understudy.bml.choice.visemes import visemes
 from understudy.model import Behavior, Channel, FloatArray, Interval, Phone, Schedule, SyncPoints, Viseme, Word
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.face.face import face
+from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import INDEX, FaceTables
 from understudy.realizer.geometry.rotations import IDENTITY
 
@@ -47,7 +47,7 @@ def faced(
 ) -> FloatArray:
     """The face's weights at 60 frames a second."""
     schedule = Schedule(behaviors, end_s, visemes=spoken)
-    return face(TABLES, schedule, still(times(end_s)), SKELETON, seed=seed)
+    return face_weights(TABLES, schedule, still(times(end_s)), SKELETON, seed=seed)
 
 
 def shape(shapes: FloatArray, name: str, at_s: float) -> float:

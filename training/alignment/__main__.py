@@ -26,14 +26,14 @@ from understudy.acoustic.alignment.boundaries import BoundaryModel, kernel
 from understudy.acoustic.alignment.boundary_views import (
     BANDS,
     CONTEXT_STEPS,
+    BoundaryArrays,
     BoundaryView,
     Levels,
-    Places,
     Points,
     levels_around,
     mel_levels,
 )
-from understudy.acoustic.alignment.phone_boundaries import boundaries, touch
+from understudy.acoustic.alignment.phone_boundaries import are_adjacent, boundaries
 from understudy.errors import InputError
 from understudy.model import Audio, FloatArray, Word
 from understudy.transcript import read_transcript
@@ -74,7 +74,7 @@ class Examples:
     """Boundaries of one recording that have a true time, and how far each should move, seconds."""
 
     levels: Levels
-    places: Places
+    places: BoundaryArrays
     moves_s: FloatArray
 
 
@@ -121,14 +121,14 @@ def examples_of(
         words = aligner.align(audio, read_transcript(sentence.text, max_characters=10_000))[0]
     except InputError:
         return
-    truth_s, places = np.array(list(true_times_s(sentence, words))), Places.of(boundaries(words))
+    truth_s, places = np.array(list(true_times_s(sentence, words))), BoundaryArrays.of(boundaries(words))
     levels = mel_levels(audio.samples)
     jitter_s = np.where(places.at_silence, SILENCE_JITTER_S, JITTER_S)
     for width_s in (np.zeros(len(truth_s)), *[jitter_s] * COPIES):
         seen = places.shifted(np.maximum(chance.normal(0.0, width_s), -places.times_s))
         moves_s = truth_s - seen.times_s
         usable = np.abs(moves_s) < WIDEST_ERROR_S
-        used = Places(seen.times_s[usable], seen.gaps_s[usable], seen.kinds[usable])
+        used = BoundaryArrays(seen.times_s[usable], seen.gaps_s[usable], seen.kinds[usable])
         yield Examples(levels, used, moves_s[usable].clip(-WIDEST_MOVE_S, WIDEST_MOVE_S))
 
 
@@ -168,7 +168,7 @@ def true_times_s(sentence: Sentence, words: tuple[Word, ...]) -> Iterator[float]
     phones = [phone for word in words for phone in word.phones]
     yield spans_s[0][0]
     for (left, right), ((_, end_s), (start_s, _)) in zip(pairwise(phones), pairwise(spans_s), strict=True):
-        if not touch(left, right):
+        if not are_adjacent(left, right):
             yield end_s
             yield start_s
         elif abs(end_s - start_s) < MOST_DISAGREEMENT_S:

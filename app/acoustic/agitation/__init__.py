@@ -1,5 +1,4 @@
-"""The speaker's agitation, low, medium or high, from the voice alone (paper §3.1.4): features of a whole utterance
-(timbre, effort, motion, voice quality), judged by trained models, if wished against how the speaker usually sounds.
-Imports `signal`. Begin with `agitation.py`, then `utterance_features.py`, which lists what the models see;
-`training/agitation` makes them.
-"""
+"""The speaker's agitation (low, medium, high) from the voice alone (paper §3.1.4): features of the utterance (timbre,
+effort, dynamics, voice quality) and trained classifiers, optionally relative to the speaker's usual voice. Imports
+`signal`. Begin with `agitation.py`, then `utterance_features.py`, which lists the features; `training/agitation` trains
+the models."""

@@ -1,17 +1,17 @@
-"""The speaker's agitation, low, medium or high, from the voice alone (paper §3.1.4).
+"""Classifies the speaker's agitation (low, medium, high) from the voice alone (paper §3.1.4).
 
-A fuzzy-input fuzzy-output support vector machine (F²SVM; Thiel, Scherer & Schwenker 2007) judges the utterance's
-features. One machine with a radial basis kernel stands for each level against the other two; the three decision values,
-each scaled and shifted, become memberships through one logistic function of all three (softmax). The paper's separate
-logistic functions, scaled to sum to 1, were less well calibrated (mean negative log .58 for .54 on RAVDESS, .48 for .39
-on EmoDB, with the 49 features of before).
+A fuzzy-input fuzzy-output support vector machine (F²SVM; Thiel, Scherer & Schwenker 2007) classifies the utterance's
+features. Each level has a machine with a radial basis kernel against the other two; the three decision values, scaled
+and shifted, become memberships by a softmax. The paper's separate logistic functions, normalized to sum to 1, were less
+well calibrated (mean negative log likelihood .58 against .54 on RAVDESS, .48 against .39 on EmoDB, with an earlier set
+of 49 features).
 
-A model holds two of them: one for voices never heard, and one that sees how far the utterance is from how its speaker
-usually sounds. The more recordings of the speaker there are, the more the second is trusted. `training/agitation/`
-trains them; here they are evaluated with numpy alone.
+A model contains two of them: one for unknown speakers, and one on features relative to the speaker's usual voice. The
+more reference recordings of the speaker there are, the more weight the second gets. `training/agitation/` trains them;
+evaluation needs numpy only.
 
-On disk a model is `NAME.npz` (no pickles), named after its feature set, and beside it `NAME.npz.sha256`, as `sha256sum`
-writes it.
+On disk a model is `NAME.npz` (no pickles), named after its feature set, with `NAME.npz.sha256` beside it, in the format
+of `sha256sum`.
 """
 
 import hashlib
@@ -31,14 +31,14 @@ from .speaker import SpeakerReference, TypicalSpeaker
 from .utterance_features import FEATURE_SETS
 
 TRUST_RECORDINGS = 10
-"""With this many recordings of the speaker, both machines have the same say."""
+"""With this many reference recordings, both machines have equal weight."""
 
 _MANY = ("support_vectors", "coefficients")
-"""Kept in single precision: they are most of the file."""
+"""Stored in single precision, since they are most of the file."""
 
 
 def squared_distances(points: FloatArray, others: FloatArray) -> FloatArray:
-    """Between each of `points` (n, features) and each of `others` (m, features); shape (n, m)."""
+    """Squared Euclidean distances (n, m) between `points` (n, features) and `others` (m, features)."""
     lengths, other_lengths = np.sum(points**2, axis=1), np.sum(others**2, axis=1)
     distances: FloatArray = np.maximum(lengths[:, None] + other_lengths - 2 * points @ others.T, 0.0)
     return distances
@@ -46,11 +46,11 @@ def squared_distances(points: FloatArray, others: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FuzzySvm:
-    """A trained F²SVM; what has one value for each level stands in the order of `Level`.
+    """A trained F²SVM; arrays with one value per level are in the order of `Level`.
 
-    `mean` and `scale` standardise the features (an infinite scale: no say). The machines share `support_vectors` (n,
-    features), each with `coefficients` (n, 3), 0 where it is none of a machine's, and `intercepts` (3,). `slopes` and
-    `offsets` (3,) scale and shift the decision values among the three.
+    `mean` and `scale` standardize the features (an infinite scale disables a feature). The machines share
+    `support_vectors` (n, features), with `coefficients` (n, 3), 0 where a vector does not support a machine, and
+    `intercepts` (3,). `slopes` and `offsets` (3,) calibrate the decision values.
     """
 
     mean: FloatArray
@@ -63,14 +63,14 @@ class FuzzySvm:
     offsets: FloatArray
 
     def decision_values(self, features: FloatArray) -> FloatArray:
-        """Each machine's distance from its surface in the kernel's space, positive on its level's side; shape (3,)."""
+        """The decision value of each machine (3,), positive on its level's side."""
         point = (features - self.mean) / self.scale
         likeness = np.exp(-self.gamma * squared_distances(point[np.newaxis], self.support_vectors)[0])
         values: FloatArray = likeness @ self.coefficients + self.intercepts
         return values
 
     def memberships(self, features: FloatArray) -> FloatArray:
-        """The memberships in the order of `Level`, summing to 1."""
+        """The memberships in the order of `Level`, which sum to 1."""
         evidence = self.slopes * self.decision_values(features) + self.offsets
         shares = np.exp(evidence - evidence.max())
         memberships: FloatArray = shares / shares.sum()
@@ -79,7 +79,7 @@ class FuzzySvm:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AgitationModel:
-    """What judges agitation; immutable, shared by threads. `feature_set` is a key of `FEATURE_SETS`."""
+    """An agitation classifier; immutable and thread-safe. `feature_set` is a key of `FEATURE_SETS`."""
 
     feature_set: str
     typical: TypicalSpeaker
@@ -88,9 +88,9 @@ class AgitationModel:
 
     @classmethod
     def load(cls, folder: Path, feature_set: str) -> "AgitationModel":
-        """Reads the model in `folder` after checking it against its checksum.
+        """Load the model in `folder` and verify its checksum.
 
-        Raises ServiceError: `model_unreadable` when a file is missing or is no such model, `model_damaged` when the
+        Raises ServiceError: `model_unreadable` if a file is missing or not such a model, `model_damaged` if the
         checksum differs.
         """
         path, checksum = _paths(folder, feature_set)
@@ -108,18 +108,19 @@ class AgitationModel:
             raise _unreadable(path, error) from None
 
     def agitation(self, audio: Audio, contours: Contours, reference: SpeakerReference | None = None) -> Agitation:
-        """How much the utterance belongs to each level, for a speaker who usually sounds as `reference` says.
+        """The memberships of an utterance, optionally relative to the speaker's reference.
 
         Raises InputError `reference_other_features`.
         """
         return self.judge(self.describe(audio, contours), reference)
 
     def describe(self, audio: Audio, contours: Contours) -> FloatArray:
-        """The features of the utterance, shape (features,); what cannot be told, as pitch in a whisper, is average."""
+        """The features of the utterance (features,); undefined ones, such as pitch in a whisper, are set to the
+        average."""
         return self.typical.completed(FEATURE_SETS[self.feature_set](audio, contours))
 
     def judge(self, features: FloatArray, reference: SpeakerReference | None = None) -> Agitation:
-        """How much an utterance with these features belongs to each level; raises as `agitation` does."""
+        """The memberships for these features; raises as `agitation` does."""
         memberships = self.unknown_speaker.memberships(features)
         if reference is not None:
             self._require_same_features(reference)
@@ -139,7 +140,7 @@ class AgitationModel:
 
 
 def save(model: AgitationModel, folder: Path) -> Path:
-    """Writes the model and its checksum into `folder`, as `AgitationModel.load` reads them; the model's path."""
+    """Write the model and its checksum to `folder` for `AgitationModel.load`; returns the model's path."""
     arrays: dict[str, NDArray[Any]] = {"mean": model.typical.mean, "deviation": model.typical.deviation}
     arrays |= _to_arrays("unknown", model.unknown_speaker) | _to_arrays("known", model.known_speaker)
     buffer = io.BytesIO()

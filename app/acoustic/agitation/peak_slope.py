@@ -1,10 +1,10 @@
-"""Peak slope: how the strongest swings of a signal rise or fall from octave to octave, one value every 10 ms.
+"""Peak slope, a measure of breathy or tense voice, every 10 ms: the slope of wavelet peak amplitudes over octaves.
 
-A pressed voice excites the high octaves nearly as much as the low ones, a breathy one hardly. Source: Kane & Gobl,
-"Identifying regions of non-modal phonation using features of the wavelet transform" (Interspeech 2011).
+A tense voice excites high octaves nearly as much as low ones, a breathy one hardly. Source: Kane & Gobl, "Identifying
+regions of non-modal phonation using features of the wavelet transform" (Interspeech 2011).
 
-Frame k is centred on k × `FRAME_SHIFT_S`. Stretches of the signal are filtered by products of spectra; each is a whole
-number of frame shifts long, so that the greatest magnitudes within shifts are found without a loop over frames.
+Frame k is centred on k × `FRAME_SHIFT_S`. The signal is filtered in blocks in the frequency domain; each block is a
+whole number of frame shifts long, so that maxima per shift need no loop over frames.
 """
 
 from collections.abc import Iterator
@@ -16,24 +16,24 @@ from ...model import FloatArray, SingleArray
 from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, frame_count
 
 LEAST_RANGE = 1e-5
-"""Magnitude, relative to the greatest, below which nothing is told apart (100 dB), so that silence has a slope too."""
+"""Amplitudes below this, relative to the maximum (-100 dB), are clamped, so that silence has a slope too."""
 
 _LEAST_PEAK = 1e-20
-"""Of what counts as the greatest: digital silence."""
+"""The minimum of the reference maximum, for digital silence."""
 
 _OCTAVES = 6
 _REACH = 5 * 2 ** (_OCTAVES - 1)
-"""Samples to either side of its centre that the longest wavelet covers."""
+"""Half the length in samples of the longest wavelet."""
 
 _FFT = 4096
 _SHIFTS = (_FFT - 2 * _REACH) // SHIFT_SAMPLES
-"""How many frame shifts make a stretch: an odd number, lest a shift lie in two stretches centred on frames."""
+"""Frame shifts per block: odd, so that blocks centred on frames do not share a shift."""
 
 _STRETCH = _SHIFTS * SHIFT_SAMPLES
 
 
 def peak_slope(samples: FloatArray) -> FloatArray:
-    """Slope, an octave, of the log10 of the greatest magnitude of octave bands within 15 ms of each frame (frames,)."""
+    """The slope per octave of log10 of the maximum amplitude of octave bands within 15 ms of each frame: (frames,)."""
     peaks = _near_frames(np.concatenate(list(_greatest(samples))), frame_count(len(samples)))
     floor = LEAST_RANGE * max(float(peaks.max()), _LEAST_PEAK)
     octaves = (_OCTAVES - 1) / 2 - np.arange(_OCTAVES)
@@ -42,9 +42,9 @@ def peak_slope(samples: FloatArray) -> FloatArray:
 
 
 def _near_frames(greatest: SingleArray, count: int) -> SingleArray:
-    """The greatest in the shift around each frame and the ones before and after it.
+    """The maximum over the shift around each frame and its two neighbours.
 
-    The first stretch, as the first frame, is centred on the first sample.
+    The first block, like the first frame, is centred on the first sample.
     """
     first = _SHIFTS // 2
     before, around, after = (greatest[first + step : first + step + count] for step in (-1, 0, 1))
@@ -53,7 +53,7 @@ def _near_frames(greatest: SingleArray, count: int) -> SingleArray:
 
 
 def _greatest(samples: FloatArray) -> Iterator[SingleArray]:
-    """The greatest magnitude of each band in each shift, block by block (shifts × octaves)."""
+    """The maximum amplitude of each band in each shift, block by block (shifts × octaves)."""
     responses = _wavelet_responses()
     stretches = 1 + (frame_count(len(samples)) + _SHIFTS // 2) // _SHIFTS
     blocks = blocks_of_frames(samples, _STRETCH + 2 * _REACH, stretches, shift=_STRETCH)
@@ -63,14 +63,14 @@ def _greatest(samples: FloatArray) -> Iterator[SingleArray]:
         first = block.start * _STRETCH - _STRETCH // 2
         for octave, response in enumerate(responses):
             band = np.abs(fft.irfft(spectra * response, _FFT)[:, _REACH : _REACH + _STRETCH]).ravel()
-            band[: max(-first, 0)] = 0  # what rings on outside the signal does not count
+            band[: max(-first, 0)] = 0  # ignore the filters' ringing outside the signal
             band[max(len(samples) - first, 0) :] = 0
             greatest[:, octave] = band.reshape(-1, SHIFT_SAMPLES).max(axis=1)
         yield greatest
 
 
 def _wavelet_responses() -> SingleArray:
-    """What each wavelet, centred on 8 kHz, 4 kHz …, makes of each frequency (octaves × frequencies)."""
+    """The frequency responses of the wavelets centred on 8 kHz, 4 kHz … (octaves × frequencies)."""
     time = fft.fftfreq(_FFT, 1 / _FFT)
     half_periods = 2.0 ** np.arange(_OCTAVES)[:, None]
     wavelets = -np.cos(np.pi * time / half_periods) * np.exp(-((time / half_periods) ** 2) / 2)

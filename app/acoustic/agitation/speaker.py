@@ -1,8 +1,8 @@
-"""How a speaker usually sounds, to judge a recording against: mean and spread of the features over other recordings.
+"""A speaker's reference: mean and deviation of the features over other recordings, to normalize an utterance by.
 
-A few recordings tell little, so the statistics are drawn towards those of a typical speaker, as much as if he had
-spoken `MEAN_PRIOR` recordings more (for the spread, `DEVIATION_PRIOR`). The mean's number is the median over features
-of the variance within speakers over that between speakers.
+Statistics of few recordings are unreliable, so they are shrunk towards those of a typical speaker, with a prior weight
+of `MEAN_PRIOR` recordings (`DEVIATION_PRIOR` for the deviation). `MEAN_PRIOR` is the median over features of the
+variance within speakers divided by that between speakers.
 """
 
 from collections.abc import Sequence
@@ -27,23 +27,23 @@ class SpeakerReference:
 
     @classmethod
     def of(cls, feature_set: str, rows: Sequence[FloatArray] | FloatArray) -> "SpeakerReference":
-        """The statistics of `rows`, at least one, the features of a recording each."""
+        """The statistics of `rows`, the features of at least one recording each."""
         return cls(feature_set, len(rows), np.mean(rows, axis=0), np.std(rows, axis=0))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TypicalSpeaker:
-    """The features' mean over speakers, and their deviation within a speaker."""
+    """The features' mean over speakers, and their deviation within speakers."""
 
     mean: FloatArray
     deviation: FloatArray
 
     def completed(self, features: FloatArray) -> FloatArray:
-        """The features, unknown ones (NaN) taken to be average."""
+        """The features, with unknown ones (NaN) replaced by the average."""
         return np.where(np.isnan(features), self.mean, features)
 
     def relative(self, features: FloatArray, reference: SpeakerReference) -> FloatArray:
-        """How far the features are from the speaker's mean, in his deviations."""
+        """The difference of the features from the speaker's mean, in units of the speaker's deviations."""
         count = reference.recordings
         mean = (count * reference.mean + MEAN_PRIOR * self.mean) / (count + MEAN_PRIOR)
         variances = count * reference.deviation**2 + DEVIATION_PRIOR * self.deviation**2

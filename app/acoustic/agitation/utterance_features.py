@@ -1,8 +1,8 @@
-"""What stands for a whole utterance when its agitation is judged (paper §3.1.4): one row of numbers.
+"""Feature vectors of utterances for the classification of agitation (paper §3.1.4).
 
-Two sets. `paper` is the median of the 12 MFCC. `full` adds how far they range and how fast they move, energy, pitch,
-voice quality, vocal effort and how the voice moves against itself. No feature depends on the recording's level or on
-how long the utterance is. Where no frame is voiced, the features of the voice are NaN: unknown.
+There are two sets. `paper` is the median of the 12 MFCC. `full` adds range and rate of change of the MFCC, energy,
+pitch, voice quality, vocal effort and voice dynamics. No feature depends on the recording's level or the utterance's
+length. Without voiced frames, voice features are NaN (unknown).
 """
 
 from collections.abc import Callable, Mapping
@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from ...model import FRAME_SHIFT_S, Audio, Contours, FloatArray
 from .vocal_effort import effort_features
-from .vocal_motion import motion_features
+from .vocal_motion import dynamics_features
 from .voice_quality import VoiceQuality, voice_quality
 
 ACTIVE_RANGE_DB = 20.0
-"""Frames this near to the loudest are taken for voice rather than room."""
+"""Frames within this range of the loudest count as voice rather than background."""
 
 SPOKEN_RANGE_DB = 30.0
-"""Frames this near to the loudest are taken for speech, its faint sounds included."""
+"""Frames within this range of the loudest count as speech, including its faint sounds."""
 
 FEWEST_VOICED_FRAMES = 5
 _SYLLABLE_RANGE_DB = 25.0
@@ -28,19 +28,19 @@ _SMOOTHING = np.hanning(9) / np.hanning(9).sum()
 
 
 def paper_features(_audio: Audio, contours: Contours) -> FloatArray:
-    """Median of the MFCC over the active frames; shape (12,).
+    """The median MFCC over the active frames, shape (12,).
 
-    The paper takes all frames. Pauses and room say nothing of the voice, and leaving them out is the largest single
-    gain in accuracy (`python -m benchmarks.acoustic.agitation --ablation`).
+    The paper uses all frames. Pauses and background say nothing about the voice, and leaving them out is the largest
+    single gain in accuracy (`python -m benchmarks.acoustic.agitation --ablation`).
     """
     features: FloatArray = np.median(contours.mfcc[_within(contours.energy_db, ACTIVE_RANGE_DB)], axis=0)
     return features
 
 
 def full_features(audio: Audio, contours: Contours) -> FloatArray:
-    """The paper's set, and how the voice moves, how it is pitched and how it sounds; shape (149,).
+    """The paper's features and those of dynamics, pitch, voice quality and effort, shape (149,).
 
-    Together these gain .08 on RAVDESS and .19 on EmoDB; they overlap, so that hardly one is missed alone
+    Together these gain .08 on RAVDESS and .19 on EmoDB; they overlap, so that hardly any single group is missed alone
     (`python -m benchmarks.acoustic.agitation --ablation`).
     """
     quality = voice_quality(audio, contours.f0_hz)
@@ -52,7 +52,7 @@ def full_features(audio: Audio, contours: Contours) -> FloatArray:
         _energy_and_tempo(contours),
         _of_the_voice(contours, quality),
         effort_features(contours, quality, spoken=spoken, active=active),
-        motion_features(contours, quality, spoken=spoken),
+        dynamics_features(contours, quality, spoken=spoken),
     )
     return np.concatenate(groups)
 
@@ -61,7 +61,7 @@ FEATURE_SETS: Mapping[str, Callable[[Audio, Contours], FloatArray]] = {"paper": 
 
 
 def _cepstral_motion(contours: Contours) -> FloatArray:
-    """Of each MFCC over the active frames: how far it ranges, and the log of how far it moves in 20 ms; 24."""
+    """For each MFCC over the active frames: its range, and the log of its mean change in 20 ms; 24 features."""
     active = _within(contours.energy_db, ACTIVE_RANGE_DB)
     if len(active) < 3:
         return np.full(2 * contours.mfcc.shape[1], np.nan)
@@ -72,7 +72,8 @@ def _cepstral_motion(contours: Contours) -> FloatArray:
 
 
 def _energy_and_tempo(contours: Contours) -> FloatArray:
-    """Spread of energy in dB, how much of the utterance is spoken, and its energy peaks (about syllables) a second."""
+    """Spread of energy in dB, share of the utterance that is speech, and energy peaks per second (roughly
+    syllables)."""
     energy_db = contours.energy_db
     spoken = np.flatnonzero(_within(energy_db, SPOKEN_RANGE_DB))
     span = spoken[-1] - spoken[0] + 1
@@ -83,7 +84,7 @@ def _energy_and_tempo(contours: Contours) -> FloatArray:
 
 
 def _of_the_voice(contours: Contours, quality: VoiceQuality) -> FloatArray:
-    """What voiced frames tell of pitch (in octaves) and voice quality; 10. Voicing itself is known always."""
+    """Pitch (in octaves) and voice quality of voiced frames, 10 features. The share of voicing is always known."""
     spoken = _within(contours.energy_db, SPOKEN_RANGE_DB)
     voiced = spoken & (contours.f0_hz > 0)
     share = np.sum(voiced) / np.sum(spoken)
@@ -114,7 +115,7 @@ def _within(energy_db: FloatArray, range_db: float) -> NDArray[np.bool_]:
 
 
 def _range(values: FloatArray) -> FloatArray:
-    """From the 10th to the 90th percentile, column by column."""
+    """The range from the 10th to the 90th percentile of each column."""
     low, high = np.percentile(values, _RANGE_PERCENT, axis=0)
     distance: FloatArray = high - low
     return distance

@@ -1,9 +1,9 @@
-"""How hard a voice is driven, beyond its median pitch and timbre: one row of numbers for the utterance.
+"""Features of vocal effort beyond median pitch and timbre.
 
-Who raises his voice lifts the upper spectrum and the first formant over the fundamental, moves them faster and further,
-lets pitch climb and leap; and the more he drives it, the more timbre and pitch go with loudness. All is measured within
-the utterance and in differences of levels, so that neither the recording's level nor the utterance's length matters.
-Levels are dB, pitch octaves, frames 10 ms apart as all contours are. NaN where too little is voiced to tell.
+Raising the voice boosts the upper spectrum and the first formant relative to the fundamental, makes them change faster
+and further, and raises and widens pitch; and with more effort, timbre and pitch depend more on loudness. All features
+are measured within the utterance and as level differences, so that neither the recording's level nor the utterance's
+length matters. Levels are in dB, pitch in octaves, frames 10 ms apart. NaN if too few frames are voiced.
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ Mask = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
 MEL_RANGE_DB = 60.0
-"""A band counts as no fainter than this under the loudest of the utterance."""
+"""Bands are clamped to at most this far below the loudest of the utterance."""
 
 FEWEST_VOICED_FRAMES = 8
 _SLOPE_BANDS_HZ = ((80, 600), (500, 1600), (1500, 5000))
@@ -30,14 +30,15 @@ _LEAST_SHARE = 1e-7
 
 
 def spectrum_db(contours: Contours, frames: Mask | Indices) -> SingleArray:
-    """Level of each Mel band in the `frames`, none fainter than `MEL_RANGE_DB` allows; shape (frames, bands)."""
+    """The level of each Mel band in `frames`, clamped to `MEL_RANGE_DB`; shape (frames, bands)."""
     levels_db: SingleArray = contours.mel_db[frames]
     np.maximum(levels_db, contours.mel_db.max() - MEL_RANGE_DB, out=levels_db)
     return levels_db
 
 
 def spectral_flux_db(contours: Contours, frames: Indices) -> SingleArray:
-    """How far the spectrum's shape moves in the 20 ms around each of `frames`, neither the first nor the last."""
+    """How much the spectral shape changes in the 20 ms around each of `frames`, which exclude the first and the
+    last."""
     steps = spectrum_db(contours, frames + 1) - spectrum_db(contours, frames - 1)
     steps -= steps.mean(axis=1, keepdims=True)
     flux_db: SingleArray = np.sqrt(np.vecdot(steps, steps) / steps.shape[1])
@@ -45,10 +46,10 @@ def spectral_flux_db(contours: Contours, frames: Indices) -> SingleArray:
 
 
 def effort_features(contours: Contours, quality: VoiceQuality, *, spoken: Mask, active: Mask) -> FloatArray:
-    """What tells of vocal effort; shape (66,).
+    """The features of vocal effort, shape (66,).
 
-    Spectral slopes 12, flux 2, pitch's course 7, what goes with loudness 11, quartiles of MFCC 24, spectrum 10.
-    `spoken` and the louder `active` (frames,) tell which frames are speech.
+    Spectral slopes 12, flux 2, pitch distribution 7, loudness dependence 11, MFCC quartiles 24, spectrum 10. `spoken`
+    and the louder `active` (frames,) select the speech frames.
     """
     voiced = spoken & (contours.f0_hz > 0)
     flux = _flux(contours, active)
@@ -62,10 +63,10 @@ def effort_features(contours: Contours, quality: VoiceQuality, *, spoken: Mask, 
 
 
 def _slopes(levels_db: SingleArray) -> FloatArray:
-    """Median and range of the spectrum's slopes, dB an octave, and of how its regions stand to each other, dB.
+    """Median and range of the spectral slopes in dB per octave, and of level differences between regions in dB.
 
-    The regions: up to 2 kHz over 2 to 5 kHz by their peaks (Hammarberg et al. 1980), 1 to 5 kHz over what is below by
-    their means (alpha ratio), the first formant's (300 Hz to 1 kHz) over the fundamental's by their peaks.
+    The regions: peak up to 2 kHz over 2 to 5 kHz (Hammarberg et al. 1980), mean of 1 to 5 kHz over that below (alpha
+    ratio), peak of the first formant's region (300 Hz to 1 kHz) over the fundamental's.
     """
     filters = mel_filters(FRAME_SAMPLES, bands=MEL_BANDS, lowest_hz=MEL_MIN_HZ, highest_hz=SAMPLE_RATE_HZ / 2)
     centres_hz = filters @ np.fft.rfftfreq(FRAME_SAMPLES, 1 / SAMPLE_RATE_HZ) / filters.sum(axis=1)
@@ -100,7 +101,8 @@ def _flux(contours: Contours, active: Mask) -> FloatArray:
 
 
 def _course(octaves: FloatArray) -> FloatArray:
-    """Low, lower, upper pitch and its deviation; its slope, octaves a second; log of its leaps in 50 ms, in 10 ms."""
+    """Low, lower-quartile and upper-quartile pitch, its deviation, its slope in octaves per second, and the log of its
+    changes in 50 ms and in 10 ms."""
     (voiced,) = np.nonzero(~np.isnan(octaves))
     time_s = (voiced - voiced.mean()) * FRAME_SHIFT_S
     slope = time_s @ octaves[voiced] / (time_s @ time_s)
@@ -118,7 +120,7 @@ def _course(octaves: FloatArray) -> FloatArray:
 
 
 def _with_loudness(contours: Contours, quality: VoiceQuality, octaves: FloatArray) -> FloatArray:
-    """Change, for each dB of energy, of MFCC 1 to 6, tilt, peak slope, harmonicity, cepstral peak and pitch."""
+    """Change per dB of energy of MFCC 1 to 6, tilt, peak slope, harmonicity, cepstral peak and pitch."""
     voiced = ~np.isnan(octaves)
     columns = (quality.tilt_db, quality.peak_slope, quality.harmonicity_db, quality.cepstral_peak_db, octaves)
     measures = np.column_stack([contours.mfcc[:, :6], *columns])[voiced]
@@ -128,15 +130,15 @@ def _with_loudness(contours: Contours, quality: VoiceQuality, octaves: FloatArra
 
 
 def _quartiles(mfcc: FloatArray) -> FloatArray:
-    """How far the lower and the upper quartile of each MFCC lie from its median."""
+    """The distance of the lower and the upper quartile of each MFCC from its median."""
     low, median, high = np.percentile(mfcc, [25, 50, 75], axis=0)
     return np.concatenate([low - median, high - median])
 
 
 def _spectrum(levels_db: SingleArray) -> FloatArray:
-    """Share of the power in each of ten bands of even width on the Mel scale, dB."""
+    """The share of power, in dB, in each of ten bands of equal width on the Mel scale."""
     of_frames = levels_db / 10
-    np.power(10, of_frames, out=of_frames)  # of half an hour there should be no third copy
+    np.power(10, of_frames, out=of_frames)  # avoids a third copy of half an hour of audio
     power = of_frames.sum(axis=0, dtype=np.float64).reshape(_SPECTRUM_BANDS, -1).sum(axis=1)
     shares: FloatArray = 10 * np.log10(power / power.sum() + _LEAST_SHARE)
     return shares

@@ -1,9 +1,9 @@
-"""How a voice moves within the utterance: one row of numbers that needs no knowledge of whose voice it is.
+"""Features of voice dynamics within the utterance, which depend little on the speaker.
 
-Where a voice lies differs from speaker to speaker; how it moves against itself differs less. An agitated speaker's
-loudness, timbre and pitch change faster, fall less towards the end, and the spectrum changes in other places: in his
-loud and high moments rather than between them. Levels are dB, pitch octaves, frames 10 ms apart as all contours are.
-NaN where too little is voiced to tell. Neither the recording's level nor the utterance's length matters.
+Speakers differ in average pitch and timbre but less in how these change. In agitated speech, loudness, timbre and pitch
+change faster and decline less towards the end, and the spectrum changes at other places: in loud and high moments
+rather than between them. Levels are in dB, pitch in octaves, frames 10 ms apart. NaN if too few frames are voiced.
+Neither the recording's level nor the utterance's length matters.
 """
 
 import numpy as np
@@ -25,11 +25,11 @@ _LEAST_ENERGY_SPREAD = 10.0
 _LEAST_SPREAD = 1e-6
 
 
-def motion_features(contours: Contours, quality: VoiceQuality, *, spoken: Mask) -> FloatArray:
-    """What tells how the voice moves; shape (34,).
+def dynamics_features(contours: Contours, quality: VoiceQuality, *, spoken: Mask) -> FloatArray:
+    """The features of voice dynamics, shape (34,).
 
-    Steps 5, decline 5, flux 2, what flux goes with 7, time near the loudest 3, steadiness 2, bands that go with
-    loudness 10. `spoken` (frames,) tells which frames are speech.
+    Steps 5, decline 5, flux 2, correlations with flux 7, time near the maximum 3, steadiness 2, loudness dependence of
+    bands 10. `spoken` (frames,) selects the speech frames.
     """
     bands = _bands_with_loudness(contours.energy_db[spoken], spectrum_db(contours, spoken))
     voiced = spoken & (contours.f0_hz > 0)
@@ -53,7 +53,8 @@ def motion_features(contours: Contours, quality: VoiceQuality, *, spoken: Mask) 
 
 
 def _steps(contours: Contours, quality: VoiceQuality, voiced: Mask) -> FloatArray:
-    """Log of how far energy, tilt, peak slope, harmonicity and cepstral peak go from one voiced frame to the next."""
+    """Log of the mean change of energy, tilt, peak slope, harmonicity and cepstral peak between successive voiced
+    frames."""
     measures = (quality.tilt_db, quality.peak_slope, quality.harmonicity_db, quality.cepstral_peak_db)
     tracks = np.column_stack([contours.energy_db, *measures])[voiced]
     steps: FloatArray = np.log(np.median(np.abs(np.diff(tracks, axis=0)), axis=0) + 1e-2)
@@ -61,21 +62,21 @@ def _steps(contours: Contours, quality: VoiceQuality, voiced: Mask) -> FloatArra
 
 
 def _decline(tracks: FloatArray) -> FloatArray:
-    """How far each of `tracks` (voiced frames, measures) climbs from the first to the last, along a straight line."""
+    """The change of each of `tracks` (voiced frames, measures) from first to last frame along a regression line."""
     place = np.linspace(-0.5, 0.5, len(tracks))
     decline: FloatArray = place @ tracks / (place @ place)
     return decline
 
 
 def _correlations(one: FloatArray, others: FloatArray) -> FloatArray:
-    """Of `one` (frames,) with each of `others` (frames, measures)."""
+    """The correlations of `one` (frames,) with each of `others` (frames, measures)."""
     one, others = one - one.mean(), others - others.mean(axis=0)
     correlations: FloatArray = one @ others / (np.sqrt(one @ one * np.sum(others**2, axis=0)) + _LEAST_SPREAD)
     return correlations
 
 
 def _steadiness(track: FloatArray, voiced: Mask) -> float:
-    """Correlation of the track with itself 20 ms later."""
+    """The autocorrelation of the track at a lag of 20 ms."""
     later, sooner = slice(_PAIR_FRAMES, None), slice(None, -_PAIR_FRAMES)
     pairs = voiced[later] & voiced[sooner]
     if pairs.sum() < _FEWEST_PAIRS:
@@ -84,7 +85,7 @@ def _steadiness(track: FloatArray, voiced: Mask) -> float:
 
 
 def _bands_with_loudness(energy_db: FloatArray, levels_db: SingleArray) -> FloatArray:
-    """Change, for each dB of energy, of the level of ten bands of even width on the Mel scale; needs no voice."""
+    """Change per dB of energy of the level of ten bands of equal width on the Mel scale; independent of voicing."""
     power = np.power(10, levels_db / 10).reshape(len(levels_db), _SPECTRUM_BANDS, -1).sum(axis=2, dtype=np.float64)
     bands_db, energy_db = 10 * np.log10(power), energy_db - energy_db.mean()
     change: FloatArray = energy_db @ (bands_db - bands_db.mean(axis=0)) / (energy_db @ energy_db + _LEAST_ENERGY_SPREAD)

@@ -1,9 +1,9 @@
-"""How a voice sounds apart from its pitch and its vowels, one value every 10 ms: breathy and lax, or clear and pressed.
+"""Voice quality every 10 ms: breathy and lax, or clear and tense.
 
-Frame k is centred on k × `FRAME_SHIFT_S`, as all contours are; the signal counts as silent outside itself. Spectra are
-of 64 ms Hann frames, long enough for three periods of a low voice. No measure depends on the recording's level. Single
-precision moves the cepstral peak by up to 0.4 dB in frames with next to nothing in the treble, and its median over an
-utterance by 0.03 of the spread between recordings at most.
+Frame k is centred on k × `FRAME_SHIFT_S`; the signal is zero-padded at both ends. Spectra use 64 ms Hann frames, long
+enough for three periods of a low voice. No measure depends on the recording's level. Single precision shifts the
+cepstral peak by up to 0.4 dB in frames with hardly any treble, and its median over an utterance by at most 0.03 of the
+spread between recordings.
 """
 
 from dataclasses import dataclass
@@ -16,16 +16,17 @@ from ..signal.frames import blocks_of_frames
 from .peak_slope import peak_slope
 
 LEAST_RANGE = 1e-10
-"""Power, relative to the loudest, below which nothing is told apart (100 dB), so that silence has a spectrum too."""
+"""Power below this, relative to the maximum (-100 dB), is clamped, so that silence has a spectrum too."""
 
 _LEAST_POWER = 1e-20
-"""Of what counts as the loudest: digital silence."""
+"""The minimum of the reference maximum, for digital silence."""
 
 _FRAME = round(0.064 * SAMPLE_RATE_HZ)
 _FFT = 2 * _FRAME
 _HANN = np.hanning(_FRAME + 1)[:-1].astype(np.float32)
 _LOWEST_F0_HZ = 90
-"""Of deeper voices, mostly creaky, the likeness after this one's period is taken; the agitation models know it so."""
+"""For lower voices, mostly creaky, the autocorrelation one period later is used; the agitation models are trained
+so."""
 
 _LAGS_ASIDE = np.arange(-3, 4)
 _LEAST_PERIODIC, _MOST_PERIODIC = 1e-3, 1 - 1e-4
@@ -37,14 +38,14 @@ _TILT_BANDS_HZ = ((50, 1000), (1000, 5000))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class VoiceQuality:
-    """Frame-wise measures, shape (frames,) each; the first means something where the frame is voiced only.
+    """Frame-wise measures, shape (frames,) each; the first is meaningful in voiced frames only.
 
-    harmonicity_db: power of the periodic part over that of the rest (Boersma 1993), from the autocorrelation at the
-        period, which is taken off the window's own; as low as can be where the frame is unvoiced.
-    cepstral_peak_db: how far the cepstrum's peak between 60 and 500 Hz stands out of the line through it (Hillenbrand,
-        Cleveland & Erickson 1994).
+    harmonicity_db: harmonics-to-noise ratio (Boersma 1993), from the autocorrelation at the period, divided by that of
+        the window; the minimum where the frame is unvoiced.
+    cepstral_peak_db: cepstral peak prominence between 60 and 500 Hz over a regression line (Hillenbrand, Cleveland &
+        Erickson 1994).
     tilt_db: power from 1 to 5 kHz over power from 50 Hz to 1 kHz.
-    peak_slope: how the strongest swings rise from octave to octave (`understudy.acoustic.agitation.peak_slope`).
+    peak_slope: slope of wavelet peaks over octaves (`understudy.acoustic.agitation.peak_slope`).
     """
 
     harmonicity_db: FloatArray
@@ -54,7 +55,7 @@ class VoiceQuality:
 
 
 def voice_quality(audio: Audio, f0_hz: FloatArray) -> VoiceQuality:
-    """The measures of `audio`, whose pitch is `f0_hz` (frames,), 0 where unvoiced."""
+    """The measures of `audio` with the pitch `f0_hz` (frames,), 0 where unvoiced."""
     harmonicity_db, cepstral_peak_db, tilt_db = np.empty((3, len(f0_hz)))
     for block, frames in blocks_of_frames(audio.samples, _FRAME, len(f0_hz)):
         power = _power(frames)
@@ -65,7 +66,7 @@ def voice_quality(audio: Audio, f0_hz: FloatArray) -> VoiceQuality:
 
 
 def _power(frames: SingleArray) -> SingleArray:
-    """The power of each frame at each frequency (frames × frequencies)."""
+    """The power spectrum of each frame (frames × frequencies)."""
     power: SingleArray = np.abs(fft.rfft(frames * _HANN, _FFT))
     np.square(power, out=power)
     power += LEAST_RANGE * np.maximum(power.max(axis=1, keepdims=True), _LEAST_POWER)

@@ -1,5 +1,3 @@
-"""Words and phones in time: the decoder (pocketsphinx, in a process of its own), what is done with long audio and with
-words that do not fit, boundaries moved to where the spectrum changes, and timings made elsewhere, read and written.
-Imports `signal` and `pronunciation`. Begin with `alignment.py`, then `decoder_process.py` for our end of the other
-process and `boundaries.py` for what follows it.
-"""
+"""Forced alignment: the decoder (pocketsphinx, in a separate process), handling of long audio and of transcripts that
+do not fit, refinement of boundaries, and word timings of other tools. Imports `signal` and `pronunciation`. Begin with
+`alignment.py`, then `decoder_process.py`, the client of the decoder, and `boundaries.py`, the refinement."""

@@ -1,9 +1,8 @@
-"""Words and phones in time: where in the recording each word of the transcript is spoken.
+"""Forced alignment: the times of words and phones in a recording, given its transcript.
 
-Forced alignment with pocketsphinx in two passes, words and then their phones, at 100 frames a second, after which
-`boundaries` moves what is not quite in place; `benchmarks/acoustic/alignment.py` measures both. Phones are ARPABET
-without stress digits; their `stress` is None, for the dictionary has none. A word for which nothing is spoken ("—")
-keeps its number and has no interval and no phones.
+pocketsphinx aligns in two passes, words and then their phones, at 100 frames per second; then `boundaries` refines the
+times. `benchmarks/acoustic/alignment.py` measures both. Phones are ARPABET without stress digits; their `stress` is
+None, since the dictionary has none. A word that is not spoken ("—") keeps its index and has no interval and no phones.
 """
 
 from dataclasses import dataclass, replace
@@ -24,12 +23,12 @@ from .pieces import decode_in_pieces
 from .spreading import spread
 
 WINDOW_DELAY_S = 0.0078
-"""A phone begins so long after its first frame does: half of what the window is longer than the step."""
+"""The delay of a phone after the start of its first frame: half of the difference between window and frame shift."""
 
 
 @dataclass(frozen=True, slots=True)
 class Alignment:
-    """The words in time, what is to be said about them, and the fillers that were heard between them."""
+    """The timed words, notices about them, and the fillers found between them."""
 
     words: tuple[Word, ...]
     notices: tuple[Notice, ...]
@@ -38,7 +37,7 @@ class Alignment:
 
 @dataclass(frozen=True, slots=True)
 class _Spoken:
-    """A transcript word that is spoken, with the pronunciations of its tokens."""
+    """A spoken word of the transcript, with the pronunciations of its tokens."""
 
     word: Word
     tokens: tuple[str, ...]
@@ -46,13 +45,13 @@ class _Spoken:
 
 
 class Aligner:
-    """Loaded once, shared by threads; the decoder works in a process of its own that the first line starts."""
+    """Aligns transcripts; thread-safe. The decoder runs in a separate process, started for the first line."""
 
     def __init__(self, models: Path, lexicon: Path, *, refined: bool = True) -> None:
-        """`models` holds `pronunciation/` and `alignment/`, `lexicon` holds `abbreviations.yaml`.
+        """`models` contains `pronunciation/` and `alignment/`, `lexicon` contains `abbreviations.yaml`.
 
-        Without `refined` the times are the decoder's own, as the training of what refines them needs. Raises
-        ServiceError when a model is missing or broken, AuthoringError for the abbreviations.
+        Without `refined` the times are the decoder's own, as needed for training the refinement. Raises ServiceError if
+        a model is missing or broken, AuthoringError for the abbreviations.
         """
         dictionary = Path(get_model_path()) / "en-us" / "cmudict-en-us.dict"
         self._pronouncer = Pronouncer.load(dictionary, models / "pronunciation" / "graphones.npz")
@@ -67,24 +66,24 @@ class Aligner:
         self.close()
 
     def warm_up(self) -> None:
-        """Starts the decoder's process, so that the first line need not wait for it."""
+        """Start the decoder process, so that the first line need not wait for it."""
         self._process.start()
 
     def close(self) -> None:
-        """Ends the decoder's process; a later `align` starts another."""
+        """Stop the decoder process; a later `align` starts a new one."""
         self._process.close()
 
     def align(self, audio: Audio, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
-        """`words` with the intervals and phones that `audio` gives them, and notices; see `listen`."""
+        """The words with their intervals and phones in `audio`, and notices; see `listen`."""
         alignment = self.listen(audio, words)
         return alignment.words, alignment.notices
 
     def listen(self, audio: Audio, words: tuple[Word, ...]) -> Alignment:
-        """`words` with the intervals and phones that `audio` gives them, and the fillers between them.
+        """The words with their intervals and phones in `audio`, and the fillers between them.
 
         Notices: `pronunciation_guessed`, `word_unreadable`, `transcript_suspect`, `alignment_low_confidence`. Raises
-        InputError `transcript_unspoken` (nothing to say in it) and `transcript_mismatch` (another text than the
-        audio's), ServiceError `aligner_crashed`.
+        InputError `transcript_unspoken` (nothing in it can be spoken) and `transcript_mismatch` (the text does not
+        match the audio), ServiceError `aligner_crashed`.
         """
         spoken, notices = self._pronounced(words)
         decoded = self._decoded(audio.samples, spoken)
@@ -100,7 +99,7 @@ class Aligner:
         return Alignment(tuple(in_time.get(word.index, word) for word in words), notices + fit_notices, fillers)
 
     def _decoded(self, samples: FloatArray, spoken: list[_Spoken]) -> Decoded | None:
-        """The phones of the words; None when the decoder finds no path."""
+        """The phones of the words; None if the decoder finds no path."""
         words = [[" ".join(phones) for phones in each.variants] for word in spoken for each in word.pronunciations]
         return decode_in_pieces(self._process, samples, words)
 
@@ -142,13 +141,13 @@ def _interval(phone: DecodedPhone, duration_s: float) -> Interval:
 
 
 def _seconds(frame: int, duration_s: float) -> float:
-    """When a frame begins, to the millisecond."""
+    """The start time of a frame, rounded to the millisecond."""
     time_s = round(frame / FRAMES_PER_S + WINDOW_DELAY_S, 3)
     return min(max(time_s, 0.0), duration_s)
 
 
 def _expected(spoken: list[_Spoken]) -> tuple[Word, ...]:
-    """The words with the phones they should have, at no time yet."""
+    """The words with their expected phones, without times."""
     nowhere = Interval(0.0, 0.0)
     return tuple(
         replace(

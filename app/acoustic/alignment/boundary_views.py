@@ -1,7 +1,7 @@
-"""What the boundary model sees of a boundary: the spectrum around it, the sounds that meet, and how long they are.
+"""Features of phone boundaries for the refinement model: surrounding spectrum, phone classes on both sides, durations.
 
 The spectrum is log Mel levels every `STEP_S` relative to each band's loud frames, so that neither the recording's level
-nor its equalisation matters. Levels are kept at half precision, for half an hour of audio has 360,000 steps.
+nor its equalization matters. Levels are kept in half precision: half an hour of audio has 360,000 steps.
 """
 
 from collections.abc import Sequence
@@ -28,10 +28,10 @@ LOWEST_HZ, HIGHEST_HZ = 60.0, 7600.0
 CONTEXT_STEPS = 14
 LOUD_SHARE = 0.95
 NOISE_AMPLITUDE = 1e-4
-"""Relative to the peak: digital silence then looks like a quiet room."""
+"""Relative to the peak: noise that makes digital silence look like a quiet room."""
 
 SHORTEST_GAP_S, TYPICAL_GAP_S, LONGEST_GAP_S = 0.020, 0.060, 0.300
-"""Between neighbouring boundaries, as far as the model cares."""
+"""Distances between neighbouring boundaries are clamped to this range."""
 
 _KINDS = (
     frozenset({"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"}),
@@ -59,9 +59,9 @@ Points = NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Places:
-    """Boundaries as arrays: their times (n,), the gaps to the boundaries before and after (n, 2), seconds, and the
-    numbers of the kinds of the sounds before and after (n, 2)."""
+class BoundaryArrays:
+    """Boundaries as arrays: their times (n,) and the distances to the previous and next boundary (n, 2) in seconds, and
+    the phone classes before and after (n, 2)."""
 
     times_s: FloatArray
     gaps_s: FloatArray
@@ -69,7 +69,7 @@ class Places:
 
     @classmethod
     def of(cls, found: Sequence[Boundary]) -> Self:
-        """Of all boundaries of an audio, in order; before the first and after the last there is a long gap."""
+        """All boundaries of a recording, in order; before the first and after the last there is a long gap."""
         times_s = np.array([boundary.time_s for boundary in found])
         between_s = np.concatenate([[LONGEST_GAP_S], np.diff(times_s), [LONGEST_GAP_S]])
         kinds = [[_KIND_NUMBERS[boundary.left], _KIND_NUMBERS[boundary.right]] for boundary in found]
@@ -77,31 +77,31 @@ class Places:
 
     @property
     def at_silence(self) -> NDArray[np.bool_]:
-        """Whether one of the two sounds is silence (n,)."""
+        """Whether one of the two sides is silence (n,)."""
         silent: NDArray[np.bool_] = (self.kinds == _KIND_NUMBERS[None]).any(axis=1)
         return silent
 
-    def part(self, first: int, end: int) -> "Places":
-        """The places from number `first` to before `end`."""
-        return Places(self.times_s[first:end], self.gaps_s[first:end], self.kinds[first:end])
+    def part(self, first: int, end: int) -> "BoundaryArrays":
+        """The boundaries from index `first` to before `end`."""
+        return BoundaryArrays(self.times_s[first:end], self.gaps_s[first:end], self.kinds[first:end])
 
-    def shifted(self, by_s: FloatArray) -> "Places":
-        """Each boundary later by so much, its neighbours where they are."""
-        return Places(self.times_s + by_s, self.gaps_s + np.column_stack([by_s, -by_s]), self.kinds)
+    def shifted(self, by_s: FloatArray) -> "BoundaryArrays":
+        """Each boundary later by `by_s`, with its neighbours unchanged."""
+        return BoundaryArrays(self.times_s + by_s, self.gaps_s + np.column_stack([by_s, -by_s]), self.kinds)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BoundaryView:
-    """How places become the points that a kernel compares: levels around them less `mean` (steps × bands,) times
-    `basis` (steps × bands, components), beside kinds and logarithms of gaps by their weights."""
+    """The map from boundaries to feature vectors: surrounding levels less `mean` (steps × bands,) times `basis` (steps
+    × bands, components), followed by weighted phone classes and log distances."""
 
     mean: Points
     basis: Points
     kind_weight: float
     gap_weight: float
 
-    def points(self, levels: Levels, places: Places) -> Points:
-        """One row for each place."""
+    def points(self, levels: Levels, places: BoundaryArrays) -> Points:
+        """One feature vector per boundary."""
         kinds = (places.kinds[:, :, None] == np.arange(len(_KINDS))).reshape(len(places.kinds), -1)
         gaps = np.log(places.gaps_s.clip(SHORTEST_GAP_S, LONGEST_GAP_S) / TYPICAL_GAP_S)
         spectra = (levels_around(levels, places.times_s) - self.mean) @ self.basis
@@ -109,8 +109,8 @@ class BoundaryView:
 
 
 def levels_around(levels: Levels, times_s: FloatArray) -> Points:
-    """The levels from `CONTEXT_STEPS` before to as many after each time, the ends repeated beyond the audio; shape
-    (times, steps × bands), step by step."""
+    """The levels from `CONTEXT_STEPS` before to `CONTEXT_STEPS` after each time, with the ends repeated beyond the
+    audio; shape (times, steps × bands), step by step."""
     steps = np.round(times_s / STEP_S).astype(int)
     around = np.clip(steps[:, None] + np.arange(-CONTEXT_STEPS, CONTEXT_STEPS + 1), 0, len(levels) - 1)
     return levels[around].reshape(len(times_s), -1).astype(np.float32)
@@ -129,7 +129,7 @@ def mel_levels(samples: FloatArray) -> Levels:
 
 
 def _frames(samples: FloatArray, first: int, end: int) -> FloatArray:
-    """The samples around the steps from `first` to before `end`, zeros beyond both ends; shape (steps, window)."""
+    """The samples around the steps from `first` to before `end`, zero-padded at both ends; shape (steps, window)."""
     start, stop = first * STEP_SAMPLES - WINDOW_SAMPLES // 2, (end - 1) * STEP_SAMPLES + WINDOW_SAMPLES // 2
     piece = samples[max(start, 0) : stop]
     before = max(-start, 0)
@@ -138,7 +138,7 @@ def _frames(samples: FloatArray, first: int, end: int) -> FloatArray:
 
 
 def _log_mel(frames: FloatArray) -> SingleArray:
-    """In single precision, at half the cost."""
+    """Log Mel energies in single precision, at half the cost."""
     power = np.abs(fft.rfft(frames.astype(np.float32, copy=False) * _WINDOW))
     np.square(power, out=power)
     power += _NOISE_POWER

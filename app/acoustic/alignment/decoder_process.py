@@ -1,4 +1,4 @@
-"""Our end of the process in which pocketsphinx works (`decoder_worker`): starts it, asks it, survives its death."""
+"""The client of the process that runs pocketsphinx (`decoder_worker`): starts it, sends requests, handles crashes."""
 
 import json
 import subprocess
@@ -16,39 +16,39 @@ WORKER = Path(__file__).with_name("decoder_worker.py")
 TIME_LIMIT_S = 120.0
 
 Pronunciations = Sequence[str]
-"""The ways in which a word may be said, each phones between spaces."""
+"""The alternative pronunciations of a word, each as phones separated by spaces."""
 
 
 @dataclass(frozen=True, slots=True)
 class DecodedPhone:
-    """A phone where the decoder heard it, in its frames; `score` sums the log likelihoods of its frames."""
+    """A phone with its time in decoder frames; `score` sums the log likelihoods of its frames."""
 
     label: str
     first_frame: int
     frames: int
     score: int
 
-    def later(self, frames: int) -> Self:
-        """The same so many frames later."""
+    def delayed(self, frames: int) -> Self:
+        """The same phone, this many frames later."""
         return replace(self, first_frame=self.first_frame + frames)
 
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
-    """The phones of each word, and fillers ("um") that no word stands for."""
+    """The phones of each word, and fillers ("um") that are not in the transcript."""
 
     words: list[list[DecodedPhone]]
     fillers: list[DecodedPhone]
 
-    def later(self, frames: int) -> Self:
-        """The same so many frames later."""
-        words = [[phone.later(frames) for phone in word] for word in self.words]
-        return replace(self, words=words, fillers=[filler.later(frames) for filler in self.fillers])
+    def delayed(self, frames: int) -> Self:
+        """The same, this many frames later."""
+        words = [[phone.delayed(frames) for phone in word] for word in self.words]
+        return replace(self, words=words, fillers=[filler.delayed(frames) for filler in self.fillers])
 
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """Where a word or a filler is, in the decoder's frames."""
+    """The time of a word or a filler in decoder frames."""
 
     is_word: bool
     first_frame: int
@@ -60,10 +60,10 @@ class Span:
 
 
 class DecoderProcess:
-    """One worker, started when first needed and again after a crash; threads take turns.
+    """A worker process, started on demand and again after a crash; threads take turns.
 
-    The worker ends when its standard input does, so it never outlives us. It has a session of its own: Ctrl-C at the
-    terminal is ours to handle.
+    The worker ends when its standard input closes, so it never outlives its parent. It has a session of its own, so
+    that Ctrl-C at the terminal reaches only the parent.
     """
 
     def __init__(self, worker: Path = WORKER, *, time_limit_s: float = TIME_LIMIT_S) -> None:
@@ -73,15 +73,15 @@ class DecoderProcess:
         self._process: subprocess.Popen[bytes] | None = None
 
     def start(self) -> None:
-        """Starts the worker, if it does not run yet."""
+        """Start the worker if it is not running."""
         with self._turn:
             self._running()
 
     def align(self, audio: bytes, words: Sequence[Pronunciations]) -> Decoded | None:
-        """The phones of each word; None when the decoder finds no path.
+        """The phones of each word; None if the decoder finds no path.
 
-        `audio` is 16-bit mono at 16 kHz. Raises ServiceError `aligner_crashed` when the worker dies over it or takes
-        longer than the time limit; the next call has a new one.
+        `audio` is 16-bit mono at 16 kHz. Raises ServiceError `aligner_crashed` if the worker dies or exceeds the time
+        limit; the next call starts a new one.
         """
         answer = self._answer(audio, words, more=False)
         if answer["words"] is None:
@@ -90,10 +90,10 @@ class DecoderProcess:
         return Decoded(decoded, [DecodedPhone(*filler) for filler in answer["fillers"]])
 
     def find(self, audio: bytes, words: Sequence[Pronunciations]) -> list[Span]:
-        """Roughly where the first of the words are, as many as `audio` holds, and the fillers between them: it is the
-        first stretch of a longer one.
+        """Approximate times of those words that `audio`, the first stretch of a longer recording, contains, and of the
+        fillers between them.
 
-        Raises what `align` does.
+        Raises as `align` does.
         """
         return [Span(*span) for span in self._answer(audio, words, more=True)["spans"]]
 
@@ -104,7 +104,7 @@ class DecoderProcess:
         return answer
 
     def close(self) -> None:
-        """Ends the worker. A later `align` starts another."""
+        """Stop the worker. A later `align` starts a new one."""
         with self._turn:
             if self._process is not None:
                 self._end(self._process)
@@ -147,7 +147,7 @@ class DecoderProcess:
         return answer
 
     def _end(self, process: subprocess.Popen[bytes]) -> None:
-        """Closes the pipes, waits, and forgets the process."""
+        """Close the pipes, wait, and forget the process."""
         self._process = None
         for pipe in (process.stdin, process.stdout):
             if pipe is not None:

@@ -1,4 +1,4 @@
-"""A signal as the decoder wants it: 16-bit, loud, between two stretches of faint noise, counted in frames."""
+"""Prepares a signal for the decoder: 16-bit, normalized, padded with faint noise, counted in frames."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ NOISE_SEED = 20_200
 
 
 def pcm(samples: FloatArray) -> bytes:
-    """The signal after `PADDING_FRAMES` of noise and before as many, the same each time."""
+    """The signal with `PADDING_FRAMES` of noise before and after it; deterministic."""
     noise = np.random.default_rng(NOISE_SEED).standard_normal(2 * PADDING_FRAMES * FRAME_SAMPLES) * NOISE_AMPLITUDE
     before, after = np.split(noise, 2)
     peak = float(np.abs(samples).max(initial=0.0)) or 1.0

@@ -1,24 +1,25 @@
-"""The process in which pocketsphinx works: whatever the native library does, it does not do it to the service.
+"""The worker process that runs pocketsphinx, isolated so that crashes of the native library do not affect the service.
 
-Run by path, it imports nothing of ours. It reads requests from standard input until that ends, as it does when the
-parent dies, and answers each on standard output:
+It is run by path and imports none of our modules. It reads requests from standard input until end of file, which also
+occurs when the parent dies, and writes each response to standard output:
 
     request  one line of JSON {"words": [[pronunciation, …], …], "bytes": n, "more": m}, then n bytes of 16-bit audio at
              16 kHz; m tells whether the audio goes on after these bytes, and the text perhaps after these words
     answer   one line of JSON {"words": [[[label, first frame, frames, score], …], …], "fillers": [[text, first frame,
              frames, score], …]}, or {"words": null}: no path. If there is more, only {"spans": [[is word, first
-             frame, frames], …]} of the words and fillers that were heard, roughly: enough to find the pauses.
+             frame, frames], …]} of the words and fillers found, approximate but sufficient to find the pauses.
 
-A pronunciation is a string of phones between spaces; every word has one or more. The usual decoder is kept, for to make
-one takes as long as to hear .2 s of speech; no answer depends on earlier requests, since all it remembers is words.
+A pronunciation is a string of phones separated by spaces; every word has at least one. The default decoder is reused,
+since creating one takes as long as decoding .2 s of speech; no response depends on earlier requests, because only the
+vocabulary is kept.
 
-The first pass listens by a grammar: the words in their order, "um" and "uh" between them where they are far likelier
-than nothing, and, if there is more, an end after any word. The second, by a decoder of its own that is less thorough,
-aligns the phones within the words that were heard. A filler that turns out too short, fits poorly or has no pause
-beside it is none: its sound belongs to the word beside it.
+The first pass decodes with a grammar: the words in order, with "um" and "uh" allowed between them at a low probability,
+and, if there is more, an end after any word. The second pass, with a separate, less thorough decoder, aligns the phones
+within the words found. A filler that is too short, fits poorly or is not next to a pause is rejected, and its frames
+are assigned to the neighbouring word.
 
-Four fifths of the time go into densities of the acoustic model, so the search is narrow at first, and two densities
-are added up for a state, not the usual four; only what then fits badly, as in noise, is searched widely
+Four fifths of the time are spent on the densities of the acoustic model, so the first search is narrow and sums two
+densities per state instead of the usual four; only if the result fits badly, as in noise, is a wide search made
 (`python -m benchmarks.acoustic.searches` compares them).
 """
 
@@ -31,14 +32,14 @@ from typing import BinaryIO
 from pocketsphinx import AlignmentEntry, Decoder
 
 FRAMES_PER_S = 100
-"""At 125 a boundary lies nearer, but not once it is refined (`understudy.acoustic.alignment.boundaries`), for a quarter
-more time."""
+"""At 125 the raw boundaries are more accurate, but not after refinement (`understudy.acoustic.alignment.boundaries`),
+and decoding takes a quarter more time."""
 
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """How widely is searched: paths less likely than `beam` times the best are dropped, the likelihood of a state is
-    the sum of its `densities` best, and these are sought afresh in each frame or `every` so many."""
+    """The parameters of a search: paths less likely than `beam` times the best are pruned, the likelihood of a state is
+    the sum of its `densities` best, which are selected every `every` frames."""
 
     beam: float
     densities: int
@@ -46,23 +47,23 @@ class Search:
 
 
 ROUGH = Search(1e-48, 1)
-"""Enough to find pauses by."""
+"""Sufficient to find pauses."""
 
 NARROW = Search(1e-48, 2)
 WIDE = Search(1e-200, 2)
-"""Nothing is pruned that noise makes unlikely for a while."""
+"""Does not prune paths that noise makes unlikely for a while."""
 
 PLACING = Search(1e-48, 4, every=2)
-"""Within words that are found, where no phone begins far from where it would by a finer search."""
+"""For phones within known words, where a finer search hardly changes their times."""
 
 SURE_SCORE = -35.0
-"""A frame, on average, as all scores here: what fits as well by the narrow search is what the wide one finds."""
+"""The mean score per frame, as for all scores here, above which the wide search would find the same path."""
 
 LONGEST_SURE_FRAMES = 3 * FRAMES_PER_S // 5
 
 SILENCE_PROBABILITY = 0.1
-"""Of a pause between two words. By pocketsphinx's own .005 a breath before a line, or hiss in a pause, is rather taken
-for the first sound of the next word."""
+"""The probability of a pause between two words. With pocketsphinx's default of .005, a breath before a line, or hiss in
+a pause, is often taken for the first sound of the next word."""
 
 FILLERS = {"um": "AH M", "uh": "AH"}
 FILLER_PROBABILITY = 1e-12
@@ -71,13 +72,13 @@ LOWEST_FILLER_SCORE = -48.0
 """What fits worse is a breath, a click, or part of a word."""
 
 MOST_WORDS_KNOWN = 20_000
-"""By one decoder: some ten megabytes."""
+"""The vocabulary limit of a decoder: some ten megabytes."""
 
 NOTHING = "(NULL)"
-"""What pocketsphinx calls the step of a grammar that no word takes."""
+"""pocketsphinx's name for a grammar transition without a word."""
 
 Phone = tuple[str, int, int, int]
-"""Label, first frame, frames, score; so are words and fillers told."""
+"""Label, first frame, frames, score; also used for words and fillers."""
 
 Span = tuple[bool, int, int]
 """Whether it is a word, first frame, frames."""
@@ -87,23 +88,23 @@ HeardPhones = list[tuple[Phone, list[Phone]]]
 
 
 def main(requests: BinaryIO, answers: BinaryIO) -> None:
-    """Answers requests until there are no more."""
-    listener = Listener()
+    """Respond to requests until end of file."""
+    recognizer = Recognizer()
     while line := requests.readline():
         request = json.loads(line)
-        answer = listener.answer_to(requests.read(request["bytes"]), request["words"], more=request["more"])
+        answer = recognizer.response_to(requests.read(request["bytes"]), request["words"], more=request["more"])
         answers.write(json.dumps(answer).encode() + b"\n")
         answers.flush()
 
 
-class Listener:
-    """Keeps the decoder of the narrow search; others are made when they are needed."""
+class Recognizer:
+    """Keeps the decoder of the narrow search; others are created when needed."""
 
     def __init__(self) -> None:
-        self._kept = _Pupil(NARROW)
+        self._kept = _Vocabulary(NARROW)
 
-    def answer_to(self, audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
-        """The answer to a request."""
+    def response_to(self, audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
+        """The response to a request."""
         if more:
             spans = self._spans(audio, words, ROUGH)
             return {"spans": self._spans(audio, words, WIDE) or [] if spans is None else spans}
@@ -115,7 +116,7 @@ class Listener:
         return {"words": spoken if len(spoken) == len(words) else None, "fillers": fillers}
 
     def aligned(self, audio: bytes, words: list[list[str]], search: Search) -> HeardPhones:
-        """All the words and the fillers that are believed; nothing when there is no path."""
+        """All words and the accepted fillers; empty if there is no path."""
         decoder = self._knowing(words, search)
         _listen(decoder, audio, words)
         heard = _placed(decoder, audio)
@@ -124,7 +125,7 @@ class Listener:
         return _merged(heard, doubtful)
 
     def _spans(self, audio: bytes, words: list[list[str]], search: Search) -> list[Span] | None:
-        """Where the first of the words are, as many as are heard before the audio ends; None when there is no path."""
+        """The times of those first words that are found before the audio ends; None if there is no path."""
         decoder = self._knowing(words, search)
         _listen(decoder, audio, words, more=True)
         if decoder.hyp() is None:
@@ -136,16 +137,16 @@ class Listener:
         ]
 
     def _knowing(self, words: list[list[str]], search: Search) -> Decoder:
-        """A decoder that knows the words and the fillers."""
+        """A decoder whose vocabulary includes the words and the fillers."""
         if search != NARROW:
-            return _Pupil(search).taught(words)
+            return _Vocabulary(search).with_words(words)
         if self._kept.is_full:
-            self._kept = _Pupil(NARROW)
-        return self._kept.taught(words)
+            self._kept = _Vocabulary(NARROW)
+        return self._kept.with_words(words)
 
 
-class _Pupil:
-    """A decoder and the pronunciations it has learnt; it never forgets one."""
+class _Vocabulary:
+    """A decoder and its vocabulary, which only grows."""
 
     def __init__(self, search: Search) -> None:
         self._decoder = _decoder(search)
@@ -153,11 +154,11 @@ class _Pupil:
 
     @property
     def is_full(self) -> bool:
-        """Whether it should make room for one that knows nothing yet."""
+        """Whether its vocabulary has reached the limit and it should be replaced."""
         return len(self._names) > MOST_WORDS_KNOWN
 
-    def taught(self, words: list[list[str]]) -> Decoder:
-        """The decoder, now that it knows these words."""
+    def with_words(self, words: list[list[str]]) -> Decoder:
+        """The decoder, with these words added to its vocabulary."""
         for pronunciation in (each for variants in words for each in variants):
             name = _name(pronunciation)
             if name not in self._names:
@@ -167,12 +168,12 @@ class _Pupil:
 
 
 def _name(pronunciation: str) -> str:
-    """What the decoder calls what is so pronounced."""
+    """The decoder's name for a word with this pronunciation."""
     return pronunciation.replace(" ", "_")
 
 
 def _is_sure(heard: HeardPhones) -> bool:
-    """Whether the words are heard, fit well, and none is stretched over what may be music."""
+    """Whether the words were found, fit well, and none is stretched over what may be music."""
     words = [(each, phones) for each, phones in heard if each[0] not in FILLERS]
     fit = sum(score - SURE_SCORE * frames for (_, _, frames, score), _ in words)
     longest = max((frames for _, phones in words for _, _, frames, _ in phones), default=0)
@@ -180,7 +181,7 @@ def _is_sure(heard: HeardPhones) -> bool:
 
 
 def _decoder(search: Search) -> Decoder:
-    """A decoder that knows the fillers alone."""
+    """A decoder that knows only the fillers."""
     decoder = Decoder(
         lm=None,
         dict=None,
@@ -200,7 +201,7 @@ def _decoder(search: Search) -> Decoder:
 
 
 def _listen(decoder: Decoder, audio: bytes, words: list[list[str]], *, more: bool = False) -> None:
-    """The first pass, for the words in their order."""
+    """The first pass, for the words in order."""
     last = len(words)
     spoken = [(place, place + 1, 1.0, _name(each)) for place, variants in enumerate(words) for each in variants]
     fillers = [(place, place, FILLER_PROBABILITY, name) for place in range(last + 1) for name in FILLERS]
@@ -211,11 +212,11 @@ def _listen(decoder: Decoder, audio: bytes, words: list[list[str]], *, more: boo
 
 
 def _placed(decoder: Decoder, audio: bytes) -> HeardPhones:
-    """What the decoder just heard, with its phones; nothing when it found no path, or one without words. A phone must
-    be read while its word is there.
+    """The decoder's current result with its phones; empty without a path or without words. A phone must be read while
+    its word is current.
 
-    The phones are placed by a new decoder: where densities are not sought in each frame, one that is kept goes by those
-    of earlier audio.
+    The phones are aligned by a new decoder: where densities are not selected in each frame, a reused one starts with
+    those of earlier audio.
     """
     if decoder.hyp() is None or any(segment.word == NOTHING for segment in decoder.seg()):
         return []
@@ -228,7 +229,7 @@ def _placed(decoder: Decoder, audio: bytes) -> HeardPhones:
 
 
 def _is_one_of_ours(name: str) -> bool:
-    """Neither a pause nor a noise of pocketsphinx's own, "<sil>" or "[NOISE]"."""
+    """Whether it is not one of pocketsphinx's pauses or noises, "<sil>" or "[NOISE]"."""
     return name[0].isalpha()
 
 
@@ -237,22 +238,22 @@ def _told(entry: AlignmentEntry) -> Phone:
 
 
 def _is_doubtful(heard: Phone, *, by_a_pause: bool) -> bool:
-    """A filler that is too short, fits too poorly, or has no pause beside it, as the drawn out end of a line has none:
-    what goes on without one is part of a word."""
+    """Whether a filler is too short, fits too poorly, or is not next to a pause, as in a drawn-out end of a line:
+    sounds that continue without a pause belong to a word."""
     name, _, frames, score = heard
     is_sound = frames >= SHORTEST_FILLER_FRAMES and score >= LOWEST_FILLER_SCORE * frames
     return name in FILLERS and not (is_sound and by_a_pause)
 
 
 def _are_by_a_pause(heard: list[Phone]) -> list[bool]:
-    """Whether there is a pause between each and a neighbour; the silence at the ends of the audio is none."""
+    """Whether there is a pause between each item and a neighbour; silence at the ends of the audio does not count."""
     pauses = [not _touch(one, other) for one, other in pairwise(heard)]
     return [any(beside) for beside in zip([False, *pauses], [*pauses, False], strict=True)][: len(heard)]
 
 
 def _merged(heard: HeardPhones, doubtful: list[bool]) -> HeardPhones:
-    """Without what is doubtful. Its frames go to the word before it, or else after it, if there is no pause between:
-    they are the end or the beginning of that word's sound."""
+    """The result without doubtful fillers, whose frames go to the previous word, or to the next if there is no pause
+    between: they are the end or the beginning of its sound."""
     kept: HeardPhones = []
     left: Phone | None = None
     for (each, phones), is_doubtful in zip(heard, doubtful, strict=True):
@@ -273,14 +274,14 @@ def _touch(one: Phone, other: Phone) -> bool:
 
 
 def _joined(phone: Phone, neighbour: Phone) -> Phone:
-    """A phone with the frames of its neighbour."""
+    """A phone extended by the frames of its neighbour."""
     name, first, frames, score = phone
     return name, min(first, neighbour[1]), frames + neighbour[2], score + neighbour[3]
 
 
 def _decode(decoder: Decoder, audio: bytes) -> None:
-    """From the state of a new decoder: pocketsphinx 5.1 calls `start_stream` deprecated and unnecessary, but without it
-    ten of 26 recordings were heard otherwise after others."""
+    """Decode from the state of a new decoder: pocketsphinx 5.1 calls `start_stream` deprecated and unnecessary, but
+    without it ten of 26 recordings were decoded differently after others."""
     decoder.start_stream()
     decoder.start_utt()
     decoder.process_raw(audio, full_utt=True)

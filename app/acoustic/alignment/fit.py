@@ -1,10 +1,11 @@
-"""Does the text fit the audio? With wide beams the aligner nearly always finds a path, so its scores must tell.
+"""Detects transcripts that do not match the audio, from the scores of the alignment.
 
-The score of an alignment is the log likelihood of its phones per frame: about −12 in read and −15 in acted speech where
-the text is what was said, −60 where it is another. Noise lowers it by about one a decibel under 20 dB, the narrow band
-of a telephone by eight, and so the limits of suspicion are lowered with them. A text is refused only where no acted,
-shouted or whispered line was (−44 the worst of 150 of RAVDESS; at −36 a fortieth of them was): what lies between is a
-warning. `benchmarks/acoustic/alignment.py` prints how often each kind of wrong text is noticed.
+With wide beams the aligner nearly always finds a path, so its scores must decide. The score of an alignment is the log
+likelihood of its phones per frame: about −12 in read and −15 in acted speech for the correct text, −60 for a wrong one.
+Noise lowers it by about one per decibel below 20 dB, telephone bandwidth by eight, and the thresholds are lowered
+accordingly. A text is rejected only below the scores of all acted, shouted or whispered lines (−44 is the lowest of 150
+from RAVDESS; at −36 one in forty would be rejected); in between there is a warning. `benchmarks/acoustic/alignment.py`
+prints the detection rates for each kind of wrong text.
 """
 
 from collections.abc import Iterator
@@ -30,15 +31,15 @@ PHONE_SCORE_PER_DB = 2.0
 TELEPHONE_HIGHEST_HZ = 4_300.0
 TELEPHONE_ABOVE_DB = -60.0
 TELEPHONE_DB = 8.0
-"""A telephone lowers the scores as much as so much noise does."""
+"""Telephone bandwidth lowers the scores as much as this much noise."""
 
 TELEPHONE_JUDGED_S = 60.0
 
 
 def check_fit(audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedPhone]]) -> tuple[Notice, ...]:
-    """A notice `transcript_suspect` when parts do not fit; raises InputError `transcript_mismatch` when nothing does.
+    """A notice `transcript_suspect` if parts do not fit; raises InputError `transcript_mismatch` if nothing does.
 
-    `decoded` are the phones of `words`, token by token. Under `NOISY_SNR_DB` nothing is refused.
+    `decoded` has the phones of `words`, token by token. Below `NOISY_SNR_DB` nothing is rejected.
     """
     score = alignment_score(decoded)
     snr_db = signal_to_noise_db(audio)
@@ -57,13 +58,13 @@ def check_fit(audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedP
 
 
 def alignment_score(decoded: list[list[DecodedPhone]]) -> float:
-    """Summed phone scores over the frames of speech."""
+    """The sum of phone scores divided by the number of speech frames."""
     phones = [phone for word in decoded for phone in word]
     return sum(phone.score for phone in phones) / sum(phone.frames for phone in phones)
 
 
 def power_outside(audio: Audio, words: tuple[Word, ...]) -> float:
-    """Share of the sound's power, the noise floor taken off, that lies in no word."""
+    """The share of the signal's power, above the noise floor, that lies outside all words."""
     power = frame_power(audio)
     power = np.maximum(power - _floor(power), 0.0)
     times_s = (np.arange(len(power)) + 0.5) * FRAME_S
@@ -75,13 +76,13 @@ def power_outside(audio: Audio, words: tuple[Word, ...]) -> float:
 
 
 def signal_to_noise_db(audio: Audio) -> float:
-    """Loud frames against quiet ones, dB."""
+    """The level of loud frames relative to quiet ones, in dB."""
     power = frame_power(audio)
     return float(10 * np.log10(max(float(np.percentile(power, 90)), _SILENCE) / _floor(power)))
 
 
 def is_telephone(audio: Audio) -> bool:
-    """Whether there is nothing above the band of a telephone, by the recording's beginning."""
+    """Whether there is no signal above telephone bandwidth, judged by the beginning of the recording."""
     samples = audio.samples[: round(TELEPHONE_JUDGED_S * SAMPLE_RATE_HZ)]
     power = np.abs(np.fft.rfft(samples)) ** 2
     above = power[round(TELEPHONE_HIGHEST_HZ / SAMPLE_RATE_HZ * len(samples)) :].sum()
@@ -91,7 +92,7 @@ def is_telephone(audio: Audio) -> bool:
 def _suspicions(
     audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedPhone]], *, lacking_db: float
 ) -> Iterator[str]:
-    """What speaks against the text, in words; `lacking_db` is what the recording lacks of a clean one."""
+    """The reasons against the text, in words; `lacking_db` is the quality deficit relative to a clean recording."""
     score = alignment_score(decoded)
     scores = [phone.score / phone.frames for word in decoded for phone in word]
     if score < SUSPECT_SCORE - SCORE_PER_DB * lacking_db:
@@ -108,13 +109,13 @@ def _suspicions(
 
 
 def _are_worst(scores: list[float]) -> list[bool]:
-    """Whether each phone is among the tenth that fits worst."""
+    """Whether each phone is among the tenth with the lowest scores."""
     limit = np.percentile(scores, POOR_PHONE_PERCENTILE)
     return [bool(score <= limit) for score in scores]
 
 
 def _largest_gap(audio: Audio, words: tuple[Word, ...]) -> str:
-    """Beside which word there is most sound that lies in no word: "before word 3 (anything)"."""
+    """The word next to which most signal outside words lies: "before word 3 (anything)"."""
     power = frame_power(audio)
     above = np.concatenate([[0.0], np.cumsum(np.maximum(power - _floor(power), 0.0))]) * FRAME_S
     timed = [word for word in words if word.interval is not None]

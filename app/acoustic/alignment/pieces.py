@@ -1,9 +1,9 @@
-"""Aligns long audio piece by piece: the decoder's time grows with the square of the words it is given at once.
+"""Aligns long audio in pieces, because decoding time grows with the square of the number of words.
 
-The decoder first listens roughly to a stretch that holds many sentences, given more words than can be said in it, and
-tells where it heard them. The stretch is cut in clear pauses between words, and each piece is then aligned as a line of
-its own would be; what lies after the last cut begins the next stretch. Nothing is cut by loudness, so music or noise
-between sentences does not matter.
+The decoder first makes a rough pass over a stretch of many sentences, with more words than can be spoken in it, and
+reports their times. The stretch is cut in clear pauses between words, and each piece is then aligned as a line of its
+own; the rest after the last cut begins the next stretch. Cuts do not depend on loudness, so music or noise between
+sentences does not matter.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,31 +19,31 @@ from .sustained import decode_speech
 
 STRETCH_FRAMES = 30 * FRAMES_PER_S
 PIECE_FRAMES = 12 * FRAMES_PER_S
-"""Longer pieces are not made if there is a pause to cut in: the decoder's time grows with the words it is given."""
+"""The preferred maximum length of a piece, if there is a pause to cut in."""
 
 LONGEST_WHOLE_S = 40.0
-"""Audio that is no longer is one piece, for the wider the decoder's view, the surer it is."""
+"""Shorter audio is aligned in one piece, since more context makes the decoder more reliable."""
 
 CLEAR_PAUSE_FRAMES = FRAMES_PER_S // 5
 UNSURE_FRAMES = 2 * FRAMES_PER_S
-"""What is heard so near the end of a stretch may change with what follows."""
+"""Words this close to the end of a stretch may change with what follows."""
 
 MOST_PHONES_PER_S = 25.0
-"""Nobody speaks faster."""
+"""An upper limit of speaking rate."""
 
 
 @dataclass(frozen=True, slots=True)
 class Cut:
-    """An end of a piece: this many words come before this frame."""
+    """The end of a piece: the number of words before it, and its frame."""
 
     words: int
     frame: int
 
 
 def decode_in_pieces(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> Decoded | None:
-    """The phones of all `words`, frames counted from the first sample; None when the decoder finds no path.
+    """The phones of all `words`, in frames from the first sample; None if the decoder finds no path.
 
-    Raises what `DecoderProcess.align` does; its time limit holds for each piece.
+    Raises as `DecoderProcess.align` does; its time limit applies to each piece.
     """
     found: list[list[DecodedPhone]] = []
     fillers: list[DecodedPhone] = []
@@ -57,17 +57,17 @@ def decode_in_pieces(process: DecoderProcess, samples: FloatArray, words: Sequen
         decoded = decode_speech(process, piece, said)
         if decoded is None:
             return None
-        decoded = decoded.later(start.frame)
+        decoded = decoded.delayed(start.frame)
         found += decoded.words
         fillers += decoded.fillers
     return Decoded(found, fillers)
 
 
 def cuts_in_pauses(spans: Sequence[Span], frames: int) -> list[Cut]:
-    """Where to cut a stretch of so many frames, given what is heard in it, up to what is surely heard.
+    """Where to cut a stretch of this many frames, given the words found in it, up to where these are reliable.
 
-    Each piece ends in the last clear pause that leaves it no longer than `PIECE_FRAMES`, or in the next one. With no
-    clear pause the stretch ends in its longest; with no word, where the unsure part begins.
+    Each piece ends in the last clear pause that keeps it within `PIECE_FRAMES`, or in the next one. Without a clear
+    pause the stretch ends in its longest one; without words, where the unreliable part begins.
     """
     sure = frames - UNSURE_FRAMES
     words = np.cumsum([span.is_word for span in spans], dtype=int).tolist()
@@ -103,6 +103,6 @@ def _cuts(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunci
 
 
 def _sayable(words: Sequence[Pronunciations], duration_s: float) -> Sequence[Pronunciations]:
-    """The first of the words, as many as can be said in this time."""
+    """The first words, as many as can be spoken in this time."""
     counts = np.cumsum([len(variants[0].split()) for variants in words])
     return words[: int(np.searchsorted(counts, MOST_PHONES_PER_S * duration_s, side="right"))]

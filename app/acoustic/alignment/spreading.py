@@ -1,7 +1,7 @@
-"""The fallback when the aligner finds no path: the words spread over the loud stretches, each phone alike.
+"""The fallback if the aligner finds no path: the words are spread over the loud parts, with phones of equal length.
 
-Measured, this misses word boundaries by half a second on average, so it never comes without its notice, and each word
-says so (`Word.spread`).
+Word boundaries are then off by half a second on average, so there is always a notice, and each word is marked
+(`Word.spread`).
 """
 
 from dataclasses import replace
@@ -14,13 +14,13 @@ from ..signal.loudness import FRAME_S, frame_power
 
 BELOW_LOUDEST_DB = 30.0
 MOST_PHONES_PER_S = 25.0
-"""Nobody speaks faster."""
+"""An upper limit of speaking rate."""
 
 
 def spread(audio: Audio, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
-    """`words` (with phones at no time yet) over the frames within 30 dB of the loudest, and the notice that says so.
+    """The words (with phones but no times) over the frames within 30 dB of the loudest, and the notice about it.
 
-    Raises InputError `transcript_mismatch` when the audio is too short to say so much.
+    Raises InputError `transcript_mismatch` if the audio is too short for the words.
     """
     power = frame_power(audio)
     loud_s = np.flatnonzero(power >= power.max() * 10 ** (-BELOW_LOUDEST_DB / 10)) * FRAME_S

@@ -1,9 +1,9 @@
-"""Sounds that last too long to be speech: music before a line, a horn or a hissing pause in it. The decoder takes them
-for vowels or for a breath.
+"""Handles sounds that last too long to be speech, such as music before a line, a horn or a hissing pause.
 
-Where a phone or filler is that long, its sound is silenced but for its end, where the true one may be, and the audio
-is decoded again. Of a vowel that really is that long ("Nooo!") the words around fit as well before as after, so only an
-alignment that fits clearly better is kept; of what nobody can draw out so, also one that fits as well.
+The decoder takes them for vowels or for breath. Where a phone or filler is that long, all but its end, where the actual
+sound may be, is silenced, and the audio is decoded again. For a vowel that really is that long ("Nooo!") the
+surrounding words fit equally well before and after, so only a clearly better alignment is kept; for sounds that nobody
+can sustain, an equally good one is kept too.
 """
 
 from collections.abc import Sequence
@@ -19,16 +19,16 @@ LONGEST_SOUND_S = 0.8
 LONGEST_SOUND_FRAMES = round(LONGEST_SOUND_S * FRAMES_PER_S)
 KEPT_FRAMES = round(0.15 * FRAMES_PER_S)
 CLEARLY_BETTER = 3.0
-"""In score a frame, averaged over phones: those squeezed together to make room for music fit very badly."""
+"""In score per frame, averaged over phones: phones squeezed together to make room for music fit very badly."""
 
 _NEVER_LONG = frozenset({"P", "T", "K", "B", "D", "G", "CH", "JH", "HH", "um", "uh"})
 
 
 def decode_speech(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> Decoded | None:
-    """The phones of the words, frames counted from the first sample, none of them stretched over music or a pause;
-    None when the decoder finds no path.
+    """The phones of the words, in frames from the first sample, none of them stretched over music or a pause; None if
+    the decoder finds no path.
 
-    Raises what `DecoderProcess.align` does.
+    Raises as `DecoderProcess.align` does.
     """
     decoded = _decoded(process, samples, words)
     for _ in range(MOST_SILENCINGS):
@@ -42,11 +42,11 @@ def decode_speech(process: DecoderProcess, samples: FloatArray, words: Sequence[
 
 def _decoded(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> Decoded | None:
     decoded = process.align(pcm(samples), words)
-    return decoded.later(-PADDING_FRAMES) if decoded else None
+    return decoded.delayed(-PADDING_FRAMES) if decoded else None
 
 
 def silenced(samples: FloatArray, decoded: Decoded) -> FloatArray | None:
-    """The signal without the sounds that are too long in `decoded`; None when there are none."""
+    """The signal without the sounds that are too long in `decoded`; None if there are none."""
     long = _too_long(decoded)
     if not long:
         return None
@@ -58,7 +58,8 @@ def silenced(samples: FloatArray, decoded: Decoded) -> FloatArray | None:
 
 
 def fits_better(one: Decoded, other: Decoded) -> bool:
-    """Whether `one` fits its audio clearly better than `other` did, or as well without what nobody can draw out so."""
+    """Whether `one` fits its audio clearly better than `other`, or as well and without sounds that nobody can
+    sustain."""
     gain = _mean_score(one) - _mean_score(other)
     was_no_speech = any(each.label in _NEVER_LONG for each in _too_long(other))
     return gain > CLEARLY_BETTER or (was_no_speech and gain > -CLEARLY_BETTER)

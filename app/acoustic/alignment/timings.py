@@ -1,7 +1,7 @@
-"""Words timed elsewhere, read and written: JSON (the answer of `align`), Praat TextGrid, and CTM.
+"""Reads and writes word timings of other tools: JSON (the response of `align`), Praat TextGrid, and CTM.
 
-Times are seconds from the start of the audio. A file's words are matched to the transcript's in order and must be the
-same but for case, accents and punctuation. Words of the transcript that nobody speaks ("—") may be missing in a file,
+Times are seconds from the start of the audio. A file's words are matched to the transcript's in order and must be equal
+except for case, accents and punctuation. Words of the transcript that are not spoken ("—") may be missing in a file,
 and are left out of TextGrid and CTM.
 
     TextGrid  a tier "words", or else the only tier of intervals, or the first whose name has "word" in it; a tier
@@ -26,7 +26,7 @@ from ..pronunciation.normalisation import fold
 
 FORMATS = ("json", "textgrid", "ctm")
 TOLERANCE_S = 0.005
-"""Times may overlap or pass the audio's end by this much: rounding in the files of other tools."""
+"""Times may overlap or exceed the audio's end by this much, because of rounding in other tools."""
 
 _SILENCES = frozenset({"", "sil", "sp", "spn", "pau", "<eps>", "<sil>"})
 _NEGATIVE_TIME = re.compile(r"xmin\s*=\s*-[\d.]*[1-9]")
@@ -52,7 +52,7 @@ class _TimedWord(BaseModel):
 
 
 class _TimedWords(BaseModel):
-    """The JSON of `align`, as far as it is read."""
+    """The parts of the JSON of `align` that are read."""
 
     model_config = ConfigDict(extra="ignore", frozen=True)
 
@@ -61,7 +61,7 @@ class _TimedWords(BaseModel):
 
 @dataclass(frozen=True, slots=True)
 class _Timed:
-    """A word of a file, in time."""
+    """A timed word of a file."""
 
     text: str
     interval: Interval
@@ -69,7 +69,7 @@ class _Timed:
 
 
 def read_timings(content: bytes, format: str, words: tuple[Word, ...], *, duration_s: float) -> tuple[Word, ...]:  # noqa: A002
-    """`words` with the intervals, and the phones if there are any, that `content` gives them.
+    """The words with their intervals and optional phones from `content`.
 
     Raises UnsupportedFormatError `timings_format`, UndecodableError `timings_unreadable`, and InputError
     `timings_words_differ`, `timings_not_a_time`, `timings_out_of_order`, `timings_beyond_audio`.
@@ -89,7 +89,7 @@ def read_timings(content: bytes, format: str, words: tuple[Word, ...], *, durati
 
 
 def to_textgrid(words: tuple[Word, ...], duration_s: float) -> str:
-    """A Praat TextGrid (long form) with the tiers "words" and "phones"."""
+    """A Praat TextGrid (long format) with the tiers "words" and "phones"."""
     end_s = max([duration_s, *(word.interval.end_s for word in words if word.interval)])
     tiers = {
         "words": [(*_span(word.interval), word.text) for word in words if word.interval],
@@ -180,7 +180,7 @@ def _phone(start_s: float, end_s: float, label: str) -> Phone:
 
 
 def _check_times(timed: tuple[_Timed, ...], duration_s: float) -> None:
-    """Every time is one, and words follow each other inside the audio."""
+    """Times must be numbers in order, and within the audio."""
     for number, word in enumerate(timed):
         for interval in (word.interval, *(phone.interval for phone in word.phones)):
             if not (math.isfinite(interval.start_s) and math.isfinite(interval.end_s)):
@@ -203,7 +203,7 @@ def _check_phones(number: int, word: _Timed) -> None:
 
 
 def _matched(timed: tuple[_Timed, ...], words: tuple[Word, ...], duration_s: float) -> tuple[Word, ...]:
-    """Each transcript word with the next word of the file; those that nobody speaks may be missing there."""
+    """Each transcript word with the next word of the file; unspoken words may be missing there."""
     remaining = list(timed)
     matched = []
     for word in words:
@@ -222,7 +222,7 @@ def _matched(timed: tuple[_Timed, ...], words: tuple[Word, ...], duration_s: flo
 
 
 def _spelling(text: str) -> str:
-    """What two spellings of a word have in common; empty when it has neither letter nor digit."""
+    """The normalized spelling for comparison; empty without letters or digits."""
     return "".join(character for character in fold(text).lower() if character.isalnum())
 
 

@@ -1,12 +1,12 @@
-"""Summation of residual harmonics (SRH): how much the spectrum of the voice's source speaks for each f0.
+"""Summation of residual harmonics (SRH): a score for each f0 candidate from the spectrum of the LPC residual.
 
 For each candidate f, SRH sums the amplitudes at its first harmonics and subtracts those half way between, so that
 neither the octave above nor the one below wins. Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing
 detection and pitch estimation based on residual harmonics" (Interspeech 2011).
 
-Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. Amplitudes are of 100 ms Blackman frames, every 2 Hz,
-linear in between. Where nothing above 3.5 kHz is looked at, the residual is taken at half the rate: in 74 files of five
-corpora the same frames were voiced, and of 10,504 voiced ones a single f0 moved by more than 0.1 %.
+Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are in Hz. Amplitudes are of 100 ms Blackman frames, every 2 Hz,
+interpolated linearly. If nothing above 3.5 kHz is needed, the residual is computed at half the rate: in 74 files of
+five corpora the same frames were voiced, and of 10,504 voiced ones a single f0 changed by more than 0.1 %.
 """
 
 from collections.abc import Iterator
@@ -27,18 +27,18 @@ CANDIDATES_HZ = np.arange(LOWEST_F0_HZ, HIGHEST_F0_HZ + 1, BIN_HZ, dtype=np.floa
 _WINDOW_S = 0.100
 _SEARCHED_BINS = HARMONICS * HIGHEST_F0_HZ // BIN_HZ + 1
 _AT_ONCE = 16
-"""Frames transformed together: so few that their spectra fit into the processor's cache."""
+"""Frames transformed together, few enough for their spectra to fit into the processor's cache."""
 
 _STRETCH = 4000
 _MARGIN = 1600
-"""Frames of which the residual is taken at once, and the samples on either side that those at its ends look at. Both
-are whole numbers of steps of the residual's own frames, so that these lie where they would in the whole."""
+"""Frames per block of the residual, and the samples of context on either side. Both are multiples of the residual's own
+frame shift, so that its frames lie where they would in the whole signal."""
 
 
 def summed_harmonics(samples: FloatArray, band_hz: int) -> Iterator[tuple[slice, SingleArray]]:
-    """Block by block which frames they are, and the SRH of each candidate in them (candidates × frames).
+    """Block by block, the frames' indices and the SRH of each candidate (candidates × frames).
 
-    The energy from 0 Hz to `band_hz`, at least that of the highest harmonic, is brought to one in each frame.
+    The energy of each frame from 0 Hz to `band_hz`, which is at least the highest harmonic, is normalized to 1.
     """
     decimation = 1 if band_hz > SAMPLE_RATE_HZ // 4 else 2
     rate_hz = SAMPLE_RATE_HZ // decimation
@@ -55,7 +55,7 @@ def summed_harmonics(samples: FloatArray, band_hz: int) -> Iterator[tuple[slice,
 
 
 def _frames_of_residual(samples: FloatArray, length: int, decimation: int) -> Iterator[tuple[slice, SingleArray]]:
-    """Block by block which frames they are, and their samples; the residual of the whole is never there at once."""
+    """Block by block, the frames' indices and samples; the residual of the whole signal is never in memory at once."""
     count = frame_count(len(samples))
     for first in range(0, count, _STRETCH):
         begin = max(first * SHIFT_SAMPLES - _MARGIN, 0)
@@ -68,8 +68,8 @@ def _frames_of_residual(samples: FloatArray, length: int, decimation: int) -> It
 
 
 def _eq_3(amplitudes: SingleArray) -> SingleArray:
-    """E(f) + Σ E(k f) − E((k − ½) f), k = 2 … `HARMONICS`, for every candidate f, E being the amplitudes (frames ×
-    frequencies) over the root of their energy, which counts as if the rest of the spectrum were as strong."""
+    """E(f) + Σ E(k f) − E((k − ½) f), k = 2 … `HARMONICS`, for every candidate f, with E the amplitudes (frames ×
+    frequencies) divided by the root of their energy, which is extrapolated to the whole spectrum."""
     searched = amplitudes[:, :_SEARCHED_BINS].T.copy()
     low, high = LOWEST_F0_HZ // BIN_HZ, HIGHEST_F0_HZ // BIN_HZ
     total = searched[low : high + 1].copy()

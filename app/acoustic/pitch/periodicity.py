@@ -1,9 +1,8 @@
-"""How loud the voice's own band is in each frame, and after what time it repeats itself there.
+"""Level and periodicity of the frequency band in which voices are strongest.
 
-The band holds a voice's strongest harmonics. Its autocorrelation in windows of 40 ms is nearer to the moment than
-harmonics summed in a window of 100 ms, but takes twice the period for the period as readily: it can mend an f0 that is
-nearly right, not find one (cf. Boersma, "Accurate short-term analysis of the fundamental frequency …", 1993, whose
-division by the window's autocorrelation is used).
+The autocorrelation in 40 ms windows has better time resolution than the harmonic sum over 100 ms, but confuses the
+period with its multiples: it can refine an f0 that is nearly right, not find one (cf. Boersma, "Accurate short-term
+analysis of the fundamental frequency …", 1993, whose division by the window's autocorrelation is used).
 
 Frames are those of `understudy.acoustic.signal.frames`.
 """
@@ -19,27 +18,27 @@ from ..signal.peaks import peak_offsets
 from ..signal.products import product
 
 LOWEST_HZ, HIGHEST_HZ = 60, 1000
-"""The band: rumble lies below it, hiss above."""
+"""The band: above rumble and below hiss."""
 
 LOUD_PERCENTILE, QUIET_PERCENTILE = 95.0, 10.0
 WIDEST_BELOW_LOUD_DB = 25.0
 WIDEST_ABOVE_QUIET_DB = 20.0
-"""Beyond these, more tells nothing more: silence is silent at -25 dB, and a studio is no better than a quiet room."""
+"""Levels are clamped here: -25 dB is silence, and a studio is no better than a quiet room."""
 
 REACH_OCTAVES = 0.4
 OCTAVE_PENALTY = 0.5
-"""Correlation that a period one octave off would have to be better by."""
+"""The correlation by which a period one octave away would have to be better."""
 
 WINDOW_S = 0.040
 PERIODS_IN_WINDOW = 3
-"""Deeper voices, fewer of whose periods a window holds, are left as they were found (Boersma's limit)."""
+"""Lower voices, of which a window holds fewer periods, are not refined (Boersma's limit)."""
 
 _STEP_OCTAVES = 0.02
 _STEPS = np.arange(-REACH_OCTAVES, REACH_OCTAVES + _STEP_OCTAVES / 2, _STEP_OCTAVES)
 _WINDOW = round(WINDOW_S * SAMPLE_RATE_HZ)
 _LONGEST_LAG = _WINDOW * 3 // 4
 _FFT = 1200
-"""At least a window and the longest lag, lest the correlation go round."""
+"""At least a window plus the longest lag, to avoid circular correlation."""
 
 _FIRST_BIN, _LAST_BIN = -(-LOWEST_HZ * _FFT // SAMPLE_RATE_HZ), HIGHEST_HZ * _FFT // SAMPLE_RATE_HZ
 _HANN = np.hanning(_WINDOW + 1)[:-1].astype(np.float32)
@@ -48,20 +47,20 @@ _LEAST_ENERGY = 1e-10
 
 _TURNS = 2 * np.pi / _FFT * np.outer(np.arange(_FIRST_BIN, _LAST_BIN + 1), np.arange(_LONGEST_LAG + 2))
 _CORRELATING = (2 / _FFT * np.cos(_TURNS) * _WINDOW_CORRELATION[0] / _WINDOW_CORRELATION).astype(np.float32)
-"""From the power at each frequency of the band to the autocorrelation at each lag, freed of the window's (frequencies ×
-lags): a tenth of the frequencies, for which a product with a matrix is quicker than a transform."""
+"""The matrix from the power spectrum of the band to the autocorrelation at each lag, divided by the window's
+(frequencies × lags): with a tenth of the frequencies a matrix product is faster than a transform."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Levels:
-    """The band's energy in each frame: how far under the loud frames (<= 0) and over the quiet ones (>= 0)."""
+    """The band's energy in each frame: relative to the loud frames (<= 0) and to the quiet ones (>= 0)."""
 
     below_loud_db: FloatArray
     above_quiet_db: FloatArray
 
 
 def band_power(samples: FloatArray) -> SingleArray:
-    """The power of each frame at each frequency of the band (frames × frequencies)."""
+    """The power spectrum of each frame within the band (frames × frequencies)."""
     power = np.empty((frame_count(len(samples)), _LAST_BIN + 1 - _FIRST_BIN), dtype=np.float32)
     for block, frames in blocks_of_frames(samples, _WINDOW, len(power)):
         spectra = fft.rfft(frames * _HANN, _FFT)[:, _FIRST_BIN : _LAST_BIN + 1]
@@ -70,7 +69,7 @@ def band_power(samples: FloatArray) -> SingleArray:
 
 
 def band_levels(power: SingleArray) -> Levels:
-    """How loud each frame is among those of the signal, whose `band_power` this is."""
+    """The level of each frame relative to those of the whole signal, given its `band_power`."""
     level_db = 10 * np.log10(np.sum(power, axis=1, dtype=np.float64) + _LEAST_ENERGY)
     loud_db, quiet_db = np.percentile(level_db, [LOUD_PERCENTILE, QUIET_PERCENTILE])
     return Levels(
@@ -80,19 +79,19 @@ def band_levels(power: SingleArray) -> Levels:
 
 
 def periods_nearby(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The f0 in Hz near `f0_hz` (> 0) after whose period each frame repeats itself best, and how well, -1 to 1.
+    """The f0 in Hz near `f0_hz` (> 0) with the highest autocorrelation in each frame, and that correlation, -1 to 1.
 
     `power` is the signal's `band_power`.
     """
     nearby_hz, correlation = np.empty((2, len(f0_hz)))
     for start in range(0, len(f0_hz), BLOCK):
         block = slice(start, start + BLOCK)
-        nearby_hz[block], correlation[block] = _mended(power[block], f0_hz[block])
+        nearby_hz[block], correlation[block] = _refined(power[block], f0_hz[block])
     return nearby_hz, correlation
 
 
-def _mended(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The f0 near that of each frame and the correlation there."""
+def _refined(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The refined f0 of each frame and the correlation there."""
     correlations = _correlations(power, SAMPLE_RATE_HZ / f0_hz[:, None] * np.exp2(-_STEPS))
     mendable = f0_hz >= PERIODS_IN_WINDOW / WINDOW_S
     merits = np.where(mendable[:, None], correlations, 0.0) - OCTAVE_PENALTY * np.abs(_STEPS)
@@ -102,7 +101,7 @@ def _mended(power: SingleArray, f0_hz: FloatArray) -> tuple[FloatArray, FloatArr
 
 
 def _correlations(power: SingleArray, lags: FloatArray) -> FloatArray:
-    """Autocorrelation of each frame's band at its own lags, in samples, freed of the window's (frames × lags)."""
+    """The normalized autocorrelation of each frame's band at its own lags, in samples (frames × lags)."""
     freed = product(power, _CORRELATING)
     freed /= freed[:, :1] + np.float32(_LEAST_ENERGY)
     lags = np.minimum(lags, _LONGEST_LAG)

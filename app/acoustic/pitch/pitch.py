@@ -1,23 +1,25 @@
-"""The fundamental frequency of a voice, frame by frame: summation of residual harmonics (SRH).
+"""Fundamental frequency (f0) tracking by summation of residual harmonics (SRH).
 
-Inverse filtering by linear prediction takes the vocal tract off the signal (`understudy.acoustic.pitch.residual`); what
-remains of a voiced sound is a train of pulses, whose spectrum has even peaks at the multiples of f0
+Inverse filtering by linear prediction removes the vocal tract (`understudy.acoustic.pitch.residual`); what remains of a
+voiced sound is a pulse train, whose spectrum has peaks of equal height at the multiples of f0
 (`understudy.acoustic.pitch.harmonics`). Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing detection
 and pitch estimation based on residual harmonics" (Interspeech 2011).
 
-Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are Hz. `TUNED` departs from `PUBLISHED` in seven things,
+Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are in Hz. `TUNED` differs from `PUBLISHED` in these points,
 measured together by `benchmarks.acoustic.pitch`:
-- A path of least cost through each frame's ten best candidates takes the place of the best candidate of each frame
-  alone: most octave errors vanish. Faint frames have less of a say in it: other voices are heard in them, or none.
-- By eq. 3 the triple of f0 is as strong as f0 when the harmonics are even, since the valleys of its comb meet none; so
-  are the odd multiples beyond. Part of the SRH at f / 3, f / 5 or f / 7, whichever is most, is taken off that at f in
-  the search: f0 itself has little there.
-- Not the energy of the whole spectrum is brought to one, but that below 3.5 kHz, counted as if the rest were as
-  strong. Wide bands give the same; speech that was recorded at 8 kHz keeps its voicing.
-- Where the voice moves fast, the window of 100 ms blurs; the period is sought again nearby in one of 40 ms.
+
+- A path of least cost through each frame's ten best candidates replaces the best candidate of each frame: most octave
+  errors vanish. Faint frames have less weight, since they may contain other voices or none.
+- In eq. 3 a candidate at three times f0, or at other odd multiples, scores as high as f0 itself if the harmonics are
+  even, since no valley of its comb falls on them. So a share of the SRH at f / 3, f / 5 or f / 7, whichever is
+  greatest, is subtracted from that at f in the search; f0 itself has little there.
+- The energy is normalized below 3.5 kHz and extrapolated, instead of over the whole spectrum. This makes no difference
+  for wide-band recordings, and keeps the voicing of speech recorded at 8 kHz.
+- Where pitch moves fast, the window of 100 ms blurs it; the period is refined in one of 40 ms.
 - Voicing is decided by more than the SRH (`understudy.acoustic.pitch.voicing`).
-- The second pass looks further down than an octave below the speaker's median, where sentences end in creaky voice.
-A parabola tells where between the candidates each peak is highest.
+- The second pass searches further than an octave below the speaker's median, where sentences end in creaky voice.
+
+Parabolic interpolation refines the frequency of each peak.
 """
 
 from dataclasses import dataclass
@@ -35,25 +37,25 @@ from .voicing import SRH_ALONE, WEIGHED, Voicing, measures, voiced_frames
 
 ODD_DIVISORS = (3, 5, 7)
 RANGE_THRESHOLD = 0.1
-"""SRH above which a frame is trusted when the speaker's range is estimated from the first pass."""
+"""The SRH above which a frame is used to estimate the speaker's range in the first pass."""
 
 _CANDIDATES_PER_FRAME = 10
 
 _Halves = NDArray[np.float16]
-"""SRH is kept at half precision: of half an hour there are 43 million."""
+"""SRH is kept in half precision: half an hour has 43 million values."""
 
 
 @dataclass(frozen=True, slots=True)
 class Tuning:
-    """What may be set.
+    """The parameters of the tracker.
 
-    speaker_range: the multiples of the first pass's median between which the second pass searches.
-    unit_energy_band_hz: the energy from 0 Hz to here is brought to one.
-    octave_cost: SRH that a step of one octave between neighbouring frames costs the path; larger steps cost no more.
-    faintest_weight: how much the path heeds frames 25 dB under the loud, which count 1.
-    submultiple_share: the share of the SRH at f / 3, f / 5 or f / 7 that is taken off that at f.
-    mends: whether the f0 so found is moved to the best period nearby (`understudy.acoustic.pitch.periodicity`).
-    voicing: how it is decided which frames are voiced.
+    speaker_range: multiples of the first pass's median between which the second pass searches.
+    unit_energy_band_hz: the energy from 0 Hz to here is normalized to 1.
+    octave_cost: cost, in SRH, of an octave jump between neighbouring frames; larger jumps cost no more.
+    faintest_weight: weight in the path of frames 25 dB below the loud ones, which have weight 1.
+    submultiple_share: share of the SRH at f / 3, f / 5 or f / 7 that is subtracted from that at f.
+    refines: whether f0 is refined to the best period nearby (`understudy.acoustic.pitch.periodicity`).
+    voicing: how voiced frames are found.
     """
 
     speaker_range: tuple[float, float]
@@ -61,7 +63,7 @@ class Tuning:
     octave_cost: float
     faintest_weight: float
     submultiple_share: float
-    mends: bool
+    refines: bool
     voicing: Voicing
 
 
@@ -71,7 +73,7 @@ PUBLISHED = Tuning(
     octave_cost=0.0,
     faintest_weight=1.0,
     submultiple_share=0.0,
-    mends=False,
+    refines=False,
     voicing=SRH_ALONE,
 )
 TUNED = Tuning(
@@ -80,42 +82,42 @@ TUNED = Tuning(
     octave_cost=0.15,
     faintest_weight=0.05,
     submultiple_share=0.35,
-    mends=True,
+    refines=True,
     voicing=WEIGHED,
 )
 
 
 def track_f0(audio: Audio, tuning: Tuning = TUNED) -> FloatArray:
-    """f0 in Hz of each frame, 0 where unvoiced; `1 + len(samples) // 160` frames (paper §3.1.3, eq. 3)."""
+    """The f0 in Hz of each frame, 0 where unvoiced; `1 + len(samples) // 160` frames (paper §3.1.3, eq. 3)."""
     f0_hz, evidence = pitch_if_voiced(audio, tuning)
     return np.where(voiced_frames(evidence, tuning.voicing), f0_hz, 0.0)
 
 
 def pitch_if_voiced(audio: Audio, tuning: Tuning = TUNED) -> tuple[FloatArray, FloatArray]:
-    """The best f0 in Hz of every frame, voiced or not, and what speaks for its being voiced (`voicing.measures`)."""
+    """The best f0 in Hz of every frame, voiced or not, and the evidence of voicing (`voicing.measures`)."""
     candidates = _best_candidates(audio.samples, tuning)
     power = band_power(audio.samples)
     levels = band_levels(power)
     gains = candidates.merits * _frame_weights(levels, tuning.faintest_weight)[:, None]
     path = best_path(gains, candidates.octaves, tuning.octave_cost)
     f0_hz, srh = (_along(path, each) for each in (candidates.f0_hz, candidates.srh))
-    mended_hz, correlation = periods_nearby(power, f0_hz)
-    return mended_hz if tuning.mends else f0_hz, measures(srh, correlation, levels)
+    refined_hz, correlation = periods_nearby(power, f0_hz)
+    return refined_hz if tuning.refines else f0_hz, measures(srh, correlation, levels)
 
 
 def _along(path: NDArray[np.intp], table: FloatArray) -> FloatArray:
-    """The value of every frame in the column that the path takes there."""
+    """The table's value in the path's column of every frame."""
     return np.take_along_axis(table, path[:, None], axis=1)[:, 0].astype(np.float64)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Candidates:
-    """The ten best of every frame (frames × 10).
+    """The ten best candidates of every frame (frames × 10).
 
-    numbers: which of `CANDIDATES_HZ` they are.
-    merits: what the search goes by; minus infinity where a frame has fewer than ten.
-    f0_hz: where the parabola through it and its neighbours has its peak.
-    srh: its SRH.
+    numbers: indices into `CANDIDATES_HZ`.
+    merits: scores for the path search; minus infinity where a frame has fewer than ten candidates.
+    f0_hz: frequency of the interpolated peak.
+    srh: SRH of the candidate.
     """
 
     numbers: NDArray[np.uint8]
@@ -130,7 +132,7 @@ class _Candidates:
 
 
 def _best_candidates(samples: FloatArray, tuning: Tuning) -> _Candidates:
-    """The greatest local maxima in the speaker's range, the ends of which count as maxima where SRH rises to them."""
+    """The greatest local maxima within the speaker's range, including its ends if SRH rises towards them."""
     halves, searched = _first_pass(samples, tuning)
     shape = (halves.shape[1], _CANDIDATES_PER_FRAME)
     numbers, srh = np.empty(shape, dtype=np.uint8), np.empty(shape, dtype=np.float16)
@@ -150,8 +152,8 @@ def _best_candidates(samples: FloatArray, tuning: Tuning) -> _Candidates:
 
 
 def _first_pass(samples: FloatArray, tuning: Tuning) -> tuple[_Halves, slice]:
-    """The SRH of each frame (candidates × frames), and the candidates in the speaker's range: all of them where no
-    frame is to be trusted."""
+    """The SRH of each frame (candidates × frames), and the slice of candidates in the speaker's range: all if no frame
+    is reliable."""
     halves = np.empty((len(CANDIDATES_HZ), frame_count(len(samples))), dtype=np.float16)
     trusted = []
     for block, strengths in summed_harmonics(samples, tuning.unit_energy_band_hz):
@@ -166,8 +168,8 @@ def _first_pass(samples: FloatArray, tuning: Tuning) -> tuple[_Halves, slice]:
 
 
 def _merits(strengths: SingleArray, submultiple_share: float) -> SingleArray:
-    """What the search goes by, of the first so many candidates (candidates × frames): the SRH less a share of the
-    greatest at an odd submultiple, if there is one."""
+    """The scores of the first candidates for the path search (candidates × frames): SRH less a share of the greatest at
+    an odd submultiple."""
     if not submultiple_share:
         return strengths
     merits = np.zeros_like(strengths)
@@ -182,8 +184,8 @@ def _merits(strengths: SingleArray, submultiple_share: float) -> SingleArray:
 
 
 def _submultiples(divisor: int) -> tuple[int, NDArray[np.intp], SingleArray]:
-    """The first candidate f for which f / divisor is one; of all from there, the candidate below f / divisor and how
-    far from it to the next that is (candidates × 1)."""
+    """The first candidate f for which f / divisor is a candidate; and for all from there the candidate below f /
+    divisor and its fractional distance to the next (candidates × 1)."""
     places = (CANDIDATES_HZ / divisor - LOWEST_F0_HZ) / BIN_HZ
     first = int(np.argmax(places >= 0))
     below = np.floor(places[first:]).astype(np.intp)
@@ -194,5 +196,5 @@ _SUBMULTIPLES = tuple(map(_submultiples, ODD_DIVISORS))
 
 
 def _frame_weights(levels: Levels, faintest: float) -> FloatArray:
-    """1 where the voice is loud, falling with its level in dB to `faintest`."""
+    """Weights from 1 for loud frames down to `faintest`, linear in dB."""
     return faintest + (1 - faintest) * (1 + levels.below_loud_db / WIDEST_BELOW_LOUD_DB)

@@ -1,11 +1,12 @@
-"""What remains of a voice when the vocal tract is taken off it: a train of pulses, one each period (paper §3.1.3).
+"""The linear prediction residual: the signal with the vocal tract removed, a pulse train in voiced speech (paper
+§3.1.3).
 
-Hann frames of 25 ms, each filtered by the inverse of its own linear predictor of order fs / 1000 + 2, overlap by half
-and add up. Where only the lower part of the spectrum is of use, the residual can have a lower rate than the signal: the
-upper part of each frame's spectrum is left out.
+Hann frames of 25 ms, each filtered by its own prediction error filter of order fs / 1000 + 2, are overlapped by half
+and added. If only the lower part of the spectrum is needed, the residual can have half the signal's rate: the upper
+half of each frame's spectrum is dropped.
 
-Spectra are of single precision, prediction is of double: its filters cancel what is up to 60 dB louder than the rest.
-Few values of each transform are wanted or given, so two of the four are products with a matrix.
+Spectra are in single precision, prediction in double: its filters cancel components up to 60 dB above the rest. Two of
+the four transforms have few inputs or outputs and are computed as matrix products.
 """
 
 import numpy as np
@@ -23,14 +24,14 @@ _ORDER = SAMPLE_RATE_HZ // 1000 + 2
 _HANN = np.hanning(_WINDOW + 1)[:-1].astype(np.float32)
 
 _TURNS = np.exp(-2j * np.pi / _FFT * np.outer(np.arange(_ORDER + 1), np.arange(_FFT // 2 + 1)))
-"""What a delay of 0, 1, 2 … `_ORDER` samples does to each frequency (delays × frequencies)."""
+"""The phase factors of delays of 0, 1, 2 … `_ORDER` samples at each frequency (delays × frequencies)."""
 
 _CORRELATING = (_TURNS.real * np.where(np.arange(_FFT // 2 + 1) % (_FFT // 2), 2, 1) / _FFT).T.copy()
-"""From the power at each frequency to the autocorrelation at each delay (frequencies × delays)."""
+"""The matrix from the power spectrum to the autocorrelation at each delay (frequencies × delays)."""
 
 
 def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleArray:
-    """The signal less what linear prediction foresees, one value for every `decimation` (1 or 2) of its samples."""
+    """The prediction residual of the signal, one value for every `decimation` (1 or 2) samples."""
     count = 1 + -(-len(samples) // _HOP)
     hop = _HOP // decimation
     total = np.zeros((count + 2, hop), dtype=np.float32)
@@ -42,7 +43,7 @@ def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleAr
 
 
 def _inversely_filtered(frames: SingleArray, length: int) -> SingleArray:
-    """Each frame, windowed and filtered by its own prediction error filter, in so many samples (frames × length)."""
+    """Each frame windowed and filtered by its own prediction error filter, in `length` samples (frames × length)."""
     spectra = fft.rfft(frames * _HANN, _FFT)
     filters = _prediction_error_filters(product(_power(spectra), _CORRELATING).T.copy())
     kept = length // 2 + 1
@@ -54,13 +55,13 @@ def _inversely_filtered(frames: SingleArray, length: int) -> SingleArray:
 
 
 def _power(spectra: NDArray[np.complex64]) -> FloatArray:
-    """The power at each frequency, in double precision."""
+    """The power spectrum in double precision."""
     power = np.abs(spectra).astype(np.float64)
     return np.square(power, out=power)
 
 
 def _prediction_error_filters(autocorrelation: FloatArray) -> FloatArray:
-    """The coefficients 1, a₁, a₂ … that whiten each frame (order + 1 × frames), by Levinson's recursion."""
+    """The coefficients 1, a₁, a₂ … that whiten each frame (order + 1 × frames), by the Levinson-Durbin recursion."""
     error = autocorrelation[0] * (1 + 1e-9) + 1e-12  # else silence and pure tones have no solution
     coefficients = np.zeros_like(autocorrelation)
     coefficients[0] = 1.0

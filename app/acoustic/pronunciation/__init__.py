@@ -1,4 +1,3 @@
-"""How words are said: a transcript's numbers, abbreviations and symbols written out (`normalisation`,
-`spoken_numbers`), and the phones of each spoken word, from the dictionary, by rule, or guessed from its spelling
-(`graphones`). Imports only the ground floor. Begin with `pronunciation.py`.
-"""
+"""Pronunciation of transcripts: text normalization of numbers, abbreviations and symbols (`normalisation`,
+`spoken_numbers`), and the phones of each spoken word, from the dictionary, by rule, or predicted from the spelling
+(`graphones`). Imports only the ground floor. Begin with `pronunciation.py`."""

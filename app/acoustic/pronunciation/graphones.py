@@ -1,8 +1,8 @@
-"""Guesses how an unknown word is pronounced from how known words are spelled.
+"""Grapheme-to-phoneme conversion: predicts the pronunciation of an unknown word from its spelling.
 
-A graphone is a chunk of one or two letters with the phones it spells, "ph:F" or "x:K_S". The model is an n-gram over
-graphones; the pronunciation is read off the likeliest sequence whose letters make up the word, found with a beam
-(Bisani & Ney 2008). `training/pronunciation/` makes the model, `models/pronunciation/README.md` tells how well it does.
+A graphone is a chunk of one or two letters with the phones it spells, "ph:F" or "x:K_S". The model is an n-gram model
+over graphones; the pronunciation is that of the likeliest sequence that spells the word, found by beam search (Bisani &
+Ney 2008). `training/pronunciation/` trains the model; `models/pronunciation/README.md` documents its accuracy.
 
 On disk (`graphones.npz`, no pickles) the n-grams are a trie. An n-gram of order k is a row of order k: the row of its
 context in order k − 1, times 1024, plus its last graphone. The rows are sorted; `keys_k` holds their differences.
@@ -26,15 +26,13 @@ BEAM = 24
 LONGEST_CHUNK = 2
 
 State = tuple[int, int]
-"""A context: how many graphones of it count, and its row in that order of the trie."""
+"""A context: its length in graphones, and its row in that order of the trie."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Order:
-    """The n-grams of one length: sorted keys, natural logs, and the row one order down without the first graphone.
-
-    All as fine as on disk and no finer, for there are 400,000.
-    """
+    """The n-grams of one length: sorted keys, natural logs, and the row of the n-gram without its first graphone, one
+    order down. In the same precision as on disk, since there are 400,000."""
 
     keys: NDArray[np.int32]
     log_probability: FloatArray
@@ -49,7 +47,7 @@ class _Order:
 
 @dataclass(frozen=True, slots=True)
 class _Hypothesis:
-    """A guess for the first letters of a word; hypotheses in the same state are rivals."""
+    """A pronunciation of the first letters of a word; of hypotheses in the same state only the best is kept."""
 
     score: float
     state: State
@@ -58,14 +56,14 @@ class _Hypothesis:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GraphoneModel:
-    """The loaded model; immutable, shared by threads."""
+    """The loaded model; immutable and thread-safe."""
 
     spellings: dict[str, tuple[tuple[int, tuple[str, ...]], ...]]
     orders: tuple[_Order, ...]
 
     @classmethod
     def load(cls, path: Path) -> "GraphoneModel":
-        """Raises ServiceError `model_unreadable` when the file is missing or is no such model."""
+        """Load the model. Raises ServiceError `model_unreadable` if the file is missing or not such a model."""
         try:
             with np.load(path, allow_pickle=False) as arrays:
                 graphones = [str(graphone) for graphone in arrays["graphones"]]
@@ -75,7 +73,7 @@ class GraphoneModel:
         return cls(_by_letters(graphones), orders)
 
     def pronounce(self, word: str) -> tuple[str, ...]:
-        """The likeliest ARPABET phones of `word`, lower-case a to z; empty when no graphones spell it."""
+        """The likeliest ARPABET phones of `word` (lower-case a to z); empty if no graphones spell it."""
         reached: list[list[_Hypothesis]] = [[] for _ in range(len(word) + 1)]
         reached[0] = [_Hypothesis(0.0, self._initial(), ())]
         for position in range(len(word)):
@@ -100,7 +98,7 @@ class GraphoneModel:
         return _Hypothesis(hypothesis.score + log_probability, state, hypothesis.phones + phones)
 
     def _step(self, state: State, graphone: int) -> tuple[float, State]:
-        """Log probability of `graphone` after `state`, backing off as far as needed, and the state after it."""
+        """Log probability of `graphone` after `state`, with backoff, and the next state."""
         log_weight = 0.0
         length, context = state
         while True:
@@ -117,7 +115,7 @@ class GraphoneModel:
 
 
 def _best(hypotheses: list[_Hypothesis]) -> list[_Hypothesis]:
-    """The `BEAM` best, one for each state."""
+    """The `BEAM` best hypotheses, one per state."""
     best: dict[State, _Hypothesis] = {}
     for hypothesis in hypotheses:
         rival = best.get(hypothesis.state)
@@ -127,7 +125,7 @@ def _best(hypotheses: list[_Hypothesis]) -> list[_Hypothesis]:
 
 
 def _by_letters(graphones: list[str]) -> dict[str, tuple[tuple[int, tuple[str, ...]], ...]]:
-    """Graphones with their numbers, by their letters; number 0 is none, START and END have no letters."""
+    """Graphones with their indices, by their letters; index 0 is unused, START and END have no letters."""
     spellings: dict[str, list[tuple[int, tuple[str, ...]]]] = {}
     for number, graphone in enumerate(graphones):
         letters, colon, phones = graphone.partition(":")
@@ -146,7 +144,7 @@ def _orders(arrays: dict[str, NDArray[Any]]) -> tuple[_Order, ...]:
 
 
 def _suffixes(keys: NDArray[np.int32], shorter: list[_Order]) -> NDArray[np.int32]:
-    """For each n-gram the row, one order down, of the n-gram without its first graphone (row 0: the empty one)."""
+    """For each n-gram, the row one order down of the n-gram without its first graphone (row 0: the empty one)."""
     if not shorter:
         return np.zeros(len(keys), dtype=np.int32)
     context, graphone = keys >> GRAPHONE_BITS, keys & ((1 << GRAPHONE_BITS) - 1)

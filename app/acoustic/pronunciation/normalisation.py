@@ -1,10 +1,11 @@
-"""What is said for each word of a transcript: numbers, abbreviations, acronyms and symbols written out.
+"""Text normalization: the spoken tokens of each word of a transcript, with numbers, abbreviations, acronyms and symbols
+expanded.
 
-A spoken token is lower case: letters, apostrophes, sometimes hyphens ("uh-huh"). A letter said by its name carries a
+A spoken token is lower case: letters, apostrophes, sometimes hyphens ("uh-huh"). A letter pronounced by its name has a
 full stop ("f.", "b.", "i."), as in pocketsphinx's dictionary. Each word of the transcript has its own tokens, possibly
-none ("—") and possibly many ("1984"), so that the answer keeps the transcript's numbering.
+none ("—") or many ("1984"), so that word indices are preserved.
 
-Where English leaves the reading open (four digits may be a year), the commoner one is taken.
+Ambiguous expressions (four digits may be a year) get their commoner reading.
 """
 
 import re
@@ -49,7 +50,7 @@ Amounts = Annotated[tuple[str, ...], Field(min_length=4, max_length=4)]
 
 
 class Abbreviations(Entry):
-    """The schema of `abbreviations.yaml`; the file's own comments say what each part is for."""
+    """The schema of `abbreviations.yaml`; comments in the file explain its sections."""
 
     anywhere: dict[str, str]
     after_a_name: dict[str, str]
@@ -63,7 +64,7 @@ class Abbreviations(Entry):
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """A word of the transcript, folded and bare of outer punctuation, between its neighbours."""
+    """A word of the transcript, folded and stripped of outer punctuation, with its neighbours."""
 
     previous: str
     word: str
@@ -73,14 +74,14 @@ class _Place:
 
 @dataclass(frozen=True, slots=True)
 class Normaliser:
-    """Says words; `known` are the words that have a pronunciation of their own ("nasa", "uh-huh")."""
+    """Expands words; `known` are those with an entry in the dictionary ("nasa", "uh-huh")."""
 
     abbreviations: Abbreviations
     known: Container[str]
 
     @classmethod
     def load(cls, path: Path, known: Container[str]) -> "Normaliser":
-        """Raises AuthoringError when the file of abbreviations is not as it should be."""
+        """Load the abbreviations. Raises AuthoringError if the file is invalid."""
         return cls(Source(path).validated(Abbreviations), known)
 
     def spoken(self, words: tuple[Word, ...]) -> tuple[Tokens, ...]:
@@ -115,7 +116,7 @@ class Normaliser:
         return table.anywhere[key] if key else None
 
     def _magnitude_of_money(self, place: _Place) -> Tokens | None:
-        """The second word of "$5 million", where the currency is said after both."""
+        """The second word of "$5 million", where the currency follows both."""
         magnitude = self.abbreviations.magnitudes.get(place.word.lower().rstrip("."))
         if magnitude is None or place.previous[:1] not in self.abbreviations.currencies or len(place.previous) < 2:
             return None
@@ -133,7 +134,8 @@ class Normaliser:
         return tuple(self._pieces(place))
 
     def _money(self, found: re.Match[str], following: str) -> Tokens:
-        """ "$5.50" and "$5bn"; nothing when the sign is no currency. Of "$5 million" the next word says the dollars."""
+        """ "$5.50" and "$5bn"; empty if the sign is not a currency. In "$5 million" the next word includes the
+        dollars."""
         table, unit = self.abbreviations, found["unit"].lower()
         if found["currency"] not in table.currencies or (unit and unit not in table.magnitudes):
             return ()
@@ -144,7 +146,7 @@ class Normaliser:
         )
 
     def _quantity(self, found: re.Match[str]) -> Tokens:
-        """A number, perhaps with a unit; nothing when the unit is none we know."""
+        """A number with an optional unit; empty if the unit is unknown."""
         table, unit, whole, fraction = self.abbreviations, found["unit"].lower(), found["whole"], found["fraction"]
         plain = not unit and not found["sign"]
         amount = numbers.decimal(whole, fraction) if fraction else _plain(whole, year=plain)
@@ -164,7 +166,7 @@ class Normaliser:
         return _letters(place.word) if _DOTTED.fullmatch(place.word) else tuple(self._pieces(place))
 
     def _pieces(self, place: _Place) -> Iterator[str]:
-        """The word cut where letters, digits and symbols meet, each part said by itself."""
+        """The word split between letters, digits and symbols, each part expanded separately."""
         for piece in _PIECE.findall(place.word):
             if piece[0].isdigit():
                 whole, _, fraction = piece.replace(",", "").partition(".")
@@ -188,20 +190,20 @@ class Normaliser:
 
 
 def fold(text: str) -> str:
-    """`text` in ASCII where it has a counterpart: accents dropped, quotes and dashes plain, widths and ligatures
-    undone, invisible characters gone."""
+    """The text in ASCII where there is an equivalent: without accents, with plain quotes and dashes, widths and
+    ligatures normalized, invisible characters removed."""
     text = _VULGAR_AFTER_DIGIT.sub("&", text)
     decomposed = unicodedata.normalize("NFKD", text.translate(_QUOTES_AND_DASHES)).translate(_QUOTES_AND_DASHES)
     return "".join(character for character in decomposed if unicodedata.category(character) not in {"Mn", "Cf"})
 
 
 def _key(word: str, table: dict[str, str]) -> str:
-    """`word` as the table has it, with its full stop or without; empty when it has neither."""
+    """The word as it is in the table, with or without its full stop; empty if it has neither."""
     return next((key for key in (word, word.rstrip(".")) if key in table), "")
 
 
 def _letters(word: str) -> Tokens:
-    """Each letter by its name; a small s at the end belongs to the last one: "TVs" → t. v.'s"""
+    """Each letter by its name; a final small s belongs to the last one: "TVs" → t. v.'s"""
     stem = re.sub(r"'?s$", "", word) if not word.islower() else word
     names = [f"{letter.lower()}." for letter in stem if letter.isalpha()]
     return (*names[:-1], names[-1] + "'s") if stem != word else tuple(names)
@@ -243,7 +245,7 @@ def _fraction(found: re.Match[str], _following: str) -> Tokens:
 
 
 def _money(whole: str, fraction: str | None, magnitude: Tokens, names: Tokens) -> Tokens:
-    """Dollars and cents; `names` is empty when the next word is the magnitude and brings the currency."""
+    """Dollars and cents; `names` is empty if the next word is the magnitude and includes the currency."""
     if not names or magnitude or (fraction and len(fraction) != 2):
         amount = numbers.decimal(whole, fraction) if fraction else numbers.cardinal(whole)
         return (*amount, *magnitude, *names[1:2])
@@ -262,7 +264,7 @@ _READINGS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], str], Tokens]],
     (_FRACTION, _fraction),
     (_TELEPHONE, _telephone),
 )
-"""Ways of writing numbers, each with its reading, told the next word."""
+"""Number formats and their readings; each reading also gets the next word."""
 
 _SIGNS: dict[str, Tokens] = {"-": ("minus",), "+": ("plus",), "#": ("number",), "": ()}
 _HALVES_OF_THE_DAY = frozenset({"am", "pm"})

@@ -1,6 +1,6 @@
-"""How spoken tokens are pronounced: by pocketsphinx's dictionary, by rule from a word in it, or guessed.
+"""Pronunciations of spoken tokens: from pocketsphinx's dictionary, derived by rule from a word in it, or predicted.
 
-Phones are the dictionary's 39 ARPABET labels. It marks no lexical stress, so none is known here.
+Phones are the dictionary's 39 ARPABET labels. It marks no lexical stress.
 """
 
 from collections.abc import Iterator
@@ -25,7 +25,8 @@ _CONTRACTIONS: dict[str, Phones] = {
 
 @dataclass(frozen=True, slots=True)
 class Pronunciation:
-    """The ways in which a token may be pronounced, the commonest first; `guessed` when no known word helped."""
+    """The alternative pronunciations of a token, the commonest first; `guessed` if predicted from the spelling
+    alone."""
 
     variants: tuple[Phones, ...]
     guessed: bool = False
@@ -33,18 +34,18 @@ class Pronunciation:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pronouncer:
-    """The dictionary and the model for what it lacks; immutable, shared by threads."""
+    """The dictionary and the model for words that are not in it; immutable and thread-safe."""
 
     dictionary: dict[str, str]
     graphones: GraphoneModel
 
     @classmethod
     def load(cls, dictionary: Path, graphones: Path) -> "Pronouncer":
-        """Raises ServiceError when either is missing or broken."""
+        """Load both. Raises ServiceError if either is missing or broken."""
         return cls(read_dictionary(dictionary), GraphoneModel.load(graphones))
 
     def pronounce(self, token: str) -> Pronunciation | None:
-        """The pronunciation of a spoken token (see `normalisation`); None when it has no letter a to z."""
+        """The pronunciation of a spoken token (see `normalisation`); None if it has no letter a to z."""
         known = self._known(token) or self._known(token.strip("'"))
         if known:
             return Pronunciation(known)
@@ -59,7 +60,7 @@ class Pronouncer:
         return tuple(tuple(phones.split()) for phones in self.dictionary.get(token, "").splitlines())
 
     def _derived(self, token: str) -> Iterator[tuple[Phones, ...]]:
-        """Pronunciations that follow from a word in the dictionary: "goin'", "Zelda's", "droids", "who'd"."""
+        """Pronunciations derived from a word in the dictionary: "goin'", "Zelda's", "droids", "who'd"."""
         if token.endswith("in'"):
             yield tuple((*phones[:-1], "N") for phones in self._known(token[:-1] + "g"))
         for contraction, ending in _CONTRACTIONS.items():
@@ -71,7 +72,7 @@ class Pronouncer:
 
 
 def read_dictionary(path: Path) -> dict[str, str]:
-    """Words with their pronunciations, a line each, phones between spaces (CMU format, "read(2) R IY D").
+    """Words with their pronunciations, one per line, phones separated by spaces (CMU format, "read(2) R IY D").
 
     Raises ServiceError `model_unreadable`.
     """
@@ -88,7 +89,7 @@ def read_dictionary(path: Path) -> dict[str, str]:
 
 
 def with_s(phones: Phones) -> Phones:
-    """A noun's plural or possessive, a verb's third person: horses, cats, dogs."""
+    """The phones of a noun's plural or possessive or a verb's third person: horses, cats, dogs."""
     if phones[-1] in _SIBILANTS:
         return (*phones, "IH", "Z")
     return (*phones, "S" if phones[-1] in _VOICELESS else "Z")

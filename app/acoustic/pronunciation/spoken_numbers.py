@@ -1,4 +1,4 @@
-"""How written numbers are said in English: cardinals, ordinals, decimals, years, times and digit by digit.
+"""Reads numbers in English: cardinals, ordinals, decimals, years, times and digit by digit.
 
 Every function takes the digits as written and returns lower-case words without hyphens.
 """
@@ -6,7 +6,7 @@ Every function takes the digits as written and returns lower-case words without 
 import re
 
 LONGEST_CARDINAL = 15
-"""Digits a number may have and still be said as one number; a longer one is said digit by digit."""
+"""Numbers with more digits are read digit by digit."""
 
 _DIGITS = ("oh", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
 _WORD = re.compile(r"[a-z]+")
@@ -22,7 +22,7 @@ def cardinal(digits: str) -> tuple[str, ...]:
 
 def ordinal(digits: str) -> tuple[str, ...]:
     """ "21" → twenty first."""
-    import inflect  # takes a second to import, and most lines have no number
+    import inflect  # takes a second to import, and most lines have no numbers
 
     return _split(inflect.engine().ordinal(" ".join(cardinal(digits))))
 

@@ -1,4 +1,4 @@
-"""The path of greatest gain through a row of frames, each step at its cost (Viterbi)."""
+"""Viterbi search for the best path through frames, with transition costs."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,10 +9,10 @@ _BLOCK = 256
 
 
 def best_path(gains: FloatArray, positions: FloatArray, price: float) -> NDArray[np.intp]:
-    """Which column of `gains` (frames × columns) to take in each frame; the first of equals.
+    """The column of `gains` (frames × columns) in each frame on the best path; the first of equals.
 
-    A step between neighbouring frames costs `price` times the distance of the columns' `positions` (frames × columns),
-    and no more than `price`.
+    A transition between neighbouring frames costs `price` times the distance of the columns' `positions` (frames ×
+    columns), at most `price`.
     """
     total = gains[0]
     origins = np.zeros(gains.shape, dtype=np.intp)
@@ -29,5 +29,5 @@ def best_path(gains: FloatArray, positions: FloatArray, price: float) -> NDArray
 
 
 def _step_costs(positions: FloatArray, price: float) -> FloatArray:
-    """What each step costs, from column i in frame t to j in t + 1 (frames - 1 × j × i)."""
+    """The cost of each transition from column i in frame t to j in t + 1 (frames - 1 × j × i)."""
     return price * np.minimum(np.abs(positions[1:, :, None] - positions[:-1, None, :]), 1.0)

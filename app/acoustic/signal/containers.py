@@ -1,7 +1,7 @@
-"""What the bytes of an audio file claim to be, and whether they are all there, judged before anything is decoded.
+"""Identifies audio files by their first bytes and checks that they are complete, before decoding.
 
-libsndfile reads some thirty formats, takes a WAV that breaks off for a shorter one, and fails obscurely on an Ogg that
-does; so the container is named by its first bytes, and its end is looked for, here.
+libsndfile reads some thirty formats, accepts a truncated WAV as a shorter one, and fails obscurely on a truncated Ogg;
+so container and completeness are checked here.
 """
 
 import struct
@@ -20,15 +20,15 @@ _OGG_LAST_PAGE = 0x04
 
 
 class Container(StrEnum):
-    """The file formats that are read."""
+    """The supported file formats."""
 
     WAV = "WAV"
     FLAC = "FLAC"
     OGG = "OGG"
 
 
-def recognise(content: bytes) -> Container:
-    """The container that the first bytes announce. Raises UnsupportedFormatError for any other."""
+def container_of(content: bytes) -> Container:
+    """The container according to the first bytes. Raises UnsupportedFormatError for any other."""
     if content.startswith(b"RIFF") and content[8:12] == b"WAVE":
         return Container.WAV
     if content.startswith(b"fLaC"):
@@ -42,10 +42,10 @@ def recognise(content: bytes) -> Container:
     )
 
 
-def check_whole(content: bytes, container: Container) -> tuple[Notice, ...]:
-    """Raises UndecodableError when the file breaks off before the end that it announces, as far as bytes show that.
+def check_complete(content: bytes, container: Container) -> tuple[Notice, ...]:
+    """Raises UndecodableError if the file ends before the end that it states, as far as its bytes show.
 
-    A FLAC file that breaks off shows only on decoding. The notice says that a file announces no end.
+    Truncated FLAC is detected only on decoding. The notice says that a file states no length.
     """
     if container is Container.WAV:
         return _check_wav(content)
@@ -57,13 +57,12 @@ def check_whole(content: bytes, container: Container) -> tuple[Notice, ...]:
 
 
 def truncated(what: str) -> UndecodableError:
-    """The error for a file of which a part is missing; `what` says which."""
+    """The error for an incomplete file; `what` says which part is missing."""
     return UndecodableError("audio_truncated", f"the audio is not whole: {what}; send the complete file", field="audio")
 
 
 def _check_wav(content: bytes) -> tuple[Notice, ...]:
-    """The data chunk must lie within the file; only a size of all ones, which is what a pipe writes, may point past
-    its end."""
+    """The data chunk must lie within the file, unless its size is all ones, as written to pipes."""
     position = _WAV_HEADER_BYTES
     while position + _CHUNK_HEADER_BYTES <= len(content):
         name, size = struct.unpack_from("<4sI", content, position)
@@ -94,7 +93,7 @@ def _check_flac(content: bytes) -> None:
 
 
 def _check_ogg(content: bytes) -> None:
-    """The last page must be complete and be marked as the stream's last."""
+    """The last page must be complete and marked as the last of the stream."""
     start = content.rfind(b"OggS")
     header = content[start : start + _OGG_PAGE_HEADER_BYTES]
     if len(header) < _OGG_PAGE_HEADER_BYTES:

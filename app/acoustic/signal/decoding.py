@@ -1,10 +1,9 @@
-"""The bytes of a recording in, one mono signal at `SAMPLE_RATE_HZ` out, or a clear reason why not.
+"""Decodes audio files to a mono signal at `SAMPLE_RATE_HZ`, or says clearly why this is not possible.
 
 WAV, FLAC and OGG are read by libsndfile and resampled by soxr, both block by block, so that memory is bounded by the
-limits and not by what a file expands to. Amplitudes are relative to full scale (±1). The limits are checked on what the
-header states, and no more is ever decoded than it states: a small file that would expand to hours costs nothing,
-whether its header tells the truth or lies. The signal's mean is taken off, since a constant is no sound. It is kept in
-single precision.
+limits and not by what a file expands to. Amplitudes are relative to full scale (±1). The limits are checked against the
+header, and no more is ever decoded than it states, so small files that would expand to hours cost nothing, whether
+their headers are correct or not. The mean is removed. Samples are in single precision.
 """
 
 import io
@@ -17,22 +16,22 @@ import soxr
 
 from ...errors import InputError, TooLargeError, UndecodableError, UnsupportedFormatError
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, Notice, SingleArray
-from .containers import check_whole, recognise, truncated
+from .containers import check_complete, container_of, truncated
 
 MIN_DURATION_S = 0.050
-"""Anything shorter holds no word."""
+"""Shorter audio cannot contain a word."""
 
 SILENT_PEAK = 1e-4
-"""A signal that never passes −80 dB of full scale (some three steps of 16 bits) counts as silent."""
+"""A signal with a peak below −80 dB of full scale (about three steps of 16 bits) counts as silent."""
 
 QUIET_PEAK = 1e-2
-"""Below −40 dB of full scale the noise of 16 bits is within 50 dB of the voice."""
+"""Below −40 dB of full scale the quantization noise of 16 bits is within 50 dB of the voice."""
 
 CLIPPED_SHARE = 1e-3
-"""Share of samples that stay at full scale, above which the recording counts as clipped."""
+"""The share of samples that stay at full scale above which a recording counts as clipped."""
 
 CANCELLING_COHERENCE = 0.1
-"""Power of the channels' sum over the sum of their powers: 1 when unrelated, 0 when they cancel each other."""
+"""The power of the channels' sum over the sum of their powers: 1 if uncorrelated, 0 if they cancel."""
 
 _READ_FRAMES = 16_384
 _FULL_SCALE = 0.999
@@ -47,7 +46,7 @@ _IMPOSSIBLE_CHANNELS = (32, 33)
 
 @dataclass(frozen=True, slots=True)
 class AudioLimits:
-    """What is accepted at most (and, for the rate, at least)."""
+    """Upper limits (for the rate, also a lower one) of accepted audio."""
 
     max_duration_s: float = 120.0
     max_bytes: int = 32 * 1024 * 1024
@@ -57,7 +56,7 @@ class AudioLimits:
 
 
 def decode(content: bytes, limits: AudioLimits) -> tuple[Audio, tuple[Notice, ...]]:
-    """The sound of a WAV, FLAC or OGG file, mono at `SAMPLE_RATE_HZ`, and what was amiss with it.
+    """The mono signal of a WAV, FLAC or OGG file at `SAMPLE_RATE_HZ`, and notices about its quality.
 
     Raises TooLargeError (too many bytes, too long), UnsupportedFormatError (another container or codec),
     UndecodableError (broken or truncated) and InputError (empty, too short, silent, not finite, a rate or number of
@@ -69,7 +68,7 @@ def decode(content: bytes, limits: AudioLimits) -> tuple[Audio, tuple[Notice, ..
     if len(content) > limits.max_bytes:
         message = f"the audio has {len(content)} bytes; at most {limits.max_bytes} are accepted"
         raise TooLargeError("audio_too_large", message, field="audio")
-    notices = check_whole(content, recognise(content))
+    notices = check_complete(content, container_of(content))
     with _opened(content) as file:
         _check_header(file, limits)
         channels, clipped = _resampled(file)
@@ -99,7 +98,7 @@ def _codec_error(codec: str) -> UnsupportedFormatError:
 
 
 def _check_header(file: soundfile.SoundFile, limits: AudioLimits) -> None:
-    """Refuses what the header alone shows to be unusable."""
+    """Reject what the header alone shows to be unusable."""
     if file.subtype not in _CODECS:
         raise _codec_error(file.subtype)
     if not limits.min_sample_rate_hz <= file.samplerate <= limits.max_sample_rate_hz:
@@ -123,7 +122,7 @@ def _check_header(file: soundfile.SoundFile, limits: AudioLimits) -> None:
 
 
 def _resampled(file: soundfile.SoundFile) -> tuple[SingleArray, tuple[Notice, ...]]:
-    """All channels at `SAMPLE_RATE_HZ` (samples × channels); the notice says that the file was clipped."""
+    """All channels at `SAMPLE_RATE_HZ` (samples × channels); the notice says that the file is clipped."""
     resampler = soxr.ResampleStream(file.samplerate, SAMPLE_RATE_HZ, file.channels, dtype="float64")
     channels = np.empty((_resampled_frames(file), file.channels), dtype=np.float32)
     done = clipped = 0
@@ -139,12 +138,12 @@ def _resampled(file: soundfile.SoundFile) -> tuple[SingleArray, tuple[Notice, ..
 
 
 def _resampled_frames(file: soundfile.SoundFile) -> int:
-    """At least as many as the file has at `SAMPLE_RATE_HZ`: room for all of it, so that it is held once."""
+    """An upper bound of the length at `SAMPLE_RATE_HZ`, to allocate the array once."""
     return int(file.frames * SAMPLE_RATE_HZ / file.samplerate) + 2
 
 
 def _append(block: FloatArray, room: SingleArray) -> int:
-    """Writes the block into the room left; its length."""
+    """Copy the block into the free space; returns its length."""
     room[: len(block)] = block
     return len(block)
 
@@ -152,7 +151,7 @@ def _append(block: FloatArray, room: SingleArray) -> int:
 def _blocks(file: soundfile.SoundFile) -> Iterator[FloatArray]:
     """The samples (frames × channels), block by block; never more than the header states.
 
-    Raises UndecodableError when fewer can be decoded, InputError at a sample that is not a usable number.
+    Raises UndecodableError if fewer can be decoded, InputError at a sample that is not a usable number.
     """
     done = 0
     while done < file.frames:
@@ -181,15 +180,15 @@ def _unusable_sample(value: float, time_s: float) -> InputError:
 
 
 def _count_clipped(block: FloatArray) -> int:
-    """How many samples repeat the one before at full scale: a wave that is whole only touches it."""
+    """The number of samples that repeat the previous one at full scale; an unclipped wave only touches it."""
     loud = np.abs(block[1:]) >= _FULL_SCALE
     return int(np.count_nonzero(loud & (block[1:] == block[:-1])))
 
 
 def _mixed(channels: SingleArray) -> tuple[SingleArray, tuple[Notice, ...]]:
-    """The mean of the channels, less its own mean; where they cancel each other, the loudest one of them.
+    """The mean of the channels without its offset; if they cancel, the loudest channel.
 
-    Works in place: of half an hour there should be no second copy.
+    Works in place, to avoid a second copy of half an hour of audio.
     """
     channels -= channels.mean(axis=0, dtype=np.float64).astype(np.float32)
     if channels.shape[1] == 1:
@@ -205,7 +204,7 @@ def _mixed(channels: SingleArray) -> tuple[SingleArray, tuple[Notice, ...]]:
 
 
 def _judged(mono: SingleArray) -> tuple[Notice, ...]:
-    """Refuses a silent signal, remarks on a quiet one."""
+    """Reject a silent signal; add a notice for a quiet one."""
     peak = _peak(mono)
     if peak < SILENT_PEAK:
         message = (
@@ -219,7 +218,7 @@ def _judged(mono: SingleArray) -> tuple[Notice, ...]:
 
 
 def _scaled(mono: SingleArray) -> tuple[Audio, tuple[Notice, ...]]:
-    """The signal as it is, unless it passes twice full scale, as when floats hold the integers of 16 bits."""
+    """The signal unchanged, or rescaled if it exceeds twice full scale, as when floats hold 16-bit integers."""
     peak = _peak(mono)
     if peak <= 2.0:
         return Audio(mono), ()

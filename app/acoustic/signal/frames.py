@@ -1,8 +1,8 @@
-"""The frames that all contours share: frame k is centred on k × `FRAME_SHIFT_S`, however long it is.
+"""The frames shared by all contours: frame k is centred on k × `FRAME_SHIFT_S`, whatever its length.
 
-The signal counts as silent outside itself. Frames come in blocks that fit into the processor's cache, so that half an
-hour takes little more memory than a minute. They are in single precision, as fine as a recording of 24 bits, since
-spectra take half the time in it.
+The signal is zero-padded at both ends. Frames come in blocks that fit into the processor's cache, so that half an hour
+takes little more memory than a minute. They are in single precision, as fine as 24-bit audio, in which spectra take
+half the time.
 """
 
 from collections.abc import Iterator
@@ -14,21 +14,19 @@ from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray, SingleArray
 
 SHIFT_SAMPLES = round(FRAME_SHIFT_S * SAMPLE_RATE_HZ)
 BLOCK = 96
-"""Frames in a block."""
+"""Frames per block."""
 
 
 def frame_count(samples: int) -> int:
-    """How many frames a signal of so many samples has."""
+    """The number of frames of a signal with this many samples."""
     return 1 + samples // SHIFT_SAMPLES
 
 
 def blocks_of_frames(
     signal: FloatArray, length: int, count: int, *, shift: int = SHIFT_SAMPLES, centre: int = 0
 ) -> Iterator[tuple[slice, SingleArray]]:
-    """So many frames of `length` samples (an even number), the first around `centre`, each `shift` after the last.
-
-    They come `BLOCK` at a time: which they are, and their samples (frames × length).
-    """
+    """Yield `count` frames of `length` samples (an even number), the first around `centre`, at intervals of `shift`, in
+    blocks of `BLOCK`: their indices, and their samples (frames × length)."""
     before = centre - length // 2
     for first in range(0, count, BLOCK):
         end = min(first + BLOCK, count)
@@ -37,7 +35,7 @@ def blocks_of_frames(
 
 
 def excerpt(signal: FloatArray, first: int, end: int) -> SingleArray:
-    """The samples from `first` up to `end`, either of which may lie outside the signal."""
+    """The samples from `first` up to `end`, zero-padded outside the signal."""
     stretch = np.zeros(end - first, dtype=np.float32)
     inside = signal[max(first, 0) : max(end, 0)]
     begin = max(-first, 0)

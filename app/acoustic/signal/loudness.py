@@ -1,4 +1,4 @@
-"""How loud the signal is, 10 ms by 10 ms: enough to tell sound from silence."""
+"""The power of the signal every 10 ms, to tell sound from silence."""
 
 import numpy as np
 
@@ -8,10 +8,7 @@ FRAME_S = 0.010
 
 
 def frame_power(audio: Audio) -> FloatArray:
-    """Mean square of each stretch of `FRAME_S`, one after the other; a rest shorter than that is left out.
-
-    Audio shorter than one stretch counts as one.
-    """
+    """The mean square of successive intervals of `FRAME_S`; a shorter rest is left out, unless it is all there is."""
     length = round(FRAME_S * SAMPLE_RATE_HZ)
     samples = audio.samples if len(audio.samples) >= length else np.resize(audio.samples, length)
     frames = samples[: len(samples) // length * length].reshape(-1, length)

@@ -1,7 +1,7 @@
-"""Bands of even width on the Mel scale, as filters over the bins of a power spectrum.
+"""Mel filter banks over the bins of a power spectrum.
 
-The scale is Slaney's (Auditory Toolbox, 1998): 3 / 200 Mel a hertz up to 1 kHz, beyond it 27 Mel for each factor of
-6.4. Filters are triangles between the centres of their neighbours, each of area 1 over hertz.
+The scale is Slaney's (Auditory Toolbox, 1998): 3 / 200 Mel per Hz up to 1 kHz, and 27 Mel per factor of 6.4 above.
+Filters are triangles between the centres of their neighbours, normalized to area 1 over Hz.
 """
 
 import numpy as np

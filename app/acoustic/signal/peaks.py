@@ -1,4 +1,4 @@
-"""Peaks along the rows of a table whose columns are samples of a curve; an edge is its own neighbour."""
+"""Finds peaks along the rows of a table; at the edges, the missing neighbour equals the edge value."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,7 +7,7 @@ from ...model import FloatArray
 
 
 def is_peak(curves: FloatArray) -> NDArray[np.bool_]:
-    """Whether each value is no less than the ones beside it."""
+    """Whether each value is no less than its neighbours."""
     peak = np.ones(curves.shape, dtype=np.bool_)
     peak[:, 1:] &= curves[:, 1:] >= curves[:, :-1]
     peak[:, :-1] &= curves[:, :-1] >= curves[:, 1:]
@@ -15,7 +15,7 @@ def is_peak(curves: FloatArray) -> NDArray[np.bool_]:
 
 
 def peak_offsets(curves: FloatArray, columns: NDArray[np.intp]) -> FloatArray:
-    """How far beside its column, in columns (−½ to ½), the parabola through a peak and its neighbours is highest."""
+    """The offset, in columns (−½ to ½), of the vertex of the parabola through each peak and its neighbours."""
     width = curves.shape[1]
     rows = width * np.arange(len(curves))[:, None]
     beside = (np.maximum(columns - 1, 0), columns, np.minimum(columns + 1, width - 1))

@@ -1,7 +1,7 @@
-"""Products with a matrix that stay on one processor.
+"""Matrix products that stay on one processor core.
 
-OpenBLAS shares what takes more than 2^18 multiplications among all processors. Frames of speech are too few for that:
-on two processors the contours of a line took twice the processor time, and no less time by the clock.
+OpenBLAS distributes more than 2^18 multiplications over all cores. Speech frames are too few for that to pay: on two
+cores the contours of a line took twice the processor time and no less elapsed time.
 """
 
 import numpy as np
@@ -12,7 +12,7 @@ MULTIPLICATIONS = 2**18
 
 
 def product(rows: FloatArray, matrix: FloatArray) -> FloatArray:
-    """`rows @ matrix` (rows × columns), some rows at a time."""
+    """`rows @ matrix` (rows × columns), computed in slices of rows."""
     at_once = max(MULTIPLICATIONS // matrix.size, 1)
     found = np.empty((len(rows), matrix.shape[1]), dtype=np.result_type(rows, matrix))
     for first in range(0, len(rows), at_once):

@@ -1,7 +1,7 @@
-"""Energy and Mel frequency cepstral coefficients, one row every 10 ms (paper §3.1.1, §3.1.2).
+"""Energy and Mel-frequency cepstral coefficients (MFCC), every 10 ms (paper §3.1.1, §3.1.2).
 
-Frames are 32 ms long and lie where those of all contours do (`understudy.acoustic.signal.frames`). Levels are in dB re
-full scale squared, so that energy is 0 dB where the windowed samples' squares sum to 1.
+Frames are 32 ms long and placed as in `understudy.acoustic.signal.frames`. Levels are in dB re full scale squared, so
+that energy is 0 dB where the windowed samples' squares sum to 1.
 """
 
 import numpy as np
@@ -14,17 +14,18 @@ from .products import product
 
 FRAME_SAMPLES = round(0.032 * SAMPLE_RATE_HZ)
 ENERGY_FLOOR_DB = -100.0
-"""Energy of digital silence: some 20 dB under the rounding noise of 16-bit samples (about -78 dB in a frame)."""
+"""The energy of digital silence: some 20 dB below the rounding noise of 16-bit samples (about -78 dB per frame)."""
 
 _LEAST_POWER = 1e-20
-"""Of a Mel band of digital silence."""
+"""The minimum power of a Mel band, for digital silence."""
 
 MEL_BANDS = 40
 MEL_MIN_HZ = 80.0
-"""Under the voice there is only rumble, which would tell the recording apart, not the voice."""
+"""Below the voice there is only rumble, which identifies the recording, not the voice."""
 
 MEL_RANGE_DB = 50.0
-"""A Mel band counts as no fainter than this under the loudest of the utterance, lest the cepstrum follow the noise."""
+"""Bands are clamped to at most this far below the loudest of the utterance, so that the cepstrum does not follow
+noise."""
 
 COEFFICIENTS = 12
 
@@ -33,9 +34,10 @@ _HANN = np.hanning(FRAME_SAMPLES + 1)[:-1].astype(np.float32)
 
 
 def energy_db(audio: Audio) -> FloatArray:
-    """Energy of each frame, 10 log10 of the sum of the squared Hamming-windowed samples, dB (paper §3.1.2, eq. 1, 2).
+    """The energy of each frame in dB, 10 log10 of the sum of the squared Hamming-windowed samples (paper §3.1.2, eq. 1,
+    2).
 
-    Never below `ENERGY_FLOOR_DB`; shape (frames,).
+    At least `ENERGY_FLOOR_DB`; shape (frames,).
     """
     energy = np.empty(frame_count(len(audio.samples)))
     for block, frames in blocks_of_frames(audio.samples, FRAME_SAMPLES, len(energy)):
@@ -45,11 +47,12 @@ def energy_db(audio: Audio) -> FloatArray:
 
 
 def mfcc(levels_db: SingleArray, *, range_db: float = MEL_RANGE_DB) -> SingleArray:
-    """Mel frequency cepstral coefficients 1 to 12 of a signal with these Mel levels; shape (frames, 12) (paper §3.1.1).
+    """Mel-frequency cepstral coefficients 1 to 12 from Mel levels; shape (frames, 12) (paper §3.1.1).
 
-    The paper does not say which 12. We leave out coefficient 0, the mean level in dB, since it tells how the recording
-    was set up rather than how the voice sounds. Scaling the signal changes nothing: faint bands are floored relative to
-    the loudest (`python -m benchmarks.acoustic.agitation --ablation` shows what floor and lower edge are worth).
+    The paper does not say which 12. Coefficient 0, the mean level in dB, is left out, since it depends on the
+    recording's gain rather than the voice. The result does not depend on the signal's scale: faint bands are clamped
+    relative to the loudest (`python -m benchmarks.acoustic.agitation --ablation` shows the effect of this and of the
+    lower band edge).
     """
     cepstrum = fft.dct(np.maximum(levels_db, levels_db.max() - range_db), norm="ortho", overwrite_x=True)
     coefficients: SingleArray = cepstrum[:, 1 : 1 + COEFFICIENTS].copy()
@@ -57,7 +60,7 @@ def mfcc(levels_db: SingleArray, *, range_db: float = MEL_RANGE_DB) -> SingleArr
 
 
 def mel_db(audio: Audio, *, min_hz: float = MEL_MIN_HZ) -> SingleArray:
-    """Level of each Mel band of Hann-windowed frames; shape (frames, `MEL_BANDS`)."""
+    """The level of each Mel band of Hann-windowed frames; shape (frames, `MEL_BANDS`)."""
     filters = mel_filters(FRAME_SAMPLES, bands=MEL_BANDS, lowest_hz=min_hz, highest_hz=SAMPLE_RATE_HZ / 2)
     bands = filters.T.astype(np.float32, order="C")
     levels_db = np.empty((frame_count(len(audio.samples)), MEL_BANDS), dtype=np.float32)

@@ -1,11 +1,10 @@
-"""How much each word stands out by the measure that is set: the one value that all that follows the voice goes by.
+"""The emphasis of each word, from the selected measure of stress; all later stages use this value.
 
-Rules emphasise by it, strokes fall on the word that has most of it, repeated strokes and dips of the head on the words
-that have enough, and the mouth opens by it. Of the two measures prominence (`understudy.acoustic.stress.prominence`)
-follows what listeners hear far better than the paper's stressed ratio (`understudy.acoustic.stress.stress`):
-`benchmarks/acoustic/prominence.py`. A word whose phones are not known has the ratio alone, and is judged by that. Their
-thresholds lie far apart; so both are brought to one scale, on which 0 is 0, the threshold is `EMPHASISED` and 1 is 1,
-with straight lines between.
+Rules test it, strokes fall on the word with the highest emphasis, repeated strokes and head dips on emphasized words,
+and the mouth opens by it. Prominence (`understudy.acoustic.stress.prominence`) agrees with listeners far better than
+the paper's stressed ratio (`understudy.acoustic.stress.stress`): `benchmarks/acoustic/prominence.py`. Words without
+known phones have only the ratio and are judged by it. Since their thresholds differ, both are mapped to one scale,
+piecewise linearly: 0 to 0, the threshold to `EMPHASISED`, 1 to 1.
 """
 
 from dataclasses import dataclass, replace
@@ -14,15 +13,15 @@ from typing import Literal
 from ...model import EMPHASISED, Word
 
 PROMINENT = 0.34
-"""The prominence above which there are as many syllables as listeners hear stressed (`training/prominence.py`)."""
+"""The prominence above which as many syllables lie as listeners perceive as stressed (`training/prominence.py`)."""
 
 STRESSED = 0.1
-"""The paper's stressed ratio (Figure 8)."""
+"""The paper's threshold of the stressed ratio (Figure 8)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """Which measure of a word tells how much it stands out, and above which value of each a word is emphasised."""
+    """The measure of emphasis, and the value of each measure above which a word is emphasized."""
 
     name: Literal["prominence", "ratio"] = "prominence"
     above_prominence: float = PROMINENT
@@ -30,7 +29,7 @@ class Measure:
 
 
 def with_emphasis(words: tuple[Word, ...], measure: Measure) -> tuple[Word, ...]:
-    """The words; those that were heard with their emphasis, in thousandths."""
+    """The words; those with a measure get their emphasis, rounded to thousandths."""
     return tuple(replace(word, emphasis=_emphasis(word, measure)) for word in words)
 
 

@@ -1,19 +1,19 @@
-"""How prominent each word sounds: the chance that a listener hears one of its syllables as stressed.
+"""Perceived prominence of words: the probability that listeners perceive one of its syllables as stressed.
 
-The paper's stressed ratio (`understudy.acoustic.stress.stress`) asks for loudness and pitch. Listeners heed length
-first, and how the voice moves more than how high it is. Five cues of each syllable are compared with the mean of the
-utterance's syllables and weighed by a logistic regression on syllables whose stress listeners had judged (`python -m
-training.prominence`, which speaks German; `python -m benchmarks.acoustic.prominence` holds speakers out and shows what
-each cue is worth, in German and English). Loudness counts only against the syllables beside; against the whole
-utterance it adds nothing to these, nor does the mean length of the syllable's phones.
+The paper's stressed ratio (`understudy.acoustic.stress.stress`) uses loudness and pitch. Listeners rely mostly on
+duration, and on pitch movement more than on pitch height. Five cues of each syllable, relative to the mean of the
+utterance's syllables, are weighted by a logistic regression trained on syllables rated by listeners (`python -m
+training.prominence`, on German; `python -m benchmarks.acoustic.prominence` evaluates on held-out speakers, with the
+contribution of each cue, in German and English). Loudness is relative to the neighbouring syllables only; relative to
+the whole utterance it adds nothing, nor does the mean duration of the syllable's phones.
 
-A flat voice makes smaller differences, yet listeners hear stress in each of its sentences (.16 of the syllables of
-neutral, .23 of angry speech). So the weighed sum is divided by the root of its standard deviation in the utterance:
-half way between counting differences as they are, which finds none in a tenth of the neutral sentences, and counting
-all utterances as equally lively.
+In a flat voice the differences are smaller, yet listeners perceive stress in each of its sentences (on .16 of the
+syllables in neutral, .23 in angry speech). So the weighted sum is divided by the square root of its standard deviation
+in the utterance: a compromise between absolute differences, by which a tenth of neutral sentences have no stress, and
+treating all utterances as equally lively.
 
-Frame k is centred on k × `FRAME_SHIFT_S`. A word is as prominent as the most prominent of its syllables; of two vowels
-the second's syllable begins with the last consonant between them.
+Frame k is centred on k × `FRAME_SHIFT_S`. A word is as prominent as its most prominent syllable; between two vowels the
+second syllable begins with the last consonant.
 """
 
 import math
@@ -26,27 +26,27 @@ from ...model import FRAME_SHIFT_S, Contours, FloatArray, Interval, Phone, Word
 
 VOWELS = frozenset(("AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"))
 PAUSE_S = 0.15
-"""A syllable followed by a longer gap, or by the end, is drawn out by that, not by stress."""
+"""A syllable before a longer gap, or at the end, is lengthened by it and not by stress."""
 
 WEIGHTS = np.array([5.83, 0.07, 0.74, 0.09, -4.84])
-"""For the cues in their order: per unit of log duration, per semitone of height and of rise, per dB, for a pause;
-divided by the root of the spread."""
+"""The cues in order: per unit of log duration, per semitone of height and of rise, per dB, for a pause; before division
+by the root of the spread."""
 
 BIAS = -2.24
 LEAST_SPREAD = 0.1
-"""Less is none: syllables all alike."""
+"""The minimum of the spread."""
 
 SHORTEST_S = 0.02
 UNVOICED_HEIGHT = -6.0
-"""Semitones from the speaker's median that a syllable without voiced frames counts as high."""
+"""The height assumed for unvoiced syllables, in semitones relative to the speaker's median."""
 
 DEEPEST_FALL = -1.0
-"""Semitones. Syllables that stand out rise more often than they fall; but a deep fall is an accent as well ("cold" in
-"rather cold hearted"), and tells no more against it than a slight one."""
+"""Semitones. Stressed syllables rise more often than they fall; but a deep fall can be an accent as well ("cold" in
+"rather cold hearted"), so it counts no more against stress than a slight one."""
 
 
 def prominence(words: tuple[Word, ...], contours: Contours) -> tuple[Word, ...]:
-    """The words; those whose phones are known with their prominence, in [0, 1]."""
+    """The words; those with known phones get their prominence in [0, 1]."""
     syllables = [(word.index, syllable) for word in words for syllable in _syllables(word.phones)]
     if not syllables:
         return words
@@ -58,17 +58,17 @@ def prominence(words: tuple[Word, ...], contours: Contours) -> tuple[Word, ...]:
 
 
 def log_odds(measured: FloatArray, weights: FloatArray = WEIGHTS, bias: float = BIAS) -> FloatArray:
-    """The log odds, for each syllable of an utterance, that listeners hear it as stressed, from its `cues`."""
+    """The log odds that listeners perceive each syllable of an utterance as stressed, from its `cues`."""
     sums = measured @ weights
     odds: FloatArray = sums / np.sqrt(max(float(np.std(sums)), LEAST_SPREAD)) + bias
     return odds
 
 
 def cues(syllables: tuple[Interval, ...], contours: Contours) -> FloatArray:
-    """What is weighed (syllables × 5), each column less its mean.
+    """The cues (syllables × 5), each column with its mean removed.
 
-    Log duration; the highest f0, in semitones; how much f0 rises from the first voiced frame to the last, in semitones,
-    at least `DEEPEST_FALL`, and the highest energy, in dB, both beyond the syllables beside; 1 before a pause.
+    Log duration; the maximum f0 in semitones; the rise of f0 from the first to the last voiced frame in semitones, at
+    least `DEEPEST_FALL`, and the maximum energy in dB, both relative to the neighbouring syllables; 1 before a pause.
     """
     voiced_hz = contours.f0_hz[contours.f0_hz > 0]
     middle_hz = np.median(voiced_hz) if len(voiced_hz) else 1.0
@@ -84,7 +84,7 @@ def cues(syllables: tuple[Interval, ...], contours: Contours) -> FloatArray:
 
 
 def _syllables(phones: tuple[Phone, ...]) -> list[Interval]:
-    """The phones' time cut into syllables; one where there is no vowel, none where there is no phone."""
+    """The phones grouped into syllables; one if there is no vowel, none if there are no phones."""
     nuclei = [place for place, phone in enumerate(phones) if phone.label in VOWELS]
     onsets = [max(nucleus - 1, before + 1) for before, nucleus in pairwise(nuclei)]
     starts = [phones[place].interval.start_s for place in [0, *onsets]] if phones else []
@@ -93,31 +93,31 @@ def _syllables(phones: tuple[Phone, ...]) -> list[Interval]:
 
 
 def _frames(interval: Interval) -> slice:
-    """The frames whose centres lie in the interval; that of its start where there are none."""
+    """The frames centred in the interval; if there are none, that of its start."""
     first, end = (math.ceil(round(time_s / FRAME_SHIFT_S, 6)) for time_s in (interval.start_s, interval.end_s))
     return slice(first, max(end, first + 1))
 
 
 def _height_and_rise(semitones: FloatArray) -> tuple[float, float]:
-    """The highest pitch and the last less the first; NaN is unvoiced."""
+    """The maximum pitch, and the difference of the last and the first; NaN is unvoiced."""
     voiced = semitones[~np.isnan(semitones)]
     return (float(voiced.max()), float(voiced[-1] - voiced[0])) if len(voiced) else (UNVOICED_HEIGHT, 0.0)
 
 
 def _highest(contour: FloatArray, frames: slice) -> float:
-    """The contour's highest value in these frames; its last where they lie beyond it."""
+    """The contour's maximum in these frames; its last value if they lie beyond it."""
     return float(contour[frames].max(initial=-np.inf)) if frames.start < len(contour) else float(contour[-1])
 
 
 def _beyond_neighbours(values: FloatArray) -> FloatArray:
-    """Each value less the mean of the two beside it; the first and the last are neighbours of themselves."""
+    """Each value less the mean of its neighbours; at the ends, the value itself replaces the missing neighbour."""
     padded = np.pad(values, 1, mode="edge")
     beyond: FloatArray = values - (padded[:-2] + padded[2:]) / 2
     return beyond
 
 
 def _before_pauses(syllables: tuple[Interval, ...]) -> FloatArray:
-    """1 for a syllable after which none begins for `PAUSE_S`."""
+    """1 for syllables that are not followed by another within `PAUSE_S`."""
     starts_s = np.array([syllable.start_s for syllable in syllables[1:]] + [np.inf])
     ends_s = np.array([syllable.end_s for syllable in syllables])
     before: FloatArray = (starts_s - ends_s > PAUSE_S).astype(float)

@@ -1,9 +1,9 @@
-"""How stressed each word is: the share of its frames that stand out of the utterance (paper §3.1.5).
+"""The stressed ratio of words: the share of their frames that exceed the utterance's thresholds (paper §3.1.5).
 
-The thresholds are the utterance's own 90th percentiles of energy and f0; a frame is stressed when it exceeds either.
-Frame k is centred on k × `FRAME_SHIFT_S` and belongs to the word in whose interval its centre lies (the start
-included, the end not). The percentile of f0 is over voiced frames: the 0 of an unvoiced frame is no observation of f0,
-and counting it would lower the threshold the more, the more the speaker pauses. That of energy is over all frames.
+The thresholds are the utterance's 90th percentiles of energy and f0; a frame is stressed if it exceeds either. Frame k
+is centred on k × `FRAME_SHIFT_S` and belongs to the word whose interval contains its centre (start inclusive, end
+exclusive). The percentile of f0 is over voiced frames only: the 0 of unvoiced frames is not an observation of f0, and
+would lower the threshold with every pause. That of energy is over all frames.
 """
 
 import math
@@ -17,9 +17,9 @@ PERCENTILE = 90.0
 
 
 def stress(words: tuple[Word, ...], contours: Contours) -> tuple[tuple[Word, ...], StressThresholds]:
-    """The words, those that have an interval with their stressed ratio in [0, 1], and the thresholds.
+    """The words, with the stressed ratio in [0, 1] of those that have an interval, and the thresholds.
 
-    A word in which no frame is centred has the ratio 0.
+    A word without frames has the ratio 0.
     """
     voiced_hz = contours.f0_hz[contours.f0_hz > 0]
     thresholds = StressThresholds(

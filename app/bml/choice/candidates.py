@@ -41,7 +41,7 @@ def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], nam
     """The movement as `entry` makes it, with `name` for its id; kept is false where it cannot be timed."""
     words = [word for word in timed if movement.first <= word.index <= movement.last]
     if words:
-        at_s, until_s = stressed_vowel_s(_anchor(entry.anchor, words)), interval_of(words[-1]).end_s
+        at_s, until_s = stressed_vowel_s(_stroke_word(movement, entry.anchor, words)), interval_of(words[-1]).end_s
     else:
         at_s = until_s = max((interval_of(word).end_s for word in timed if word.index < movement.first), default=0.0)
     placing, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
@@ -50,6 +50,7 @@ def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], nam
         priority=movement.priority,
         rule=movement.rule,
         function=movement.function,
+        moment=movement.moment,
         kept=bool(words),
         reason=hurry if words else "none of its words is spoken",
     )
@@ -104,8 +105,12 @@ def _strength(vowel: Phone) -> tuple[int, bool, float]:
     return _DIGIT_RANKS[vowel.stress], vowel.label != "AH", round(vowel.interval.duration_s, 3)
 
 
-def _anchor(anchor: Anchor, words: list[Word]) -> Word:
-    """The word a stroke falls on; of equally emphasised words the last."""
+def _stroke_word(movement: Movement, anchor: Anchor, words: list[Word]) -> Word:
+    """The word a stroke falls on: the movement's own if it is spoken, else the anchor; of equally emphasised words the
+    last."""
+    for word in words:
+        if word.index == movement.stroke:
+            return word
     if anchor is Anchor.FIRST:
         return words[0]
     if anchor is Anchor.LAST:

@@ -23,6 +23,9 @@ from .table import BehaviorChange, BehaviorEntry, BehaviorTable, changed, did_yo
 
 Value = TypeVar("Value")
 
+LIVELY_PER_MINUTE = 21.0
+"""Strokes a minute of a lively talker."""
+
 
 @dataclass(frozen=True, slots=True)
 class Character:
@@ -43,6 +46,16 @@ class Character:
     eye_contact: float
     rest_poses: tuple[str, ...]
     entries: Mapping[str, BehaviorEntry]
+
+    @property
+    def liveliness(self) -> float:
+        """How much it gestures beside a lively talker, whom the planned choice takes for the measure."""
+        return self.gestures_per_minute / LIVELY_PER_MINUTE
+
+    @property
+    def lexemes(self) -> Mapping[str, tuple[Channel, str]]:
+        """The channel and lexeme of each of its behaviours."""
+        return {name: (entry.channel, entry.lexeme) for name, entry in self.entries.items()}
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,6 +21,9 @@ from .conflicts import Fitted, Kept, fitted
 REPEAT_S = 5.0
 """No gesture is made twice within this time, from stroke to stroke."""
 
+PLANNED_REPEAT_S = 1.2
+"""The same for planned gestures: directors have people deny twice what they deny twice."""
+
 HAND_SWITCH_S = 2.0
 """The hand in use stays in use for this long, from stroke to stroke."""
 
@@ -44,7 +47,7 @@ NEAR_UNIT_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """What the choice depends on besides the candidates: the words that have times, who moves, how many gestures."""
+    """What the choice depends on besides the candidates: the timed words, who moves, and how many gestures."""
 
     timed: tuple[Word, ...]
     character: Character
@@ -71,15 +74,15 @@ def choose(candidates: Iterable[BehaviorCandidates], line: Line) -> tuple[Kept, 
     return kept, tuple(lost)
 
 
-def _rank(offer: BehaviorCandidates, line: Line) -> tuple[float, bool, int, int, str]:
-    """Of functions that matter as much, those choose first for whose gestures there is time."""
-    function = offer.function
-    return -function.priority, _is_hurried(offer, line), function.first, function.last, function.id
+def _rank(offer: BehaviorCandidates, line: Line) -> tuple[float, bool, tuple[float, int, int, str]]:
+    """Of equal priority, those choose first for whose gestures there is time."""
+    return -offer.priority, _is_hurried(offer, line), offer.rank
 
 
 def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
     """Whether a gesture of it would begin with the hand raised, for want of time."""
-    begun = [word for word in line.timed if word.index <= offer.function.first]
+    _priority, first, _last, _id = offer.rank
+    begun = [word for word in line.timed if word.index <= first]
     if begun and interval_of(begun[-1]).start_s >= EASILY_S:
         return False
     movements = (movement for alternative in offer.alternatives for movement in alternative.movements)
@@ -122,7 +125,7 @@ def _attempted(alternative: Alternative, number: int, kept: Kept, line: Line) ->
     own: list[Fitted] = []
     lost: list[Behavior] = []
     for place, movement in enumerate(alternative.movements):
-        name = f"{movement.function}.{number}.{place}"
+        name = f"{movement.moment or movement.function}.{number}.{place}"
         candidate = asked(movement, line.character.entries[movement.name], line.timed, name)
         outcome = _taken(with_hand(candidate, kept, line.character.handedness), kept, line)
         if isinstance(outcome, Fitted):
@@ -149,8 +152,9 @@ def _refused(behavior: Behavior, gestures: list[Behavior], most_gestures: int) -
     """The gesture as a loser where the character would not make it beside those it makes."""
     for other in gestures:
         apart_s = abs(_stroke_s(behavior) - _stroke_s(other))
-        if other.lexeme == behavior.lexeme and apart_s < REPEAT_S:
-            return _lost_to(other, behavior, f"{other.lexeme} is made already within {REPEAT_S:g} s")
+        repeat_s = PLANNED_REPEAT_S if behavior.moment else REPEAT_S
+        if other.lexeme == behavior.lexeme and apart_s < repeat_s:
+            return _lost_to(other, behavior, f"{other.lexeme} is made already within {repeat_s:g} s")
         if _switches(behavior, other) and apart_s < HAND_SWITCH_S:
             return _lost_to(other, behavior, f"the other hand is in use for {other.lexeme}")
     if len(gestures) >= most_gestures:

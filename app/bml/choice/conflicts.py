@@ -1,10 +1,11 @@
 """Behaviours that overlap on a channel, or are too close to be played: who came first stays (paper §3.5).
 
-Candidates come in the order of their priority. Gestures compete hand by hand, everything else channel by channel, and a
-look aside, which turns the head, competes with what the head does. One that does not fit beside those taken before is
-shortened to what its phases need at least; a look whose head is taken goes to the eyes alone. If that is not enough,
-the retraction of its predecessor gives way to its preparation, and then its hold, which joins the two into one gesture
-unit (§3.8); if that is not enough either, it loses, with the winner's id and the reason.
+Candidates come in the order of their priority. Gestures compete hand by hand, faces by the half of the face that they
+move, everything else channel by channel, and a look aside, which turns the head, competes with what the head does. One
+that does not fit beside those taken before is shortened to what its phases need at least; a look whose head is taken
+goes to the eyes alone. If that is not enough, the retraction of its predecessor gives way to its preparation, and then
+its hold, which joins the two into one gesture unit (§3.8); if that is not enough either, it loses, with the winner's id
+and the reason.
 """
 
 from collections.abc import Iterable, Sequence
@@ -12,6 +13,7 @@ from dataclasses import dataclass, replace
 
 from ...model import Behavior, Channel, Hand
 from .candidates import PlacedBehavior
+from .faces import LOWER_FACE
 from .phases import Window, placed
 from .table import GLANCE, LOOK
 
@@ -79,6 +81,8 @@ def compete(one: Behavior, other: Behavior) -> bool:
     """Whether two behaviours move the same part of the body."""
     if one.kind is not other.kind:
         return _turns_the_head(one, other) or _turns_the_head(other, one)
+    if one.kind is Channel.FACE:
+        return (one.lexeme in LOWER_FACE) == (other.lexeme in LOWER_FACE)
     return one.kind is not Channel.GESTURE or one.hand is other.hand or Hand.BOTH in (one.hand, other.hand)
 
 

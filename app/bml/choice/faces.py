@@ -43,3 +43,11 @@ ACTION_UNITS: Mapping[str, int] = MappingProxyType(
     }
 )
 """Our words for FACS action units (shared/motion.md)."""
+
+LOWER_FACE = frozenset(
+    lexeme
+    for lexeme in (*CORE_LEXEMES, *ACTION_UNITS)
+    if any(part in lexeme for part in ("MOUTH", "LIP", "NOSE", "DIMPLE"))
+)
+"""The lexemes of mouth and nose; the others are of brows, lids and cheeks. FACS parts the face so as well: the halves
+move independently of each other."""

@@ -43,7 +43,7 @@ def in_mode(
 def _beaten_in(kept: Kept, candidates: Iterable[BehaviorCandidates], line: Line) -> Kept:
     """Beats on the stressed words, as many as the character makes."""
     stressed = sorted(
-        (offer.function for offer in candidates if offer.function.class_name == STRESSED),
+        (offer.function for offer in candidates if offer.function and offer.function.class_name == STRESSED),
         key=lambda function: (-function.priority, function.first),
     )
     left = line.most_gestures

@@ -18,6 +18,9 @@ from .idle_behaviors import idle_behaviors
 from .modes import in_mode
 from .saccades import TALKING
 
+PLANNED_MORE = 1.6
+"""Ideas crowd in some lines and are absent from others: a planned line may have this many times the usual gestures."""
+
 PAUSE_S = 0.5
 """A line has its share of the pause between lines. It makes up for the gestures that find no place in their line, so
 that the rates of `benchmarks/bml/schedule.py` come out as set."""
@@ -40,10 +43,10 @@ def schedule(
     if not timed:
         return ()
     duration_s = utterance.duration_s or interval_of(timed[-1]).end_s
-    candidates, line = (
-        tuple(candidates),
-        Line(timed, character, most_gestures(character, duration_s - utterance.lead_in_s)),
-    )
+    candidates = tuple(candidates)
+    planned = any(each.moment for each in candidates)
+    spoken_s = duration_s - utterance.lead_in_s
+    line = Line(timed, character, most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0)))
     kept, lost = choose(candidates, line)
     kept, lost = in_mode(mode, (kept, lost), candidates, line, seed)
     own = [

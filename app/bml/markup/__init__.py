@@ -1,4 +1,3 @@
-"""BML as such: a document as a value, the one table of elements and attributes, XML and attribute values read and
-written, and what strict realizers refuse. Knows nothing of performances but the times of words. Imports the values
-alone. Begin with `documents.py` and `elements.py`.
-"""
+"""BML documents: the data model, the schema of elements and attributes, reading and writing XML and attribute values,
+and validation by the rules of strict realizers. Independent of performances except for word times. Imports only the
+data model. Begin with `documents.py` and `elements.py`."""

@@ -1,8 +1,8 @@
-"""A BML document as a value: elements with typed attributes and, between them, text.
+"""The data model of BML documents: elements with typed attributes and mixed content.
 
-An element of the document's dialect goes by its name in the table (`understudy.bml.markup.elements`), any other by the
-name that XML tools give it, `{namespace}name`, with its attributes as text. Times are seconds from the start of the
-block, or references to what another behaviour reaches. Where an element stood in a file is no part of its value.
+An element of the document's dialect has its name in the table (`understudy.bml.markup.elements`), any other its
+expanded name `{namespace}name`, with its attributes as text. Times are seconds from the start of the block, or
+references to sync points of other behaviours. An element's position in a file is not part of its value.
 """
 
 from collections.abc import Iterator, Mapping
@@ -12,14 +12,14 @@ from types import MappingProxyType
 
 
 class DialectName(StrEnum):
-    """The dialects of BML that are read and written (shared/bml.md)."""
+    """The supported dialects of BML (shared/bml.md)."""
 
     BML = "bml"
     SMARTBODY = "smartbody"
 
 
 class TimeForm(StrEnum):
-    """How times are written: in seconds, or from the marks of the speech."""
+    """How times are written: in seconds, or relative to the sync marks of the speech."""
 
     ABSOLUTE = "absolute"
     SYNC = "sync"
@@ -27,7 +27,7 @@ class TimeForm(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """The time `offset_s` after `behavior` reaches `point`; `block` is given when the behaviour is in another block."""
+    """The time `offset_s` after the sync point `point` of `behavior`; `block` is set if that is in another block."""
 
     behavior: str
     point: str
@@ -41,7 +41,7 @@ Value = str | int | float | Reference
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a start tag begins in a file; both count from 1."""
+    """The position of a start tag in a file; both count from 1."""
 
     line: int
     column: int
@@ -49,7 +49,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Element:
-    """A BML element. `content` holds the elements and texts inside it, in order."""
+    """A BML element. `content` has its child elements and texts in order."""
 
     name: str
     attributes: Mapping[str, Value] = field(default_factory=dict)
@@ -61,18 +61,19 @@ class Element:
 
     @property
     def children(self) -> Iterator["Element"]:
-        """The elements inside, without the text between them."""
+        """The child elements, without text."""
         return (part for part in self.content if isinstance(part, Element))
 
     @property
     def id(self) -> str | None:
+        """The value of the attribute `id`."""
         found = self.attributes.get("id")
         return found if isinstance(found, str) else None
 
 
 @dataclass(frozen=True, slots=True)
 class Document:
-    """A document of one dialect; `root` is its outermost element."""
+    """A document of one dialect; `root` is its root element."""
 
     dialect: DialectName
     root: Element

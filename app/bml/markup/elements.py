@@ -1,8 +1,9 @@
-"""What BML is made of, as one table: elements, their attributes and sync points, and what may stand inside them.
+"""The schema of BML as one table: elements, their attributes and sync points, and their content.
 
-The writer, the reader and the JSON form all follow this table. It holds BML 1.0 core as strict realizers read it
-(shared/bml.md), with `faceFacs` of the core extensions, and the part of SmartBody's dialect that we write. The core is
-closed: an unknown name in its namespaces is a mistake. SmartBody's is open: what is not here is kept and reported.
+Writer, reader and JSON form all use this table. It covers BML 1.0 core as strict realizers interpret it
+(shared/bml.md), `faceFacs` of the core extensions, and the subset of SmartBody's dialect that we write. The core is
+closed: an unknown name in its namespaces is a mistake. SmartBody's dialect is open: unknown names are kept and
+reported.
 """
 
 import re
@@ -16,11 +17,11 @@ from .documents import DialectName
 CORE = "http://www.bml-initiative.org/bml/bml-1.0"
 CORE_EXTENSIONS = "http://www.bml-initiative.org/bml/coreextensions-1.0"
 SBM = "http://ict.usc.edu"
-"""The namespace of the attributes that SmartBody adds to its own dialect, `sbm:` in its files."""
+"""The namespace of SmartBody's additional attributes, `sbm:` in its files."""
 
 
 class Kind(StrEnum):
-    """What an attribute's text says."""
+    """The type of an attribute's value."""
 
     TEXT = "a text"
     ID = "an id: a letter, then letters, digits, _ and . (a - breaks references)"
@@ -32,7 +33,8 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Attribute:
-    """`one_of` lists the only values there are (all, if empty); `beyond` matches those of known extensions."""
+    """The type of an attribute; `one_of` lists its permitted values (all, if empty); `beyond` matches those of known
+    extensions."""
 
     kind: Kind = Kind.TEXT
     required: bool = False
@@ -42,8 +44,8 @@ class Attribute:
 
 @dataclass(frozen=True, slots=True)
 class ElementKind:
-    """An element: attributes in the order in which they are written, `syncs` those that are sync points, in order of
-    time. Text stands between its parts if `mixed`; whatever its author likes stands inside if `free`."""
+    """The type of an element: its attributes in the order of writing, with its sync points `syncs` in order of time.
+    `mixed` permits text between its parts; `free` permits any content."""
 
     name: str
     namespace: str
@@ -56,13 +58,14 @@ class ElementKind:
 
     @property
     def qualified(self) -> str:
-        """The name as XML tools give it."""
+        """The expanded name `{namespace}name`."""
         return f"{{{self.namespace}}}{self.name}" if self.namespace else self.name
 
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """The roots that a document of it may have; in `namespaces` (without one: "") an unknown name is a mistake."""
+    """A dialect with its possible root elements; an unknown name in one of `namespaces` (no namespace: "") is a
+    mistake."""
 
     name: DialectName
     title: str
@@ -88,14 +91,14 @@ def _kind(
     free: bool = False,
     namespace: str = CORE,
 ) -> ElementKind:
-    """A row; every sync point is an attribute too."""
+    """An element type; every sync point is also an attribute."""
     every = {**(attributes or {}), **dict.fromkeys(syncs, _TIME)}
     inside = MappingProxyType({part.name: part for part in parts})
     return ElementKind(name, namespace, MappingProxyType(every), syncs, inside, needs, mixed, free)
 
 
 def _any(**attributes: Attribute) -> dict[str, Attribute]:
-    """The attributes of a behaviour: its id, then its own."""
+    """The attributes of a behaviour: its id, then those given."""
     return {"id": _ID, **attributes}
 
 
@@ -169,7 +172,7 @@ _JOINTS = f"{{{SBM}}}joint-range"
 
 
 def _own(name: str, attributes: Mapping[str, Attribute], *, syncs: tuple[str, ...] = ()) -> ElementKind:
-    """A behaviour of SmartBody's dialect: an id is welcome, not required."""
+    """A behaviour of SmartBody's dialect, where the id is optional."""
     every = {"id": _OWN_ID, **attributes, "priority": _COUNT}
     return _kind(name, every, syncs=syncs, namespace="")
 

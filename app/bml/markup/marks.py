@@ -1,9 +1,8 @@
-"""The marks of the speech, and times told from them.
+"""The sync marks of the speech, and times relative to them.
 
-Every word has a mark where it begins. With `TimeForm.SYNC` all points of a behaviour are told from one mark, that of
-the word in which its stroke (without one, its start) falls: wherever a realizer's speech puts the word, the phases
-keep their lengths and their order, and the stroke its word. What comes before the first word is told from the start of
-the speech.
+Every word has a mark at its start. With `TimeForm.SYNC` all points of a behaviour refer to one mark, that of the word
+in which its stroke (or else its start) falls: wherever a realizer's speech places the word, the phases keep their
+durations, and the stroke its word. Points before the first word refer to the start of the speech.
 """
 
 from bisect import bisect_right
@@ -14,16 +13,17 @@ from ...model import SyncPoints, Word
 from .documents import Reference, Time, TimeForm
 
 SPEECH = "speech1"
-"""The id of the speech."""
+"""The id of the speech behaviour."""
 
-Clock = Callable[[SyncPoints], dict[str, Time]]
-"""Tells the points that are set, by name, in order."""
+TimeFormatter = Callable[[SyncPoints], dict[str, Time]]
+"""Expresses the sync points that are set, by name, in order."""
 
 
-def clock(
+def time_formatter(
     words: tuple[Word, ...], timing: TimeForm, mark: Callable[[int], str], *, speech_start_s: float = 0.0
-) -> Clock:
-    """How a document tells times; `mark` is the id of the mark before the word of a number."""
+) -> TimeFormatter:
+    """The function that expresses times in a document; `mark` gives the id of the mark before the word with an
+    index."""
     if timing is TimeForm.ABSOLUTE:
         return _absolute
     starts = [(to_milli(speech_start_s), "start")]
@@ -32,7 +32,7 @@ def clock(
 
 
 def to_milli(number: float) -> float:
-    """The number to three decimals; never -0.0."""
+    """The number rounded to three decimals; never -0.0."""
     return round(number, 3) + 0.0
 
 

@@ -1,7 +1,7 @@
-"""What is wrong with a BML file, by the table of elements and by what strict realizers refuse (shared/bml.md).
+"""Validates BML files against the schema and the rules of strict realizers (shared/bml.md).
 
-Elements come as they were parsed, all attributes text. First the names, attributes and parts of every element, then,
-block by block, ids, references, the order of sync points, and gazes that want the same eyes at once.
+Elements come from the parser with all attributes as text. Names, attributes and content of every element are checked
+first, then, block by block, ids, references, the order of sync points, and conflicting gazes.
 """
 
 from collections.abc import Iterator, Mapping
@@ -15,11 +15,11 @@ from .elements import CORE, Dialect, ElementKind
 from .values import value_of
 
 Found = Iterator[tuple[Place, str]]
-"""Where a mistake is and what it is, in words."""
+"""The place and description of each mistake."""
 
 _LONGEST_SHOWN = 40
 _MOST_COMPARED = 200
-"""A name is compared with so many for a hint, lest a large file take long."""
+"""A name is compared with at most this many others to suggest one, to limit time on large files."""
 
 _NOWHERE = Place(1, 1)
 
@@ -30,12 +30,12 @@ _HINTS: Mapping[str, str] = {
     "faceFacs": "it is in the namespace of the core extensions",
     "character": "write characterId",
 }
-"""What is to be said of names that are often met."""
+"""Advice about common mistakes."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Behavior:
-    """What references can point at: an element with its values; `kind` is None when it is an extension's."""
+    """A possible target of references, with its attribute values; `kind` is None for an extension's element."""
 
     element: Element
     kind: ElementKind | None
@@ -48,7 +48,7 @@ class _Behavior:
 
 
 def mistakes_of(root: Element, kind: ElementKind, dialect: Dialect) -> Found:
-    """Every mistake of a file whose `root` is of `kind`."""
+    """All mistakes of a file whose `root` is of type `kind`."""
     yield from _in_element(root, kind, dialect)
     for block, of_kind in _blocks(root, kind):
         behaviors = list(_behaviors(block, of_kind))
@@ -59,8 +59,8 @@ def mistakes_of(root: Element, kind: ElementKind, dialect: Dialect) -> Found:
         yield from _order(behaviors)
 
 
-def typed(element: Element, kind: ElementKind) -> dict[str, Value]:
-    """The attributes of the table that are right, with their values."""
+def typed_attributes(element: Element, kind: ElementKind) -> dict[str, Value]:
+    """The values of the valid attributes that are in the table."""
     values: dict[str, Value] = {}
     for name, attribute in kind.attributes.items():
         if name in element.attributes:
@@ -72,18 +72,18 @@ def typed(element: Element, kind: ElementKind) -> dict[str, Value]:
 
 
 def kind_of(element: Element, parent: ElementKind) -> ElementKind | None:
-    """What `element` is inside a `parent`; None when that is not for it."""
-    kind = parent.parts.get(local(element.name))
+    """The type of `element` inside a `parent`; None if it is not permitted there."""
+    kind = parent.parts.get(local_name(element.name))
     return kind if kind and kind.qualified == element.name else None
 
 
-def local(qualified: str) -> str:
+def local_name(qualified: str) -> str:
     """The name without its namespace."""
     return qualified.rpartition("}")[2]
 
 
 def is_foreign(qualified: str, dialect: Dialect) -> bool:
-    """Whether a name that the table does not have is an extension's, and no mistake."""
+    """Whether a name outside the table belongs to an extension and so is not a mistake."""
     return qualified.rpartition("}")[0].removeprefix("{") not in dialect.namespaces
 
 
@@ -95,20 +95,20 @@ def _in_element(element: Element, kind: ElementKind, dialect: Dialect) -> Found:
         return
     if not kind.mixed:
         yield from _stray_text(element)
-    if kind.needs and kind.needs not in {local(part.name) for part in element.children}:
+    if kind.needs and kind.needs not in {local_name(part.name) for part in element.children}:
         yield place, f"{_shown(element)}: no <{kind.needs}> in it"
     for part in element.children:
         inside = kind_of(part, kind)
         if inside:
             yield from _in_element(part, inside, dialect)
         elif not is_foreign(part.name, dialect):
-            name = local(part.name)
+            name = local_name(part.name)
             unknown = f"<{_short(name)}> may not stand in <{kind.name}>"
             yield part.place or _NOWHERE, f"{unknown}{_hint(name, kind.parts)}"
 
 
 def _stray_text(element: Element) -> Found:
-    """Text where there may be none; it has no place of its own, so it is told by what it follows."""
+    """Text where none is permitted; it has no position of its own and is reported by what precedes it."""
     before = element
     for part in element.content:
         if isinstance(part, Element):
@@ -129,7 +129,7 @@ def _in_attributes(element: Element, kind: ElementKind, dialect: Dialect) -> Ite
             except ValueError as error:
                 yield f"{name}={_short(str(text))!r} {error}"
         elif not is_foreign(name, dialect):
-            yield f"no attribute is called {_short(local(name))}{_hint(local(name), kind.attributes)}"
+            yield f"no attribute is called {_short(local_name(name))}{_hint(local_name(name), kind.attributes)}"
 
 
 def _hint(name: str, known: Mapping[str, object]) -> str:
@@ -147,19 +147,19 @@ def _blocks(root: Element, kind: ElementKind) -> Iterator[tuple[Element, Element
 
 
 def _behaviors(block: Element, kind: ElementKind) -> Iterator[_Behavior]:
-    """The behaviours of a block, with those that are `required`, and what extensions have with an id."""
+    """The behaviours of a block, including those in `required`, and extension elements with an id."""
     for part in block.children:
         inside = kind_of(part, kind)
         if inside and inside.name == "required":
             yield from _behaviors(part, inside)
         elif inside:
-            yield _Behavior(part, inside, typed(part, inside))
+            yield _Behavior(part, inside, typed_attributes(part, inside))
         elif "id" in part.attributes:
             yield _Behavior(part, None, {"id": part.attributes["id"]})
 
 
 def _ids(block: Element, behaviors: list[_Behavior]) -> Found:
-    """Block and behaviours share one name space; each speech has one of its own for its marks."""
+    """Block and behaviours share one name space; each speech has a separate one for its marks."""
     yield from _doubles([block, *(behavior.element for behavior in behaviors)])
     for behavior in behaviors:
         if behavior.kind and behavior.kind.name == "speech":
@@ -195,7 +195,7 @@ def _references(block: Element, kind: ElementKind, behaviors: list[_Behavior]) -
 
 
 def _referring(element: Element, kind: ElementKind) -> Iterator[tuple[Element, Reference]]:
-    for value in typed(element, kind).values():
+    for value in typed_attributes(element, kind).values():
         if isinstance(value, Reference):
             yield element, value
     for part in element.children:
@@ -205,7 +205,7 @@ def _referring(element: Element, kind: ElementKind) -> Iterator[tuple[Element, R
 
 
 def _order(behaviors: list[_Behavior]) -> Found:
-    """Only times that are told from the same point can be compared."""
+    """Only times relative to the same point can be compared."""
     for behavior in behaviors:
         place, name = behavior.element.place or _NOWHERE, _shown(behavior.element)
         told: dict[tuple[str | None, str, str] | None, list[tuple[str, float]]] = {}
@@ -224,7 +224,7 @@ def _order(behaviors: list[_Behavior]) -> Found:
 
 
 def _gazes(behaviors: list[_Behavior]) -> Found:
-    """The same joints cannot be at two targets; told of gazes whose times are seconds."""
+    """Overlapping gazes of the same joints at different targets, where times are in seconds."""
     spans: dict[Value | None, list[tuple[float, float, int, Element]]] = {}
     for number, each in enumerate(behaviors):
         start_s, end_s = each.values.get("start"), each.values.get("end")
@@ -240,8 +240,8 @@ def _gazes(behaviors: list[_Behavior]) -> Found:
 
 
 def _shown(element: Element) -> str:
-    """The element as messages name it."""
-    name = _short(local(element.name))
+    """The element as messages show it."""
+    name = _short(local_name(element.name))
     return f"<{name} {_short(str(element.attributes['id']))}>" if "id" in element.attributes else f"<{name}>"
 
 

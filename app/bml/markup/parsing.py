@@ -1,7 +1,7 @@
-"""XML from strangers into elements: names as XML tools give them, attributes as text, and the place of every start tag.
+"""Parses untrusted XML into elements with expanded names, attributes as text, and the position of every start tag.
 
-UTF-8 only. A DOCTYPE is refused the moment it is met, so there are no entities but XML's own five and nothing is
-fetched; size and depth are limited. Comments and processing instructions are not read.
+UTF-8 only. A DOCTYPE is rejected immediately, so there are no entities but XML's own five and nothing is fetched; size
+and depth are limited. Comments and processing instructions are ignored.
 """
 
 from dataclasses import dataclass
@@ -14,14 +14,14 @@ _SEPARATOR = "}"
 
 @dataclass(frozen=True, slots=True)
 class ReadingLimits:
-    """The largest BML file that is read, and how many elements may stand inside one another."""
+    """The maximum size of a BML file and depth of nesting."""
 
     max_bytes: int = 1024 * 1024
     max_depth: int = 32
 
 
 class NotXmlError(Exception):
-    """The bytes are no XML that we read; caught by the reader, which knows the file."""
+    """The bytes are not acceptable XML; caught by the reader, which knows the file's name."""
 
     def __init__(self, message: str, place: Place) -> None:
         super().__init__(message)
@@ -31,7 +31,7 @@ class NotXmlError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class _Open:
-    """An element whose end has not come."""
+    """An element whose end tag has not been reached."""
 
     name: str
     attributes: dict[str, str]
@@ -40,7 +40,7 @@ class _Open:
 
 
 class _Builder:
-    """Puts the elements together as the parser meets their tags."""
+    """Builds the elements from the parser's events."""
 
     def __init__(self, max_depth: int) -> None:
         self._max_depth = max_depth
@@ -85,7 +85,7 @@ class _Builder:
 
 
 def parse(content: bytes, limits: ReadingLimits) -> Element:
-    """The root, with everything in it; raises NotXmlError. The size is the caller's to check."""
+    """The root element with all content. Raises NotXmlError. The caller must check the size."""
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -96,5 +96,5 @@ def parse(content: bytes, limits: ReadingLimits) -> Element:
 
 
 def _qualified(name: str) -> str:
-    """`{namespace}name`; a name without a namespace is as it stands."""
+    """`{namespace}name`, or the plain name if it has no namespace."""
     return f"{{{name}" if _SEPARATOR in name else name

@@ -1,7 +1,7 @@
-"""What a BML document has said, and where its marks stand in it.
+"""The speech of a BML document and the positions of its sync marks.
 
-A mark stands before the word that follows it: mark `w3` of "I <sync id='w1'/>have …" is the moment at which "have"
-begins. SmartBody's marks may say their own time; those of the core have none but what the recording tells.
+A mark precedes the word that follows it: mark `w3` of "I <sync id='w1'/>have …" is the time at which "have" begins.
+SmartBody's marks may state their time; those of the core get theirs from the recording.
 """
 
 from collections.abc import Iterator, Mapping
@@ -14,8 +14,8 @@ from .documents import Document, Element, Time
 
 @dataclass(frozen=True, slots=True)
 class Speech:
-    """The first speech of a document: its text, by `marks` how many of its words come before each mark, and by
-    `mark_times_s` the time of those marks that say it, in seconds from the start of the speech."""
+    """The first speech of a document: its text, in `marks` the number of words before each mark, and in `mark_times_s`
+    the stated times of marks, in seconds from the start of the speech."""
 
     id: str
     text: str
@@ -25,7 +25,7 @@ class Speech:
 
 
 def behaviors_of(document: Document) -> Iterator[Element]:
-    """The behaviours and constraints of the document's block, those that are required too."""
+    """The behaviours and constraints of the document's block, including those in `required`."""
     blocks = [part for part in document.root.children if part.name == "bml"]
     for part in (blocks[0] if blocks else document.root).children:
         if part.name == "required":
@@ -35,13 +35,13 @@ def behaviors_of(document: Document) -> Iterator[Element]:
 
 
 def speech_of(document: Document) -> Speech | None:
-    """The document's first speech; None when nothing is said."""
+    """The document's first speech, or None."""
     found = next((element for element in behaviors_of(document) if element.name == "speech"), None)
     return None if found is None else _speech(found)
 
 
 def mark_s(mark: str, speech: Speech, words: tuple[Word, ...]) -> float | None:
-    """The time of a mark in seconds from the start of the speech; None when nothing tells it."""
+    """The time of a mark in seconds from the start of the speech; None if unknown."""
     if mark in speech.mark_times_s:
         return speech.mark_times_s[mark]
     if mark not in speech.marks:

@@ -1,7 +1,7 @@
-"""The text of an attribute and the value it stands for.
+"""Converts between attribute values and text.
 
-Numbers are fixed decimals, three places or as many as it takes to say the number exactly, never `1e-05`. White space
-around a value, and more than one space inside, mean nothing.
+Numbers are in decimal notation, never `1e-05`, with three decimals or as many as are needed to be exact. White space
+around a value is ignored, and runs of it inside count as one space.
 """
 
 import re
@@ -24,7 +24,7 @@ _REFERENCE = re.compile(
 
 
 def value_of(text: str, attribute: Attribute) -> Value:
-    """What `text` says; raises ValueError, with the reason, when it cannot be said by `attribute`."""
+    """The value that `text` represents. Raises ValueError, with the reason, if it is invalid for `attribute`."""
     text = " ".join(text.split())
     if not text:
         raise ValueError("is empty; leave it out")
@@ -41,7 +41,7 @@ def value_of(text: str, attribute: Attribute) -> Value:
 
 
 def text_of(value: Value) -> str:
-    """The text that says `value`."""
+    """The text that represents `value`."""
     if isinstance(value, Reference):
         block = f"{value.block}:" if value.block else ""
         offset = f"{'-' if value.offset_s < 0 else '+'}{_fixed(abs(value.offset_s))}" if value.offset_s else ""
@@ -75,7 +75,7 @@ def _number(text: str) -> float:
     number = float(_matching(_NUMBER, text))
     if not isfinite(number):
         raise ValueError(text)
-    return number + 0.0  # turns -0.0, which would be written as it is, into 0.0
+    return number + 0.0  # turns -0.0 into 0.0
 
 
 def _share(number: float) -> float:

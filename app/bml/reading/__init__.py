@@ -1,4 +1,3 @@
-"""BML files, ours or others', as behaviors whose times are all known: parsed with every mistake at its place, sync
-references resolved against the words and the constraints of the block. Imports `markup`, `choice` and `writing`, whose
-tables it reads the other way round. Begin with `reader.py`, then `resolving.py`.
-"""
+"""BML files, ours or others', as behaviours with absolute times: parsed with the place of every mistake, with sync
+references and constraints resolved. Imports `markup`, `choice` and `writing`, whose tables it inverts. Begin with
+`reader.py`, then `resolving.py`."""

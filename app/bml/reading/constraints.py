@@ -1,7 +1,7 @@
-"""The constraints of a BML block: points that are to be at one moment, and points that are to come before others.
+"""Constraints of a BML block: points that coincide, and points that precede others.
 
-A `synchronize` tells the times of those of its points that nothing else tells. A `before` or `after` moves nothing:
-what the times do not fulfil is reported.
+A `synchronize` determines those of its points that have no time otherwise. `before` and `after` move nothing:
+violations are reported.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -11,12 +11,12 @@ from ...model import Notice
 from ..markup.documents import Document, Element, Reference, Time, Value
 from ..markup.speech import behaviors_of
 from ..markup.values import text_of
-from .phase_completion import Points, Wanted
+from .phase_completion import Points, StatedPoints
 
 
-def synchronized(wanted: Sequence[Wanted], document: Document) -> list[Wanted]:
-    """With the points that a `synchronize` ties together told from the first of them that is told, or the first."""
-    by_id = {each.id: each for each in wanted}
+def synchronized(stated: Sequence[StatedPoints], document: Document) -> list[StatedPoints]:
+    """The behaviours with points of each `synchronize` set to the first of them that has a time, or to the first."""
+    by_id = {each.id: each for each in stated}
     for constraint in behaviors_of(document):
         for tie in constraint.children if constraint.name == "constraint" else ():
             if tie.name == "synchronize":
@@ -24,8 +24,8 @@ def synchronized(wanted: Sequence[Wanted], document: Document) -> list[Wanted]:
     return list(by_id.values())
 
 
-def _tie(refs: list[Reference], by_id: dict[str, Wanted]) -> None:
-    """Tells the points of `refs` from one of them, where nothing else tells them."""
+def _tie(refs: list[Reference], by_id: dict[str, StatedPoints]) -> None:
+    """Express the points of `refs` that have no time relative to one of them."""
     told = [ref for ref in refs if ref.behavior not in by_id or ref.point in by_id[ref.behavior].times]
     anchor = (told or refs)[0]
     for ref in refs:
@@ -40,8 +40,8 @@ def _refs(element: Element) -> list[Time]:
     return [ref for ref in found if isinstance(ref, float | Reference)]
 
 
-def constraints_missed(document: Document, points: Mapping[str, Points]) -> Iterator[Notice]:
-    """The candidates for one thing to come before or after another that the times do not fulfil; they move nothing."""
+def violated_constraints(document: Document, points: Mapping[str, Points]) -> Iterator[Notice]:
+    """Notices about `before` and `after` constraints that the times violate."""
     for constraint in behaviors_of(document):
         for offer in constraint.children if constraint.name == "constraint" else ():
             at_s = _time_s(offer.attributes.get("ref"), points)

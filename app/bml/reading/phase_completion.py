@@ -1,8 +1,7 @@
-"""Sync points on the clock: of points that are absolute or told from each other to seconds from the block's start.
+"""Resolves sync points to times: from absolute and relative points to seconds from the start of the block.
 
-A behaviour of which nothing is said begins at 0. Points that nothing tells lie at usual distances from those that are
-told (`usual_s`), between two of them in proportion. Nothing comes before 0: where only references would have it so, the
-whole block comes later.
+A behaviour without any times begins at 0. Missing points are placed at typical distances (`usual_s`) from known ones,
+proportionally between two of them. No time is negative: if relative times would be, the whole block is delayed.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -13,7 +12,7 @@ from types import MappingProxyType
 from ..markup.documents import Reference, Time
 
 Points = dict[str, float]
-"""The times of a behaviour's sync points by name, in order, seconds."""
+"""The times in seconds of a behaviour's sync points, by name, in order."""
 
 _STROKED_FACE = (0.17, 0.0, 0.0, 0.0, 0.60, 0.30)
 _USUAL_S: Mapping[tuple[str, int], tuple[float, ...]] = MappingProxyType(
@@ -34,18 +33,18 @@ _USUAL_S: Mapping[tuple[str, int], tuple[float, ...]] = MappingProxyType(
         ("lips", 4): (0.03, 0.06, 0.03),
     }
 )
-"""From each sync point to the next, by element and how many points it has: phases as lexicon/behaviors.yaml has them.
-"""
+"""The time between successive sync points, by element and number of points: phases as in lexicon/behaviors.yaml."""
 
 
 def usual_s(name: str, points: int) -> tuple[float, ...]:
-    """The usual time from each of an element's sync points to the next."""
+    """The typical times between an element's successive sync points."""
     return _USUAL_S.get((name, points), (0.5,) * (points - 1))
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
-    """The points of one behaviour: `names` in order, `usual_s` between them, `times` those that the document tells."""
+class StatedPoints:
+    """The sync points of one behaviour: `names` in order, typical distances `usual_s`, and the `times` stated in the
+    document."""
 
     id: str
     names: tuple[str, ...]
@@ -53,31 +52,31 @@ class Wanted:
     times: Mapping[str, Time]
 
 
-def on_the_clock(
-    wanted: Sequence[Wanted], known: Mapping[tuple[str, str], float]
+def resolve_times(
+    stated: Sequence[StatedPoints], known: Mapping[tuple[str, str], float]
 ) -> tuple[Mapping[str, Points], tuple[str, ...]]:
-    """The points of every behaviour by its id, and the ids of those whose times nothing tells: they refer to what is
-    not there, or to each other in a circle. `known` are the points of the speech, by its id and their names."""
+    """The points of every behaviour by its id, and the ids of behaviours that cannot be resolved, because they refer to
+    unknown points or to each other in a cycle. `known` are the points of the speech, by its id and their names."""
     told: dict[tuple[str, str], float] = dict(known)
     found: dict[str, Points] = {}
-    waiting = list(wanted)
+    waiting = list(stated)
     while waiting:
         ready = [each for each in waiting if all(_is_told(time, told) for time in each.times.values())]
         if not ready:
             break
         for each in ready:
-            found[each.id] = completed(each, {name: _seconds(time, told) for name, time in each.times.items()})
+            found[each.id] = complete(each, {name: _seconds(time, told) for name, time in each.times.items()})
             told |= {(each.id, name): time_s for name, time_s in found[each.id].items()}
         waiting = [each for each in waiting if each.id not in found]
-    return _from_zero(found, wanted), tuple(each.id for each in waiting)
+    return _from_zero(found, stated), tuple(each.id for each in waiting)
 
 
-def _from_zero(found: Mapping[str, Points], wanted: Sequence[Wanted]) -> Mapping[str, Points]:
-    """Later as a whole, when its first point is before 0 and no time is absolute; else with what is before 0 at 0."""
+def _from_zero(found: Mapping[str, Points], stated: Sequence[StatedPoints]) -> Mapping[str, Points]:
+    """If the first point is before 0: all later, if no time is absolute; else negative times set to 0."""
     first_s = min((time_s for points in found.values() for time_s in points.values()), default=0.0)
     if first_s >= 0:
         return found
-    fixed = any(not isinstance(time, Reference) for each in wanted for time in each.times.values())
+    fixed = any(not isinstance(time, Reference) for each in stated for time in each.times.values())
     delay_s = 0.0 if fixed else -first_s
     return {
         name: {point: max(0.0, round(time_s + delay_s, 3)) for point, time_s in points.items()}
@@ -85,33 +84,33 @@ def _from_zero(found: Mapping[str, Points], wanted: Sequence[Wanted]) -> Mapping
     }
 
 
-def completed(wanted: Wanted, times_s: Mapping[str, float]) -> Points:
-    """All points of a behaviour of which some are told; a point that comes before an earlier one is moved to it."""
+def complete(stated: StatedPoints, times_s: Mapping[str, float]) -> Points:
+    """All points of a behaviour from those known; a point before its predecessor is moved to it."""
     fixed: dict[int, float] = {}
-    for place, name in enumerate(wanted.names):
+    for place, name in enumerate(stated.names):
         if name in times_s:
             fixed[place] = max(times_s[name], *fixed.values()) if fixed else times_s[name]
     if not fixed:
         fixed = {0: 0.0}
     places = sorted(fixed)
-    points = _before(fixed[places[0]], wanted.usual_s[: places[0]])
+    points = _before(fixed[places[0]], stated.usual_s[: places[0]])
     for left, right in pairwise(places):
-        points += _between(fixed[left], fixed[right], wanted.usual_s[left:right])
+        points += _between(fixed[left], fixed[right], stated.usual_s[left:right])
     points.append(fixed[places[-1]])
-    for usual_s in wanted.usual_s[places[-1] :]:
+    for usual_s in stated.usual_s[places[-1] :]:
         points.append(points[-1] + usual_s)
-    return {name: round(time_s, 3) + 0.0 for name, time_s in zip(wanted.names, points, strict=True)}
+    return {name: round(time_s, 3) + 0.0 for name, time_s in zip(stated.names, points, strict=True)}
 
 
 def _before(time_s: float, usual_s: Sequence[float]) -> list[float]:
-    """The points before the first that is told, nearer to each other where 0 is near."""
+    """The points before the first known one, compressed if 0 is near."""
     whole_s = sum(usual_s)
     share = min(1.0, max(0.0, time_s) / whole_s) if whole_s else 0.0
     return [time_s - share * sum(usual_s[place:]) for place in range(len(usual_s))]
 
 
 def _between(from_s: float, to_s: float, usual_s: Sequence[float]) -> list[float]:
-    """The first of two points that are told, and those between them."""
+    """The first of two known points, and the points between them."""
     whole_s = sum(usual_s)
     shares = [length_s / whole_s for length_s in usual_s] if whole_s else [1 / len(usual_s)] * len(usual_s)
     return [from_s + (to_s - from_s) * sum(shares[:place]) for place in range(len(usual_s))]

@@ -1,9 +1,9 @@
-"""BML as XML into a document: BML 1.0 core or SmartBody's dialect, told by the root, with every mistake at its place.
+"""Reads BML 1.0 core or SmartBody's dialect, identified by the root, from XML, with the place of every mistake.
 
-In the core every name of its namespaces must be known. Elements and attributes of other namespaces are extensions:
-they are kept as they are, and reported; SmartBody's dialect, which has many more names than ours, is read the same way
-throughout. White space between elements means nothing, white space in attributes no more than one space. What is
-inside a `description` is its author's own.
+In the core, every name in its namespaces must be known. Elements and attributes of other namespaces are extensions,
+which are kept and reported; in SmartBody's dialect, which has many more names than we know, this holds for all unknown
+names. White space between elements is ignored, runs of it in attributes count as one space. The content of a
+`description` is not checked.
 """
 
 from collections import Counter
@@ -15,11 +15,11 @@ from ...errors import Mistake, TooLargeError, WrongBmlError
 from ...model import Notice
 from ..markup.documents import Document, Element, Place, Value
 from ..markup.elements import DIALECTS, Dialect, ElementKind
-from ..markup.mistakes import is_foreign, kind_of, local, mistakes_of, typed
+from ..markup.mistakes import is_foreign, kind_of, local_name, mistakes_of, typed_attributes
 from ..markup.parsing import NotXmlError, ReadingLimits, parse
 
 MOST_MISTAKES = 100
-"""No more mistakes, and no more foreign names, of a file are told."""
+"""The maximum number of reported mistakes, and of foreign names, per file."""
 
 _MOST_IN_MESSAGE = 5
 _DEFAULT_LIMITS = ReadingLimits()
@@ -28,9 +28,9 @@ _DEFAULT_LIMITS = ReadingLimits()
 def read_bml(
     content: bytes, path: Path, limits: ReadingLimits = _DEFAULT_LIMITS
 ) -> tuple[Document, tuple[Notice, ...]]:
-    """The document, and a Notice `bml_foreign` for every name in it that is not of its dialect.
+    """The document, and a Notice `bml_foreign` for every name that is not in its dialect.
 
-    `path` names the file in messages. Raises WrongBmlError `bml_wrong` with every mistake, and TooLargeError
+    `path` names the file in messages. Raises WrongBmlError `bml_wrong` with all mistakes, and TooLargeError
     `bml_too_large`.
     """
     if len(content) > limits.max_bytes:
@@ -52,19 +52,19 @@ def read_bml(
 
 
 def _dialect_of(root: Element) -> tuple[Dialect, ElementKind] | None:
-    kinds = ((dialect, dialect.roots.get(local(root.name))) for dialect in DIALECTS.values())
+    kinds = ((dialect, dialect.roots.get(local_name(root.name))) for dialect in DIALECTS.values())
     return next(((dialect, kind) for dialect, kind in kinds if kind and kind.qualified == root.name), None)
 
 
 def _element(element: Element, kind: ElementKind | None) -> Element:
-    """The element with the values of its attributes, under its name in the table."""
+    """The element with typed attribute values and its name in the table."""
     if kind is None or kind.free:
         parts = tuple(part if isinstance(part, str) else _element(part, None) for part in element.content)
     else:
         parts = tuple(_content(element, kind))
     if kind is None:
         return Element(element.name, _single_spaced(element.attributes), parts, element.place)
-    attributes = typed(element, kind)
+    attributes = typed_attributes(element, kind)
     others = {name: text for name, text in element.attributes.items() if name not in kind.attributes}
     return Element(kind.name, attributes | _single_spaced(others), parts, element.place)
 
@@ -83,7 +83,7 @@ def _single_spaced(attributes: Mapping[str, Value]) -> dict[str, Value]:
 
 
 def _foreign(root: Element, kind: ElementKind, dialect: Dialect) -> tuple[Notice, ...]:
-    """One for each foreign name, with the line where it is first met."""
+    """A notice for each foreign name, with the line of its first occurrence."""
     met = list(_foreign_names(root, kind, dialect))
     counts = Counter(name for name, _ in met)
     lines = {name: place.line for name, place in reversed(met)}

@@ -1,10 +1,9 @@
-"""A BML document as behaviours whose times are all known, for a realizer: the way back from
+"""Resolves a BML document to behaviours with absolute times for a realizer, the inverse of
 `understudy.bml.writing.writer`.
 
-Times are seconds from the start of the block. The marks of the speech lie where its words are heard; where nothing was
-heard and the marks say no time, every word is given `GUESSED_WORD_S`, and a Notice says so when it mattered. What a
-body that only moves cannot play, and what has no time, is left out with a Notice. SmartBody's gazes last until the
-next.
+Times are seconds from the start of the block. The sync marks of the speech are at the times of its words in the audio;
+without audio or stated times, every word lasts `GUESSED_WORD_S`, with a Notice if that matters. Behaviours that are not
+body movements, or have no time, are left out with a Notice. SmartBody's gazes last until the next.
 """
 
 from collections import Counter
@@ -20,12 +19,12 @@ from ..choice.visemes import OPENINGS
 from ..markup.documents import DialectName, Document, Element, Reference, Time
 from ..markup.elements import DIALECTS, ElementKind
 from ..markup.speech import Speech, behaviors_of, mark_s, speech_of
-from .constraints import constraints_missed, synchronized
-from .phase_completion import Points, Wanted, on_the_clock, usual_s
-from .playing import SHIFTS, played
+from .constraints import synchronized, violated_constraints
+from .element_behaviors import SHIFTS, to_behavior
+from .phase_completion import Points, StatedPoints, resolve_times, usual_s
 
 GUESSED_WORD_S = 0.35
-"""About 170 words a minute."""
+"""About 170 words per minute."""
 
 _NAMES: Mapping[str, str] = {"strokeStart": "stroke_start", "strokeEnd": "stroke_end", "attackPeak": "ready"}
 _STYLES: Mapping[str, Level] = {"low": Level.LOW, "mid": Level.MEDIUM, "medium": Level.MEDIUM, "high": Level.HIGH}
@@ -35,9 +34,9 @@ _UNPLAYED = ("a body alone has no way to play it", "one recording has one speech
 
 @dataclass(frozen=True, slots=True)
 class Resolved:
-    """What a document has a body do, in order of time, and the words of its speech in the time of the block, in
-    which the speech starts at `speech_start_s`. Visemes, agitation and character are there where the document says
-    them, as SmartBody's dialect may."""
+    """A document's behaviours in order of time, and the words of its speech at times of the block, in which the speech
+    starts at `speech_start_s`. Visemes, agitation and character are set if the document states them, as SmartBody's
+    dialect may."""
 
     behaviors: tuple[Behavior, ...]
     words: tuple[Word, ...]
@@ -50,27 +49,27 @@ class Resolved:
 
 @dataclass(frozen=True, slots=True)
 class _Asked:
-    """A behaviour of the document, the id it goes by, and its points."""
+    """A behaviour element with its sync points."""
 
     element: Element
-    wanted: Wanted
+    stated: StatedPoints
 
 
 def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
-    """The behaviours of a document of which `words` are what its speech says, timed from the start of the recording."""
+    """The behaviours of a document; `words` are those of its speech, timed from the start of the recording."""
     speech = speech_of(document)
     spoken = _spoken(speech, words) if speech else None
     asked = list(_asked(document))
-    wanted = synchronized([each.wanted for each in asked], document)
-    points, lost = on_the_clock([*([spoken] if spoken else []), *wanted], {})
-    elements = {each.wanted.id: each.element for each in asked}
+    stated = synchronized([each.stated for each in asked], document)
+    points, lost = resolve_times([*([spoken] if spoken else []), *stated], {})
+    elements = {each.stated.id: each.element for each in asked}
     behaviors = _lasting(list(_behaviors(elements, points)), document.dialect)
     start_s = points[spoken.id]["start"] if spoken and spoken.id in points else 0.0
     notices = (
-        *_guessed(wanted, speech, words),
+        *_guessed(stated, speech, words),
         *(Notice("bml_untimed", f"{name}: its times refer to what has none; it is not played") for name in lost),
         *_not_played(document, elements, behaviors, lost),
-        *constraints_missed(document, points),
+        *violated_constraints(document, points),
     )
     return Resolved(
         behaviors=tuple(sorted((_worded(each, words, start_s) for each in behaviors), key=_start_s)),
@@ -83,8 +82,8 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
     )
 
 
-def _spoken(speech: Speech, words: tuple[Word, ...]) -> Wanted:
-    """The speech: its start, its marks and its end, as far apart as they are heard or guessed."""
+def _spoken(speech: Speech, words: tuple[Word, ...]) -> StatedPoints:
+    """The sync points of the speech: start, marks and end, with times from the audio or estimates."""
     times_s = {mark: _heard_or_guessed_s(mark, speech, words) for mark in [*speech.marks]}
     intervals = [word.interval.end_s for word in words if word.interval]
     guessed_s = GUESSED_WORD_S * len(speech.text.split())
@@ -92,7 +91,7 @@ def _spoken(speech: Speech, words: tuple[Word, ...]) -> Wanted:
     ordered = sorted(times_s.items(), key=lambda found: found[1])
     gaps_s = [later - earlier for earlier, later in pairwise([0.0, *(time_s for _name, time_s in ordered)])]
     start = {} if speech.start is None else {"start": speech.start}
-    return Wanted(speech.id, ("start", *(name for name, _time_s in ordered)), tuple(gaps_s), start)
+    return StatedPoints(speech.id, ("start", *(name for name, _time_s in ordered)), tuple(gaps_s), start)
 
 
 def _heard_or_guessed_s(mark: str, speech: Speech, words: tuple[Word, ...]) -> float:
@@ -112,11 +111,11 @@ def _asked(document: Document) -> Iterator[_Asked]:
             if isinstance(time, float | Reference):
                 times[name] = time
         name = element.id or f"{element.name}.{number}"
-        yield _Asked(element, Wanted(name, kind.syncs, usual_s(element.name, len(kind.syncs)), times))
+        yield _Asked(element, StatedPoints(name, kind.syncs, usual_s(element.name, len(kind.syncs)), times))
 
 
 def _kinds(dialect: DialectName) -> dict[str, ElementKind]:
-    """Every behaviour of the dialect by name."""
+    """The types of all behaviours of the dialect by name."""
     roots = DIALECTS[dialect].roots
     parts = dict(roots["bml"].parts)
     if "required" in parts:
@@ -127,7 +126,7 @@ def _kinds(dialect: DialectName) -> dict[str, ElementKind]:
 def _behaviors(elements: Mapping[str, Element], points: Mapping[str, Points]) -> Iterator[Behavior]:
     for name, element in elements.items():
         if name in points:
-            behavior = played(element, name, _sync(element, points[name]))
+            behavior = to_behavior(element, name, _sync(element, points[name]))
             if behavior:
                 yield behavior if behavior.kind in _STROKED else replace(behavior, sync=_reached(behavior.sync))
 
@@ -140,7 +139,7 @@ def _sync(element: Element, points: Points) -> SyncPoints:
 
 
 def _reached(sync: SyncPoints) -> SyncPoints:
-    """Without the points of a stroke, which faces, gazes and postures have not."""
+    """Without stroke points, which faces, gazes and postures do not have."""
     return SyncPoints(start=sync.start, ready=sync.ready, relax=sync.relax, end=sync.end)
 
 
@@ -154,7 +153,7 @@ def _lasting(behaviors: list[Behavior], dialect: DialectName) -> list[Behavior]:
 
 
 def _until(gaze: Behavior, end_s: float | None) -> Behavior:
-    """A gaze that stays, until another begins if one does."""
+    """A gaze that lasts until another begins, if one does."""
     if gaze.lexeme != GLANCE or end_s is None:
         reached_s = gaze.sync.ready if gaze.sync.ready is not None else gaze.sync.end
         reached_s = reached_s if end_s is None else min(reached_s, end_s)
@@ -168,14 +167,14 @@ def _start_s(behavior: Behavior) -> float:
 
 
 def _worded(behavior: Behavior, words: Sequence[Word], start_s: float) -> Behavior:
-    """With the number of the word during which it happens."""
+    """The behaviour with the index of the word during which it happens."""
     at_s = behavior.sync.start if behavior.sync.stroke is None else behavior.sync.stroke
     begun = [word.index for word in words if word.interval and word.interval.start_s + start_s <= at_s]
     return replace(behavior, first=begun[-1], last=begun[-1]) if begun else behavior
 
 
 def _visemes(elements: Mapping[str, Element], points: Mapping[str, Points]) -> Iterator[Viseme]:
-    """The shapes of the mouth that the document itself says."""
+    """The visemes stated in the document."""
     for name, element in elements.items():
         label = element.attributes.get("viseme")
         if element.name == "lips" and label in OPENINGS and name in points:
@@ -186,24 +185,24 @@ def _visemes(elements: Mapping[str, Element], points: Mapping[str, Points]) -> I
 
 
 def _agitation(elements: Iterable[Element]) -> Level | None:
-    """The level that most gestures of the document have for a style."""
+    """The level that most gestures of the document have as style."""
     styles = Counter(_STYLES.get(str(each.attributes.get("style", ""))) for each in elements if each.name == "gesture")
     del styles[None]
     return styles.most_common(1)[0][0] if styles else None
 
 
 def _character(root: Element) -> str | None:
-    """Who is to move: BML's `characterId`, SmartBody's participant."""
+    """The name of the character: BML's `characterId`, SmartBody's participant."""
     participants = (part.id for part in root.children if part.name == "participant")
     named = root.attributes.get("characterId") or next(participants, None)
     return named if isinstance(named, str) else None
 
 
-def _guessed(wanted: Sequence[Wanted], speech: Speech | None, words: tuple[Word, ...]) -> Iterator[Notice]:
-    """Whether anything is told from words whose times are guessed."""
+def _guessed(stated: Sequence[StatedPoints], speech: Speech | None, words: tuple[Word, ...]) -> Iterator[Notice]:
+    """A notice if any time depends on words with estimated times."""
     if speech is None or speech.mark_times_s or any(word.interval for word in words):
         return
-    refs = {ref.point for each in wanted for ref in each.times.values() if _is_of(ref, speech.id)}
+    refs = {ref.point for each in stated for ref in each.times.values() if _is_of(ref, speech.id)}
     if refs - {"start"}:
         message = f"no recording tells when the words are spoken: {GUESSED_WORD_S} s is taken for each; send the audio"
         yield Notice("speech_untimed", message)
@@ -216,7 +215,7 @@ def _is_of(time: Time, speech: str) -> TypeGuard[Reference]:
 def _not_played(
     document: Document, elements: Mapping[str, Element], behaviors: Sequence[Behavior], lost: Sequence[str]
 ) -> Iterator[Notice]:
-    """One for each kind of element that comes to nothing."""
+    """A notice for each kind of element that is left out."""
     every = Counter(element.name for element in behaviors_of(document))
     told = (*(behavior.id for behavior in behaviors), *lost)
     every -= Counter(elements[name].name for name in told if name in elements)

@@ -1,7 +1,8 @@
-"""The schedule of a performance as a document of BML 1.0 core: the speech, then the kept behaviours in order of time.
+"""Converts the schedule of a performance to a BML 1.0 core document: the speech, then the kept behaviours in order of
+time.
 
-The speech carries a mark before every word, `w0`, `w1`, …, and one after the last. Nothing of ours that BML has no
-attribute for goes in; the performance has it all.
+The speech has a mark before every word, `w0`, `w1`, …, and one after the last. Attributes without a counterpart in BML
+are omitted; the JSON of the performance has them all.
 """
 
 from collections.abc import Iterator, Mapping
@@ -10,16 +11,16 @@ from types import MappingProxyType
 from ...model import Behavior, Channel, Hand, Performance, Word
 from ..choice.faces import ACTION_UNITS
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
-from ..markup.marks import SPEECH, clock, to_milli
+from ..markup.marks import SPEECH, time_formatter, to_milli
 
 GAZE_RANGE_DEGREES = 60.0
-"""How far beside its target a gaze of amount 1 goes."""
+"""The offset from its target of a gaze with amount 1."""
 
 MODES: Mapping[Hand, str] = MappingProxyType(
     {Hand.LEFT: "LEFT_HAND", Hand.RIGHT: "RIGHT_HAND", Hand.BOTH: "BOTH_HANDS"}
 )
 _INFLUENCES: Mapping[str, str] = MappingProxyType({"LOOK": "NECK", "GLANCE": "EYES", "SHIFT": "NECK"})
-"""The joints that take part in our gaze lexemes; the suite of the reference realizers uses NECK."""
+"""The `influence` of our gaze lexemes; the test suite of the reference realizers uses NECK."""
 
 _SYNC_NAMES: Mapping[str, str] = MappingProxyType({"stroke_start": "strokeStart", "stroke_end": "strokeEnd"})
 _FACE_SYNC_NAMES: Mapping[str, str] = MappingProxyType({"ready": "attackPeak"})
@@ -28,12 +29,12 @@ Times = Mapping[str, Time]
 
 
 def to_core(performance: Performance, timing: TimeForm) -> Document:
-    """The document of one block; its times are seconds to the millisecond, or from the marks of the speech.
+    """A document of one block; times are in seconds, rounded to milliseconds, or relative to the sync marks.
 
-    Where nothing is said, as by a listener, there is no speech.
+    Without words, as for a listener, there is no speech.
     """
     words, lead_in_s = performance.utterance.words, performance.utterance.lead_in_s
-    timed = clock(words, timing, mark="w{}".format, speech_start_s=lead_in_s)
+    timed = time_formatter(words, timing, mark="w{}".format, speech_start_s=lead_in_s)
     behaviors = (_element(each, timed(each.sync)) for each in performance.behaviors if each.kept)
     speech = (_speech(words, lead_in_s),) if words else ()
     attributes: dict[str, Value] = {"id": "bml1", "characterId": performance.character}
@@ -77,7 +78,7 @@ def _head(behavior: Behavior, times: Times) -> Element:
 
 
 def _gaze(behavior: Behavior, times: Times) -> Element:
-    """A `gaze`, from which the eyes come back, or the `gazeShift`, which has no more than a start and an end."""
+    """A `gaze`, which returns from its target, or a `gazeShift`, which has only a start and an end."""
     attributes: dict[str, Value] = {"id": behavior.id, "target": behavior.target or ""}
     attributes["influence"] = _INFLUENCES[behavior.lexeme]
     if behavior.direction is not None and behavior.amount is not None:
@@ -97,7 +98,7 @@ def _face(behavior: Behavior, times: Times) -> Element:
 
 
 def _posture(behavior: Behavior, times: Times) -> Element:
-    """A `postureShift`, which lasts, or the `posture`, from which the body comes back."""
+    """A `postureShift`, which lasts, or a `posture`, which returns to the previous one."""
     stance = Element("stance", {"type": "STANDING"})
     pose = Element("pose", {"part": "WHOLEBODY", "lexeme": behavior.lexeme})
     if behavior.sync.relax is not None and behavior.sync.relax < behavior.sync.end:

@@ -1,7 +1,7 @@
-"""A BML document as JSON, for those who would rather not parse XML; docs/bml-json.md has the schema.
+"""Writes BML documents as JSON; docs/bml-json.md has the schema.
 
-An element is an object with the keys `element`, `attributes` and `content`, the last two only where there are any.
-Numbers are numbers, a time told from another behaviour is an object, everything else is text.
+An element is an object with the keys `element`, `attributes` and `content`, the last two only if not empty. Numbers are
+numbers, a reference is an object, everything else is text.
 """
 
 import json
@@ -12,7 +12,7 @@ Json = str | int | float | dict[str, "Json"] | list["Json"]
 
 
 def to_json(document: Document) -> bytes:
-    """The document as UTF-8 JSON, indented; the same document gives the same bytes."""
+    """The document as indented UTF-8 JSON; deterministic."""
     told: Json = {"dialect": document.dialect.value, "root": _element(document.root)}
     return json.dumps(told, ensure_ascii=False, indent=1).encode() + b"\n"
 

@@ -1,9 +1,9 @@
-"""The schedule of a performance in SmartBody's dialect (shared/bml.md, "SmartBody dialect"), with lip sync.
+"""Converts the schedule of a performance to SmartBody's dialect (shared/bml.md, "SmartBody dialect"), with lip sync.
 
-SmartBody knows fewer words than we do. A gesture or head movement that it has no word for goes as the nearest it has
-(`GESTURES`, `HEADS`); a gesture lexeme that is in neither goes as it is, for a character that has such a gesture. Faces
-are action units, a blink too; a gaze stays until the next, so one that comes back is two; a posture is the name of one
-of the character's own. Gestures give `stroke` and `relax`, all that its scheduler takes together.
+SmartBody has a smaller vocabulary. Gestures and head movements without a counterpart are written as the nearest one
+(`GESTURES`, `HEADS`); a gesture lexeme in neither is written unchanged, for characters that have such a gesture. Faces
+are action units, as are blinks; a gaze lasts until the next, so one that returns becomes two; a posture is the name of
+one of the character's own. Gestures have only `stroke` and `relax`, all that its scheduler accepts together.
 """
 
 from collections.abc import Iterator, Mapping
@@ -14,7 +14,7 @@ from ..choice.faces import ACTION_UNITS
 from ..choice.visemes import SILENCE
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
 from ..markup.elements import SBM
-from ..markup.marks import SPEECH, clock, to_milli
+from ..markup.marks import SPEECH, time_formatter, to_milli
 from .blocks import GAZE_RANGE_DEGREES, MODES
 
 _GESTURES_OF_TYPES: Mapping[str, str] = MappingProxyType(
@@ -48,7 +48,7 @@ _GESTURES_OF_TYPES: Mapping[str, str] = MappingProxyType(
 GESTURES: Mapping[str, str] = MappingProxyType(
     {lexeme: name for name, lexemes in _GESTURES_OF_TYPES.items() for lexeme in lexemes.split()}
 )
-"""Our gesture lexemes and the nearest types of SmartBody's sets; those of the same name are not listed."""
+"""Our gesture lexemes and the nearest types of SmartBody's sets; identical names are not listed."""
 
 HEADS: Mapping[str, str] = MappingProxyType(
     {
@@ -57,7 +57,7 @@ HEADS: Mapping[str, str] = MappingProxyType(
         **dict.fromkeys(("TILT_LEFT", "TILT_RIGHT"), "TOSS"),
     }
 )
-"""Our head lexemes and the nearest of its three types."""
+"""Our head lexemes and the nearest of SmartBody's three types."""
 
 UNITS_OF_LEXEMES: Mapping[str, tuple[int, ...]] = MappingProxyType(
     {
@@ -72,22 +72,23 @@ UNITS_OF_LEXEMES: Mapping[str, tuple[int, ...]] = MappingProxyType(
         "CLOSE_EYES": (43,),
     }
 )
-"""The action units of the core's face lexemes; those of one side are the same with LEFT or RIGHT in the name."""
+"""The action units of the core's face lexemes; one-sided lexemes have the same with LEFT or RIGHT in the name."""
 
 _STYLES: Mapping[Level, str] = MappingProxyType({Level.LOW: "low", Level.MEDIUM: "mid", Level.HIGH: "high"})
 _JOINTS: Mapping[str, str] = MappingProxyType({"LOOK": "EYES NECK", "GLANCE": "EYES", "SHIFT": "EYES NECK"})
 _JOINT_RANGE = f"{{{SBM}}}joint-range"
 
 _PRIORITY_STEP = 10
-"""SmartBody's priorities are whole numbers; ours differ by tenths."""
+"""SmartBody's priorities are integers; ours differ by tenths."""
 
 Times = Mapping[str, Time]
 
 
 def to_smartbody(performance: Performance, timing: TimeForm, *, audio_name: str | None = None) -> Document:
-    """The document of one act; `audio_name` is the recording's, without ending, as SmartBody looks for it."""
+    """A document with one act; `audio_name` is the recording's file name without extension, which SmartBody needs to
+    find it."""
     words, lead_in_s = performance.utterance.words, performance.utterance.lead_in_s
-    timed = clock(words, timing, mark=lambda number: f"T{2 * number}", speech_start_s=lead_in_s)
+    timed = time_formatter(words, timing, mark=lambda number: f"T{2 * number}", speech_start_s=lead_in_s)
     agitation = performance.utterance.agitation
     style = _STYLES[agitation.level] if agitation else None
     block = (
@@ -115,7 +116,7 @@ def _speech(words: tuple[Word, ...], audio_name: str | None, start_s: float) -> 
 
 
 def _marked(words: tuple[Word, ...], start_s: float) -> Iterator[Element | str]:
-    """Every word in time between the mark where it begins and the mark where it ends, in seconds of the speech."""
+    """Every timed word between marks at its start and its end, in seconds from the start of the speech."""
     for word in words:
         if word.interval is None:
             yield f"{word.text} "
@@ -126,7 +127,7 @@ def _marked(words: tuple[Word, ...], start_s: float) -> Iterator[Element | str]:
 
 
 def _lips(shape: Viseme) -> Element:
-    """A shape is reached over its first quarter and left over its last."""
+    """A viseme rises over its first quarter and decays over its last."""
     start_s, end_s = shape.interval.start_s, shape.interval.end_s
     quarter_s = shape.interval.duration_s / 4
     syncs = {"start": start_s, "ready": start_s + quarter_s, "relax": end_s - quarter_s, "end": end_s}
@@ -166,7 +167,7 @@ def _head(behavior: Behavior, times: Times) -> Element:
 
 
 def _gazes(behavior: Behavior, times: Times) -> Iterator[Element]:
-    """The gaze, and the one that brings the eyes back to its target."""
+    """The gaze, and another one that returns the eyes to its target."""
     target: dict[str, Value] = {"target": behavior.target or "", _JOINT_RANGE: _JOINTS[behavior.lexeme]}
     aside: dict[str, Value] = {}
     if behavior.direction is not None and behavior.amount is not None:

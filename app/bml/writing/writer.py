@@ -1,14 +1,14 @@
-"""The kept behaviours of a performance as BML, in the dialect and with the times that were asked for (shared/bml.md).
+"""Writes the kept behaviours of a performance as BML, in the requested dialect and time form (shared/bml.md).
 
-`understudy.bml.writing.blocks` and `understudy.bml.writing.smartbody` say what goes into a document,
-`understudy.bml.markup.markup` how it looks as XML and `understudy.bml.writing.json_form` as JSON.
+`understudy.bml.writing.blocks` and `understudy.bml.writing.smartbody` build the document,
+`understudy.bml.markup.xml_writing` writes it as XML, `understudy.bml.writing.json_form` as JSON.
 """
 
 from dataclasses import dataclass
 
 from ...model import Performance
 from ..markup.documents import DialectName, Document, TimeForm
-from ..markup.markup import to_xml
+from ..markup.xml_writing import to_xml
 from .blocks import to_core
 from .json_form import to_json
 from .smartbody import to_smartbody
@@ -16,8 +16,8 @@ from .smartbody import to_smartbody
 
 @dataclass(frozen=True, slots=True)
 class BmlForm:
-    """How the BML is to be written. Realizers do not know when the words of recorded speech fall, so absolute times are
-    the rule. `audio_name` is the recording's name for SmartBody, which plays it."""
+    """The output format. Absolute times are the default, because realizers do not know the word times of recorded
+    speech. `audio_name` is the recording's name for SmartBody, which plays it."""
 
     dialect: DialectName = DialectName.BML
     timing: TimeForm = TimeForm.ABSOLUTE
@@ -29,12 +29,12 @@ CORE_FORM = BmlForm()
 
 
 def write_bml(performance: Performance, form: BmlForm = CORE_FORM) -> bytes:
-    """The BML document as XML, UTF-8."""
+    """The BML document as UTF-8 XML."""
     return to_xml(to_document(performance, form))
 
 
 def write_bml_json(performance: Performance, form: BmlForm = CORE_FORM) -> bytes:
-    """The same document as JSON, UTF-8 (docs/bml-json.md)."""
+    """The same document as UTF-8 JSON (docs/bml-json.md)."""
     return to_json(to_document(performance, form))
 
 

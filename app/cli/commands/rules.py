@@ -72,7 +72,8 @@ def _explain(arguments: argparse.Namespace, _log: Log) -> None:
 
 
 def _trace(arguments: argparse.Namespace, _log: Log) -> None:
-    language, behavior = LanguageModels.load(read_settings()), BehaviorModels.load()
+    settings = read_settings()
+    language, behavior = LanguageModels.load(settings), BehaviorModels.load(settings)
     if arguments.rule is None:
         found = trace(language, behavior, arguments.text)
     else:
@@ -83,7 +84,7 @@ def _trace(arguments: argparse.Namespace, _log: Log) -> None:
 def _unused(arguments: argparse.Namespace, _log: Log) -> None:
     settings = read_settings()
     texts = read_corpus(arguments.corpus, max_characters=settings.max_text_characters)
-    _print(unused_lines(find_unused(LanguageModels.load(settings), BehaviorModels.load(), texts)))
+    _print(unused_lines(find_unused(LanguageModels.load(settings), BehaviorModels.load(settings), texts)))
 
 
 def _print(lines: Iterable[str]) -> None:

@@ -1,9 +1,9 @@
-"""A plan's gestures and rests as the key poses of an arm's track (Gesture Engine §5.1, §5.2).
+"""Turns the gestures and rests of a plan into the key poses of one arm's track (Gesture Engine §5.1, §5.2).
 
-A clip's keys go where its phases are on the clock: before the stroke and after it phases may be longer or shorter than
-in the clip, the stroke never. A hold has the same pose at both ends and stirs (paper §3.8); a repetition goes back by
-its amplitude and forth again. Expressivity shapes the curve at the keys: fluidity lets it flow through them, power
-stops it short and lets it overshoot (Hartmann, Mancini & Pelachaud 2005).
+A clip's keys are mapped to absolute time by their phases: preparation and retraction may be longer or shorter than in
+the clip, the stroke never is. A hold has the same pose at both ends, with noise between them (paper §3.8); a repeated
+stroke moves back by its amplitude and forth again. Expressivity shapes the spline at the keys: fluidity makes it flow
+through them, power makes it stop abruptly and overshoot (Hartmann, Mancini & Pelachaud 2005).
 """
 
 from collections.abc import Iterable, Iterator
@@ -25,32 +25,33 @@ from .wrist_paths import amplitude, arm_key
 REST_NOISE, HOLD_NOISE, ADDED_NOISE, STROKE_NOISE = 0.6, 1.0, 0.5, 0.1
 
 _SHORTEST_KEY_S = 0.02
-"""A key that comes sooner after another says nothing new, and would bend the curve between them."""
+"""Keys closer together than this are merged: they add no information and would distort the curve between them."""
 _BACK = 0.5
-"""The part of a repetition in which the arm goes back."""
+"""The share of a repetition that the backward movement takes."""
 
 
 def arm_track(skeleton: Skeleton, side: Hand, plan: GesturePlan) -> ArmTrack:
-    """Everything that one arm does, from the first frame to the plan's end."""
+    """The keys of one arm from the first frame to the end of the plan."""
     gestures, rests = plan.of_arm(side)
     keys = [key for rest in rests for key in _rest_keys(skeleton, rest)]
     keys += [key for gesture in gestures for key in _gesture_keys(skeleton, gesture)]
-    if gestures and gestures[0].underway:
+    if gestures and gestures[0].initial_progress:
         keys = _underway(skeleton, gestures[0], keys)
     return ArmTrack(side, tuple(_apart(sorted(keys, key=lambda key: key.time_s))))
 
 
 def _underway(skeleton: Skeleton, first: ArmGesture, keys: list[TimedPose]) -> list[TimedPose]:
-    """The keys with the first frame's rest left behind by the share of the way that the first gesture has done."""
+    """The keys, with the pose of the first frame moved towards the first gesture by the progress it has already
+    made."""
     posed = _posed(skeleton, first)
     start = _together(each.pose for each in posed if each.key.time_s <= first.placed.clip.markers.stroke_start)
     at_rest = next(key for key in keys if key.time_s == 0.0)
-    parts = slerp(at_rest.pose.parts, start.over(at_rest.pose).parts, np.array(first.underway))
+    parts = slerp(at_rest.pose.parts, start.over(at_rest.pose).parts, np.array(first.initial_progress))
     return [replace(at_rest, pose=PartialPose(parts)), *(key for key in keys if key.time_s > 0.0)]
 
 
 def _apart(keys: Iterable[TimedPose]) -> Iterator[TimedPose]:
-    """The keys without those that come too soon after another; of two, the marked one stays."""
+    """The keys without those that follow another too closely; of two, a marked key is kept."""
     last: TimedPose | None = None
     for key in keys:
         if last is not None and key.time_s - last.time_s < _SHORTEST_KEY_S and not (last.marked and key.marked):
@@ -71,7 +72,7 @@ def _rest_keys(skeleton: Skeleton, rest: ArmRest) -> Iterator[TimedPose]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Posed:
-    """A clip's key on the clock, as a pose."""
+    """A key of a clip, at its absolute time and with its pose."""
 
     time_s: float
     key: ClipKey
@@ -79,7 +80,7 @@ class _Posed:
 
 
 def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose]:
-    """The keys of a gesture, with its hold, and those on its way back to rest."""
+    """The keys of a gesture, including its hold and those on the way back to rest."""
     posed = list(_posed(skeleton, gesture))
     markers = gesture.placed.clip.markers
     yield from (_timed(gesture, each) for each in posed if not markers.stroke_end < each.key.time_s == markers.relax)
@@ -103,7 +104,8 @@ def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
 def _poses(
     skeleton: Skeleton, side: Hand, asked: tuple[ArmKey, ...], size: float, aim_m: Position | None
 ) -> tuple[PartialPose, ...]:
-    """Lines use the same keys again and again, and poses take a search for the elbow. They are never written to."""
+    """The poses of these keys. Cached, because lines repeat keys and each pose searches for an elbow swivel; never
+    mutated."""
     from_hips_m = None if aim_m is None else np.array(aim_m) - skeleton.offsets_m[0]
     return pose_arms(skeleton, side, asked, amplitude=size, aim_m=from_hips_m)
 
@@ -114,7 +116,8 @@ def _resting(skeleton: Skeleton, side: Hand, name: str) -> PartialPose:
 
 
 def _is_played(gesture: ArmGesture, key: ClipKey) -> bool:
-    """Rest is the plan's to say, so a clip's own start and end are not played; what was cut is not either."""
+    """Whether a key is used. The plan decides the rests, so a clip's own start and end are not; nor are phases cut
+    short."""
     clip, time_s = gesture.placed.clip.markers, key.time_s
     if time_s < clip.stroke_start:
         return gesture.blended_from is None and key.type is not FrameType.START
@@ -126,7 +129,7 @@ def _is_played(gesture: ArmGesture, key: ClipKey) -> bool:
 
 
 def _on_the_clock(gesture: ArmGesture, clip_s: float) -> float:
-    """When a time of the clip falls, its phases stretched to the plan's; the stroke is only moved."""
+    """The absolute time of a time in the clip: phases are stretched to the plan's, the stroke is only shifted."""
     clip, clock = gesture.placed.clip.markers, gesture.markers
     if clip.stroke_start <= clip_s <= clip.stroke_end:
         return gesture.placed.offset_s + clip_s
@@ -146,14 +149,14 @@ def _timed(gesture: ArmGesture, posed: _Posed) -> TimedPose:
 
 
 def _curve(expressivity: Expressivity, kind: FrameType) -> tuple[float, float]:
-    """Tension and bias: an even 0 where fluidity and power are .5."""
+    """Tension and bias; both are 0 where fluidity and power are .5."""
     if kind is FrameType.STROKE_END:
         return expressivity.power - 0.5, 0.5 * (expressivity.power - 0.5)
     return 0.5 - expressivity.fluidity, 0.0
 
 
 def _repeat_keys(repeat: Repeat, start: PartialPose, end: PartialPose) -> Iterator[TimedPose]:
-    """Wait, go back towards where the stroke began, strike again on the emphasis."""
+    """Hold, move back towards the start of the stroke, and strike again on the emphasis."""
     turn_s = repeat.start_s + _BACK * (repeat.end_s - repeat.start_s)
     back = slerp(end.parts, start.over(end).parts, np.array(repeat.amplitude))
     yield TimedPose(repeat.start_s, end, noise=HOLD_NOISE)
@@ -162,5 +165,5 @@ def _repeat_keys(repeat: Repeat, start: PartialPose, end: PartialPose) -> Iterat
 
 
 def _together(poses: Iterable[PartialPose]) -> PartialPose:
-    """What poses one after another come to: the last that is said of each part."""
+    """Poses in order, merged: for each part the last one that defines it."""
     return reduce(lambda below, pose: pose.over(below), poses)

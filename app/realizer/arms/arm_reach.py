@@ -1,8 +1,8 @@
-"""Inverse kinematics of an arm: where the wrist is to be → collarbone, shoulder and elbow, in closed form.
+"""Analytic inverse kinematics of an arm: collarbone, shoulder and elbow for a given wrist position.
 
-Conventions: everything is the left arm's, in the hips' space of the upright body (x outwards, y up, z away, metres);
-the right arm is its mirror image. All functions work on whole arrays (…, 3) at once. The upper arm's own x axis runs
-to the elbow, and the elbow bends about its -y axis, so that the forearm moves towards its z axis.
+Conventions: everything refers to the left arm, in the hips' space of the upright body (x outwards, y up, z away from
+the body, metres); the right arm is its mirror image. All functions are vectorized over leading axes (…, 3). The upper
+arm's own x axis runs to the elbow, and the elbow bends about its -y axis, so that the forearm moves towards its z axis.
 """
 
 from dataclasses import dataclass
@@ -12,10 +12,20 @@ import numpy as np
 from ...model import FloatArray
 from ..body.limits import within_shoulder_limits
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import about, cross, dot, from_axes, from_rotation_vector, inverse, length, multiply, rotate
+from ..geometry.rotations import (
+    cross,
+    dot,
+    from_axes,
+    from_axis_angle,
+    from_rotation_vector,
+    inverse,
+    length,
+    multiply,
+    rotate,
+)
 
 ELBOW_FLEXION_DEG = (12.0, 136.0)
-"""How far an elbow bends in strokes of talkers (shared/motion.md)."""
+"""The range of elbow flexion seen in speakers' strokes (shared/motion.md)."""
 
 _MOST_BENT_DEG, _STRAIGHT_DEG = 149.0, 2.0
 _SOFTENED_M = 0.02
@@ -25,7 +35,7 @@ _SHRUG_DEG, _SLUMP_DEG = 18.0, 8.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ArmBones:
-    """The collarbone's root, the way from there to the shoulder, and the lengths of upper arm and forearm."""
+    """The collarbone's root, the offset from there to the shoulder, and the lengths of upper arm and forearm."""
 
     root_m: FloatArray
     collarbone_m: FloatArray
@@ -34,26 +44,26 @@ class ArmBones:
 
     @classmethod
     def of(cls, skeleton: Skeleton) -> "ArmBones":
-        """The left arm's."""
+        """The bones of the skeleton's left arm."""
         names = ("spine", "chest", "upperChest", "leftShoulder", "leftUpperArm", "leftLowerArm", "leftHand")
         *trunk_m, shoulder_m, elbow_m, wrist_m = skeleton.offsets_m[skeleton.chain(*names)]
         return cls(np.sum(trunk_m, axis=0), shoulder_m, float(length(elbow_m)[0]), float(length(wrist_m)[0]))
 
     @property
     def length_m(self) -> float:
-        """From the shoulder to the wrist, stretched."""
+        """The length of the stretched arm from shoulder to wrist."""
         return self.upper_m + self.lower_m
 
     @property
     def shoulder_m(self) -> FloatArray:
-        """The shoulder, the collarbone at rest."""
+        """The shoulder's position with the collarbone at rest."""
         return np.asarray(self.root_m + self.collarbone_m)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Reach:
-    """An arm that reaches: local rotations of `collarbone`, `upper_arm` and `elbow` (its hinge alone, without the
-    forearm's twist), the untwisted `forearm`'s orientation in the hips' space, and where elbow and wrist get to."""
+    """A solution: local rotations of `collarbone`, `upper_arm` and `elbow` (the hinge alone, without the forearm's
+    twist), the orientation of the untwisted `forearm` in the hips' space, and the positions of elbow and wrist."""
 
     collarbone: FloatArray
     upper_arm: FloatArray
@@ -64,12 +74,14 @@ class Reach:
 
 
 def reach(bones: ArmBones, wrist_m: FloatArray, *, swivel_rad: FloatArray, raised: FloatArray | float = 0.0) -> Reach:
-    """The arm whose wrist is at `wrist_m` (…, 3), or as near as it can be.
+    """The arm whose wrist is at `wrist_m` (…, 3), or as near to it as possible.
 
-    What is too far or too near is pulled in smoothly, never stretched: the elbow keeps to `ELBOW_FLEXION_DEG`, and the
-    shoulder to its limits.
-    `swivel_rad` (…) turns the elbow about the line from shoulder to wrist, from its natural place outwards and up.
-    `raised` (…) in [-1, 1] is a shrug or a slump on top of what the collarbone does by itself.
+    Targets that are too far or too near are pulled into range smoothly, without stretching bones: the elbow stays
+    within `ELBOW_FLEXION_DEG`, the shoulder within its limits.
+
+    `swivel_rad` (…) rotates the elbow about the line from shoulder to wrist, away from its natural position, outwards
+    and up. `raised` (…) in [-1, 1] lifts (shrug) or lowers (slump) the collarbone in addition to what the wrist's
+    height demands.
     """
     collarbone = collarbone_for(bones, wrist_m, raised)
     shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
@@ -82,7 +94,8 @@ def reach(bones: ArmBones, wrist_m: FloatArray, *, swivel_rad: FloatArray, raise
 
 
 def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, wrist_m: FloatArray, elbow: FloatArray) -> Reach:
-    """The arm on a given `collarbone` (…, 4) whose wrist is at `wrist_m` (…, 3), its elbow towards `elbow` (…, 3)."""
+    """The arm on a given `collarbone` (…, 4) with its wrist at `wrist_m` (…, 3) and its elbow in the direction `elbow`
+    (…, 3)."""
     to_wrist = wrist_m - bones.root_m - rotate(collarbone, bones.collarbone_m)
     asked_m = np.maximum(length(to_wrist), 1e-6)
     direction = to_wrist / asked_m
@@ -91,31 +104,34 @@ def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, wrist_m: FloatArray,
 
 
 def towards_elbow(upper_arm: FloatArray, elbow: FloatArray, bones: ArmBones) -> FloatArray:
-    """The direction (…, 3) of the elbow, at right angles to the line from shoulder to wrist, of an upper arm's
-    orientation (…, 4) and a hinge (…, 4); it is there in a straight arm too."""
+    """The direction (…, 3) of the elbow, perpendicular to the line from shoulder to wrist, of an upper arm with this
+    orientation (…, 4) and hinge rotation (…, 4). It is defined for a straight arm too."""
     to_wrist = bones.upper_m * np.array([1.0, 0.0, 0.0]) + bones.lower_m * rotate(elbow, np.array([1.0, 0.0, 0.0]))
     aside = np.stack((to_wrist[..., 2], np.zeros_like(to_wrist[..., 0]), -to_wrist[..., 0]), axis=-1)
     return rotate(upper_arm, aside / length(aside))
 
 
 def collarbone_for(bones: ArmBones, wrist_m: FloatArray, raised: FloatArray | float = 0.0) -> FloatArray:
-    """The collarbone's rotation for a hand at `wrist_m`: up with a high hand, forward with a far one, back with one
-    behind (towards-natural §3.4 adjusts it by the hands' height; the angles are ours, after the third of the arm's
-    elevation that the shoulder girdle takes)."""
+    """The collarbone's rotation for a hand at `wrist_m`: raised for a high hand, protracted for a far one, retracted
+    for one behind the body.
+
+    Towards-natural §3.4 adjusts it by the height of the hands; the angles are ours, based on the third of the arm's
+    elevation that the shoulder girdle contributes.
+    """
     ahead = (wrist_m - bones.shoulder_m) / bones.length_m
     outwards, up, away = ahead[..., 0], ahead[..., 1], ahead[..., 2]
     far = np.hypot(np.maximum(away, 0.0), np.maximum(-outwards, 0.0))
     up_deg = _RAISED_DEG * _ease(up + 0.1) + np.where(np.asarray(raised) > 0, _SHRUG_DEG, _SLUMP_DEG) * raised
     forward_deg = _PROTRACTED_DEG * _ease((far - 0.5) / 0.5) - _RETRACTED_DEG * _ease(-away / 0.5)
-    forward = about((0.0, -1.0, 0.0), np.radians(forward_deg))
-    return multiply(forward, about((0.0, 0.0, 1.0), np.radians(up_deg)))
+    forward = from_axis_angle((0.0, -1.0, 0.0), np.radians(forward_deg))
+    return multiply(forward, from_axis_angle((0.0, 0.0, 1.0), np.radians(up_deg)))
 
 
 def elbow_direction(direction: FloatArray) -> FloatArray:
-    """Where the elbow goes to, at right angles to `direction` (…, 3), the way from the shoulder to the wrist.
+    """The natural direction of the elbow, perpendicular to `direction` (…, 3) from the shoulder to the wrist.
 
-    The model: an elbow hangs down, a little out; behind a hand that hangs low, before the chest for one that reaches
-    across. Right for talking hands; people differ, and `swivel_rad` is there for what a pose needs.
+    The model: an elbow hangs down and slightly outwards; it is behind a hand that hangs low and in front of the chest
+    for one that reaches across. This suits talking hands; `swivel_rad` of `reach` adapts it to a pose.
     """
     low, across = np.maximum(-direction[..., 1], 0.0), np.maximum(-direction[..., 0], 0.0)
     pole = np.stack((np.full_like(low, 0.45), 0.4 * low - 1.0, 0.9 * across - 0.45 * (1 + low)), axis=-1)
@@ -123,7 +139,7 @@ def elbow_direction(direction: FloatArray) -> FloatArray:
 
 
 def _across(vector: FloatArray, direction: FloatArray) -> FloatArray:
-    """What of `vector` is at right angles to `direction`, of length 1."""
+    """The component of `vector` perpendicular to `direction`, normalized."""
     vector = vector - dot(vector, direction) * direction
     return np.asarray(vector / np.maximum(length(vector), 1e-9))
 
@@ -137,7 +153,7 @@ def _bent(
     upper = direction * along + pole * aside
     towards = direction * aside - pole * along
     orientation = within_shoulder_limits(from_axes(upper, cross(towards, upper), towards))
-    elbow = about((0.0, -1.0, 0.0), _flexion(bones, distance_m)[..., 0])
+    elbow = from_axis_angle((0.0, -1.0, 0.0), _flexion(bones, distance_m)[..., 0])
     forearm = multiply(orientation, elbow)
     shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
     elbow_m = shoulder_m + rotate(orientation, np.array([bones.upper_m, 0.0, 0.0]))
@@ -146,7 +162,7 @@ def _bent(
 
 
 def _within_reach(bones: ArmBones, distance_m: FloatArray) -> FloatArray:
-    """Distances eased into what the elbow's range allows: as they are up to 2 cm from its ends."""
+    """Distances clamped smoothly to what the elbow's range allows; unchanged up to 2 cm from its ends."""
     longest, shortest = (_distance(bones, np.radians(flexion)) for flexion in ELBOW_FLEXION_DEG)
     over = np.maximum(distance_m - (longest - _SOFTENED_M), 0.0)
     under = np.maximum(shortest + _SOFTENED_M - distance_m, 0.0)
@@ -155,7 +171,7 @@ def _within_reach(bones: ArmBones, distance_m: FloatArray) -> FloatArray:
 
 
 def _distance(bones: ArmBones, flexion_rad: float) -> float:
-    """From shoulder to wrist, by the law of cosines."""
+    """The distance from shoulder to wrist, by the law of cosines."""
     squared = bones.upper_m**2 + bones.lower_m**2 + 2 * bones.upper_m * bones.lower_m * np.cos(flexion_rad)
     return float(np.sqrt(squared))
 

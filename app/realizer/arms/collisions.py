@@ -1,8 +1,8 @@
-"""Hands and forearms kept out of the body and of each other, and joints within their limits, once the motion is made.
+"""Post-processing: keeps hands and forearms out of the body and each other, and joints within their limits.
 
-Conventions: metres in the world, frames in time. Where a limb is inside something, its wrist and its elbow are moved
-the shortest way out; the movement swells and ebbs over the frames around, so that no speed jumps, and the arm is
-solved again for its new wrist. The hand keeps its orientation as far as its joints let it.
+Conventions: metres in the world, time in frames. Where a limb penetrates something, its wrist and elbow are displaced
+along the shortest way out. The displacement is blended in and out over the surrounding frames so that velocity stays
+continuous, and the arm is solved again for its new wrist. The hand keeps its orientation as far as joint limits allow.
 """
 
 from collections.abc import Mapping
@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 
 from ...model import FloatArray, Hand
 from ..body.build import BUILD
-from ..body.contacts import LIMBS, PAIRS, RADII_M, Contacts, Posed, contacts, depths_m
-from ..body.limits import MIRROR, clamped, parted_deg
+from ..body.contacts import LIMBS, PAIRS, RADII_M, Contacts, PosedBody, contacts, depths_m
+from ..body.limits import MIRROR, clamped, swing_twist_deg
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.easing import minimum_jerk
-from ..geometry.rotations import about, angle_between, dot, inverse, length, multiply, nearest_sign, rotate
-from ..gestures.wrist_turns import kept
+from ..geometry.rotations import angle_between, dot, from_axis_angle, inverse, length, multiply, nearest_sign, rotate
+from ..gestures.wrist_angles import preserving_wrist_angles
 from .arm_reach import ArmBones, reach_by_elbow, towards_elbow
 
 _CLEARANCE_M = 0.004
@@ -33,7 +33,8 @@ _MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])
 
 
 def _together() -> tuple[list[int], ...]:
-    """Columns of contacts that are left on one side: each limb's with trunk and legs, and all of arm with arm."""
+    """Columns of contacts that are resolved on the same side: each limb's with trunk and legs, and all of arm with
+    arm."""
     whose = ["arms" if BUILD[other].part in LIMBS else BUILD[limb].joint for limb, other in PAIRS]
     return tuple([column for column, name in enumerate(whose) if name == each] for each in dict.fromkeys(whose))
 
@@ -43,7 +44,7 @@ _TOGETHER = _together()
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Push:
-    """How far a wrist and an elbow (T, 3) are to be moved."""
+    """The displacements (T, 3) of a wrist and an elbow."""
 
     wrist_m: FloatArray
     elbow_m: FloatArray
@@ -56,13 +57,16 @@ class _Push:
         return _Push(*(taper * _swelling(push_m, swell) for push_m in (self.wrist_m, self.elbow_m)))
 
 
-def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
-    """The same motion with hands and forearms outside of torso, head, upper legs and each other, and with trunk, neck
-    and arms within their limits; and a decision for each stretch of time in which a hand had to give way, or could not
-    without a joint that jumps.
+def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
+    """Move hands and forearms out of torso, head, upper legs and each other, and bring trunk, neck and arms within
+    limits.
 
-    What is still inside after a round is added to the push, and the arms are solved again from where they were; so
-    the push is smooth in time however many rounds it takes."""
+    Returns the new motion, and a decision for each stretch of time in which a hand was displaced, or could not be
+    without making a joint jump.
+
+    Penetration that is left after a round is added to the displacement and the arms are solved again from the original
+    motion, so the displacement stays smooth however many rounds are needed.
+    """
     body = replace(body, rotations=clamped(skeleton, body.rotations))
     depth_m = depths_m(skeleton, body.rotations, body.hips_m)
     decisions = _decisions(depth_m, body.times_s)
@@ -72,7 +76,7 @@ def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decis
     rotations = body.rotations.copy()
     for first, past in _stretches(_around(depth_m.max(axis=1) > 0, 2 * swell)):
         there, ends = slice(first, past), (first > 0, past < len(rotations))
-        posed = Posed.of(skeleton, body.rotations[there], body.hips_m[there])
+        posed = PosedBody.of(skeleton, body.rotations[there], body.hips_m[there])
         rotations[there], left_m = _cleared(skeleton, posed, swell, _taper(past - first, swell, ends))
         if left_m > _TOLERATED_M:
             decisions = (*decisions, _unsolved(body.times_s[there], left_m))
@@ -80,16 +84,17 @@ def clear(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decis
 
 
 def _taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:
-    """Nothing at the stretch's ends, beyond which nothing is moved, all of a push from `swell` frames on: (F, 1)."""
+    """Weights (F, 1) that rise from 0 at the ends of the stretch, beyond which nothing is moved, to 1 after `swell`
+    frames."""
     number = np.arange(frames)
     from_start = number if ends[0] else np.full(frames, swell)
     from_end = number[::-1] if ends[1] else np.full(frames, swell)
     return minimum_jerk(np.minimum(from_start, from_end) / swell)[:, None]
 
 
-def _cleared(skeleton: Skeleton, start: Posed, swell: int, taper: FloatArray) -> tuple[FloatArray, float]:
-    """The local rotations of a stretch of frames, after the round that ends least inside anything, and how deep that
-    is; a push swells over so many frames."""
+def _cleared(skeleton: Skeleton, start: PosedBody, swell: int, taper: FloatArray) -> tuple[FloatArray, float]:
+    """The local rotations of a stretch of frames after the round with the least penetration, and its depth in metres;
+    displacements are blended over `swell` frames."""
     found = contacts(skeleton, start)
     nothing = np.zeros((len(start.rotations), 3))
     pushes = dict.fromkeys(SIDES, _Push(nothing, nothing))
@@ -111,16 +116,19 @@ def _cleared(skeleton: Skeleton, start: Posed, swell: int, taper: FloatArray) ->
 
 
 def _jumps(rotations: FloatArray, before: FloatArray, swell: int) -> bool:
-    """Whether one of the joints (F, J, 4) turns faster than joints should, and than they did."""
+    """Whether a joint of (F, J, 4) turns faster than the speed limit and faster than it did before."""
     fastest = _FASTEST_RAD_S * _SWELL_S / swell
     turned, did = (angle_between(each[1:], each[:-1]).max(initial=0.0) for each in (rotations, before))
     return bool(turned > max(fastest, did))
 
 
 def _way_out(found: Contacts, known: FloatArray) -> FloatArray:
-    """On which side each contact is left, (T, P, 3): in a whole stretch of frames on the side where the limb is inside
-    the most, the same for all parts of the trunk and legs, and in every round the same. A limb that passes through
-    would otherwise be pushed back and, from the middle on, forward; one between belly and leg to and fro."""
+    """The direction (T, P, 3) in which each contact is left.
+
+    It is the same for a whole stretch of frames and for all parts of trunk and legs, that of the deepest frame, and the
+    same in every round. Otherwise a limb that passes through the body would be pushed back and, from the middle on,
+    forward, and one between belly and leg to and fro.
+    """
     way_out = known.copy()
     deep_m = np.maximum(found.depth_m, 0.0)
     for columns in _TOGETHER:
@@ -133,7 +141,7 @@ def _way_out(found: Contacts, known: FloatArray) -> FloatArray:
 
 
 def _one_way(found: Contacts, way_out: FloatArray) -> Contacts:
-    """The same contacts, those that are nearer to the other side taken through to this one."""
+    """The contacts, with those that are nearer to the opposite side redirected through to this one."""
     wrong = (found.depth_m > 0) & (np.einsum("...k,...k->...", found.out, way_out) < 0)
     through_m = found.depth_m + 2 * (RADII_M - found.depth_m)
     return replace(
@@ -141,8 +149,8 @@ def _one_way(found: Contacts, way_out: FloatArray) -> Contacts:
     )
 
 
-def _moved(skeleton: Skeleton, body: Posed, pushes: Mapping[str, _Push]) -> FloatArray:
-    """The local rotations with both arms pushed, in the frames where they are."""
+def _moved(skeleton: Skeleton, body: PosedBody, pushes: Mapping[str, _Push]) -> FloatArray:
+    """The local rotations with both arms displaced, in the frames concerned."""
     rotations = body.rotations.copy()
     for side, push in pushes.items():
         frames = np.nonzero((length(push.wrist_m) + length(push.elbow_m))[:, 0] > 1e-6)[0]
@@ -154,10 +162,11 @@ def _moved(skeleton: Skeleton, body: Posed, pushes: Mapping[str, _Push]) -> Floa
 
 
 def _push(found: Contacts, side: str) -> _Push:
-    """The sum of what the contacts of an arm ask for, each only for what the others have not done in its direction.
+    """The sum of the displacements that the contacts of an arm require, each reduced by what the others already
+    achieve.
 
-    A hand is moved by its wrist; a forearm by wrist and elbow, each by its share of the place that is inside. Where
-    both arms are in a contact, each gives way by half.
+    A hand is moved by its wrist; a forearm by wrist and elbow, in proportion to where the contact lies between them.
+    Where both arms are in a contact, each moves by half.
     """
     wrist_m, elbow_m = np.zeros((2, len(found.depth_m), 3))
     deep_m = np.where(found.depth_m > 0, found.depth_m + _CLEARANCE_M, 0.0)
@@ -175,7 +184,7 @@ def _push(found: Contacts, side: str) -> _Push:
 
 
 def _beyond(asked_m: FloatArray, given_m: FloatArray) -> FloatArray:
-    """What is left of `asked_m` after what `given_m` already does in its direction."""
+    """The part of `asked_m` that `given_m` does not already cover in its direction."""
     size_m = np.maximum(length(asked_m), 1e-12)
     done = np.sum(asked_m * given_m, axis=-1, keepdims=True) / size_m**2
     return np.asarray(asked_m * np.clip(1 - done, 0.0, 1.0))
@@ -186,10 +195,11 @@ def _at_most(push_m: FloatArray, farthest_m: float) -> FloatArray:
 
 
 def _swelling(push_m: FloatArray, swell: int) -> FloatArray:
-    """A push (T, 3) spread over the frames around it: hardly less than asked for, and smooth in size and direction.
+    """A displacement (T, 3) spread smoothly over neighbouring frames, hardly smaller than required.
 
-    The largest size within reach, averaged within reach, covers every frame's own; directions are averaged twice as
-    far, and where they disagree the push is smaller."""
+    The maximum size within the window, averaged over the window, covers every frame's own; directions are averaged over
+    twice the window, and where they disagree the displacement shrinks.
+    """
     size_m = length(push_m)[:, 0]
     if not size_m.any():
         return push_m
@@ -204,9 +214,8 @@ def _swelling(push_m: FloatArray, swell: int) -> FloatArray:
     return np.asarray(towards / np.maximum(agreed, 1e-12)[:, None] * size_m[:, None])
 
 
-def _solved_again(skeleton: Skeleton, body: Posed, side: Hand, push: _Push) -> FloatArray:
-    """Upper arm, lower arm and hand (T, 3, 4) of the arm `side`, solved for its wrist where it is pushed to and its
-    elbow swung aside."""
+def _solved_again(skeleton: Skeleton, body: PosedBody, side: Hand, push: _Push) -> FloatArray:
+    """Upper arm, lower arm and hand (T, 3, 4) of the arm `side`, solved for the displaced wrist and elbow."""
     names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
     chest, *joints = skeleton.chain("upperChest", *(side.value + name for name in names))
     bones = ArmBones.of(skeleton)
@@ -222,34 +231,34 @@ def _solved_again(skeleton: Skeleton, body: Posed, side: Hand, push: _Push) -> F
     elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
     elbow = elbow + (elbow_push_m - dot(elbow_push_m, elbow) * elbow) / _ELBOW_AT_LEAST_M
     arm = reach_by_elbow(bones, collarbone, wrist_m + root_m, elbow)
-    turn = kept(arm.forearm, multiply(back, turned[:, joints[-1]]) * mirror).clamped()
+    turn = preserving_wrist_angles(arm.forearm, multiply(back, turned[:, joints[-1]]) * mirror).clamped()
     after = np.stack((arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand), axis=1)
     return nearest_sign(after * mirror, before[:, 1:])
 
 
 def _without_twist(lower_arm: FloatArray) -> FloatArray:
-    return multiply(lower_arm, about((-1.0, 0.0, 0.0), np.radians(parted_deg(lower_arm, 0)[..., 0])))
+    return multiply(lower_arm, from_axis_angle((-1.0, 0.0, 0.0), np.radians(swing_twist_deg(lower_arm, 0)[..., 0])))
 
 
 def _swell_frames(times_s: FloatArray) -> int:
-    """How many frames a push takes to swell."""
+    """The number of frames over which a displacement is blended in."""
     rate_hz = (len(times_s) - 1) / max(times_s[-1] - times_s[0], 1e-9)
     return max(1, round(_SWELL_S * float(rate_hz)))
 
 
 def _around(inside: NDArray[np.bool_], frames: int) -> NDArray[np.bool_]:
-    """Frames no further than so many from one that is inside."""
+    """Frames within `frames` of one that is inside."""
     return np.convolve(inside, np.ones(2 * frames + 1), mode="full")[frames : frames + len(inside)] > 0
 
 
 def _stretches(inside: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """First frame, and frame past the last, of each run of true ones: (n, 2)."""
+    """The first frame and the frame past the last of each run of true values: (n, 2)."""
     padded = np.concatenate([[False], inside, [False]])
     return np.nonzero(padded[1:] != padded[:-1])[0].reshape(-1, 2)
 
 
 def _decisions(depths: FloatArray, times_s: FloatArray) -> tuple[Decision, ...]:
-    """One for each stretch of frames in which a limb of a side was inside something."""
+    """One decision for each stretch of frames in which a limb penetrated something."""
     decisions = []
     for side in SIDES:
         own = [column for column, (limb, _other) in enumerate(PAIRS) if BUILD[limb].joint.startswith(side)]

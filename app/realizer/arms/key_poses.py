@@ -1,4 +1,4 @@
-"""A clip's key poses on a standing body, to be looked at: what each key says, and on the way what it leaves open."""
+"""A clip's key poses on a standing body, for contact sheets and checks; undefined parts are interpolated."""
 
 from dataclasses import dataclass
 
@@ -20,15 +20,15 @@ PREPARATION_S = 0.5
 
 @dataclass(frozen=True, slots=True, eq=False)
 class KeyPose:
-    """A key that says something, and the local rotations (J, 4) of the body in it."""
+    """A key that defines some part of an arm, and the local rotations (J, 4) of the whole body at its time."""
 
     key: ClipKey
     rotations: FloatArray
 
 
 def key_poses(skeleton: Skeleton, clip: Clip) -> tuple[KeyPose, ...]:
-    """The keys that say something of an arm; those at a gesture's end that say nothing leave the hands to what comes
-    after. An arm that takes no part hangs."""
+    """The poses of the keys that define some part of an arm; keys without content, as at a gesture's end, are left out.
+    An arm that takes no part hangs at the side."""
     keys = [key for key in clip.keys if {key.left, key.right} - {None, ArmKey()}]
     rotations = np.tile(IDENTITY, (len(keys), len(skeleton.names), 1))
     for side in (Hand.LEFT, Hand.RIGHT):

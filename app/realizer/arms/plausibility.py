@@ -1,7 +1,7 @@
-"""Poses that a gesture asks for and the body cannot take (Gesture Engine §4.3): places out of reach, wrists overturned.
+"""Finds gesture poses that the body cannot reach (Gesture Engine §4.3): places out of reach, overtwisted wrists.
 
-The body comes as near as its limits let it, so these are no mistakes; but the gesture does not look as it is written.
-They are looked for where the gesture is largest.
+The realizer gets as near as joint limits allow, so these are warnings, not errors; but the gesture does not look as
+written. Poses are tested at the gesture's largest amplitude.
 """
 
 from collections.abc import Iterable, Iterator
@@ -26,7 +26,8 @@ _FINGERS, _PALM = np.array([1.0, 0.0, 0.0]), np.array([0.0, -1.0, 0.0])
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
-    """What the body cannot do at one frame of a gesture, at a level of agitation."""
+    """A pose out of reach: the definition, the relative time of its frame, the level of agitation, and what is
+    wrong."""
 
     definition: Definition
     time: float
@@ -35,7 +36,7 @@ class Doubt:
 
 
 def doubts(skeleton: Skeleton, definition: Definition) -> Iterator[Doubt]:
-    """The poses from which the body stays more than `SHORT_M` or `OFF_DEG` away."""
+    """The poses that the body misses by more than `SHORT_M` or `OFF_DEG`."""
     level = max(definition.levels, key=lambda one: definition.levels[one].amplitude)
     amplitude = definition.levels[level].amplitude
     for frame in definition.frames:
@@ -60,7 +61,8 @@ def _shortcomings(skeleton: Skeleton, key: ArmKey, amplitude: float) -> Iterator
 
 
 def _off_deg(pose: PartialPose, wanted: Iterable[Direction], axis: FloatArray) -> float:
-    """The angle between the sum of the wanted directions and where an axis of the hand is; 0 when none is wanted."""
+    """The angle in degrees between the sum of the wanted directions and the actual axis of the hand; 0 if none is
+    wanted."""
     total = np.sum([DIRECTIONS[direction] for direction in wanted], axis=0)
     if not np.any(total):
         return 0.0

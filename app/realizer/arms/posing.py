@@ -1,9 +1,9 @@
-"""Key poses of an arm: what a gesture says in words (`ArmKey`) as rotations of joints (Gesture Engine §5.2).
+"""Converts symbolic arm keys (`ArmKey`) into joint rotations (Gesture Engine §5.2).
 
-Conventions: joints in the skeleton's order, local rotations. Places of the wrist are in the hips' space of the upright
-body, seen from the own side as `gesture_space` has it (x outwards, y up, z away). Everything is worked out for the
-left arm; the right's is its mirror image. A `PartialPose` has a row for each part that moves by itself, so that what a
-key leaves open can be interpolated between the keys that say it.
+Conventions: joints in the skeleton's order, local rotations. Wrist positions are in the hips' space of the upright
+body, seen from the arm's own side as in `gesture_space` (x outwards, y up, z away). Everything is computed for the left
+arm; the right arm is its mirror image. A `PartialPose` has a row for each independently moving part, so that parts
+which a key leaves open can be interpolated between keys that define them.
 """
 
 from collections.abc import Sequence
@@ -12,18 +12,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...model import FloatArray, Hand
-from ..body.limits import MIRROR, parted_deg
+from ..body.limits import MIRROR, swing_twist_deg
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import about, from_rotation_vector, inverse, length, multiply, rotate
+from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, length, multiply, rotate
 from ..gestures.arm_joints import PARTS
 from ..gestures.gesture import ArmKey, Depth, HandForm, HandShape, Height, Place, Sideways, Wrist
 from ..gestures.gesture_space import DIRECTIONS, sector_m
 from ..gestures.hand_shapes import finger_rows, hand_shape
-from ..gestures.wrist_turns import Turn, turned
+from ..gestures.wrist_angles import WristAngles, wrist_angles
 from .arm_reach import ArmBones, Reach, collarbone_for, reach
 
 ARM_ROWS, WRIST_ROWS, HAND_ROWS = slice(0, 3), slice(3, 5), slice(5, 20)
-"""The formational units: arm with collarbone, wrist, hand shape."""
+"""The rows of the formational units: arm with collarbone, wrist, hand shape."""
 
 CENTRE = Place(Sideways.C, Height.CC, Depth.MIDDLE)
 
@@ -36,52 +36,52 @@ _POINTING_PALM: FloatArray = np.array([-0.4, -1.0, 0.0])
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PartialPose:
-    """Local rotations `parts` (20, 4) in the order of `PARTS`, not-a-number where the key leaves them open, and the
-    wrist's place, if the whole arm is said."""
+    """Local rotations `parts` (20, 4) in the order of `PARTS`, NaN where the key leaves them open, and the wrist's
+    position if the whole arm is defined."""
 
     parts: FloatArray
     wrist_m: FloatArray | None = None
 
     @property
-    def said(self) -> FloatArray:
-        """Which of `PARTS` are said: (20,) of booleans."""
+    def defined(self) -> FloatArray:
+        """Which of `PARTS` are defined: booleans (20,)."""
         return np.asarray(~np.isnan(self.parts[:, 3]))
 
     def over(self, below: "PartialPose") -> "PartialPose":
-        """This pose, and `below` where it leaves parts open."""
-        parts = np.where(self.said[:, None], self.parts, below.parts)
+        """This pose, completed from `below` where it leaves parts open."""
+        parts = np.where(self.defined[:, None], self.parts, below.parts)
         return PartialPose(parts, below.wrist_m if self.wrist_m is None else self.wrist_m)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ArmPose:
-    """A whole arm: local rotations (19, 4) of `arm_joints`, and where the wrist is."""
+    """A complete arm: local rotations (19, 4) of `arm_joints`, and the wrist's position."""
 
     rotations: FloatArray
     wrist_m: FloatArray
 
     def as_partial(self) -> PartialPose:
-        """The same as a key that says everything."""
+        """The same pose as a key that defines every part."""
         return PartialPose(parts_of(self.rotations), self.wrist_m)
 
 
 def pose_arm(
     skeleton: Skeleton, side: Hand, key: ArmKey, *, amplitude: float = 1.0, aim_m: FloatArray | None = None
 ) -> PartialPose:
-    """What a key says of the arm `side`; `pose_arms` of one."""
+    """The pose of one key for the arm `side`; see `pose_arms`."""
     return pose_arms(skeleton, side, [key], amplitude=amplitude, aim_m=aim_m)[0]
 
 
 def pose_arms(
     skeleton: Skeleton, side: Hand, keys: Sequence[ArmKey], *, amplitude: float = 1.0, aim_m: FloatArray | None = None
 ) -> tuple[PartialPose, ...]:
-    """What each key says of the arm `side`; several take hardly longer than one.
+    """The pose of each key for the arm `side`; several keys cost hardly more than one.
 
-    `amplitude` stretches places from the middle of gesture space. `aim_m` is a target in the hips' space of the
-    upright body (x to the character's left): the arm of a key that has a place is put on the line from the shoulder to
-    it, as far out as its place is, and the fingers point along that line. A wrist without a place is turned as if the
-    arm were before the body's middle. A wrist's direction that the joints cannot reach, the elbow helping by its
-    swivel, is approached as far as their limits let it.
+    `amplitude` scales places about the centre of gesture space. `aim_m` is a target in the hips' space of the upright
+    body (x to the character's left): if a key has a place, the wrist is put on the line from the shoulder to the
+    target, as far out as the place is, and the fingers point along that line. A wrist without a place is oriented as if
+    the arm were in front of the body's middle. Where joint limits do not allow a wrist orientation, even with another
+    elbow swivel, the nearest possible one is taken.
     """
     bones = ArmBones.of(skeleton)
     aim_m = None if aim_m is None else np.asarray(aim_m) * _seen_from(side)
@@ -104,17 +104,19 @@ def pose_arms(
     )
 
 
-def held(
+def solve_arm(
     bones: ArmBones, wrist_m: FloatArray, finger_base: FloatArray, palm: FloatArray, swivel_deg: float
 ) -> FloatArray:
-    """The first five parts of a left arm with the wrist at a place, the hand held so, and the elbow at a swivel."""
+    """The first five parts of a left arm with the wrist at a position, the hand in an orientation, and the elbow at a
+    swivel."""
     arm = reach(bones, wrist_m, swivel_rad=np.radians(swivel_deg))
-    turn = turned(arm.forearm, finger_base, palm).clamped()
+    turn = wrist_angles(arm.forearm, finger_base, palm).clamped()
     return np.stack([arm.collarbone, arm.upper_arm, arm.elbow, turn.forearm, turn.hand])
 
 
 def arm_rotations(parts: FloatArray) -> FloatArray:
-    """Parts (…, 20, 4) as the rotations (…, 19, 4) of `arm_joints`: hinge and twist make one lower arm."""
+    """Parts (…, 20, 4) as rotations (…, 19, 4) of `arm_joints`; elbow hinge and forearm twist combine into the lower
+    arm."""
     lower_arm = multiply(parts[..., 2, :], parts[..., 3, :])
     return np.concatenate([parts[..., :2, :], lower_arm[..., None, :], parts[..., 4:, :]], axis=-2)
 
@@ -122,7 +124,7 @@ def arm_rotations(parts: FloatArray) -> FloatArray:
 def parts_of(rotations: FloatArray) -> FloatArray:
     """The inverse of `arm_rotations`: (…, 19, 4) as parts (…, 20, 4)."""
     lower_arm = rotations[..., 2, :]
-    twist = about((1.0, 0.0, 0.0), np.radians(parted_deg(lower_arm, 0)[..., 0]))
+    twist = from_axis_angle((1.0, 0.0, 0.0), np.radians(swing_twist_deg(lower_arm, 0)[..., 0]))
     hinge = multiply(lower_arm, inverse(twist))
     return np.concatenate(
         [rotations[..., :2, :], hinge[..., None, :], twist[..., None, :], rotations[..., 3:, :]], axis=-2
@@ -130,7 +132,7 @@ def parts_of(rotations: FloatArray) -> FloatArray:
 
 
 def wrist_of(skeleton: Skeleton, side: Hand, rotations: FloatArray) -> FloatArray:
-    """Where the wrist (…, 3) of an arm (…, 19, 4) is, the body upright."""
+    """The wrist's position (…, 3) for an arm's rotations (…, 19, 4) on an upright body."""
     return _wrist_of_left(ArmBones.of(skeleton), rotations if side is Hand.LEFT else rotations * MIRROR)
 
 
@@ -143,7 +145,7 @@ def _hanging_m(bones: ArmBones) -> FloatArray:
 
 
 def _wrist_of_left(bones: ArmBones, parts: FloatArray) -> FloatArray:
-    """By collarbone, upper arm and elbow; a twist of the third does not matter."""
+    """From collarbone, upper arm and elbow; a twist of the elbow's rotation does not matter."""
     collarbone, upper_arm, elbow = (parts[..., row, :] for row in range(3))
     upper = multiply(collarbone, upper_arm)
     along = np.array([1.0, 0.0, 0.0])
@@ -154,7 +156,7 @@ def _wrist_of_left(bones: ArmBones, parts: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Asked:
-    """Where a key wants the wrist, where fingers and palm are to point, and the collarbone's own raising."""
+    """The targets of a key: wrist position, directions of fingers and palm, and raising of the collarbone."""
 
     wrist_m: FloatArray
     finger_base: FloatArray | None
@@ -172,20 +174,20 @@ def _asked(bones: ArmBones, key: ArmKey, amplitude: float, aim_m: FloatArray | N
 
 
 def _solved(bones: ArmBones, asked: Sequence[_Asked]) -> FloatArray:
-    """The first five parts (K, 5, 4) of each arm, at the swivel that suits the wrist best."""
+    """The first five parts (K, 5, 4) of each arm, at the elbow swivel that suits the wrist best."""
     wrists_m = np.stack([each.wrist_m for each in asked])[:, None]
     raised = np.array([each.raised for each in asked])[:, None]
     arms = reach(bones, np.repeat(wrists_m, len(_SWIVELS), axis=1), swivel_rad=_SWIVELS, raised=raised)
     turns = _turned(arms.forearm, asked)
     best = np.arange(len(asked)), np.argmin(_discomfort(arms, turns, wrists_m), axis=1)
-    turn = Turn(turns.angles[best]).clamped()
+    turn = WristAngles(turns.angles[best]).clamped()
     return np.stack(
         (*(part[best] for part in (arms.collarbone, arms.upper_arm, arms.elbow)), turn.forearm, turn.hand), 1
     )
 
 
-def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> Turn:
-    """The wrists' turns (K, swivels), those that say the same parts together."""
+def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> WristAngles:
+    """The wrist angles (K, swivels), computed in groups of keys that define the same directions."""
     angles = np.zeros((*forearm.shape[:-1], 3))
     said = [(each.finger_base is not None, each.palm is not None) for each in asked]
     for kind in set(said):
@@ -194,14 +196,13 @@ def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> Turn:
             np.array([getattr(asked[row], name) for row in rows])[:, None] if known else None
             for name, known in zip(("finger_base", "palm"), kind, strict=True)
         )
-        angles[rows] = turned(forearm[rows], finger_base, palm).angles
-    return Turn(angles)
+        angles[rows] = wrist_angles(forearm[rows], finger_base, palm).angles
+    return WristAngles(angles)
 
 
-def _discomfort(arms: Reach, turns: Turn, wrists_m: FloatArray) -> FloatArray:
-    """What speaks against each swivel: wrist and forearm near or past their limits, a place that the shoulder's limits
-    do not let the wrist reach, a forearm too near the trunk, and the swivel itself, for an elbow hangs as long as
-    nothing asks it to do otherwise."""
+def _discomfort(arms: Reach, turns: WristAngles, wrists_m: FloatArray) -> FloatArray:
+    """The cost of each swivel: wrist and forearm near or beyond their limits, wrist targets out of the shoulder's
+    range, a forearm too near to the trunk, and the swivel itself, so that the elbow hangs unless there is a reason."""
     strained = np.maximum(np.abs(np.degrees(turns.angles)) - _AT_EASE_DEG, 0.0) / 30.0
     impossible = np.degrees(turns.excess) / 10.0
     missed = length(arms.wrist_m - wrists_m)[..., 0] / 0.01
@@ -233,7 +234,7 @@ def _directions(wrist: Wrist) -> tuple[FloatArray | None, FloatArray | None]:
 
 
 def _on_the_line(bones: ArmBones, aim_m: FloatArray, wrist_m: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """A wrist on the way from the shoulder to the target, as far out as its place is; and the way itself."""
+    """The wrist on the line from shoulder to target, at the same distance as its place, and the line's direction."""
     way = aim_m - bones.shoulder_m
     way = way / max(float(np.linalg.norm(way)), 1e-6)
     return bones.shoulder_m + float(np.linalg.norm(wrist_m - bones.shoulder_m)) * way, way
@@ -250,12 +251,12 @@ def _add_hand(parts: FloatArray, key: ArmKey) -> None:
 
 
 def _add_joints(parts: FloatArray, key: ArmKey) -> None:
-    """Joints fixed by angles: turned about x, then y, then z, the axes of the joint above."""
+    """Joints given by explicit angles: rotated about x, then y, then z of the parent joint."""
     for joint, degrees in key.joints:
         x, y, z = (from_rotation_vector(angle) for angle in np.radians(np.diag(degrees)))
         rotation = multiply(z, multiply(y, x))
         if joint == "LowerArm":
-            twist = about((1.0, 0.0, 0.0), np.radians(parted_deg(rotation, 0)[0]))
+            twist = from_axis_angle((1.0, 0.0, 0.0), np.radians(swing_twist_deg(rotation, 0)[0]))
             parts[2:4] = multiply(rotation, inverse(twist)), twist
         else:
             parts[PARTS.index(joint)] = rotation

@@ -1,8 +1,8 @@
-"""Where hands rest between gestures: at the side, clasped, folded, behind the back, in the pockets, on the hips, open.
+"""Rest poses of the arms between gestures: at the side, clasped, folded, behind the back, in pockets, on hips, open.
 
-Conventions: as `posing`: places seen from the own side, metres from the hips, x outwards, y up, z away; swivels in
-degrees, elbow outwards. Where one hand lies on the other or one arm over the other, the left is the upper. The places
-keep forearms and hands 15 mm from the body and each other, as thick as `build` has them, for hands stir at rest.
+Conventions as in `posing`: positions seen from the arm's own side, metres from the hips, x outwards, y up, z away;
+swivels in degrees, elbow outwards. Where one hand or arm lies on the other, the left is on top. The positions keep
+forearms and hands 15 mm from the body (with the radii of `build`) and each other, to leave room for idle noise.
 """
 
 from collections.abc import Mapping
@@ -19,7 +19,7 @@ from ..body.skeleton import Skeleton
 from ..gestures.gesture import Bend, Finger, HandForm, HandShape, Thumb
 from ..gestures.hand_shapes import hand_shape
 from .arm_reach import ArmBones
-from .posing import ArmPose, arm_rotations, held
+from .posing import ArmPose, arm_rotations, solve_arm
 
 _EASY = HandShape(HandForm.DEFAULT)
 _FOUR = (Finger.INDEX, Finger.MIDDLE, Finger.RING, Finger.LITTLE)
@@ -27,7 +27,7 @@ _FOUR = (Finger.INDEX, Finger.MIDDLE, Finger.RING, Finger.LITTLE)
 
 @dataclass(frozen=True, slots=True)
 class Rest:
-    """A hand at rest: the wrist's place, where fingers and palm point, the elbow's swivel, and the hand's form."""
+    """An arm at rest: wrist position, directions of fingers and palm, elbow swivel in degrees, and hand shape."""
 
     wrist_m: Point
     finger_base: Point
@@ -64,15 +64,15 @@ RESTS: Mapping[str, tuple[Rest, Rest]] = MappingProxyType(
         "open": (_OPEN, _OPEN),
     }
 )
-"""By name, the left hand's and the right's."""
+"""By name, the rest of the left and of the right arm."""
 
 
 @lru_cache(maxsize=64)
 def rest_pose(skeleton: Skeleton, side: Hand, name: str) -> ArmPose:
-    """The arm `side` at rest; `name` is one of `RESTS`. A skeleton's poses are worked out once and kept."""
+    """The pose of the arm `side` at rest; `name` is one of `RESTS`. Cached per skeleton."""
     rest = RESTS[name][0 if side is Hand.LEFT else 1]
     wrist_m, finger_base, palm = np.array([rest.wrist_m, rest.finger_base, rest.palm])
-    arm = held(ArmBones.of(skeleton), wrist_m, finger_base, palm, rest.swivel_deg)
+    arm = solve_arm(ArmBones.of(skeleton), wrist_m, finger_base, palm, rest.swivel_deg)
     rotations = arm_rotations(np.concatenate([arm, hand_shape(rest.hand, rest.fingers)]))
     rotations = rotations if side is Hand.LEFT else rotations * MIRROR
     rotations.setflags(write=False)

@@ -1,7 +1,7 @@
-"""Where the wrist is in a clip, as far as a plan must know: straight from each key that places it to the next.
+"""Approximate wrist trajectory of a clip for planning: linear interpolation between the keys that place the wrist.
 
-Conventions: metres as in `understudy.realizer.gestures.gesture_space`, seen from the arm's own side, so that places of
-one arm can be compared. What the body makes of it (joint limits, a belly in the way) may be some centimetres off.
+Conventions: metres as in `understudy.realizer.gestures.gesture_space`, seen from the arm's own side, so that positions
+of one arm can be compared. The realized wrist may differ by some centimetres (joint limits, collisions).
 """
 
 import numpy as np
@@ -9,28 +9,29 @@ import numpy as np
 from ...model import FloatArray, Hand
 from ..body.skeleton import HIPS_HEIGHT_M
 from ..gestures.gesture import ArmKey, Clip, ClipKey, Depth, Height, Place, Sideways
-from ..gestures.gesture_plan import Placed
+from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
 
 _UNPLACED = Place(Sideways.C, Height.CC, Depth.MIDDLE)
-"""Where a hand is taken to be whose joints are given instead of its place."""
+"""The place assumed for a hand that is given by joint angles."""
 
 _SHOULDER_M: FloatArray = np.array([0.17, SHOULDERS_ABOVE_HIPS_M, 0.0])
 _SHOULDER_M.setflags(write=False)
 
 
 def arm_key(key: ClipKey, side: Hand) -> ArmKey | None:
-    """What a key says of one arm."""
+    """What a clip key defines for one arm; None if the arm takes no part."""
     return key.left if side is Hand.LEFT else key.right
 
 
-def amplitude(placed: Placed) -> float:
-    """How large a gesture is made: by its level's expressivity and by what the schedule asks for."""
+def amplitude(placed: PlacedGesture) -> float:
+    """The size of a gesture: its level's expressivity times the size that the schedule requests."""
     return placed.clip.expressivity.amplitude * placed.size
 
 
-def wrist_m(placed: Placed, side: Hand, time_s: float) -> FloatArray:
-    """The wrist's place (3,) at `time_s` of the clip; one that points is on the line from the shoulder to its aim."""
+def wrist_m(placed: PlacedGesture, side: Hand, time_s: float) -> FloatArray:
+    """The wrist's position (3,) at `time_s` of the clip; for an aimed gesture, on the line from the shoulder to its
+    target."""
     place_m = _wrist_m(placed.clip, side, time_s, amplitude(placed))
     if placed.aim_m is None:
         return place_m
@@ -39,15 +40,18 @@ def wrist_m(placed: Placed, side: Hand, time_s: float) -> FloatArray:
     return np.asarray(_SHOULDER_M + distance_m(place_m, _SHOULDER_M) * way_m / np.linalg.norm(way_m))
 
 
-def stroke_start_m(placed: Placed, side: Hand) -> FloatArray:
+def stroke_start_m(placed: PlacedGesture, side: Hand) -> FloatArray:
+    """The wrist's position (3,) at the start of the stroke."""
     return wrist_m(placed, side, placed.clip.markers.stroke_start)
 
 
-def relax_m(placed: Placed, side: Hand) -> FloatArray:
+def relax_m(placed: PlacedGesture, side: Hand) -> FloatArray:
+    """The wrist's position (3,) at the relax time."""
     return wrist_m(placed, side, placed.clip.markers.relax)
 
 
 def distance_m(one: FloatArray, other: FloatArray) -> float:
+    """The Euclidean distance between two positions."""
     return float(np.linalg.norm(one - other))
 
 

@@ -1,3 +1,2 @@
-"""The body: its skeleton, how thick it is, how far joints turn, where parts touch, and the value that a motion is.
-Imports `geometry`. Begin with `skeleton.py` and `motion.py`.
-"""
+"""The body: skeleton and forward kinematics, volume, joint limits, contacts, and the data model of motion. Imports
+`geometry`. Begin with `skeleton.py` and `motion.py`."""

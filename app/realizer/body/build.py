@@ -1,8 +1,8 @@
-"""How thick the body is: capsules around its bones, for the mannequin that is drawn and the hands that stay out of it.
+"""The body's volume as capsules around its bones, for the mannequin and for collision tests.
 
-Conventions: a capsule is all within `radius_m` of the line from `start_m` to `end_m`, metres in the space of its joint.
-Sided parts are the left's; the right's are their mirror images. The measures are those of the skeleton's adult of
-1.73 m: chest 33 cm across and 21 cm deep, head 18 cm across.
+Conventions: a capsule contains all points within `radius_m` of the segment from `start_m` to `end_m`, in metres in the
+space of its joint. Sided parts are the left's; the right's are their mirror images. Sizes fit the skeleton's adult of
+1.73 m: chest 33 cm wide and 21 cm deep, head 18 cm wide.
 """
 
 from dataclasses import dataclass, replace
@@ -12,7 +12,7 @@ Point = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Capsule:
-    """A part of the body: its name, the joint that carries it, its line and its radius."""
+    """A part of the body: its name, the joint that carries it, its segment and its radius."""
 
     part: str
     joint: str
@@ -21,7 +21,7 @@ class Capsule:
     radius_m: float
 
     def mirrored(self) -> "Capsule":
-        """The same part of the right side."""
+        """The corresponding part of the right side."""
         return replace(
             self,
             joint="right" + self.joint.removeprefix("left"),
@@ -47,6 +47,6 @@ LEFT: tuple[Capsule, ...] = (
     Capsule("forearm", "leftLowerArm", (0.000, 0.000, 0.000), (0.235, 0.000, 0.000), 0.035),
     Capsule("hand", "leftHand", (0.025, 0.000, 0.000), (0.120, -0.005, 0.000), 0.032),
 )
-"""The parts of the left side; the fingers are within the hand as a loose fist has them."""
+"""The parts of the left side; the hand's capsule contains the fingers of a loose fist."""
 
 BUILD: tuple[Capsule, ...] = (*TRUNK, *LEFT, *(capsule.mirrored() for capsule in LEFT))

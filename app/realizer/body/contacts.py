@@ -1,7 +1,7 @@
-"""How deep forearms and hands are in the body, or in each other: capsules against capsules, in every frame.
+"""Penetration depths of forearms and hands into the body or each other: capsule against capsule, in every frame.
 
-Conventions: depths in metres, positive inside; arrays (T, P) have a column for each of `PAIRS`. A forearm or a hand is
-compared with the trunk, the head, the upper legs and the other arm's forearm and hand (`build`).
+Conventions: depths in metres, positive inside; arrays (T, P) have a column for each of `PAIRS`. A forearm or hand is
+compared with the trunk, the head, the upper legs and the other arm's forearm and hand (see `build`).
 """
 
 from collections.abc import Iterable
@@ -30,7 +30,7 @@ def _pairs() -> tuple[tuple[int, int], ...]:
 
 
 PAIRS: tuple[tuple[int, int], ...] = _pairs()
-"""Which part of `BUILD` is compared with which: a limb, and what it may run into."""
+"""Indices into `BUILD` of the parts that are compared: a limb, and what it may collide with."""
 
 _USED = sorted({number for pair in PAIRS for number in pair})
 _LIMB_COLUMN, _OTHER_COLUMN = (np.array([_USED.index(pair[end]) for pair in PAIRS]) for end in (0, 1))
@@ -40,16 +40,17 @@ RADII_M = np.array([BUILD[limb].radius_m + BUILD[other].radius_m for limb, other
 _CROSSING = np.array([float(BUILD[other].part in LIMBS) for _limb, other in PAIRS])
 _CENTRAL_M = 0.01
 _BLOCK = 2_000
-"""Frames that are compared at a time, so that a long motion needs little memory."""
+"""Frames compared at a time, to limit memory in long motions."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Contacts:
-    """For each pair: how deep it is `depth_m` (T, P); and where it is inside, else zero, the way out for the limb
-    `out` (T, P, 3), in the world, and where on the limb and on the other it is: shares of their lengths (T, P).
+    """For each pair the depth `depth_m` (T, P); and where it penetrates, else zero: the direction `out` (T, P, 3) in
+    which the limb is freed, in the world, and the contact points on both parts as shares of their lengths (T, P).
 
-    The way out is the shortest. Where the two lines meet, and there is none, it is back to where the limb begins, but
-    for arms that cross: there the left one goes over the other."""
+    The direction is the shortest way out. Where the two segments intersect and there is none, it points back to where
+    the limb begins, except for crossing arms, whose left one passes over the right.
+    """
 
     depth_m: FloatArray
     out: FloatArray
@@ -58,32 +59,34 @@ class Contacts:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Posed:
-    """Frames of a body: local rotations (T, J, 4), and positions and orientations of the joints that carry a part that
-    is compared."""
+class PosedBody:
+    """Frames of a body: local rotations (T, J, 4), and positions and orientations in the world of the joints that carry
+    compared parts."""
 
     rotations: FloatArray
     positions_m: FloatArray
     orientations: FloatArray
 
     @classmethod
-    def of(cls, skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> "Posed":
+    def of(cls, skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> "PosedBody":
+        """The frames of a motion; runs forward kinematics on the joints needed."""
         joints = {skeleton.index[BUILD[number].joint] for number in _USED}
         return cls(rotations, *forward(skeleton, rotations, hips_m, _with_parents(skeleton, joints)))
 
-    def frames(self, which: slice | NDArray[np.intp]) -> "Posed":
-        return Posed(self.rotations[which], self.positions_m[which], self.orientations[which])
+    def frames(self, which: slice | NDArray[np.intp]) -> "PosedBody":
+        """A selection of the frames."""
+        return PosedBody(self.rotations[which], self.positions_m[which], self.orientations[which])
 
-    def with_arms(self, skeleton: Skeleton, rotations: FloatArray) -> "Posed":
-        """The same frames, but for the arms."""
+    def with_arms(self, skeleton: Skeleton, rotations: FloatArray) -> "PosedBody":
+        """The same frames with new local rotations of the arms."""
         arms = frozenset(
             skeleton.chain(*(side + joint for side in SIDES for joint in ("UpperArm", "LowerArm", "Hand")))
         )
-        return Posed(rotations, *forward_again(skeleton, rotations, self.positions_m, self.orientations, arms))
+        return PosedBody(rotations, *forward_again(skeleton, rotations, self.positions_m, self.orientations, arms))
 
 
-def contacts(skeleton: Skeleton, body: Posed) -> Contacts:
-    """Every pair in every frame."""
+def contacts(skeleton: Skeleton, body: PosedBody) -> Contacts:
+    """The contacts of every pair in every frame."""
     starts, ends = _lines(skeleton, body)
     start, other_start = starts[_LIMB_COLUMN], starts[_OTHER_COLUMN]
     along, other = (ends - starts)[_LIMB_COLUMN], (ends - starts)[_OTHER_COLUMN]
@@ -99,20 +102,21 @@ def contacts(skeleton: Skeleton, body: Posed) -> Contacts:
 
 
 def depths_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FloatArray:
-    """How deep every pair is in every frame (T, P), positive inside."""
+    """The depth of every pair in every frame (T, P), positive inside."""
     blocks = (slice(first, first + _BLOCK) for first in range(0, len(rotations), _BLOCK))
     return np.concatenate(
-        [contacts(skeleton, Posed.of(skeleton, rotations[block], hips_m[block])).depth_m for block in blocks]
+        [contacts(skeleton, PosedBody.of(skeleton, rotations[block], hips_m[block])).depth_m for block in blocks]
     )
 
 
 def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FloatArray:
-    """How deep the deepest forearm or hand is in the body or the other arm in each frame: (T,), 0 where none is."""
+    """The greatest depth of any forearm or hand in the body or the other arm in each frame: (T,), 0 where there is
+    none."""
     return np.asarray(np.maximum(depths_m(skeleton, rotations, hips_m).max(axis=1), 0.0))
 
 
-def _lines(skeleton: Skeleton, body: Posed) -> tuple[FloatArray, FloatArray]:
-    """Both ends (parts, T, 3) of the lines of the parts that are compared, in the world."""
+def _lines(skeleton: Skeleton, body: PosedBody) -> tuple[FloatArray, FloatArray]:
+    """Both ends (parts, T, 3) of the segments of the compared parts, in the world."""
     joints = [skeleton.index[BUILD[number].joint] for number in _USED]
     at = np.moveaxis(body.positions_m, 1, 0)[joints]
     turned = np.moveaxis(body.orientations, 1, 0)[joints]
@@ -132,8 +136,8 @@ def _with_parents(skeleton: Skeleton, joints: Iterable[int]) -> frozenset[int]:
 
 
 def _nearest(along: FloatArray, other: FloatArray, apart: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Where two lines of directions `along` and `other` (…, 3) are nearest, as shares of each, their starts being
-    `apart` (Ericson, Real-Time Collision Detection, §5.1.9)."""
+    """The nearest points of two segments with directions `along` and `other` (…, 3), as shares of each, given the
+    difference `apart` of their starts (Ericson, Real-Time Collision Detection, §5.1.9)."""
     a, e, b = _dot(along, along), _dot(other, other), _dot(along, other)
     c, f = _dot(along, apart), _dot(other, apart)
     parallel = np.maximum(a * e - b * b, 1e-12)
@@ -143,7 +147,8 @@ def _nearest(along: FloatArray, other: FloatArray, apart: FloatArray) -> tuple[F
 
 
 def _aside(along: FloatArray, other: FloatArray, back: FloatArray, arms: FloatArray) -> FloatArray:
-    """The way out (…, 3) for limbs whose line meets the other's; `arms` (…) is 1 where both are arms, else 0."""
+    """The way out (…, 3) for limbs whose segment intersects the other's; `arms` (…) is 1 where both are arms, else
+    0."""
     over = cross(_of_length_1(along), _of_length_1(other)) * arms[..., None]
     over = over * np.where(_dot(over, np.array([0.0, 1.0, 1.0])) < 0, -1.0, 1.0)[..., None]
     crossing = np.sqrt(_dot(over, over))[..., None]

@@ -1,10 +1,10 @@
-"""How far joints turn (shared/motion.md): measured and kept to.
+"""Joint limits (shared/motion.md): measuring violations and clamping rotations to them.
 
-Conventions: a joint's rotation is parted into a twist about its bone and a bend without twist, whose rotation vector
-gives the other two angles; so the three angles stand on the axes x, y, z of the left side's joint, degrees, and the
-right's are those of its mirror image. The upper arm is measured in the upper chest's space from an arm that hangs with
-its elbow crease forward, because there flexion (-x), abduction (z) and rotation (y, inwards negative) mean what
-anatomy says.
+Conventions: a joint's rotation is decomposed into a twist about its bone and a swing, whose rotation vector gives the
+other two angles; the three angles are about the axes x, y, z of the left side's joint, in degrees, and the right side's
+are those of its mirror image. The upper arm is measured in the upper chest's space, from an arm that hangs with the
+elbow crease forward, because there flexion (-x), abduction (z) and rotation (y, inwards negative) have their anatomical
+meaning.
 """
 
 from collections.abc import Sequence
@@ -13,21 +13,22 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...model import FloatArray
-from ..geometry.rotations import about, from_rotation_vector, inverse, multiply, nearest_sign
+from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, multiply, nearest_sign
 from .skeleton import FINGERS, SIDES, Skeleton
 
 Degrees = tuple[float, float, float]
 
-_HANGING = about((0.0, 0.0, 1.0), np.array(-np.pi / 2))
+_HANGING = from_axis_angle((0.0, 0.0, 1.0), np.array(-np.pi / 2))
 _TOLERATED_DEG = 1e-3
 _NEAR_ZERO = 1e-12
 MIRROR: FloatArray = np.array([1.0, -1.0, -1.0, 1.0])
-"""Times a rotation: its mirror image on the body's other side."""
+"""Multiplied with a quaternion, gives its mirror image on the body's other side."""
 
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """Angles of a chain of joints (their rotations multiplied), or of one: `bone` is the axis, 0 to 2, of the twist."""
+    """The range of a chain of joints (their rotations multiplied) or of a single joint; `bone` is the twist axis, 0 to
+    2."""
 
     joints: tuple[str, ...]
     bone: int
@@ -67,7 +68,8 @@ LIMITS: tuple[Limit, ...] = (*_TRUNK, *(_sided(side, limit) for side in SIDES fo
 
 
 def violations(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
-    """How many degrees each of `LIMITS` is passed by (…, limits) in local rotations (…, J, 4); 0 where it is kept."""
+    """By how many degrees each of `LIMITS` is exceeded (…, limits) by local rotations (…, J, 4); 0 where it is
+    respected."""
     passed = np.zeros((*rotations.shape[:-2], len(LIMITS)))
     for columns in _alike(LIMITS):
         lowest, highest = _bounds(LIMITS, columns)
@@ -78,8 +80,8 @@ def violations(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
 
 
 def clamped(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
-    """The same local rotations (…, J, 4) with trunk, neck and arms brought back to their limits; where a limit is on a
-    chain, its last joint is turned back. Fingers are left to their tables."""
+    """The local rotations (…, J, 4) with trunk, neck and arms clamped to their limits. Where a limit applies to a
+    chain, its last joint is corrected. Fingers are not touched: their tables respect the limits."""
     limits = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in _ARM))
     kept = rotations.copy()
     for columns in _alike(limits):
@@ -95,7 +97,7 @@ def clamped(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
 
 
 def _brought_back(skeleton: Skeleton, limit: Limit, rotations: FloatArray, angles_deg: FloatArray) -> FloatArray:
-    """The chain's last joint (…, 4) as it must be for the chain's angles (…, 3) to be within the limit."""
+    """The rotation (…, 4) of the chain's last joint that brings the chain's angles (…, 3) within the limit."""
     within = _joined(limit, np.clip(angles_deg, limit.lowest_deg, limit.highest_deg))
     if limit.joints[0].startswith("right"):
         within = within * MIRROR
@@ -105,9 +107,9 @@ def _brought_back(skeleton: Skeleton, limit: Limit, rotations: FloatArray, angle
     return nearest_sign(within, rotations[..., last, :])
 
 
-def parted_deg(rotation: FloatArray, bone: int) -> FloatArray:
-    """Rotations (…, 4) as three angles in degrees: the twist on the axis `bone`, the bend's rotation vector on the
-    others."""
+def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:
+    """Swing-twist decomposition: rotations (…, 4) as three angles in degrees, the twist on the axis `bone`, the swing's
+    rotation vector on the others."""
     one, other = (bone + 1) % 3, (bone + 2) % 3
     w, along, a, b = rotation[..., 3], rotation[..., bone], rotation[..., one], rotation[..., other]
     size = np.hypot(w, along)
@@ -124,12 +126,12 @@ def parted_deg(rotation: FloatArray, bone: int) -> FloatArray:
 
 
 def shoulder_deg(orientation: FloatArray) -> FloatArray:
-    """The left upper arm's angles, its orientation (…, 4) being in the upper chest's space."""
-    return parted_deg(multiply(orientation, inverse(_HANGING)), 1)
+    """The angles of the left upper arm, given its orientation (…, 4) in the upper chest's space."""
+    return swing_twist_deg(multiply(orientation, inverse(_HANGING)), 1)
 
 
 def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
-    """The left upper arm's orientation (…, 4) in the upper chest's space, brought back to what a shoulder allows."""
+    """The orientation (…, 4) of the left upper arm in the upper chest's space, clamped to the shoulder's limits."""
     angles = shoulder_deg(orientation)
     within = np.clip(angles, _SHOULDER.lowest_deg, _SHOULDER.highest_deg)
     passed = (within != angles).any(axis=-1, keepdims=True)
@@ -137,8 +139,8 @@ def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
 
 
 def within_neck_limits(turned: FloatArray) -> FloatArray:
-    """The head's rotation (…, 4) over the upper chest, brought back to what neck and head together allow."""
-    neck, angles = _TRUNK[1], parted_deg(turned, 1)
+    """The head's rotation (…, 4) relative to the upper chest, clamped to the limits of neck and head together."""
+    neck, angles = _TRUNK[1], swing_twist_deg(turned, 1)
     within = np.clip(angles, neck.lowest_deg, neck.highest_deg)
     passed = (within != angles).any(axis=-1, keepdims=True)
     return np.asarray(np.where(passed, _joined(neck, within), turned)) if passed.any() else turned
@@ -151,13 +153,13 @@ def _about_bone(bone: int, angle: FloatArray) -> FloatArray:
 
 
 def _alike(limits: Sequence[Limit]) -> list[list[int]]:
-    """The limits' columns, those that are measured alike together, for speed."""
+    """The columns of limits, grouped by how they are measured, for speed."""
     kinds = [(limit.bone, limit.from_hanging, len(limit.joints)) for limit in limits]
     return [[column for column, other in enumerate(kinds) if other == kind] for kind in dict.fromkeys(kinds)]
 
 
 def _measured(skeleton: Skeleton, limits: Sequence[Limit], columns: Sequence[int], rotations: FloatArray) -> FloatArray:
-    """The angles (…, n, 3) of limits that are measured alike."""
+    """The angles (…, n, 3) of limits that are measured in the same way."""
     alike = [limits[column] for column in columns]
     chains = np.array([skeleton.chain(*limit.joints) for limit in alike]).T
     rotation = rotations[..., chains[0], :]
@@ -165,7 +167,7 @@ def _measured(skeleton: Skeleton, limits: Sequence[Limit], columns: Sequence[int
         rotation = multiply(rotation, rotations[..., joints, :])
     right = np.array([limit.joints[0].startswith("right") for limit in alike])
     rotation = np.where(right[:, None], rotation * MIRROR, rotation)
-    return shoulder_deg(rotation) if alike[0].from_hanging else parted_deg(rotation, alike[0].bone)
+    return shoulder_deg(rotation) if alike[0].from_hanging else swing_twist_deg(rotation, alike[0].bone)
 
 
 def _bounds(limits: Sequence[Limit], columns: list[int]) -> tuple[FloatArray, FloatArray]:
@@ -174,7 +176,7 @@ def _bounds(limits: Sequence[Limit], columns: list[int]) -> tuple[FloatArray, Fl
 
 
 def _joined(limit: Limit, angles_deg: FloatArray) -> FloatArray:
-    """Back from three angles to the rotation."""
+    """The rotation with these three angles; the inverse of `swing_twist_deg`."""
     angles = np.radians(angles_deg)
     twist = _about_bone(limit.bone, angles[..., limit.bone])
     bend = angles.copy()

@@ -1,8 +1,8 @@
-"""What the realizer makes: a motion, frame by frame.
+"""The realizer's output: motion, frame by frame.
 
 Conventions: frame k is at `start_s + k / frame_rate_hz` seconds of the performance, whose audio starts at `lead_in_s`.
-Rotations are local to the joint's parent, quaternions x y z w (`understudy.realizer.geometry.rotations`), joints in the
-skeleton's order.
+Rotations are local to the joint's parent, quaternions in the order x y z w (`understudy.realizer.geometry.rotations`),
+joints in the skeleton's order.
 """
 
 from collections.abc import Mapping
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from ...model import FloatArray, Notice, SyncPoints
 
 FRAME_RATES_HZ = (30, 60)
-"""The rates at which motion is made."""
+"""The supported frame rates."""
 
 SHAPES: tuple[str, ...] = (
     "browDownLeft",
@@ -67,12 +67,12 @@ SHAPES: tuple[str, ...] = (
     "noseSneerRight",
     "tongueOut",
 )
-"""The 52 face shapes of ARKit; Left and Right are the character's own."""
+"""The 52 blendshapes of ARKit; Left and Right are the character's own."""
 
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """A sync point of a behaviour as it was realized: BML id, point (`stroke`), time."""
+    """A realized sync point: BML id of the behaviour, name of the point (`stroke`), time in the performance."""
 
     behavior: str
     point: str
@@ -81,9 +81,10 @@ class Event:
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """What the realizer did with a behaviour that could not be played as it was asked for, and why.
+    """How and why the realization of a behaviour differs from the schedule.
 
-    `action` is one word, as `dropped`, `replaced`, `held`, `blended`, `repeated`, `shortened`, `late`."""
+    `action` is one word, such as `dropped`, `replaced`, `held`, `blended`, `repeated`, `shortened` or `late`.
+    """
 
     behavior: str
     action: str
@@ -92,7 +93,7 @@ class Decision:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BodyMotion:
-    """The joints in time: `times_s` (T,), local `rotations` (T, J, 4), place of the hips `hips_m` (T, 3)."""
+    """The joints over time: `times_s` (T,), local `rotations` (T, J, 4), position of the hips `hips_m` (T, 3)."""
 
     times_s: FloatArray
     rotations: FloatArray
@@ -101,9 +102,10 @@ class BodyMotion:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Motion:
-    """A realized schedule. `shapes` (T, 52) are the face's weights in [0, 1], in the order of `SHAPES`.
+    """A realized schedule. `shapes` (T, 52) are the face's blendshape weights in [0, 1], in the order of `SHAPES`.
 
-    `realized` tells when each behaviour's sync points really fall, by its BML id."""
+    `realized` has the actual sync points of each behaviour, by BML id.
+    """
 
     frame_rate_hz: int
     body: BodyMotion
@@ -115,11 +117,11 @@ class Motion:
 
     @property
     def duration_s(self) -> float:
-        """From the first frame to the last."""
+        """The time from the first frame to the last."""
         return float(self.body.times_s[-1] - self.body.times_s[0])
 
     def events(self) -> tuple[Event, ...]:
-        """Every sync point of every behaviour, in order of time."""
+        """All sync points of all behaviours, in order of time."""
         found = [
             Event(behavior, point, time_s)
             for behavior, sync in self.realized.items()

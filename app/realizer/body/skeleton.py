@@ -1,8 +1,8 @@
-"""The body: joints by their VRM 1.0 humanoid names, in VRM's T-pose, and where they get to when they turn.
+"""The skeleton, with VRM 1.0 humanoid joint names in VRM's T-pose, and its forward kinematics.
 
-Conventions (shared/motion.md): metres, Y up, the character faces +Z, its left is +X, feet on Y = 0. All joints' axes
-lie along the world's in the T-pose, so a rotation of the identity is the T-pose. In it palms face down and thumbs
-forward. Joints stand in an order in which parents come before their children.
+Conventions (shared/motion.md): metres, Y up, the character faces +Z, its left is +X, feet at Y = 0. In the T-pose the
+axes of all joints are parallel to the world's, so the identity rotation is the T-pose, with palms down and thumbs
+forward. Parents come before their children.
 """
 
 from collections.abc import Mapping
@@ -66,8 +66,8 @@ def _joints() -> dict[str, tuple[str | None, Offset]]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Skeleton:
-    """Joint names, the index of each joint's parent (-1 at the hips), and each joint's place in its parent (J, 3), for
-    the hips their place in the world."""
+    """Joint names, the index of each joint's parent (-1 for the hips), and each joint's offset from its parent (J, 3);
+    for the hips, their position in the world."""
 
     names: tuple[str, ...]
     parents: tuple[int, ...]
@@ -76,7 +76,7 @@ class Skeleton:
 
     @classmethod
     def standing(cls) -> "Skeleton":
-        """The body that we ship: an adult of 1.73 m."""
+        """The default body: an adult of 1.73 m."""
         joints = _joints()
         index = {name: number for number, name in enumerate(joints)}
         parents = tuple(-1 if parent is None else index[parent] for parent, _offset in joints.values())
@@ -85,16 +85,17 @@ class Skeleton:
         return cls(tuple(joints), parents, offsets, MappingProxyType(index))
 
     def chain(self, *names: str) -> list[int]:
-        """The indices of the joints of these names."""
+        """The indices of the joints with these names."""
         return [self.index[name] for name in names]
 
 
 def forward(
     skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, only: frozenset[int] | None = None
 ) -> tuple[FloatArray, FloatArray]:
-    """Positions (…, J, 3) and orientations (…, J, 4) in the world, of local rotations (…, J, 4) and hips (…, 3).
+    """Forward kinematics: world positions (…, J, 3) and orientations (…, J, 4) for local rotations (…, J, 4) and hips
+    (…, 3).
 
-    With `only`, a set of joints that holds each one's parents, the others are left at zero.
+    With `only`, a set of joints that contains the parents of its members, all others are left at zero.
     """
     positions = np.zeros((*rotations.shape[:-1], 3))
     orientations = np.zeros(rotations.shape)
@@ -106,8 +107,8 @@ def forward(
 def forward_again(
     skeleton: Skeleton, rotations: FloatArray, positions: FloatArray, orientations: FloatArray, turned: frozenset[int]
 ) -> tuple[FloatArray, FloatArray]:
-    """`forward` where only the joints `turned` (not the hips) have new rotations, and those below them do not matter:
-    the positions and orientations of before, with theirs anew."""
+    """`forward` after a change of the local rotations of the joints `turned` only (not the hips): copies the given
+    positions and orientations and updates those of `turned`. The children of these joints are not updated."""
     positions, orientations = positions.copy(), orientations.copy()
     _place(skeleton, rotations, positions, orientations, turned)
     return positions, orientations
@@ -120,7 +121,7 @@ def _place(
     orientations: FloatArray,
     only: frozenset[int] | None,
 ) -> None:
-    """Fills in the joints' positions and orientations, their parents' being there."""
+    """Fill in the positions and orientations of the joints; their parents' must be known."""
     for joints, parents in _generations(skeleton, only):
         above = orientations[..., parents, :]
         positions[..., joints, :] = positions[..., parents, :] + rotate(above, skeleton.offsets_m[joints])
@@ -128,7 +129,7 @@ def _place(
 
 
 def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[list[int], list[int]]]:
-    """Joints, and their parents, that are equally far from the hips: all that can be placed at once."""
+    """Joints and their parents, grouped by depth in the hierarchy: each group can be computed at once."""
     depth = [0] * len(skeleton.parents)
     found: list[tuple[list[int], list[int]]] = []
     for joint, parent in enumerate(skeleton.parents):

@@ -1,8 +1,8 @@
-"""The face as Live Link Face records it: a CSV with ARKit's 52 shapes and the turns of head and eyes.
+"""Exports the face as a Live Link Face CSV: ARKit's 52 blendshapes and the rotations of head and eyes.
 
-Conventions: one row a frame. Timecodes count from the first frame of the motion: hours:minutes:seconds:frame.thousandth
-of a frame. Angles are radians: yaw to the character's left, pitch up, roll towards its left shoulder are positive; the
-head's are in the world, the eyes' in the head.
+Conventions: one row per frame. Timecodes count from the first frame of the motion:
+hours:minutes:seconds:frame.thousandth of a frame. Angles are in radians; yaw to the character's left, pitch up and roll
+towards its left shoulder are positive. The head's angles are in the world, the eyes' relative to the head.
 """
 
 import numpy as np
@@ -24,7 +24,7 @@ COLUMNS: tuple[str, ...] = (
     *("BrowDownLeft", "BrowDownRight", "BrowInnerUp", "BrowOuterUpLeft", "BrowOuterUpRight"),
     *("CheekPuff", "CheekSquintLeft", "CheekSquintRight", "NoseSneerLeft", "NoseSneerRight", "TongueOut"),
 )
-"""The shapes in the order in which Live Link Face has them."""
+"""The blendshapes in the order of Live Link Face."""
 
 TURNS: tuple[str, ...] = tuple(
     f"{part}{turn}" for part in ("Head", "LeftEye", "RightEye") for turn in ("Yaw", "Pitch", "Roll")
@@ -32,7 +32,7 @@ TURNS: tuple[str, ...] = tuple(
 
 
 def to_arkit_csv(motion: Motion, skeleton: Skeleton) -> bytes:
-    """The CSV, as UTF-8 text."""
+    """The CSV as UTF-8 text."""
     header = ",".join(("Timecode", "BlendShapeCount", *COLUMNS, *TURNS))
     order = [SHAPES.index(name[0].lower() + name[1:]) for name in COLUMNS]
     values = np.concatenate([motion.shapes[:, order], _turns(motion, skeleton)], axis=1)

@@ -1,8 +1,8 @@
-"""The performance on somebody else's avatar: its GLB or VRM with our motion as its animation.
+"""Exports the motion on another avatar: its own GLB or VRM file, with the motion as its animation.
 
-Its rest pose may be any: where an arm, a leg or a finger does not point as in our T-pose (an A-pose does not), it is
-first turned there, by the least turn. What the rig does not name stays as it is. Face shapes go to every mesh that has
-targets of ARKit's names. Conventions as in `understudy.realizer.exporting.avatar_reading`.
+The rest pose may be any: where an arm, leg or finger does not point as in our T-pose (as in an A-pose), it is first
+rotated there by the smallest rotation. Nodes that the rig does not name keep their rest pose. Face weights go to every
+mesh that has morph targets with ARKit's names. Conventions as in `understudy.realizer.exporting.avatar_reading`.
 """
 
 from collections.abc import Mapping
@@ -12,11 +12,20 @@ import numpy as np
 from ...model import FloatArray
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import FINGERS, SIDES, Skeleton, forward
-from ..geometry.rotations import IDENTITY, about, between, inverse, multiply, normalized, of_one_sign, rotate
+from ..geometry.rotations import (
+    IDENTITY,
+    from_axis_angle,
+    inverse,
+    multiply,
+    normalized,
+    rotate,
+    shortest_rotation,
+    with_continuous_signs,
+)
 from ..mannequin.body import t_pose_m
 from .avatar_reading import Avatar, local_matrix, read_avatar, target_names
-from .events import described
-from .gltf import Accessors, Tracks, binary
+from .events import events_json
+from .gltf import Accessors, Tracks, to_glb_bytes
 from .retargeting import Rig
 
 _POINTED: tuple[tuple[str, str], ...] = (
@@ -28,13 +37,13 @@ _POINTED: tuple[tuple[str, str], ...] = (
     *((f"{finger}Proximal", f"{finger}Intermediate") for finger in FINGERS[1:]),
     *((f"{finger}Intermediate", f"{finger}Distal") for finger in FINGERS[1:]),
 )
-"""Joints that are turned so that they point to the second as in our T-pose."""
+"""Joints that are rotated to point to the second joint as in our T-pose."""
 
 
 def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mapping[str, Rig]) -> bytes:
     """The avatar's file with the motion as its only animation.
 
-    Raises UndecodableError when it is no binary glTF, and InputError `unknown_avatar` when its joints are not found.
+    Raises UndecodableError if it is not binary glTF, and InputError `unknown_avatar` if its joints are not found.
     """
     found = read_avatar(avatar, rigs)
     tree = dict(found.tree)
@@ -43,48 +52,48 @@ def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mappi
     tracks = Tracks(accessors, np.arange(len(motion.body.times_s)) / motion.frame_rate_hz)
     _add_body(tracks, found, motion, skeleton)
     _add_faces(tracks, found, motion)
-    tree["animations"] = [{"name": "performance", **tracks.tree(), "extras": described(motion)}]
-    return binary(tree, accessors)
+    tree["animations"] = [{"name": "performance", **tracks.tree(), "extras": events_json(motion)}]
+    return to_glb_bytes(tree, accessors)
 
 
 def _add_body(tracks: Tracks, avatar: Avatar, motion: Motion, skeleton: Skeleton) -> None:
-    """The joints' local rotations, and the hips' place in proportion to the avatar's legs."""
+    """The joints' local rotations, and the hips' position scaled to the length of the avatar's legs."""
     turned = _turned(avatar, motion, skeleton)
     for joint, node in avatar.nodes.items():
         if joint in skeleton.index:
             parent = avatar.parents[node]
             above = turned[parent] if parent >= 0 else IDENTITY
-            tracks.add(node, "rotation", of_one_sign(normalized(multiply(inverse(above), turned[node]))))
+            tracks.add(node, "rotation", with_continuous_signs(normalized(multiply(inverse(above), turned[node]))))
     tracks.add(avatar.nodes["hips"], "translation", _hips_m(avatar, motion, skeleton))
 
 
 def _turned(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> dict[int, FloatArray]:
-    """How each node is turned in the world in each frame (T, 4): by our joint, or else with its parent."""
+    """The rotation of each node in the world in each frame (T, 4): that of our joint, or else its parent's."""
     front = _front(avatar)
     _places, ours = forward(skeleton, motion.body.rotations, motion.body.hips_m)
     to_t_pose = _to_t_pose(avatar, skeleton)
     joints = {node: joint for joint, node in avatar.nodes.items() if joint in skeleton.index}
     turned: dict[int, FloatArray] = {}
     for node in avatar.in_order():
-        parent, rest = avatar.parents[node], avatar.turns[node]
+        parent, rest = avatar.parents[node], avatar.orientations[node]
         if node in joints:
             here = multiply(multiply(front, ours[:, skeleton.index[joints[node]]]), inverse(front))
             turned[node] = multiply(here, multiply(to_t_pose[joints[node]], rest))
         elif parent >= 0:
-            turned[node] = multiply(turned[parent], multiply(inverse(avatar.turns[parent]), rest))
+            turned[node] = multiply(turned[parent], multiply(inverse(avatar.orientations[parent]), rest))
         else:
             turned[node] = rest
     return turned
 
 
 def _front(avatar: Avatar) -> FloatArray:
-    """Half a turn about Y if the avatar faces -Z, as VRM 0 does; else none."""
-    left, right = (avatar.places_m[avatar.nodes[f"{side}UpperArm"], 0] for side in SIDES)
-    return about((0.0, 1.0, 0.0), np.array(0.0 if left > right else np.pi))
+    """A half turn about Y if the avatar faces -Z, as in VRM 0; else the identity."""
+    left, right = (avatar.positions_m[avatar.nodes[f"{side}UpperArm"], 0] for side in SIDES)
+    return from_axis_angle((0.0, 1.0, 0.0), np.array(0.0 if left > right else np.pi))
 
 
 def _to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
-    """The turn that takes each joint from the avatar's rest pose to our T-pose, with all that hangs on it."""
+    """The rotation of each joint, with its descendants, from the avatar's rest pose to our T-pose."""
     ours_m, front = t_pose_m(skeleton), _front(avatar)
     pointed = {side + first: side + second for side in SIDES for first, second in _POINTED}
     turns: dict[str, FloatArray] = {}
@@ -92,19 +101,19 @@ def _to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
         turn = turns[skeleton.names[parent]] if parent >= 0 else np.array(IDENTITY)
         towards = pointed.get(joint)
         if towards is not None and joint in avatar.nodes and towards in avatar.nodes:
-            there = avatar.places_m[avatar.nodes[towards]] - avatar.places_m[avatar.nodes[joint]]
+            there = avatar.positions_m[avatar.nodes[towards]] - avatar.positions_m[avatar.nodes[joint]]
             wanted = rotate(front, ours_m[skeleton.index[towards]] - ours_m[skeleton.index[joint]])
-            turn = multiply(between(rotate(turn, there), wanted), turn)
+            turn = multiply(shortest_rotation(rotate(turn, there), wanted), turn)
         turns[joint] = turn
     return turns
 
 
 def _hips_m(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> FloatArray:
-    """Where the hips' node is in its parent (T, 3)."""
+    """The position of the hips' node relative to its parent (T, 3)."""
     node = avatar.nodes["hips"]
     rest_m = skeleton.offsets_m[0]
-    size = avatar.places_m[node, 1] / rest_m[1]
-    world = avatar.places_m[node] + size * rotate(_front(avatar), motion.body.hips_m - rest_m)
+    size = avatar.positions_m[node, 1] / rest_m[1]
+    world = avatar.positions_m[node] + size * rotate(_front(avatar), motion.body.hips_m - rest_m)
     above = np.eye(4)
     parent = avatar.parents[node]
     while parent >= 0:
@@ -115,7 +124,8 @@ def _hips_m(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> FloatArray:
 
 
 def _add_faces(tracks: Tracks, avatar: Avatar, motion: Motion) -> None:
-    """A weights track for each mesh with targets of ARKit's names. Eyeballs that turn by joints are not moved twice."""
+    """A weights track for each mesh with ARKit's morph targets. Eyes that turn by joints get no look weights as
+    well."""
     eyes_turn = all(f"{side}Eye" in avatar.nodes for side in SIDES)
     weights = np.clip(motion.shapes, 0.0, 1.0)
     for number, node in enumerate(avatar.tree["nodes"]):

@@ -1,7 +1,7 @@
-"""Somebody else's avatar: what its GLB or VRM file holds, which of its nodes are our joints, how it stands at rest.
+"""Reads an avatar from a GLB or VRM file: its nodes, which of them are our joints, and its rest pose.
 
-The joints are found by VRM's table of bones if the file has one, else by the names of a rig (`lexicon/retarget`).
-Conventions: metres, quaternions x y z w; "rest" is how the file has the avatar without an animation.
+Joints are found by VRM's humanoid bone table if the file has one, else by the joint names of a rig
+(`lexicon/retarget`). Conventions: metres, quaternions x y z w; the rest pose is that of the file without animation.
 """
 
 import json
@@ -21,23 +21,23 @@ from .retargeting import Rig
 Tree = dict[str, Any]
 
 NEEDED = ("hips", "spine", "head", *(f"{side}{part}" for side in SIDES for part in ("UpperArm", "LowerArm", "Hand")))
-"""Joints without which there is no body to move."""
+"""The joints that an avatar must have."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Avatar:
-    """A file's JSON tree and buffer; its nodes' parents (-1 at roots), where they are (N, 3) and how turned (N, 4) in
-    the world at rest; the node of each of our joints that it has."""
+    """The file's JSON tree and buffer; its nodes' parents (-1 for roots), positions (N, 3) and orientations (N, 4) in
+    the world in the rest pose; and the node index of each of our joints that it has."""
 
     tree: Tree
     content: bytes
     parents: tuple[int, ...]
-    places_m: FloatArray
-    turns: FloatArray
+    positions_m: FloatArray
+    orientations: FloatArray
     nodes: Mapping[str, int]
 
     def in_order(self) -> Iterator[int]:
-        """The nodes' numbers, parents before their children."""
+        """Node indices, parents before their children."""
         waiting = [number for number, parent in enumerate(self.parents) if parent < 0]
         while waiting:
             number = waiting.pop()
@@ -48,7 +48,7 @@ class Avatar:
 def read_avatar(content: bytes, rigs: Mapping[str, Rig]) -> Avatar:
     """The avatar in a GLB or VRM file.
 
-    Raises UndecodableError when it is no such file, and InputError `unknown_avatar` when its joints are not found.
+    Raises UndecodableError if it is not such a file, and InputError `unknown_avatar` if its joints are not found.
     """
     tree, buffer = _chunks(content)
     try:
@@ -71,8 +71,8 @@ def _avatar(tree: Tree, buffer: bytes, rigs: Mapping[str, Rig]) -> Avatar:
         message = f"the avatar has no {', '.join(missing)} by the names of VRM or of {', '.join(rigs)}"
         raise InputError("unknown_avatar", message, field="avatar")
     avatar = Avatar(tree, buffer, tuple(parents), np.zeros((len(nodes), 3)), np.zeros((len(nodes), 4)), named)
-    places_m, turns = _at_rest(avatar)
-    return replace(avatar, places_m=places_m, turns=turns)
+    positions_m, orientations = _at_rest(avatar)
+    return replace(avatar, positions_m=positions_m, orientations=orientations)
 
 
 def _undecodable(why: str) -> UndecodableError:
@@ -99,7 +99,7 @@ def _chunks(content: bytes) -> tuple[Tree, bytes]:
 
 
 def _vrm_bones(tree: Tree) -> dict[str, int]:
-    """VRM 1.0's table, or VRM 0's, whose thumbs are named otherwise."""
+    """The bone table of VRM 1.0 or VRM 0, whose thumb joints have different names."""
     extensions = tree.get("extensions", {})
     if "VRMC_vrm" in extensions:
         bones = extensions["VRMC_vrm"]["humanoid"]["humanBones"]
@@ -114,7 +114,7 @@ def _vrm_bones(tree: Tree) -> dict[str, int]:
 
 
 def _named_bones(nodes: Sequence[Tree], rigs: Mapping[str, Rig]) -> dict[str, int]:
-    """The joints by the rig of which most names are there; colons may be missing, as some tools drop them."""
+    """The joints by the rig that matches most node names; colons are optional, since some tools drop them."""
     places = {str(node.get("name", "")).replace(":", ""): number for number, node in enumerate(nodes)}
     found = [
         {joint: places[name.replace(":", "")] for joint, name in rig.names.items() if name.replace(":", "") in places}
@@ -124,26 +124,26 @@ def _named_bones(nodes: Sequence[Tree], rigs: Mapping[str, Rig]) -> dict[str, in
 
 
 def _at_rest(avatar: Avatar) -> tuple[FloatArray, FloatArray]:
-    """The nodes' places (N, 3) and orientations (N, 4) in the world."""
+    """The nodes' positions (N, 3) and orientations (N, 4) in the world."""
     nodes = avatar.tree["nodes"]
-    matrices, turns = np.tile(np.eye(4), (len(nodes), 1, 1)), np.tile(IDENTITY, (len(nodes), 1))
+    matrices, orientations = np.tile(np.eye(4), (len(nodes), 1, 1)), np.tile(IDENTITY, (len(nodes), 1))
     reached = 0
     for number in avatar.in_order():
         parent = avatar.parents[number]
         turn = np.array(nodes[number].get("rotation", IDENTITY), dtype=np.float64)
         matrices[number] = local_matrix(nodes[number])
-        turns[number] = turn
+        orientations[number] = turn
         if parent >= 0:
             matrices[number] = matrices[parent] @ matrices[number]
-            turns[number] = multiply(turns[parent], turn)
+            orientations[number] = multiply(orientations[parent], turn)
         reached += 1
     if reached < len(nodes):
         raise ValueError("nodes are their own ancestors")
-    return matrices[:, :3, 3], normalized(turns)
+    return matrices[:, :3, 3], normalized(orientations)
 
 
 def local_matrix(node: Tree) -> FloatArray:
-    """A node's place, turn and size in its parent (4, 4)."""
+    """A node's transform relative to its parent, as a matrix (4, 4)."""
     if "matrix" in node:
         return np.array(node["matrix"], dtype=np.float64).reshape(4, 4).T
     found = np.eye(4)
@@ -154,7 +154,7 @@ def local_matrix(node: Tree) -> FloatArray:
 
 
 def target_names(tree: Tree, node: Tree) -> list[str]:
-    """The names of the node's morph targets, where exporters put them."""
+    """The names of the node's morph targets, from wherever exporters put them."""
     if "mesh" not in node:
         return []
     mesh = tree["meshes"][node["mesh"]]

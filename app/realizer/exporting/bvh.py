@@ -1,8 +1,8 @@
-"""Biovision BVH: the body as text that every animation tool reads.
+"""Exports the body as Biovision BVH text.
 
 Conventions (shared/motion.md): centimetres, Y up, facing +Z; zero rotation is the T-pose. The root has six channels,
-its place (absolute: its offset is zero) and its rotation, each other joint three. Rotations are Z X Y in degrees: about
-the joint's own axes in that order, so R = Rz · Rx · Ry. The first frame is the motion's first.
+its absolute position (its offset is zero) and its rotation; each other joint has three. Rotations are Z X Y in degrees,
+about the joint's own axes in that order, so R = Rz · Rx · Ry. The first frame is the motion's first.
 """
 
 import io
@@ -19,7 +19,7 @@ CENTIMETRES = 100.0
 DECIMALS = 4
 
 CHUNK = 1_000
-"""Frames that are formatted at a time, so that a long motion needs little memory."""
+"""Frames formatted at a time, to limit memory in long motions."""
 
 _ENDS_M: dict[str, Offset] = {
     "head": (0.0, 0.2, 0.0),
@@ -31,7 +31,7 @@ _ENDS_M: dict[str, Offset] = {
 
 
 def to_bvh(motion: Motion, skeleton: Skeleton, rig: Rig) -> bytes:
-    """The body's motion with the rig's names; the face has no place in BVH."""
+    """The body's motion with the rig's joint names; BVH has no face."""
     order = list(_depth_first(skeleton, 0))
     frames = len(motion.body.times_s)
     lines = [
@@ -67,7 +67,8 @@ def zxy_degrees(rotations: FloatArray) -> FloatArray:
 
 
 def _channels(motion: Motion, order: list[int]) -> FloatArray:
-    """The numbers of the MOTION part, a row a frame. Angles run on past 180°, so that their curves are whole."""
+    """The values of the MOTION section, one row per frame. Angles are unwrapped past 180° so that curves are
+    continuous."""
     values = np.empty((len(motion.body.times_s), 3 + 3 * len(order)))
     values[:, :3] = motion.body.hips_m * CENTIMETRES
     for place, joint in enumerate(order):
@@ -104,7 +105,7 @@ def _hierarchy(skeleton: Skeleton, rig: Rig, joint: int, indent: str) -> Iterato
 
 
 def _end_m(joint: str) -> Offset:
-    """Where the last bone of a chain ends."""
+    """The end of the last bone of a chain."""
     x, y, z = _ENDS_M[joint.removeprefix("left").removeprefix("right")]
     return (-x if joint.startswith("right") else x, y, z)
 

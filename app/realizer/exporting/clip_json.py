@@ -1,8 +1,8 @@
-"""A clip as JSON, for engines that play it by themselves (docs/motion-formats.md has the schema).
+"""Exports a clip as JSON for game engines (schema in docs/motion-formats.md).
 
-Conventions: metres, seconds from the first frame, quaternions x y z w local to the joint's parent, T-pose at the
-identity. A track that never changes has one value instead of one a frame. Numbers are written in text at a time for a
-whole track, so that ten minutes need little memory.
+Conventions: metres, seconds from the first frame, quaternions x y z w local to the joint's parent, the T-pose is the
+identity. A constant track has one value instead of one per frame. Numbers are formatted one track at a time, so that
+ten minutes need little memory.
 """
 
 import io
@@ -16,8 +16,8 @@ from ...model import FloatArray
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton
 from ..face.face_tables import VISEMES
-from ..geometry.rotations import of_one_sign
-from .events import described
+from ..geometry.rotations import with_continuous_signs
+from .events import events_json
 from .gltf import Json
 from .retargeting import Rig
 
@@ -26,10 +26,10 @@ ROTATION_DECIMALS, PLACE_DECIMALS, WEIGHT_DECIMALS = 5, 4, 4
 
 
 def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig, *, visemes: FloatArray | None = None) -> bytes:
-    """The clip with the rig's names of the joints; a line a track.
+    """The clip with the rig's joint names, one line per track.
 
-    `visemes` are weights (T, 15) for rigs that have visemes as shapes (`understudy.realizer.face.lips.viseme_weights`);
-    they stand for the mouth's blendshapes, not beside them.
+    `visemes` are weights (T, 15) for rigs that have visemes as morph targets
+    (`understudy.realizer.face.lips.viseme_weights`); they replace the blendshapes of the mouth.
     """
     content = io.BytesIO()
     content.write(b"{\n")
@@ -47,14 +47,14 @@ def to_clip_json(motion: Motion, skeleton: Skeleton, rig: Rig, *, visemes: Float
 
 
 def _head(motion: Motion, skeleton: Skeleton, rig: Rig) -> dict[str, Json]:
-    """All but the tracks."""
+    """Everything but the tracks."""
     return {
         "format": FORMAT,
         "version": VERSION,
         "skeleton": _skeleton(skeleton, rig),
         "frames": len(motion.body.times_s),
         "duration_s": round(motion.duration_s, 6),
-        **described(motion),
+        **events_json(motion),
         "notices": [{"code": notice.code, "message": notice.message} for notice in motion.notices],
     }
 
@@ -80,7 +80,7 @@ def _skeleton(skeleton: Skeleton, rig: Rig) -> Json:
 
 def _bones(motion: Motion, rig: Rig) -> Iterator[tuple[str, str]]:
     for joint, name in enumerate(rig.names.values()):
-        yield name, _track(of_one_sign(motion.body.rotations[:, joint]), ROTATION_DECIMALS)
+        yield name, _track(with_continuous_signs(motion.body.rotations[:, joint]), ROTATION_DECIMALS)
 
 
 def _weights(names: tuple[str, ...], weights: FloatArray) -> Iterator[tuple[str, str]]:
@@ -89,7 +89,7 @@ def _weights(names: tuple[str, ...], weights: FloatArray) -> Iterator[tuple[str,
 
 
 def _write_tracks(content: io.BytesIO, key: str, tracks: Iterator[tuple[str, str]]) -> None:
-    """An object of tracks by name."""
+    """Write an object of tracks by name."""
     content.write(f"{json.dumps(key)}: {{".encode())
     separators = chain([""], repeat(","))
     content.writelines(
@@ -100,7 +100,7 @@ def _write_tracks(content: io.BytesIO, key: str, tracks: Iterator[tuple[str, str
 
 
 def _track(values: FloatArray, decimals: int) -> str:
-    """A JSON array of values (T,) or of arrays of them (T, N); only the first, if all are the same."""
+    """A JSON array of values (T,) or of arrays (T, N); only the first element if all are equal."""
     rounded = np.round(values, decimals) + 0.0
     if np.all(rounded == rounded[:1]):
         rounded = rounded[:1]

@@ -1,12 +1,12 @@
-"""What a motion is of, for programs that play it: when each behaviour's sync points fall, and what was decided."""
+"""A motion's sync points and decisions as JSON, for programs that play it."""
 
 from ..body.motion import Motion
 from .gltf import Json
 
 
-def described(motion: Motion) -> dict[str, Json]:
-    """Events by BML id, in seconds from the first frame, which is at `audio_offset_s` of the audio (before
-    it, with a lead-in); and decisions."""
+def events_json(motion: Motion) -> dict[str, Json]:
+    """The sync points by BML id, in seconds from the first frame, which is at `audio_offset_s` of the audio (negative
+    with a lead-in), and the decisions."""
     start_s = float(motion.body.times_s[0])
     return {
         "frame_rate_hz": motion.frame_rate_hz,

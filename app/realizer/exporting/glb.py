@@ -1,7 +1,8 @@
-"""glTF binary: the mannequin, skinned, with a face of 52 ARKit shapes and 15 visemes, and its motion.
+"""Exports binary glTF: the skinned mannequin with 52 ARKit blendshapes and 15 visemes, animated.
 
-Conventions (shared/motion.md): metres, seconds from the first frame, LINEAR tracks. Rotations of neighbouring keys have
-one sign. The weights of all shapes are one track; the visemes' stay 0: the ARKit shapes show what they would.
+Conventions (shared/motion.md): metres, seconds from the first frame, LINEAR interpolation. Successive quaternions have
+continuous signs. The weights of all morph targets are one track; the visemes' stay 0, since the ARKit shapes already
+show the speech.
 """
 
 from collections.abc import Mapping
@@ -11,16 +12,16 @@ import numpy as np
 from ...model import FloatArray
 from ..body.motion import Motion
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import of_one_sign
+from ..geometry.rotations import with_continuous_signs
 from ..mannequin.body import t_pose_m
 from ..mannequin.face import FACE_SHAPES
 from ..mannequin.mannequin import COLOURS, Mannequin, Part, joined
-from .events import described
-from .gltf import Accessors, Json, Tracks, binary, joint_nodes
+from .events import events_json
+from .gltf import Accessors, Json, Tracks, joint_nodes, to_glb_bytes
 
 
 def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:
-    """The file; any glTF viewer shows it."""
+    """The GLB file."""
     mannequin = Mannequin.around(skeleton)
     accessors = Accessors()
     nodes = joint_nodes(skeleton)
@@ -38,7 +39,7 @@ def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:
         "skins": [_skin(skeleton, accessors)],
         "animations": [_animation(motion, face, accessors)],
     }
-    return binary(tree, accessors)
+    return to_glb_bytes(tree, accessors)
 
 
 def _mesh(name: str, parts: tuple[Part, ...], accessors: Accessors) -> dict[str, Json]:
@@ -82,7 +83,7 @@ def _material(name: str) -> Json:
 
 
 def _skin(skeleton: Skeleton, accessors: Accessors) -> Json:
-    """The joints' inverse bind matrices: in the T-pose nothing turns, so they only move."""
+    """The joints' inverse bind matrices: pure translations, since no joint is rotated in the T-pose."""
     matrices = np.tile(np.eye(4), (len(skeleton.names), 1, 1))
     matrices[:, 3, :3] = -t_pose_m(skeleton)
     return {
@@ -93,18 +94,18 @@ def _skin(skeleton: Skeleton, accessors: Accessors) -> Json:
 
 
 def _animation(motion: Motion, face: int, accessors: Accessors) -> Json:
-    tracks = Tracks(accessors, clock_s(motion))
+    tracks = Tracks(accessors, frame_times_s(motion))
     tracks.add(0, "translation", motion.body.hips_m)
     for joint in range(motion.body.rotations.shape[1]):
-        tracks.add(joint, "rotation", of_one_sign(motion.body.rotations[:, joint]))
+        tracks.add(joint, "rotation", with_continuous_signs(motion.body.rotations[:, joint]))
     weights = np.zeros((len(motion.shapes), len(FACE_SHAPES)))
     weights[:, : motion.shapes.shape[1]] = np.clip(motion.shapes, 0.0, 1.0)
     tracks.add(face, "weights", weights)
-    return {"name": "performance", **tracks.tree(), "extras": described(motion)}
+    return {"name": "performance", **tracks.tree(), "extras": events_json(motion)}
 
 
-def clock_s(motion: Motion) -> FloatArray:
-    """The frames' times (T,) from the first on."""
+def frame_times_s(motion: Motion) -> FloatArray:
+    """The frames' times (T,), starting at 0."""
     return np.arange(len(motion.body.times_s)) / motion.frame_rate_hz
 
 

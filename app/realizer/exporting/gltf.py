@@ -1,6 +1,7 @@
-"""glTF 2.0 as binary files: arrays become accessors in one buffer, and a JSON tree says what they are.
+"""Builds binary glTF 2.0 files: arrays become accessors in one buffer, described by a JSON tree.
 
-Conventions: numbers are little-endian, every view starts at a multiple of four bytes, and equal arrays are stored once.
+Conventions: numbers are little-endian, every buffer view starts at a multiple of four bytes, and equal arrays are
+stored once.
 """
 
 import json
@@ -26,9 +27,9 @@ _MAGIC, _VERSION, _JSON_CHUNK, _BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E
 
 
 class Accessors:
-    """The accessors of a file as they are added, and the bytes that stand behind them.
+    """Collects the accessors of a file and the bytes of its buffer.
 
-    `views`, `accessors` and `content` are those that the file has already, in one buffer.
+    `views`, `accessors` and `content` are those that the file already has, in one buffer.
     """
 
     def __init__(self, views: Sequence[Json] = (), accessors: Sequence[Json] = (), content: bytes = b"") -> None:
@@ -39,22 +40,22 @@ class Accessors:
         self._known: dict[tuple[str, str, bytes], int] = {}
 
     def floats(self, values: FloatArray, *, bounds: bool = False, target: Target | None = None) -> int:
-        """An accessor of 32-bit floats (N, …), with their least and greatest values if wanted; its number."""
+        """Add 32-bit floats (N, …), with their minimum and maximum if `bounds`; returns the accessor's index."""
         return self._add(values.astype("<f4"), FLOAT, bounds=bounds, target=target)
 
     def indices(self, triangles: IntArray) -> int:
-        """An accessor of vertex numbers, for triangles (F, 3)."""
+        """Add the vertex indices of triangles (F, 3)."""
         flat = triangles.reshape(-1)
         if flat.max(initial=0) < 2**16 - 1:
             return self._add(flat.astype("<u2"), UNSIGNED_SHORT, target="ELEMENT_ARRAY_BUFFER")
         return self._add(flat.astype("<u4"), UNSIGNED_INT, target="ELEMENT_ARRAY_BUFFER")
 
     def joints(self, joints: IntArray) -> int:
-        """An accessor of the joints (V, 4) that vertices follow."""
+        """Add the joints (V, 4) that influence each vertex."""
         return self._add(joints.astype("<u1"), UNSIGNED_BYTE, target="ARRAY_BUFFER")
 
     def displacements(self, values: FloatArray) -> int:
-        """A sparse accessor of vectors (V, 3), most of which are zero."""
+        """Add a sparse accessor of vectors (V, 3), most of which are zero."""
         stored = values.astype("<f4")
         where = np.flatnonzero(np.any(stored != 0, axis=1))
         accessor: dict[str, Json] = {
@@ -74,7 +75,7 @@ class Accessors:
         return len(self._accessors) - 1
 
     def tree(self) -> dict[str, Json]:
-        """What the JSON tree says of them."""
+        """The JSON of buffer, buffer views and accessors."""
         return {
             "accessors": self._accessors,
             "bufferViews": self._views,
@@ -82,7 +83,7 @@ class Accessors:
         }
 
     def content(self) -> list[bytes]:
-        """The buffer, in pieces."""
+        """The chunks of the buffer."""
         return self._chunks
 
     def _add(
@@ -119,8 +120,8 @@ class Accessors:
         return len(self._views) - 1
 
 
-def binary(tree: Mapping[str, Json], accessors: Accessors) -> bytes:
-    """The file: `tree` with the accessors' part added, and the buffer."""
+def to_glb_bytes(tree: Mapping[str, Json], accessors: Accessors) -> bytes:
+    """The GLB file of a JSON tree, completed by the accessors' part, and the buffer."""
     asset = {"version": "2.0", "generator": f"Understudy {__version__}"}
     described = json.dumps({"asset": asset, **tree, **accessors.tree()}, separators=(",", ":")).encode()
     described += b" " * (-len(described) % 4)
@@ -142,17 +143,17 @@ def joint_nodes(skeleton: Skeleton) -> list[dict[str, Json]]:
 
 
 class Tracks:
-    """The channels and samplers of an animation, all linear. What never moves gets one key."""
+    """The channels and samplers of an animation with linear interpolation. A constant track gets one key."""
 
     def __init__(self, accessors: Accessors, times_s: FloatArray) -> None:
-        """`times_s` (T,) rise strictly from 0."""
+        """`times_s` (T,) must increase strictly, starting at 0."""
         self._accessors = accessors
         self._times_s = times_s
         self._channels: list[Json] = []
         self._samplers: list[Json] = []
 
     def add(self, node: int, path: str, values: FloatArray) -> None:
-        """The values (T, …) of a node's rotation, translation or weights."""
+        """Add the values (T, …) of a node's rotation, translation or weights."""
         stored = values.astype(np.float32)
         moves = bool(np.any(stored != stored[:1]))
         kept = values if moves else values[:1]
@@ -168,5 +169,5 @@ class Tracks:
         self._channels.append({"sampler": len(self._samplers) - 1, "target": {"node": node, "path": path}})
 
     def tree(self) -> dict[str, Json]:
-        """What the JSON tree says of them."""
+        """The JSON of the animation."""
         return {"channels": self._channels, "samplers": self._samplers}

@@ -1,7 +1,7 @@
-"""The joints' names in other rigs, as `lexicon/retarget/*.yaml` tell them: Mixamo, Ready Player Me, Unreal and others.
+"""Joint names of other rigs, from `lexicon/retarget/*.yaml`: Mixamo, Ready Player Me, Unreal and others.
 
-A table renames; it turns nothing: exported rotations are about the world's axes in the T-pose, whatever the rig's rest
-pose, unit and axes, which the table notes for whoever retargets.
+A table only renames joints. Exported rotations are relative to the T-pose and the world's axes whatever the rig's own
+rest pose, unit and axes are; the table records these for whoever retargets.
 """
 
 from collections import Counter
@@ -20,7 +20,7 @@ Axis = Literal["+X", "-X", "+Y", "-Y", "+Z", "-Z"]
 
 @dataclass(frozen=True, slots=True)
 class Rig:
-    """A rig's `names` by our joints' names, its unit in metres, the axes that are up and forward, its rest pose."""
+    """A rig: its joint `names` by our joint names, its unit in metres, its up and forward axes, and its rest pose."""
 
     name: str
     names: Mapping[str, str]
@@ -38,7 +38,8 @@ class Sides(Entry):
 
 
 class RigFile(Entry):
-    """A table as it is written. In `sided` {side} is the rig's word for left or right, {SIDE} the same in capitals."""
+    """The file format. In `sided`, {side} stands for the rig's word for left or right, {SIDE} for the same in
+    capitals."""
 
     unit_m: float
     up: Literal["Y", "Z"]
@@ -50,13 +51,13 @@ class RigFile(Entry):
 
 
 def load_rigs(folder: Path, skeleton: Skeleton) -> Mapping[str, Rig]:
-    """The tables in a folder by name; raises AuthoringError: joints unknown, left out, or of one name."""
+    """The rigs in a folder by name. Raises AuthoringError for unknown, missing or duplicate joint names."""
     rigs = all_or_every_mistake(_loaded(path, skeleton) for path in sorted(folder.glob("*.yaml")))
     return MappingProxyType({rig.name: rig for rig in rigs})
 
 
 def find_rig(rigs: Mapping[str, Rig], name: str) -> Rig:
-    """Raises InputError `unknown_skeleton`."""
+    """The rig of this name. Raises InputError `unknown_skeleton`."""
     if name not in rigs:
         raise InputError("unknown_skeleton", f"no skeleton {name!r}: there are {', '.join(rigs)}", field="skeleton")
     return rigs[name]
@@ -100,7 +101,7 @@ def _refuse_wrong_joints(source: Source, names: Mapping[str, str], skeleton: Ske
 
 
 def _place(joint: str) -> tuple[str, str]:
-    """Where a joint's name stands in the file."""
+    """The section and key of a joint's name in the file."""
     for side in SIDES:
         if joint.startswith(side):
             return "sided", joint.removeprefix(side)

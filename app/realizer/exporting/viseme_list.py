@@ -1,7 +1,7 @@
-"""The shapes of the mouth as a list in time, as lip-sync tools exchange them.
+"""Exports the visemes as a timed list, as lip-sync tools exchange them.
 
-Conventions: each line is a time in seconds of the audio, a tab and a viseme, which lasts until the next line (Rhubarb's
-form); the last line is `sil`. Gaps between visemes are `sil`. The JSON form has how far each is articulated besides.
+Conventions: each line is a time in seconds of the audio, a tab and a viseme that lasts until the next line (the format
+of Rhubarb Lip Sync); the last line is `sil`, as are gaps between visemes. The JSON form adds articulation and opening.
 """
 
 import json
@@ -14,7 +14,7 @@ FORMAT, VERSION = "understudy-visemes", 1
 
 
 def to_viseme_text(visemes: Sequence[Viseme], duration_s: float) -> bytes:
-    """The list as text; `duration_s` is the audio's."""
+    """The list as text; `duration_s` is the audio's duration."""
     return "".join(f"{start_s:.3f}\t{label}\n" for start_s, label in _changes(visemes, duration_s)).encode()
 
 
@@ -35,7 +35,7 @@ def to_viseme_json(visemes: Sequence[Viseme], duration_s: float) -> bytes:
 
 
 def _changes(visemes: Sequence[Viseme], duration_s: float) -> Iterator[tuple[float, str]]:
-    """When the mouth takes which shape, silences included."""
+    """The start time of each viseme, with silences in the gaps."""
     shown, until_s = None, 0.0
     for each in visemes:
         if each.interval.start_s > until_s + 5e-4 and shown != SILENCE:

@@ -1,10 +1,10 @@
-"""VRM animation (`.vrma`, VRMC_vrm_animation 1.0): the performance for any VRM avatar.
+"""Exports a VRM animation (`.vrma`, VRMC_vrm_animation 1.0) that plays on any VRM avatar.
 
-Conventions: VRM's T-pose at rest, metres, 30 frames a second where the motion's rate is a multiple of it. Only the hips
-move from their place, nothing is scaled. An expression's weight is the x of its node's place; the eyes' turn is that of
-the `lookAt` node (their mean), so the eye bones have no tracks. Avatars have few expressions: the mouth's five vowels
-are fitted to the ARKit shapes frame by frame. With `shapes`, the 52 ARKit shapes go as custom expressions instead, for
-avatars that have them ("perfect sync"), and no preset does, lest the face move twice.
+Conventions: VRM's T-pose at rest, metres, 30 frames per second where the motion's rate is a multiple of it. Only the
+hips are translated, nothing is scaled. An expression's weight is the x of its node's translation; the eyes' rotation is
+that of the `lookAt` node (the mean of both eyes), so the eye bones have no tracks. Avatars have few expressions: the
+five vowels are fitted to the ARKit shapes frame by frame. With `shapes`, the 52 ARKit shapes become custom expressions
+instead, for avatars that have them ("perfect sync"), and the presets are left out so that the face does not move twice.
 """
 
 from collections.abc import Mapping
@@ -15,10 +15,10 @@ import numpy as np
 from ...model import FloatArray
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import of_one_sign, slerp
+from ..geometry.rotations import slerp, with_continuous_signs
 from ..mannequin.face import VISEME_MIXTURES
-from .events import described
-from .gltf import Accessors, Json, Tracks, binary, joint_nodes
+from .events import events_json
+from .gltf import Accessors, Json, Tracks, joint_nodes, to_glb_bytes
 
 EXTENSION = "VRMC_vrm_animation"
 FRAME_RATE_HZ = 30
@@ -26,7 +26,7 @@ EYES = ("leftEye", "rightEye")
 LOOK_AT_M = (0.0, 0.075, 0.085)
 
 VOWELS: Mapping[str, str] = MappingProxyType({"aa": "aa", "ih": "I", "ou": "U", "ee": "E", "oh": "O"})
-"""VRM's mouth expressions, and the viseme that each is."""
+"""VRM's mouth expressions and their visemes."""
 
 MOODS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
@@ -42,7 +42,7 @@ _FIT_STEPS = 60
 
 
 def to_vrma(motion: Motion, skeleton: Skeleton, *, shapes: bool = False) -> bytes:
-    """The animation; `shapes` sends the ARKit shapes as custom expressions instead of VRM's own presets."""
+    """The animation; `shapes` exports the ARKit shapes as custom expressions instead of VRM's presets."""
     frames = slice(None, None, _stride(motion))
     weights = np.clip(motion.shapes[frames], 0.0, 1.0)
     expressions = {name: weights[:, k] for k, name in enumerate(SHAPES)} if shapes else presets(weights)
@@ -54,7 +54,7 @@ def to_vrma(motion: Motion, skeleton: Skeleton, *, shapes: bool = False) -> byte
     accessors = Accessors()
     tracks = Tracks(accessors, np.arange(len(weights)) * _stride(motion) / motion.frame_rate_hz)
     _add_body(tracks, motion, skeleton, frames)
-    tracks.add(look_at, "rotation", of_one_sign(_gaze(motion, skeleton, frames)))
+    tracks.add(look_at, "rotation", with_continuous_signs(_gaze(motion, skeleton, frames)))
     for number, values in enumerate(expressions.values()):
         tracks.add(first + number, "translation", np.pad(values[:, None], ((0, 0), (0, 2))))
     named: Json = {name: {"node": first + number} for number, name in enumerate(expressions)}
@@ -65,13 +65,13 @@ def to_vrma(motion: Motion, skeleton: Skeleton, *, shapes: bool = False) -> byte
         "scene": 0,
         "scenes": [{"nodes": [0, *range(first, len(nodes))]}],
         "nodes": nodes,
-        "animations": [{"name": "performance", **tracks.tree(), "extras": described(motion)}],
+        "animations": [{"name": "performance", **tracks.tree(), "extras": events_json(motion)}],
     }
-    return binary(tree, accessors)
+    return to_glb_bytes(tree, accessors)
 
 
 def _stride(motion: Motion) -> int:
-    """How many frames of the motion go by for one of the animation."""
+    """The number of motion frames per frame of the animation."""
     return motion.frame_rate_hz // FRAME_RATE_HZ if motion.frame_rate_hz % FRAME_RATE_HZ == 0 else 1
 
 
@@ -86,7 +86,7 @@ def _extension(skeleton: Skeleton, expressions: Json, look_at: int) -> Json:
 
 
 def presets(weights: FloatArray) -> dict[str, FloatArray]:
-    """VRM's expressions (T,) that come nearest to the ARKit shapes (T, 52)."""
+    """The weights (T,) of the VRM expressions that approximate the ARKit shapes (T, 52)."""
     found = dict(zip(VOWELS, _vowels(weights).T, strict=True))
     for name, shape in LIDS.items():
         found[name] = weights[:, SHAPES.index(shape)]
@@ -96,7 +96,7 @@ def presets(weights: FloatArray) -> dict[str, FloatArray]:
 
 
 def _vowels(weights: FloatArray) -> FloatArray:
-    """Non-negative least squares (T, 5): how much of each vowel's mouth makes the mouth of each frame."""
+    """Vowel weights (T, 5) by non-negative least squares: the mixture of vowel shapes nearest to each frame's mouth."""
     mouth = [k for k, name in enumerate(SHAPES) if name.startswith(("jawOpen", "mouth"))]
     basis = np.stack([_viseme_shapes(viseme)[mouth] for viseme in VOWELS.values()])
     gram, seen = basis @ basis.T, weights[:, mouth] @ basis.T
@@ -121,10 +121,10 @@ def _add_body(tracks: Tracks, motion: Motion, skeleton: Skeleton, frames: slice)
     tracks.add(0, "translation", motion.body.hips_m[frames])
     for joint, name in enumerate(skeleton.names):
         if name not in EYES:
-            tracks.add(joint, "rotation", of_one_sign(motion.body.rotations[frames, joint]))
+            tracks.add(joint, "rotation", with_continuous_signs(motion.body.rotations[frames, joint]))
 
 
 def _gaze(motion: Motion, skeleton: Skeleton, frames: slice) -> FloatArray:
-    """The turn midway between the eyes' (T, 4)."""
+    """The mean rotation of both eyes (T, 4)."""
     left, right = (motion.body.rotations[frames, skeleton.index[eye]] for eye in EYES)
     return slerp(left, right, np.full(len(left), 0.5))

@@ -1,4 +1,3 @@
-"""The face: lips from visemes, expressions from FACS units and BML's lexemes, eyes and lids, all as weights of ARKit's
-52 shapes, by the tables of lexicon/face.yaml. Imports `geometry` and `body`. Begin with `face.py`, which adds its parts
-up.
-"""
+"""The face: lip sync with coarticulation, expressions from FACS units and BML lexemes, eye looks and lids, as weights
+of ARKit's 52 blendshapes, with the tables of lexicon/face.yaml. Imports `geometry` and `body`. Begin with `face.py`,
+which combines the parts."""

@@ -1,13 +1,13 @@
-"""Coarticulation by dominance (Cohen & Massaro 1993): how much say each phone has over each articulator, and when.
+"""Coarticulation with dominance functions (Cohen & Massaro 1993): how phones share each articulator over time.
 
-Every phone dominates an articulator by a strength that falls off as a negative exponential of the distance in time;
-what the articulator does is the mean of the phones' targets, weighted by their dominance. So a T, which says next to
-nothing of the lips, is said with the lips of the vowel beside it, and a P closes them whatever stands there.
+Every phone dominates an articulator with a strength that decays exponentially with the distance in time; the
+articulator's position is the mean of the phones' targets, weighted by dominance. So a T, which hardly constrains the
+lips, is produced with the lips of its neighbouring vowel, and a P closes them in any context.
 
-Departures from the paper of 1993: the distance is counted from the phone's inner part, not from its middle, so that
-long phones keep their shape; it is rounded off there, so that nothing turns a corner; and beyond `HORIZON_S` it is
-exactly nothing, so that a moment depends on few phones. Departure from §3.8 of ours, which sequences hand-made curves
-of diphones: they are not public; dominance does for every pair of phones what they do for some.
+Differences from the 1993 paper: the distance is measured from the inner part of a phone instead of its centre, so that
+long phones keep their shape; it is smoothed there, so that curves have no corners; and beyond `HORIZON_S` dominance is
+exactly zero, so that each moment depends on few phones. Difference from our paper's §3.8, which concatenates hand-made
+diphone curves: these are not public, and dominance covers every pair of phones.
 """
 
 from dataclasses import dataclass
@@ -28,8 +28,8 @@ Numbers = NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Segments:
-    """Phones one after the other without gaps: `kind` is the row of the dominance table, bounds are in seconds, and
-    `weight`, in (0, 1], tells how much of its dominance each has."""
+    """Contiguous phones: `kind` is the row of the dominance table, bounds are in seconds, and `weight` in (0, 1] scales
+    the dominance of each."""
 
     kind: Numbers
     start_s: FloatArray
@@ -37,14 +37,14 @@ class Segments:
     weight: FloatArray
 
     def between(self, start_s: float, end_s: float) -> slice:
-        """Which of them are at least partly there."""
+        """The segments that overlap the interval."""
         return slice(int(np.searchsorted(self.end_s, start_s)), int(np.searchsorted(self.start_s, end_s, side="right")))
 
 
 def blend(
     dominance: Dominance, segments: Segments, targets: FloatArray, articulator: Numbers, times_s: FloatArray
 ) -> FloatArray:
-    """The mean (T, channels) of `targets` (segments, channels), each weighted by dominance over its articulator."""
+    """The mean (T, channels) of `targets` (segments, channels), each weighted by the dominance over its articulator."""
     blended = np.empty((len(times_s), targets.shape[1]))
     for first in range(0, len(times_s), _FRAMES_AT_ONCE):
         frames = slice(first, first + _FRAMES_AT_ONCE)
@@ -57,7 +57,7 @@ def blend(
 
 
 def _weights(dominance: Dominance, segments: Segments, near: slice, at_s: FloatArray) -> FloatArray:
-    """The dominance (articulators, T, segments) at each moment of the segments in `near`."""
+    """The dominance (articulators, T, segments) of the segments in `near` at each time."""
     kind, start_s, end_s = segments.kind[near], segments.start_s[near], segments.end_s[near]
     strength, before_s, after_s = (
         table[kind].T[:, None] for table in (dominance.strength, dominance.before_s, dominance.after_s)
@@ -70,6 +70,6 @@ def _weights(dominance: Dominance, segments: Segments, near: slice, at_s: FloatA
 
 
 def _softened(distance_s: FloatArray) -> FloatArray:
-    """The positive part, without a corner."""
+    """A smooth approximation of the positive part."""
     positive = np.maximum(distance_s, 0)
     return np.asarray(np.sqrt(positive * positive + _SOFTENING_S**2) - _SOFTENING_S)

@@ -1,8 +1,8 @@
-"""Diphthongs glide: the mouth of "how" goes from wide to round, which its one viseme does not say.
+"""Splits the visemes of diphthongs in two, so that the mouth glides as in "how" from wide to round.
 
-The schedule has one of fifteen visemes for each phone (shared/motion.md), that of the diphthong's first vowel. Where
-the phones are known too, the last part of a diphthong is given to the shape of the vowel towards which it glides, with
-the jaw less open; like all speakers' glides it does not get there wholly.
+The schedule has one of fifteen visemes per phone (shared/motion.md), which for a diphthong is that of its first vowel.
+Where phones are known too, the last part of a diphthong gets the viseme of the vowel it glides to, with the jaw less
+open and less articulated, since glides usually undershoot.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -12,24 +12,24 @@ from types import MappingProxyType
 from ...model import Interval, Phone, Viseme, Word
 
 GLIDES: Mapping[str, str] = MappingProxyType({"AY": "I", "EY": "I", "OY": "I", "AW": "U", "OW": "U"})
-"""The viseme towards which each diphthong goes."""
+"""The viseme that each diphthong glides to."""
 
 GLIDE_SHARE = 0.4
-"""The part of the phone in which it glides."""
+"""The share of the phone that the glide takes."""
 
 GLIDE_ARTICULATION = 0.7
 GLIDE_OPENING = 0.7
-"""Of the diphthong's own."""
+"""As a factor of the diphthong's own."""
 
 
 def with_glides(visemes: tuple[Viseme, ...], words: tuple[Word, ...]) -> tuple[Viseme, ...]:
-    """The visemes, each diphthong's end made one of its own."""
+    """The visemes, with the last part of each diphthong as a viseme of its own."""
     gliding = [phone for word in words for phone in word.phones if phone.label in GLIDES]
     return tuple(_split(visemes, gliding)) if gliding else visemes
 
 
 def _split(visemes: Iterable[Viseme], gliding: list[Phone]) -> Iterator[Viseme]:
-    """Phones may share a viseme with others of its shape, so a viseme is split as often as need be."""
+    """Split a viseme at each glide within it; several phones of one shape may share a viseme."""
     coming = iter(sorted(gliding, key=lambda phone: phone.interval.end_s))
     phone = next(coming, None)
     for viseme in visemes:

@@ -1,8 +1,8 @@
-"""What the face does besides speaking: brows, cheeks, lids, nose and mouth by FACS units and lexemes (paper §3.8).
+"""Facial expressions other than speech: brows, cheeks, lids, nose and mouth by FACS units and lexemes (paper §3.8).
 
-A behaviour rises from `start` to its whole amount at `ready`, keeps it to `relax` and is gone at `end`, each way as a
-minimum-jerk movement (Flash & Hogan 1985). Behaviours that move the same shape add up as 1 - Π(1 - weight): in whatever
-order, without a corner, and never beyond 1.
+A behaviour rises from `start` to its full amount at `ready`, holds it until `relax` and has decayed at `end`, with
+minimum-jerk transitions (Flash & Hogan 1985). Behaviours on the same shape combine as 1 - Π(1 - weight), which is
+independent of order, smooth, and at most 1.
 """
 
 from collections.abc import Mapping
@@ -20,21 +20,21 @@ FACIAL = frozenset({Channel.FACE, Channel.EYES})
 _SIDES: Mapping[str, Side] = MappingProxyType({side.value: side for side in Side})
 
 USUAL_AMOUNT = 0.5
-"""BML 1.0's amount of a face that says none; a blink that says none is whole."""
+"""The amount of a face without one, as in BML 1.0; a blink without an amount is complete."""
 
 LEAST_RISE_S = 0.05
 LEAST_FALL_S = 0.07
-"""No shape is made or left faster, whatever the sync points say: the quickest blinks close in 50 ms."""
+"""The fastest rise and decay of any shape, whatever the sync points say: the quickest blinks close in 50 ms."""
 
 USUAL_RISE_S = 0.15
 USUAL_FALL_S = 0.3
-"""For a face of which only start and end are known; at most a third of it each."""
+"""For a face with only start and end; at most a third of it each."""
 
 
 def expressions(
     words: Mapping[str, FloatArray], behaviors: tuple[Behavior, ...], times_s: FloatArray, frame_s: float
 ) -> FloatArray:
-    """The weights (T, 52) of all faces that were kept and whose word is in `words`; others have a `Decision`."""
+    """The weights (T, 52) of all kept faces whose lexeme is in `words`; for the others see `unknown_faces`."""
     left = np.ones((len(times_s), len(SHAPES)))
     for behavior in behaviors:
         side = _side(behavior)
@@ -51,7 +51,7 @@ def expressions(
 
 
 def unknown_faces(words: Mapping[str, FloatArray], behaviors: tuple[Behavior, ...]) -> tuple[Decision, ...]:
-    """One for each face that is not shown, since the tables have no such word or a face has no such side."""
+    """A decision for each face that is not shown because its lexeme is unknown or its side does not exist."""
     found = []
     for behavior in behaviors:
         if _is_facial(behavior) and behavior.lexeme not in words:
@@ -64,7 +64,7 @@ def unknown_faces(words: Mapping[str, FloatArray], behaviors: tuple[Behavior, ..
 
 
 def realized_faces(behaviors: tuple[Behavior, ...], frame_s: float) -> dict[str, SyncPoints]:
-    """When each face that was kept really begins, is whole, relaxes and ends, by its id."""
+    """The actual sync points of each kept face, by its id."""
     found = {}
     for behavior in behaviors:
         if _is_facial(behavior):
@@ -74,7 +74,7 @@ def realized_faces(behaviors: tuple[Behavior, ...], frame_s: float) -> dict[str,
 
 
 def envelope(times_s: FloatArray, points_s: tuple[float, float, float, float]) -> FloatArray:
-    """From 0 at the first point to 1 at the second, and from the third back to 0 at the fourth."""
+    """The curve that is 0 at the first point, 1 from the second to the third, and 0 at the fourth."""
     start_s, ready_s, relax_s, end_s = points_s
     rise = np.clip((times_s - start_s) / (ready_s - start_s), 0, 1)
     fall = np.clip((times_s - relax_s) / (end_s - relax_s), 0, 1)
@@ -82,8 +82,9 @@ def envelope(times_s: FloatArray, points_s: tuple[float, float, float, float]) -
 
 
 def envelope_points(sync: SyncPoints, frame_s: float) -> tuple[float, float, float, float]:
-    """Start, ready, relax and end, the unknown ones filled in; whole for a frame at least, so that every frame rate
-    shows it, and never faster than the least rise and fall: then it begins sooner or ends later."""
+    """Start, ready, relax and end, with defaults for missing points. The full amount lasts at least a frame, so that it
+    shows at every frame rate, and transitions are no faster than the limits: the face then starts earlier or ends
+    later."""
     third_s = (sync.end - sync.start) / 3
     ready_s = sync.start + min(USUAL_RISE_S, third_s) if sync.ready is None else sync.ready
     relax_s = max(sync.end - min(USUAL_FALL_S, third_s), ready_s) if sync.relax is None else sync.relax
@@ -96,7 +97,7 @@ def _is_facial(behavior: Behavior) -> bool:
 
 
 def _side(behavior: Behavior) -> Side | None:
-    """The side that a face takes, from its `direction`; None if a face has no such side."""
+    """The side of a face, from its `direction`; None if there is no such side."""
     return _SIDES.get((behavior.direction or Side.BOTH).lower())
 
 

@@ -1,9 +1,8 @@
-"""The face of a schedule: 52 weights a frame (paper §3.8, "Lip Syncing" and "Emotion, Facial Expression …").
+"""Computes the face of a schedule: 52 blendshape weights per frame (paper §3.8, lip sync and facial expression).
 
-In order: what the speech makes of the mouth; what brows, cheeks, nose and mouth show; what is never still in a face;
-the eyes' looks, and the lids. Speech comes first at the lips: an expression gets of the mouth's corners what the
-visemes leave (a smile goes on, smaller, through an "oo"), of lips and jaw only what silence leaves, so that no smile
-opens an M.
+In order: lip sync; expressions of brows, cheeks, nose and mouth; micro-movement; eye looks and eyelids. Speech has
+priority at the mouth: expressions keep the share of the mouth's corners that the visemes leave (a smile continues,
+smaller, through an "oo"), but move lips and jaw only in silence, so that no smile opens an M.
 """
 
 from collections.abc import Mapping
@@ -18,17 +17,18 @@ from ..geometry.noise import perlin
 from .diphthongs import with_glides
 from .expressions import expressions
 from .face_tables import COLUMNS, FaceTables
-from .lids import looks, with_lids
-from .lips import Speech, speak
+from .lids import eye_look_weights, with_lids
+from .lips import LipSync, lip_sync
 
 CORNERS = ("mouthSmile", "mouthFrown", "mouthDimple", "mouthStretch", "mouthLeft", "mouthRight")
-"""The shapes at the corners of the mouth, which speech leaves in part."""
+"""The shapes at the corners of the mouth, which speech uses only in part."""
 
 LIPS = tuple(name for name in SHAPES if name.startswith(("jaw", "mouth", "tongue")) and not name.startswith(CORNERS))
-"""The other shapes of mouth and jaw, which speech needs for itself."""
+"""The other shapes of mouth and jaw, which speech needs entirely."""
 
 ASYMMETRY = 0.08
-"""Up to this much of an expression is missing on a side of the face, now more and now less: held faces live too."""
+"""Up to this share of an expression is missing on one side of the face, varying over time: held faces are never quite
+still or symmetric."""
 
 MICRO_MOVEMENT: Mapping[str, float] = MappingProxyType(
     {
@@ -45,19 +45,19 @@ MICRO_MOVEMENT: Mapping[str, float] = MappingProxyType(
         "noseSneer": 0.01,
     }
 )
-"""How far the shapes wander when nothing is asked of them: too little to mean anything, enough not to freeze."""
+"""How far shapes wander without any behaviour: too little to mean anything, enough not to look frozen."""
 
 MICRO_MOVEMENT_HZ, ASYMMETRY_HZ = 0.7, 0.4
 
 _FRAMES_AT_ONCE = 2048
-"""A face is a function of time, so ten minutes take little more room than half a minute."""
+"""Frames computed at a time, so that ten minutes need little more memory than half a minute."""
 
 
-def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Skeleton, *, seed: int) -> FloatArray:
-    """The weights (T, 52) in [0, 1], in the order of `SHAPES`, at the frames of `body`, whose eye joints are looked at.
-
-    Faces whose word the tables do not know are left out: `expressions.unknown_faces` tells which.
-    """
+def face_weights(
+    tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Skeleton, *, seed: int
+) -> FloatArray:
+    """The weights (T, 52) in [0, 1], in the order of `SHAPES`, at the frames of `body`, whose eye joints determine the
+    eye look shapes. Faces with unknown lexemes are left out; `expressions.unknown_faces` reports them."""
     times_s = body.times_s
     frame_s = float(times_s[1] - times_s[0]) if len(times_s) > 1 else 0.0
     spoken = with_glides(schedule.visemes, schedule.words)
@@ -65,18 +65,17 @@ def face(tables: FaceTables, schedule: Schedule, body: BodyMotion, skeleton: Ske
     for first in range(0, len(times_s), _FRAMES_AT_ONCE):
         frames = slice(first, first + _FRAMES_AT_ONCE)
         part = BodyMotion(times_s[frames], body.rotations[frames], body.hips_m[frames])
-        at_rest = _together(
-            looks(tables.eyes, part, skeleton), (1 - schedule.stillness) * micro_movement(part.times_s, seed)
-        )
-        shown = expressions(tables.words, schedule.behaviors, part.times_s, frame_s) * _sides(part.times_s, seed)
-        speech = speak(tables.visemes, spoken, part.times_s)
+        micro_movements = (1 - schedule.stillness) * micro_movement(part.times_s, seed)
+        at_rest = _together(eye_look_weights(tables.eyes, part, skeleton), micro_movements)
+        shown = expressions(tables.lexemes, schedule.behaviors, part.times_s, frame_s) * _sides(part.times_s, seed)
+        speech = lip_sync(tables.visemes, spoken, part.times_s)
         beside = _beside_speech(_together(shown, at_rest), speech)
         shapes[frames] = with_lids(tables.eyes, _together(speech.shapes, beside))
     return shapes
 
 
 def micro_movement(times_s: FloatArray, seed: int) -> FloatArray:
-    """What the face does when it does nothing (T, 52); each side by itself."""
+    """Idle noise of the face (T, 52), independent for each side."""
     moving = [(column, size) for name, size in MICRO_MOVEMENT.items() for column in COLUMNS[name]]
     noise = perlin(times_s, frequency_hz=MICRO_MOVEMENT_HZ, seed=seed, channels=len(moving))
     shapes = np.zeros((len(times_s), len(SHAPES)))
@@ -85,8 +84,8 @@ def micro_movement(times_s: FloatArray, seed: int) -> FloatArray:
     return shapes
 
 
-def _beside_speech(shown: FloatArray, speech: Speech) -> FloatArray:
-    """Expressions as far as the speech leaves the mouth to them."""
+def _beside_speech(shown: FloatArray, speech: LipSync) -> FloatArray:
+    """The expressions, reduced to what speech leaves of the mouth."""
     shown = shown.copy()
     for left, names in ((speech.corners, CORNERS), (speech.lips, LIPS)):
         columns = [column for name in names for column in COLUMNS[name]]
@@ -95,7 +94,8 @@ def _beside_speech(shown: FloatArray, speech: Speech) -> FloatArray:
 
 
 def _sides(times_s: FloatArray, seed: int) -> FloatArray:
-    """How much of an expression each side of the face makes, and its middle (T, 52). Eyelids close wholly on both."""
+    """The share of an expression on each side of the face and in its middle (T, 52). Eyelids close completely on
+    both."""
     side = [(name.endswith("Left"), name.endswith("Right")) for name in SHAPES]
     channel = [1 if left else 2 if right else 0 for left, right in side]
     missing = ASYMMETRY * (1 + perlin(times_s, frequency_hz=ASYMMETRY_HZ, seed=seed + 1, channels=3)) / 2
@@ -105,5 +105,5 @@ def _sides(times_s: FloatArray, seed: int) -> FloatArray:
 
 
 def _together(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Both at once, between 0 and 1 as they are."""
+    """Both combined, within [0, 1] if they are."""
     return np.asarray(1 - (1 - a) * (1 - b))

@@ -1,7 +1,7 @@
-"""What the face's words mean, by lexicon/face.yaml: units, lexemes and visemes as weights of the 52 shapes.
+"""The face's lexicon (lexicon/face.yaml): action units, lexemes and visemes as weights of the 52 blendshapes.
 
-Conventions: weights stand in the order of `SHAPES`; a name without Left or Right means both sides. Every mistake of the
-file is reported at once, with its place.
+Conventions: weights are in the order of `SHAPES`; a name without Left or Right means both sides. All mistakes of the
+file are reported at once, with their place.
 """
 
 from collections.abc import Collection, Iterator, Mapping
@@ -23,7 +23,7 @@ from ..body.motion import SHAPES
 INDEX: Mapping[str, int] = MappingProxyType({name: number for number, name in enumerate(SHAPES)})
 
 VISEMES = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "I", "O", "U")
-"""The fifteen, in the order that rigs have them (shared/motion.md)."""
+"""The fifteen visemes in the order that rigs use (shared/motion.md)."""
 
 SILENCE = "sil"
 
@@ -31,9 +31,9 @@ _SIDES = ("Left", "Right")
 
 
 def _columns_by_name() -> dict[str, tuple[int, ...]]:
-    """Each name with its columns: the 52 shapes, and both sides of those that the two halves of the face share.
+    """The columns of each name: the 52 shapes, and the pairs of those that exist for both halves of the face.
 
-    `jaw` and `mouth` are none of these: jawLeft and jawRight are one jaw's two ways.
+    `jaw` and `mouth` are not among the pairs: jawLeft and jawRight are two directions of one jaw.
     """
     found: dict[str, tuple[int, ...]] = {name: (number,) for name, number in INDEX.items()}
     for name in SHAPES:
@@ -48,7 +48,8 @@ COLUMNS: Mapping[str, tuple[int, ...]] = MappingProxyType(_columns_by_name())
 
 
 class Articulator(StrEnum):
-    """What speech moves, each by itself: a T says much of the jaw and next to nothing of the lips' rounding."""
+    """The independent articulators of speech: a T constrains the jaw strongly and the rounding of the lips hardly at
+    all."""
 
     JAW = "jaw"
     LIPS = "lips"
@@ -64,9 +65,9 @@ class Side(StrEnum):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Dominance:
-    """How much say each viseme has in each articulator (visemes, articulators), and how it fades with the distance from
-    the phone: to 1/e in `before_s` ahead of it and `after_s` behind it. `inset_s` (articulators,) is how far inside the
-    phone's bounds it is in full."""
+    """The dominance (visemes, articulators) of each viseme over each articulator. It decays to 1/e in `before_s` ahead
+    of the phone and `after_s` behind it; `inset_s` (articulators,) is how far inside the phone's bounds it is at its
+    maximum."""
 
     strength: FloatArray
     before_s: FloatArray
@@ -76,8 +77,8 @@ class Dominance:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class VisemeTable:
-    """The visemes in the order of `VISEMES`. `targets` (15, 52) are their shapes, with the lips' closure as a part of
-    the jaw's opening; `articulator` (52,) is who moves each shape, by its place in `Articulator`, or -1."""
+    """The visemes in the order of `VISEMES`. `targets` (15, 52) are their shapes, with lip closure as a share of the
+    jaw's opening; `articulator` (52,) is the index in `Articulator` of what moves each shape, or -1."""
 
     targets: FloatArray
     leaves_corners: FloatArray
@@ -88,7 +89,8 @@ class VisemeTable:
 
 @dataclass(frozen=True, slots=True)
 class EyeTable:
-    """The eyes' turn in degrees at which each look is whole, and the parts of a look down and up that the lids take."""
+    """The eye rotations in degrees at which each look shape reaches 1, and the shares of a look down and up that lids
+    follow."""
 
     out_deg: float
     in_deg: float
@@ -100,15 +102,15 @@ class EyeTable:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FaceTables:
-    """The checked file. `words` has the 52 weights of every lexeme and of every unit (`AU12`), whole."""
+    """The validated file. `lexemes` has the 52 weights of every lexeme and action unit (`AU12`) at full amount."""
 
-    words: Mapping[str, FloatArray]
+    lexemes: Mapping[str, FloatArray]
     visemes: VisemeTable
     eyes: EyeTable
 
     @classmethod
     def load(cls, path: Path) -> "FaceTables":
-        """Raises AuthoringError with every mistake of the file."""
+        """Read and validate the file. Raises AuthoringError with all its mistakes."""
         source = Source(path)
         file = source.validated(_FaceFile)
         mistakes = tuple(_mistakes(source, file))
@@ -120,7 +122,7 @@ class FaceTables:
 
 
 def sided(weights: FloatArray, side: Side) -> FloatArray:
-    """The weights on one side of the face; what belongs to neither side is done by half."""
+    """The weights on one side of the face; shapes that belong to neither side are halved."""
     if side is Side.BOTH:
         return weights
     other = "Right" if side is Side.LEFT else "Left"
@@ -199,7 +201,7 @@ def _mistakes(source: Source, file: _FaceFile) -> Iterator[Mistake]:
 
 
 def _unknown_parts(source: Source, file: _FaceFile, section: str, known: Collection[str]) -> Iterator[Mistake]:
-    """Units are made of shapes, lexemes of units."""
+    """Unknown names: units are made of shapes, lexemes of units."""
     parts: Mapping[str, Collection[str]] = (
         file.units if section == "units" else {name: entry.units for name, entry in file.lexemes.items()}
     )
@@ -218,7 +220,7 @@ def _missing(source: Source, section: str, wanted: Collection[str], found: Colle
 
 
 def _articulator_mistakes(source: Source, file: _FaceFile) -> Iterator[Mistake]:
-    """Shapes that do not exist, and shapes that two articulators would move."""
+    """Shapes that do not exist, and shapes that belong to two articulators."""
     moved: set[str] = set()
     for articulator, entry in file.articulators.items():
         for number, name in enumerate(entry.shapes):
@@ -243,7 +245,7 @@ def _weights(shapes: Mapping[str, float]) -> FloatArray:
 
 
 def _lexeme_weights(entry: _LexemeEntry, units: Mapping[str, FloatArray]) -> FloatArray:
-    """Units that move the same shape add up to no more than the whole of it, as behaviours do (`expressions`)."""
+    """Combine the units of a lexeme; shapes of several units add up to at most 1, as behaviours do (`expressions`)."""
     left = np.ones(len(SHAPES))
     for unit, share in entry.units.items():
         left *= 1 - share * units[unit]

@@ -1,7 +1,8 @@
-"""Eyes as shapes, and the lids that go with them: looks from the turn of the body's eye joints, lids that follow them.
+"""Eye look shapes from the rotation of the eye joints, and eyelids that follow them.
 
-Conventions: an eye looks along its joint's +Z; up and to the character's left (+X) count as positive. ARKit's looks are
-what the lids do with a gaze; the balls turn with the eye joints. Faces without eye joints turn them by the looks.
+Conventions: an eye looks along its joint's +Z; up and to the character's left (+X) are positive. ARKit's look shapes
+move the lids along with the gaze; the eyeballs rotate with the eye joints. Faces without eye joints rotate them by the
+look shapes.
 """
 
 import numpy as np
@@ -19,8 +20,8 @@ _AHEAD: FloatArray = np.array([0.0, 0.0, 1.0])
 _AHEAD.setflags(write=False)
 
 
-def looks(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> FloatArray:
-    """The weights (T, 52) of the eight looks."""
+def eye_look_weights(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> FloatArray:
+    """The weights (T, 52) of the eight eye look shapes."""
     shapes = np.zeros((len(body.times_s), len(SHAPES)))
     for side, outwards in (("Left", 1.0), ("Right", -1.0)):
         gaze = rotate(body.rotations[:, skeleton.index[side.lower() + "Eye"]], _AHEAD)
@@ -34,8 +35,8 @@ def looks(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> FloatArray:
 
 
 def with_lids(table: EyeTable, shapes: FloatArray) -> FloatArray:
-    """The weights with lids that follow the looks; a lid that closes is no longer wide, squints less, and looks down no
-    more, which would push it beyond shut."""
+    """The weights with lids that follow the looks. A closing lid loses its wide and squint weights, and its look down,
+    which would push it beyond closed."""
     shapes = shapes.copy()
     for side in SIDES:
         blink, wide, squint, look_down = (shapes[:, INDEX[name.format(side)]] for name in _OF_LIDS)

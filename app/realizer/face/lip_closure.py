@@ -1,7 +1,7 @@
-"""When the lips close: the measure of a face's P, B, M, F and V.
+"""Measures when the lips close for P, B, M, F and V.
 
-Lips are shut for P, B and M, lower lip and upper teeth for F and V. The opening is told in parts of the jaw's: what
-`mouthClose` does not close of `jawOpen`, and what lips add that are raised, lowered or funnelled.
+Lips are closed for P, B and M, lower lip and upper teeth for F and V. The opening is a share of the jaw's range:
+`jawOpen` less `mouthClose`, plus what raised, lowered or funnelled lips add.
 """
 
 from dataclasses import dataclass
@@ -14,29 +14,30 @@ from .face_tables import INDEX
 BILABIAL, LABIODENTAL = "PP", "FF"
 
 SHUT = 0.01
-"""An opening that nobody sees, in parts of all that the jaw can."""
+"""An opening too small to see, as a share of the jaw's range."""
 
 LIP_SHARE = 0.25
-"""How far a lip that is wholly raised, lowered or funnelled opens the mouth, in parts of a jaw that is wholly open."""
+"""How far a fully raised, lowered or funnelled lip opens the mouth, as a share of the jaw's range."""
 
 
 @dataclass(frozen=True, slots=True)
 class Closure:
-    """A viseme that wants the mouth shut, and when it is shut for it; None: it never is."""
+    """A viseme that requires a closed mouth, and the interval in which it is closed; None if it never is."""
 
     viseme: Viseme
-    shut: Interval | None
+    closed: Interval | None
 
 
 def lip_opening(shapes: FloatArray, *, to_teeth: bool = False) -> FloatArray:
-    """Between the lips (T,), or between lower lip and upper teeth, which the upper lip does not change."""
+    """The opening (T,) between the lips; or `to_teeth`, between lower lip and upper teeth, which the upper lip does not
+    affect."""
     jaw = shapes[:, INDEX["jawOpen"]] - shapes[:, INDEX["mouthClose"]]
     opening = jaw + LIP_SHARE * (_pair(shapes, "mouthLowerDown") + shapes[:, INDEX["mouthFunnel"]])
     return opening if to_teeth else opening + LIP_SHARE * _pair(shapes, "mouthUpperUp")
 
 
 def lip_closures(visemes: tuple[Viseme, ...], shapes: FloatArray, times_s: FloatArray) -> tuple[Closure, ...]:
-    """One for each bilabial and labiodental: the time around the least opening within its phone in which it is shut."""
+    """One for each bilabial and labiodental: the closed interval around the smallest opening within its phone."""
     openings = {BILABIAL: lip_opening(shapes), LABIODENTAL: lip_opening(shapes, to_teeth=True)}
     return tuple(
         Closure(viseme, _shut(openings[viseme.label], times_s, viseme.interval))

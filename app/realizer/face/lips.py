@@ -1,12 +1,12 @@
-"""Lip sync: the schedule's visemes as mouth, jaw and tongue (paper §3.8, "Lip Syncing").
+"""Lip sync: visemes as shapes of mouth, jaw and tongue (paper §3.8, "Lip Syncing").
 
-The jaw opens as far as the schedule says, wider under stress; every other shape is the viseme's own, as far as it is
-articulated. Who wins where two visemes want something else is `coarticulation`'s matter. `mouthClose` is reckoned as a
-part of the jaw's opening, so that lips that meet do meet, and it is never more than `jawOpen`.
+The jaw opens by the schedule's opening, wider under stress; all other shapes are the viseme's, scaled by articulation.
+`coarticulation` blends neighbouring visemes. `mouthClose` is computed as a share of the jaw's opening so that closed
+lips really meet, and never exceeds `jawOpen`.
 
-Lips lead the sound by `LEAD_S`: the mouth has its shape when the sound begins, not after. Viewers notice picture behind
-sound from 45 ms on, picture before sound only from 125 ms on (ITU-R BT.1359-1), so the lead is on the safe side; more
-would part the lips of a P before it is heard.
+Lips lead the sound by `LEAD_S`, so that the mouth has its shape when the sound begins. Viewers notice a lagging picture
+from 45 ms, a leading one only from 125 ms (ITU-R BT.1359-1); a longer lead would open the lips of a P before it is
+heard.
 """
 
 from collections.abc import Iterable, Iterator
@@ -22,27 +22,27 @@ from .face_tables import INDEX, SILENCE, VISEMES, Articulator, VisemeTable
 LEAD_S = 0.015
 
 WHOLE_PAUSE_S = 0.12
-"""A silence that is shorter has less say: nobody shuts the mouth for the tenth of a second between two words."""
+"""Shorter silences get less dominance: nobody closes the mouth for a tenth of a second between two words."""
 
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 _MARGIN_S = 1.0
-"""More than the horizon of coarticulation."""
+"""Longer than the horizon of coarticulation."""
 
 _NEAR_ZERO = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Speech:
-    """The mouth as speech has it, `shapes` (T, 52), and the part left to expressions: of the mouth's `corners`
-    (T,), and of `lips` and jaw (T,), which are free in silence alone."""
+class LipSync:
+    """The mouth in speech, `shapes` (T, 52), and the shares left to expressions: of the mouth's `corners` (T,), and of
+    `lips` and jaw (T,), which are free only in silence."""
 
     shapes: FloatArray
     corners: FloatArray
     lips: FloatArray
 
 
-def speak(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> Speech:
-    """The mouth at `times_s` of the audio; shut where nothing is said."""
+def lip_sync(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> LipSync:
+    """The mouth at `times_s` of the audio; closed in silence."""
     spoken, segments = _segmented(visemes, times_s)
     columns = np.flatnonzero(np.array(table.articulator) >= 0)
     channels = np.array(table.articulator)[columns]
@@ -54,14 +54,14 @@ def speak(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) 
     shapes = np.zeros((len(times_s), len(SHAPES)))
     shapes[:, columns] = mean[:, :-2]
     shapes[:, _CLOSE] = np.minimum(shapes[:, _CLOSE], 1) * shapes[:, _JAW]
-    return Speech(shapes, corners=mean[:, -2], lips=mean[:, -1])
+    return LipSync(shapes, corners=mean[:, -2], lips=mean[:, -1])
 
 
 def viseme_weights(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArray) -> FloatArray:
-    """How much of each viseme the mouth has (T, 15), for rigs that have them as shapes: in [0, 1], together at most 1.
+    """Weights (T, 15) of the visemes, for rigs that have them as morph targets: each in [0, 1], their sum at most 1.
 
-    One dominance for the whole mouth, in which each viseme has at least an equal say, so that none is passed over.
-    Those that close the lips press on as they do in `speak`, at the cost of the others.
+    They use a single dominance for the whole mouth, in which each viseme has a minimum strength so that none is
+    skipped. Closing visemes are strengthened as in `lip_sync`, at the cost of the others.
     """
     spoken, segments = _segmented(visemes, times_s)
     equal = replace(table.dominance, strength=np.maximum(table.dominance.strength, 1))
@@ -71,7 +71,8 @@ def viseme_weights(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: Flo
 
 
 def _pressed(shares: FloatArray, closing: FloatArray) -> FloatArray:
-    """The shares (T, 15) with those of visemes whose lips close beyond contact grown by as much, up to 1 in all."""
+    """The shares (T, 15), with those of visemes that press the lips beyond contact increased accordingly, up to a sum
+    of 1."""
     grown = shares * np.where(closing > 1, closing, 0)
     grown /= np.maximum(grown.sum(axis=1, keepdims=True), 1)
     others = shares * (closing <= 1)
@@ -80,20 +81,20 @@ def _pressed(shares: FloatArray, closing: FloatArray) -> FloatArray:
 
 
 def _articulation(visemes: tuple[Viseme, ...], segments: Segments) -> FloatArray:
-    """How much of its shape each is; silence is always whole."""
+    """The articulation of each segment; that of silence is 1."""
     silent = segments.kind == VISEMES.index(SILENCE)
     return np.where(silent, 1.0, [viseme.articulation for viseme in visemes])
 
 
 def _targets(table: VisemeTable, visemes: tuple[Viseme, ...], segments: Segments) -> FloatArray:
-    """(segments, 52): each viseme's own shape."""
+    """The shapes (segments, 52) of each viseme."""
     targets = table.targets[segments.kind] * _articulation(visemes, segments)[:, None]
     targets[:, _JAW] = np.array([viseme.opening for viseme in visemes]) * table.widest_jaw
     return np.asarray(targets)
 
 
 def _segmented(visemes: tuple[Viseme, ...], times_s: FloatArray) -> tuple[tuple[Viseme, ...], Segments]:
-    """What is said within a second of the frames, without gaps, and the same as arrays."""
+    """The visemes within a second of the frames, without gaps, and the same as arrays."""
     start_s, end_s = float(times_s[0]) - _MARGIN_S, float(times_s[-1]) + _MARGIN_S
     near = (each for each in visemes if each.interval.end_s > start_s and each.interval.start_s < end_s)
     spoken = tuple(_without_gaps(near, start_s, end_s))
@@ -105,7 +106,7 @@ def _segmented(visemes: tuple[Viseme, ...], times_s: FloatArray) -> tuple[tuple[
 
 
 def _without_gaps(visemes: Iterable[Viseme], start_s: float, end_s: float) -> Iterator[Viseme]:
-    """The visemes with silence wherever there is none, from `start_s` to `end_s`."""
+    """The visemes from `start_s` to `end_s`, with silence in the gaps."""
     at_s = start_s
     for viseme in visemes:
         if viseme.interval.start_s > at_s:

@@ -1,3 +1,2 @@
-"""Mathematics of motion that knows of no body: rotations as quaternions, angles, splines, easing and noise, on whole
-arrays at once. Imports the values alone. Begin with `rotations.py`.
-"""
+"""Mathematics of motion, independent of the body and vectorized: rotations as quaternions, angles, splines, easing and
+noise. Imports only the data model. Begin with `rotations.py`."""

@@ -1,7 +1,7 @@
-"""Turns as people describe them: how far down, to the left, and to which shoulder.
+"""Rotations as pitch, yaw and roll.
 
-Conventions: radians. `pitch` looks down (about x), `yaw` looks to the character's left (about y), `roll` lowers the
-character's right side (about z); yaw is done last. A direction is a unit vector, (0, 0, 1) straight ahead.
+Conventions: radians. Positive `pitch` looks down (about x), `yaw` to the character's left (about y), `roll` tilts to
+the character's right (about z); roll is applied first, yaw last. A direction is a vector; (0, 0, 1) is straight ahead.
 """
 
 import numpy as np
@@ -9,7 +9,7 @@ import numpy as np
 from ...model import FloatArray
 
 
-def turn(pitch: FloatArray, yaw: FloatArray, roll: FloatArray) -> FloatArray:
+def from_pitch_yaw_roll(pitch: FloatArray, yaw: FloatArray, roll: FloatArray) -> FloatArray:
     """The rotations (…, 4) by `roll`, then `pitch`, then `yaw`."""
     sx, cx = np.sin(pitch / 2), np.cos(pitch / 2)
     sy, cy = np.sin(yaw / 2), np.cos(yaw / 2)
@@ -23,7 +23,7 @@ def turn(pitch: FloatArray, yaw: FloatArray, roll: FloatArray) -> FloatArray:
     return np.stack(parts, axis=-1)
 
 
-def angles(q: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+def to_pitch_yaw_roll(q: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Pitch, yaw and roll of the rotations (…, 4); pitch lies in [-π/2, π/2]."""
     x, y, z, w = (q[..., k] for k in range(4))
     pitch = np.arcsin(np.clip(2 * (w * x - y * z), -1.0, 1.0))
@@ -32,12 +32,12 @@ def angles(q: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     return pitch, yaw, roll
 
 
-def aim(direction: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Pitch and yaw of the directions (…, 3) of any length."""
+def pitch_and_yaw(direction: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Pitch and yaw of the directions (…, 3), of any length."""
     x, y, z = (direction[..., k] for k in range(3))
     return np.arctan2(-y, np.hypot(x, z)), np.arctan2(x, z)
 
 
-def direction(pitch: FloatArray, yaw: FloatArray) -> FloatArray:
-    """Where one looks (…, 3) that is turned so."""
+def unit_vector(pitch: FloatArray, yaw: FloatArray) -> FloatArray:
+    """The unit vectors (…, 3) with this pitch and yaw."""
     return np.stack([np.cos(pitch) * np.sin(yaw), -np.sin(pitch), np.cos(pitch) * np.cos(yaw)], axis=-1)

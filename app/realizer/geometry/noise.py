@@ -1,8 +1,8 @@
-"""Perlin's gradient noise in one dimension, for what is never quite still (paper §3.8; Perlin 2002).
+"""One-dimensional Perlin gradient noise for idle movement (paper §3.8; Perlin 2002).
 
-Conventions: the lattice lies at whole multiples of the period from time 0, where every channel is zero; between its
-points each channel follows slopes that depend on seed, channel and lattice point alone, so a moment has the same noise
-however many others are asked for with it. Values lie in [-1, 1].
+Conventions: lattice points are multiples of the period from time 0, where every channel is zero. Slopes depend only on
+seed, channel and lattice point, so the noise at a time does not depend on which other times are requested. Values are
+in [-1, 1].
 """
 
 import numpy as np
@@ -13,18 +13,17 @@ from .easing import minimum_jerk
 
 _LARGEST = 2.0**64
 _GOLDEN = 0.618033988749895
-"""Multiples of it spread evenly over [0, 1), however many there are."""
+"""Its multiples modulo 1 are spread evenly over [0, 1), however many there are."""
 
 
 def perlin(
     times_s: FloatArray, *, frequency_hz: float, seed: int, channels: int = 1, in_step: bool = True
 ) -> FloatArray:
-    """Smooth noise (T, channels) with `frequency_hz` lattice points a second.
+    """Smooth noise (T, channels) with `frequency_hz` lattice points per second.
 
-    Between lattice points slopes give way to each other by 6t⁵ - 15t⁴ + 10t³ (Perlin 2002), so the second derivative
-    has no steps. Perlin picks slopes from a short list by a permuted table; here they are drawn evenly from [-2, 2] by
-    a hash of integers, which repeats nowhere. Channels that are not `in_step` have lattices of their own, evenly
-    shifted, and are not zero all at once.
+    Slopes are blended by 6t⁵ - 15t⁴ + 10t³ (Perlin 2002), so the second derivative is continuous. Perlin takes slopes
+    from a short permuted table; here an integer hash draws them uniformly from [-2, 2], without repetition. Unless
+    `in_step`, channels have lattices shifted evenly against each other and are not all zero at once.
     """
     at = np.asarray(times_s, dtype=np.float64)[:, None] * frequency_hz
     if not in_step:
@@ -40,7 +39,7 @@ def perlin(
 
 
 def _slopes(points: NDArray[np.int64], seed: int, channels: int) -> FloatArray:
-    """(points, channels), evenly from [-2, 2]."""
+    """Slopes (points, channels), uniform in [-2, 2]."""
     start = np.full(1, seed & (2**64 - 1), dtype=np.uint64)
     of_channel = _mixed(np.asarray(_mixed(start) + np.arange(channels, dtype=np.uint64), dtype=np.uint64))
     hashed = _mixed(np.add(of_channel[None, :], points.astype(np.uint64)[:, None]))
@@ -48,7 +47,7 @@ def _slopes(points: NDArray[np.int64], seed: int, channels: int) -> FloatArray:
 
 
 def _mixed(number: NDArray[np.uint64]) -> NDArray[np.uint64]:
-    """A bijection that changes half the bits for every one that changes (SplitMix64; Steele, Lea & Flood 2014)."""
+    """A bijective integer hash (SplitMix64; Steele, Lea & Flood 2014)."""
     number = number + np.uint64(0x9E3779B97F4A7C15)
     number = (number ^ (number >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     number = (number ^ (number >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)

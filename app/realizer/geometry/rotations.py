@@ -1,7 +1,7 @@
-"""Rotations as unit quaternions x y z w, in arrays of shape (…, 4); every function works on whole arrays at once.
+"""Vectorized operations on rotations as unit quaternions x y z w, in arrays of shape (…, 4).
 
-Conventions: the last axis holds the quaternion (or the vector, x y z); angles are radians; `multiply(a, b)` turns by b
-first, then by a, as matrices do.
+Conventions: the last axis holds the quaternion (or the vector, x y z); angles are radians; `multiply(a, b)` applies b
+first, then a, as with matrices.
 """
 
 import numpy as np
@@ -28,19 +28,19 @@ def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
 
 
 def inverse(q: FloatArray) -> FloatArray:
-    """The rotation back."""
+    """The inverse rotation."""
     return np.asarray(q * np.array([-1.0, -1.0, -1.0, 1.0]))
 
 
 def rotate(q: FloatArray, vector: FloatArray) -> FloatArray:
-    """`vector` (…, 3) turned by `q`."""
+    """`vector` (…, 3) rotated by `q`."""
     axis, w = q[..., :3], q[..., 3:]
     twice = 2.0 * cross(axis, vector)
     return np.asarray(vector + w * twice + cross(axis, twice))
 
 
 def cross(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The vectors at right angles to both (…, 3): `np.cross`, several times as fast."""
+    """The cross products (…, 3): several times as fast as `np.cross`."""
     ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
     bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
     x = ay * bz - az * by
@@ -52,17 +52,17 @@ def cross(a: FloatArray, b: FloatArray) -> FloatArray:
 
 
 def dot(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The sums of products over the last axis, which is kept as one of length 1."""
+    """The dot products over the last axis, which is kept with length 1."""
     return np.asarray(np.einsum("...k,...k->...", a, b)[..., None])
 
 
 def length(vector: FloatArray) -> FloatArray:
-    """The lengths over the last axis, which is kept as one of length 1: `np.linalg.norm`, several times as fast."""
+    """The norms over the last axis, which is kept with length 1: several times as fast as `np.linalg.norm`."""
     return np.asarray(np.sqrt(dot(vector, vector)))
 
 
 def from_rotation_vector(vector: FloatArray) -> FloatArray:
-    """The rotation about the axis `vector` (…, 3) by its length."""
+    """The rotation about the axis `vector` (…, 3) by its length in radians."""
     half = length(vector) / 2
     turned = np.empty((*vector.shape[:-1], 4))
     turned[..., :3] = vector * np.where(half > _NEAR_ZERO, np.sin(half) / np.maximum(2 * half, _NEAR_ZERO), 0.5)
@@ -71,20 +71,20 @@ def from_rotation_vector(vector: FloatArray) -> FloatArray:
 
 
 def to_rotation_vector(q: FloatArray) -> FloatArray:
-    """Axis times angle, the shorter way round: at most π long."""
+    """Axis times angle (…, 3) of the shorter rotation, at most π long."""
     q = np.where(q[..., 3:] < 0, -q, q)
     sine = length(q[..., :3])
     angle = 2 * np.arctan2(sine, q[..., 3:])
     return np.asarray(q[..., :3] * np.where(sine > _NEAR_ZERO, angle / np.maximum(sine, _NEAR_ZERO), 2.0))
 
 
-def about(axis: tuple[float, float, float], angle: FloatArray) -> FloatArray:
-    """The rotations by the angles (…) about one axis of length 1."""
+def from_axis_angle(axis: tuple[float, float, float], angle: FloatArray) -> FloatArray:
+    """The rotations by the angles (…) about one unit axis."""
     half = np.asarray(angle)[..., None] / 2
     return np.concatenate([np.sin(half) * np.array(axis), np.cos(half)], axis=-1)
 
 
-def between(a: FloatArray, b: FloatArray) -> FloatArray:
+def shortest_rotation(a: FloatArray, b: FloatArray) -> FloatArray:
     """The shortest rotation that takes the direction `a` (…, 3) to the direction `b`."""
     a, b = a / length(a), b / length(b)
     w = 1 + dot(a, b)
@@ -94,7 +94,7 @@ def between(a: FloatArray, b: FloatArray) -> FloatArray:
 
 
 def from_axes(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
-    """The rotation that takes the base axes to `x`, `y` and `z` (…, 3), which are orthonormal and right-handed."""
+    """The rotation that maps the base axes to `x`, `y` and `z` (…, 3), which are orthonormal and right-handed."""
     w = 1 + x[..., 0] + y[..., 1] + z[..., 2]
     yz, zx, xy = y[..., 2] - z[..., 1], z[..., 0] - x[..., 2], x[..., 1] - y[..., 0]
     if w.min(initial=1.0) > 0.1:
@@ -103,7 +103,7 @@ def from_axes(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
 
 
 def _largest_first(x: FloatArray, y: FloatArray, z: FloatArray, by_w: tuple[FloatArray, ...]) -> FloatArray:
-    """From axes, by whichever of the four components is the largest; by the smallest, digits are lost."""
+    """The quaternion computed from its largest component, for numerical accuracy."""
     yz, zx, xy, w = by_w
     weights = [
         1 + x[..., 0] - y[..., 1] - z[..., 2],
@@ -118,11 +118,12 @@ def _largest_first(x: FloatArray, y: FloatArray, z: FloatArray, by_w: tuple[Floa
 
 
 def normalized(q: FloatArray) -> FloatArray:
+    """The quaternions scaled to unit length."""
     return np.asarray(q / length(q))
 
 
-def of_one_sign(q: FloatArray) -> FloatArray:
-    """The same rotations, q (T, …, 4), each of the sign that is nearer to the one before it in time."""
+def with_continuous_signs(q: FloatArray) -> FloatArray:
+    """The same rotations (T, …, 4), with signs such that each quaternion is near to the previous one in time."""
     turned = dot(q[1:], q[:-1]) < 0
     if not turned.any():
         return q
@@ -130,12 +131,12 @@ def of_one_sign(q: FloatArray) -> FloatArray:
 
 
 def nearest_sign(q: FloatArray, to: FloatArray) -> FloatArray:
-    """The same rotations as `q` (…, 4), each of the sign that is nearer to `to` (…, 4)."""
+    """The same rotations `q` (…, 4), with the sign nearer to `to` (…, 4)."""
     return np.asarray(np.where(dot(q, to) < 0, -q, q))
 
 
 def slerp(a: FloatArray, b: FloatArray, share: FloatArray) -> FloatArray:
-    """The rotation `share` (…, in [0, 1]) of the shorter way from `a` to `b`."""
+    """Spherical linear interpolation: the rotation at `share` (…), in [0, 1], of the shorter way from `a` to `b`."""
     turn = to_rotation_vector(multiply(inverse(a), b))
     return multiply(a, from_rotation_vector(turn * np.asarray(share)[..., None]))
 

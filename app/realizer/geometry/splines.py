@@ -1,14 +1,14 @@
-"""Kochanek-Bartels (tension, continuity, bias) splines through rotations, at any times.
+"""Kochanek-Bartels (tension, continuity, bias) splines through rotations, at arbitrary times.
 
-Conventions: a `Curve` goes through its own keys (K, 4) at its own rising times (K,); curves are worked out together,
-and results are (T, C, 4). Before the first key and after the last the value rests, and the speed there is zero.
-Tangents are rotation vectors in the key's own space, so a spline does not depend on the world's axes.
+Conventions: a `Curve` interpolates its own keys (K, 4) at its own increasing times (K,); curves are evaluated together,
+and results are (T, C, 4). Before the first key and after the last the value is constant, with zero velocity. Tangents
+are rotation vectors in the key's own space, so a spline does not depend on the world's axes.
 
-The tangents are Kochanek and Bartels's (1984) with the differences in log space, as Eberly has them for quaternions.
-Departures: between keys runs a cumulative Bézier curve (Kim, Kim & Shin 1995) instead of Eberly's squad, which takes
-its inner way round wrongly once a key turns by more than 90°; tangents are speeds, so that uneven times do not break
-the smoothness (Kochanek & Bartels's own correction of the speed); and a tangent is at most three times the slope on
-either side, zero beside a key that is repeated, so holds stay and curves do not swing out (Fritsch & Carlson 1980).
+The tangents are those of Kochanek and Bartels (1984) with differences in log space, as in Eberly's version for
+quaternions. Differences: segments are cumulative Bézier curves (Kim, Kim & Shin 1995) instead of Eberly's squad, whose
+inner control points go wrong when a key rotates by more than 90°; tangents are velocities, so that uneven key times
+stay smooth (Kochanek & Bartels's own velocity correction); and a tangent is at most three times the slope on either
+side, zero beside a repeated key, so holds are constant and curves do not overshoot (Fritsch & Carlson 1980).
 """
 
 from collections.abc import Iterable, Sequence
@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from .rotations import from_rotation_vector, inverse, length, multiply, of_one_sign, to_rotation_vector
+from .rotations import from_rotation_vector, inverse, length, multiply, to_rotation_vector, with_continuous_signs
 
 _MOST_SLOPE = 3.0
 _STILL = 1e-9
@@ -26,7 +26,7 @@ _STILL = 1e-9
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Curve:
-    """Keys (K, 4) at times (K,), and tension, continuity and bias (K, 3) at each, in [-1, 1]; zero makes the
+    """Keys (K, 4) at times (K,), and `shape` (K, 3): tension, continuity and bias at each, in [-1, 1]; zeros give a
     Catmull-Rom spline."""
 
     times_s: FloatArray
@@ -35,10 +35,10 @@ class Curve:
 
 
 def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
-    """The rotations (T, C, 4) at `times_s` (T,) on the way through each curve's keys."""
+    """The rotations (T, C, 4) of the curves at `times_s` (T,)."""
     counts = [max(len(curve.times_s), 2) for curve in curves]
     key_times_s = np.concatenate([_two_at_least(curve.times_s, 1.0) for curve in curves])
-    keys = of_one_sign(np.concatenate([_two_at_least(curve.keys, 0.0) for curve in curves]))
+    keys = with_continuous_signs(np.concatenate([_two_at_least(curve.keys, 0.0) for curve in curves]))
     shape = np.concatenate([_two_at_least(curve.shape, 0.0) for curve in curves])
     lasts = np.cumsum(counts, dtype=np.intp) - 1
     spans_s = np.diff(key_times_s)
@@ -59,12 +59,12 @@ def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
 
 
 def _two_at_least(values: FloatArray, later: float) -> FloatArray:
-    """A curve of one key stays there."""
+    """Repeat the key of a curve that has only one."""
     return values if len(values) > 1 else np.concatenate([values, values + later])
 
 
 def _segments(curves: Sequence[Curve], firsts: Iterable[int], times_s: FloatArray) -> NDArray[np.intp]:
-    """The key (T, C) that each curve has passed last, among all curves' keys one after another."""
+    """The index (T, C) of the last key that each curve has passed, in the concatenation of all curves' keys."""
     found = np.empty((len(times_s), len(curves)), dtype=np.intp)
     known: dict[bytes, NDArray[np.intp]] = {}
     for column, (curve, first) in enumerate(zip(curves, firsts, strict=True)):
@@ -79,8 +79,8 @@ def _segments(curves: Sequence[Curve], firsts: Iterable[int], times_s: FloatArra
 def _turns(
     keys: FloatArray, spans_s: FloatArray, shape: FloatArray, lasts: NDArray[np.intp]
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """The three turns (N-1, 3) that make a segment's Bézier curve, of all curves' keys (N, 4) one after another; those
-    from the last key of one curve to the first of the next mean nothing."""
+    """The three rotation vectors (N-1, 3) of each segment's Bézier curve, for the concatenated keys (N, 4) of all
+    curves; those between the last key of one curve and the first of the next are meaningless."""
     step = multiply(inverse(keys[:-1]), keys[1:])
     leaving, arriving = _tangents(to_rotation_vector(step), spans_s, shape)
     leaving[lasts[:-1] + 1] = 0.0
@@ -91,10 +91,10 @@ def _turns(
 
 
 def _tangents(steps: FloatArray, spans_s: FloatArray, shape: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Speeds (N-1, 3) with which each segment leaves its first key and arrives at its second.
+    """Velocities (N-1, 3) at which each segment leaves its first key and arrives at its second.
 
-    Kochanek & Bartels's equations 8 and 9 weigh the steps before and after a key; divided by the mean of the two spans
-    they are speeds, the same on both sides of a key whose continuity is 0.
+    Kochanek & Bartels's equations 8 and 9 weigh the differences before and after a key; divided by the mean of the two
+    spans they are velocities, equal on both sides of a key with continuity 0.
     """
     tension, continuity, bias = (shape[1:-1, part, None] for part in range(3))
     before, after = steps[:-1], steps[1:]
@@ -111,9 +111,11 @@ def _at_most(vector: FloatArray, longest: FloatArray) -> FloatArray:
 
 
 def _parts_of_turns(turns: FloatArray, segment: NDArray[np.intp], weight: FloatArray) -> FloatArray:
-    """The rotations by `weight` (T, C) of the turn (N, 3) of each segment (T, C), as four arrays (4, T, C).
+    """The rotations by `weight` (T, C) of the rotation vector (N, 3) of each segment (T, C), as four arrays (4, T, C).
 
-    Axes are worked out once a segment, and components are kept apart: this is where a realizer's time goes."""
+    Axes are computed once per segment and components kept in separate arrays, because most of the realizer's time is
+    spent here.
+    """
     angle = length(turns)
     axis = (turns / np.maximum(angle, 1e-12)).T
     half = (0.5 * angle[:, 0])[segment] * weight

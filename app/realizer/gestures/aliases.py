@@ -1,4 +1,5 @@
-"""Lexemes that other BML speaks, by the category of ours that shows them: `aliases.yaml` beside the gestures."""
+"""Reads `aliases.yaml` in the gesture folder: lexemes of other BML dialects, by the category of ours that shows
+them."""
 
 import re
 from collections.abc import Collection, Iterator, Mapping
@@ -14,13 +15,13 @@ _LEXEME = re.compile(r"[A-Z][A-Z0-9]*(_[A-Z0-9]+)*")
 
 
 class Aliases(Entry):
-    """The file: by category, the lexemes that mean it."""
+    """The file format: for each category, its aliases."""
 
     aliases: Mapping[str, tuple[str, ...]]
 
 
 def read_aliases(path: Path, categories: Collection[str]) -> Mapping[str, str]:
-    """Our category by foreign lexeme. Raises AuthoringError with every mistake, as a category without gestures."""
+    """Our category by foreign lexeme. Raises AuthoringError with all mistakes, such as categories without gestures."""
     source = Source(path)
     listed = source.validated(Aliases).aliases
     mistakes = [source.mistake(where, told) for where, told in _mistakes(listed, categories)]

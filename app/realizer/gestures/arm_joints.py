@@ -1,4 +1,4 @@
-"""The joints of an arm, from the collarbone to the fingertips, and the parts that a gesture can say something of."""
+"""The joints of an arm from collarbone to fingertips, and the independently moving parts that a gesture can define."""
 
 from ...model import Hand
 from ..body.skeleton import FINGERS
@@ -10,7 +10,7 @@ FINGER_JOINTS: tuple[str, ...] = tuple(
     for phalanx in (("Metacarpal", "Proximal", "Distal") if finger == "Thumb" else _PHALANGES)
 )
 PARTS: tuple[str, ...] = ("Shoulder", "UpperArm", "Elbow", "LowerArm", "Hand", *FINGER_JOINTS)
-"""The rows of a `PartialPose`: an arm's joints, but the lower arm's rotation as the elbow's hinge, then its twist."""
+"""The rows of a `PartialPose`: the joints of an arm, with the lower arm split into the elbow's hinge and the twist."""
 
 
 def arm_joints(side: Hand) -> tuple[str, ...]:

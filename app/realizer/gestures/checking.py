@@ -1,6 +1,6 @@
-"""What makes no sense in a gesture that is written well (Gesture Engine §4.3): times, phases, strokes, names.
+"""Semantic checks of parsed gestures (Gesture Engine §4.3): frame times, phases, strokes, duplicate names.
 
-Frame times rise within 0 … 1, phases follow each other, the stroke is there, the first frame puts the arm somewhere.
+Frame times increase within 0 … 1, phases are in order, there is a stroke, and the first frame places the arm.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -10,21 +10,21 @@ from itertools import pairwise
 from ...errors import Mistake
 from .gesture import ArmKey, FrameType
 from .language import mistake_in
-from .statements import FrameTree, GestureFile, GestureTree, Located, Statement, Word
+from .statements import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word
 
 IN_ORDER: tuple[FrameType, ...] = tuple(FrameType)
-"""The order of the phases."""
+"""The phases in order."""
 
 REPEATED = frozenset({FrameType.PREPARATION, FrameType.STROKE, FrameType.HOLD, FrameType.RETRACTION})
-"""Poses inside a phase: as many as it takes. The other types are moments, of which there is one."""
+"""Poses within a phase, which may occur any number of times. The other types are instants and occur once."""
 
 _PARTS = frozenset({"FINGER", "JOINT", "EXPRESSIVITY"})
-"""Statements that may stand several times, each with another first word."""
+"""Statements that may occur several times, each with a different first word."""
 
 
 @dataclass(frozen=True, slots=True)
 class TimedFrame:
-    """A frame as understood; None where its file is wrong. `type_at` is where its type stands."""
+    """An interpreted frame; fields are None where the file is wrong. `type_at` is the position of its type."""
 
     tree: FrameTree
     time: float | None
@@ -35,89 +35,89 @@ class TimedFrame:
     noise: bool
 
 
-def frame_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[Located]:
-    """All that is wrong with the frames of a gesture together."""
+def frame_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[LocatedMistake]:
+    """All mistakes in the frames of a gesture."""
     for frame in frames:
-        sound = all(statement.sound for statement in frame.tree.statements)
-        if sound and not any(statement.keyword.text == "FRAMETYPE" for statement in frame.tree.statements):
-            yield Located(frame.tree.start.keyword, "this frame has no FRAMETYPE")
+        readable = all(statement.readable for statement in frame.tree.statements)
+        if readable and not any(statement.keyword.text == "FRAMETYPE" for statement in frame.tree.statements):
+            yield LocatedMistake(frame.tree.start.keyword, "this frame has no FRAMETYPE")
     yield from _time_mistakes(frames)
     yield from _phase_mistakes(frames)
-    if tree.all_sound() and all(frame.time is not None and frame.type is not None for frame in frames):
+    if tree.all_readable() and all(frame.time is not None and frame.type is not None for frame in frames):
         yield from _stroke_mistakes(tree, frames)
         yield from _place_mistakes(frames)
 
 
-def said_twice(statements: Iterable[Statement]) -> Iterator[Located]:
-    """The lines of a frame or a header that say again what an earlier one says."""
+def repeated_statements(statements: Iterable[Statement]) -> Iterator[LocatedMistake]:
+    """The lines of a frame or header that repeat an earlier statement."""
     seen: dict[tuple[str, ...], Word] = {}
     for statement in statements:
         keyword = statement.keyword
         part = [word.text for word in statement.words[:1]] if keyword.text in _PARTS else []
         key = ("OTHER" if statement.other else "", keyword.text, *part)
-        if statement.sound and key in seen:
+        if statement.readable and key in seen:
             what = " ".join(filter(None, key))
-            yield Located(keyword, f"{what} stands here a second time; the first is in line {seen[key].line}")
+            yield LocatedMistake(keyword, f"{what} stands here a second time; the first is in line {seen[key].line}")
         seen.setdefault(key, keyword)
 
 
-def names_twice(files: Sequence[GestureFile]) -> Iterator[Mistake]:
-    """Gestures of one name, in one file or several: a mistake at each but the first."""
+def duplicate_names(files: Sequence[GestureFile]) -> Iterator[Mistake]:
+    """Gestures with the same name, in one file or several: a mistake at each but the first."""
     first: dict[str, tuple[GestureFile, Word]] = {}
     for file in files:
         for name in (word for tree in file.gestures for word in _names(tree)):
             if name.text in first:
                 there, earlier = first[name.text]
                 told = f"a gesture called {name.text} is also at {there.path}:{earlier.line}; a name must be said once"
-                yield mistake_in(file, Located(name, told))
+                yield mistake_in(file, LocatedMistake(name, told))
             first.setdefault(name.text, (file, name))
 
 
 def _names(tree: GestureTree) -> Iterator[Word]:
     for statement in tree.header:
-        if statement.keyword.text == "GESTUREINSTANCE" and statement.sound:
+        if statement.keyword.text == "GESTUREINSTANCE" and statement.readable:
             yield statement.words[0]
 
 
-def _time_mistakes(frames: Sequence[TimedFrame]) -> Iterator[Located]:
+def _time_mistakes(frames: Sequence[TimedFrame]) -> Iterator[LocatedMistake]:
     for before, after in pairwise(frame for frame in frames if frame.time is not None):
         assert before.time is not None
         assert after.time is not None
         if after.time <= before.time:
             told = f"the times of frames rise; this one is not after the one before it at {before.time:g}"
-            yield Located(after.tree.start.numbers[0], told)
+            yield LocatedMistake(after.tree.start.numbers[0], told)
 
 
-def _phase_mistakes(frames: Sequence[TimedFrame]) -> Iterator[Located]:
+def _phase_mistakes(frames: Sequence[TimedFrame]) -> Iterator[LocatedMistake]:
     for before, after in pairwise(frame for frame in frames if frame.type is not None):
         assert before.type is not None
         assert after.type is not None
         if after.type is before.type and after.type not in REPEATED:
-            yield Located(after.type_at, f"a gesture has one {after.type}; the frame before is that already")
+            yield LocatedMistake(after.type_at, f"a gesture has one {after.type}; the frame before is that already")
         elif IN_ORDER.index(after.type) < IN_ORDER.index(before.type):
-            yield Located(
+            yield LocatedMistake(
                 after.type_at, f"{after.type} cannot follow {before.type}; the order is {', '.join(IN_ORDER)}"
             )
 
 
-def _stroke_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[Located]:
-    """Only the stroke is mandatory, and it takes time: from a frame before it or its start, to its end."""
+def _stroke_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[LocatedMistake]:
+    """Only the stroke is mandatory. It must have a duration: from its start or the frame before it, to its end."""
     types = [frame.type for frame in frames]
     ends = [position for position, type_ in enumerate(types) if type_ in {FrameType.STROKE, FrameType.STROKE_END}]
     if not frames:
-        yield Located(tree.start, "this gesture has no frames; it needs a stroke at least")
+        yield LocatedMistake(tree.start, "this gesture has no frames; it needs a stroke at least")
     elif not ends:
         told = "this gesture has no stroke: a frame of type stroke_start and one of stroke_end, or stroke"
-        yield Located(tree.start, told)
+        yield LocatedMistake(tree.start, told)
     elif ends[-1] == 0:
         told = "the stroke is the first frame and takes no time; say where it comes from in a frame before it"
-        yield Located(frames[0].tree.start.keyword, told)
+        yield LocatedMistake(frames[0].tree.start.keyword, told)
 
 
-def _place_mistakes(frames: Sequence[TimedFrame]) -> Iterator[Located]:
-    """Where a gesture begins must be said; what follows may leave it open."""
+def _place_mistakes(frames: Sequence[TimedFrame]) -> Iterator[LocatedMistake]:
+    """The first frame must place the arm; later ones may leave the place open."""
     for frame in frames[:1]:
         fixed = {name for name, _ in frame.leading.joints}
         if frame.leading.place is None and not {"UpperArm", "LowerArm"} <= fixed:
             told = "the first frame must say where the arm is: ARM, or JOINT for UpperArm and LowerArm"
-            yield Located(frame.tree.start.keyword, told)
+            yield LocatedMistake(frame.tree.start.keyword, told)

@@ -1,8 +1,8 @@
-"""Clips out of definitions: one gesture, at one level of agitation, by one hand or both, with times in seconds.
+"""Makes clips from gesture definitions: one level of agitation, one hand or both, times in seconds.
 
-The seven markers (paper §3.8, Table 3) come from the frames. Those that a definition leaves out are derived: without
-`ready` the hand does not wait before the stroke; without `stroke` the emphasis lies at `EMPHASIS` of the stroke;
-without `relax` the hand rests until the last `hold` frame, or not at all.
+The seven markers (paper §3.8, Table 3) come from the frames. Missing ones are derived: without `ready` there is no
+pre-stroke hold; without `stroke` the emphasis is at `EMPHASIS` of the stroke; without `relax` the post-stroke hold
+lasts until the last `hold` frame, or there is none.
 """
 
 from collections.abc import Sequence
@@ -15,15 +15,15 @@ from .gesture import ArmKey, Clip, ClipKey, Definition, Expressivity, Frame, Fra
 from .gesture_space import sector_m
 
 EMPHASIS = 0.61
-"""Where in a stroke people put the emphasis, as a part of it (shared/motion.md)."""
+"""Where speakers put the emphasis within a stroke, as a share of its duration (shared/motion.md)."""
 
 LEADING = Hand.RIGHT
-"""The leading hand of a gesture of both: the first to be told in its file."""
+"""The leading hand of a two-handed gesture, whose keys come first in its file."""
 
 
 def clip(definition: Definition, level: Level, hand: Hand, category: str) -> Clip:
-    """`definition` as `hand` makes it: a one-handed one is mirrored for the left or for both hands; of one for both
-    hands, a single hand makes the leading one's part. Raises KeyError at a level for which it is not fit."""
+    """The gesture as made by `hand`. One-handed definitions are mirrored for the left or for both hands; of two-handed
+    ones, a single hand plays the leading hand's part. Raises KeyError for a level that the definition does not suit."""
     expressivity = definition.levels[level]
     scale_s = definition.duration_s / expressivity.tempo
     markers = relative_markers(definition.frames)
@@ -42,7 +42,7 @@ def clip(definition: Definition, level: Level, hand: Hand, category: str) -> Cli
 
 
 def relative_markers(frames: Sequence[Frame]) -> Markers:
-    """The markers on the scale of the frames, 0 … 1 of the gesture; `frames` have passed the checks of a definition."""
+    """The markers as fractions 0 … 1 of the gesture; `frames` must have passed the checks."""
     at: dict[FrameType, float] = {frame.type: frame.time for frame in frames}
     strokes = [frame.time for frame in frames if frame.type is FrameType.STROKE]
     stroke_end = at.get(FrameType.STROKE_END, strokes[-1] if strokes else 1.0)
@@ -61,14 +61,14 @@ def relative_markers(frames: Sequence[Frame]) -> Markers:
 
 
 def _before_the_stroke(frames: Sequence[Frame]) -> float:
-    """Where the stroke comes from when no frame is its start: the last frame before its poses."""
+    """The start of the stroke when no frame marks it: the last frame before the stroke's poses."""
     poses = {FrameType.STROKE, FrameType.STROKE_END}
     first = next(position for position, frame in enumerate(frames) if frame.type in poses)
     return frames[max(first - 1, 0)].time
 
 
 def _key(frame: Frame, hand: Hand, scale_s: float) -> ClipKey:
-    """Keys are as their own arm sees them, so the mirror image is the same key on the other side."""
+    """Keys are relative to their own arm, so the mirror image is the same key on the other side."""
     arms: dict[Hand, ArmKey] = {LEADING: frame.leading, Hand.LEFT: frame.other or frame.leading}
     if hand is not Hand.BOTH:
         arms = {hand: frame.leading}
@@ -76,8 +76,8 @@ def _key(frame: Frame, hand: Hand, scale_s: float) -> ClipKey:
 
 
 def _stroke_speed_m_s(frames: Sequence[Frame], markers: Markers, expressivity: Expressivity, scale_s: float) -> float:
-    """The way of the leading hand from place to place, straight from each to the next, by the time the stroke takes.
-    A frame that leaves the place open lies on the way between its neighbours'."""
+    """The mean speed of the leading hand along straight lines between its places. A frame without a place is
+    interpolated between its neighbours."""
     placed = [(frame.time, frame.leading.place) for frame in frames if frame.leading.place is not None]
     if not placed:
         return 0.0

@@ -1,7 +1,7 @@
-"""Gesture definitions out of what a file says (`statements.py`), or every mistake in them.
+"""Builds gesture definitions from parsed statements (`statements.py`), collecting every mistake.
 
-A level of agitation that a file says nothing of is made from medium: low smaller, slower and rounder, high larger,
-faster and sharper. What OTHER does not say in a frame that has it, the other arm does as the mirror image.
+Levels of agitation that a file does not define are derived from medium: low is smaller, slower and smoother, high
+larger, faster and sharper. In a frame with OTHER, whatever it leaves open is mirrored from the leading arm.
 """
 
 import re
@@ -11,10 +11,10 @@ from pathlib import Path
 from types import MappingProxyType
 
 from ...model import Hand, Level
-from .checking import TimedFrame, frame_mistakes, said_twice
+from .checking import TimedFrame, frame_mistakes, repeated_statements
 from .gesture import ArmKey, Definition, Expressivity, Frame, FrameType
 from .specifiers import arm_key, number, one_of
-from .statements import FrameTree, GestureTree, Located, Statement, Word
+from .statements import FrameTree, GestureTree, LocatedMistake, Statement, Word
 
 MEDIUM = Expressivity(repetition=0.35)
 FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(
@@ -24,7 +24,7 @@ FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(
 SUMMANDS: Mapping[Level, tuple[float, float, float]] = MappingProxyType(
     {Level.LOW: (0.2, -0.2, -0.2), Level.MEDIUM: (0.0, 0.0, 0.0), Level.HIGH: (-0.15, 0.25, 0.3)}
 )
-"""Fluidity, power and repetition of a level, on top of medium's."""
+"""Fluidity, power and repetition of a level, added to medium's."""
 RANGES: Mapping[str, tuple[float, float]] = MappingProxyType(
     {
         "amplitude": (0.25, 2.0),
@@ -51,15 +51,15 @@ class _Header:
     aimed: bool
 
 
-def definition(tree: GestureTree, path: Path | None, wrong: list[Located]) -> Definition | None:
-    """The gesture that `tree` defines; None when anything in it is wrong, and each mistake in `wrong`."""
-    found: list[Located] = []
+def definition(tree: GestureTree, path: Path | None, wrong: list[LocatedMistake]) -> Definition | None:
+    """The gesture defined by `tree`, or None if it has mistakes, which are appended to `wrong`."""
+    found: list[LocatedMistake] = []
     header = _header(tree, found)
     both = header is None or header.hand is Hand.BOTH
     timed = [_timed(frame, found, both=both) for frame in tree.frames]
     found += frame_mistakes(tree, timed)
     wrong += found
-    if found or header is None or not tree.all_sound():
+    if found or header is None or not tree.all_readable():
         return None
     return Definition(
         gesture_class=header.gesture_class,
@@ -75,8 +75,8 @@ def definition(tree: GestureTree, path: Path | None, wrong: list[Located]) -> De
     )
 
 
-def derived(level: Level, medium: Expressivity) -> Expressivity:
-    """How a gesture that is made as `medium` at medium agitation is made at another, when its file does not say."""
+def derived_expressivity(level: Level, medium: Expressivity) -> Expressivity:
+    """The default expressivity at `level` of a gesture with this expressivity at medium agitation."""
     amplitude, tempo = FACTORS[level]
     rounder, stronger, again = SUMMANDS[level]
     made = replace(
@@ -94,10 +94,10 @@ def _within(value: float, least: float, most: float) -> float:
     return min(max(value, least), most)
 
 
-def _header(tree: GestureTree, wrong: list[Located]) -> _Header | None:
-    """None when a statement that it needs is missing, wrong or could not be read."""
-    wrong += (*said_twice(tree.header), *_missing(tree))
-    said = {statement.keyword.text: statement for statement in tree.header if statement.sound}
+def _header(tree: GestureTree, wrong: list[LocatedMistake]) -> _Header | None:
+    """None if a required statement is missing, wrong or unreadable."""
+    wrong += (*repeated_statements(tree.header), *_missing(tree))
+    said = {statement.keyword.text: statement for statement in tree.header if statement.readable}
     hand = one_of(Hand, said["ARMS"].words[0], "an arm, nor both", wrong) if "ARMS" in said else None
     categories = _categories(said["CATEGORY"].words, wrong) if "CATEGORY" in said else ()
     levels = _levels(tree.header, wrong)
@@ -120,56 +120,60 @@ def _header(tree: GestureTree, wrong: list[Located]) -> _Header | None:
     )
 
 
-def _missing(tree: GestureTree) -> Iterator[Located]:
-    """What a header lacks; nothing when a line could not be read, which may be the one."""
-    if all(statement.sound for statement in tree.header):
+def _missing(tree: GestureTree) -> Iterator[LocatedMistake]:
+    """Required statements that are missing; none if a line was unreadable, since it may be the missing one."""
+    if all(statement.readable for statement in tree.header):
         for keyword in sorted(NEEDED - {statement.keyword.text for statement in tree.header}):
-            yield Located(tree.start, f"this gesture has no {keyword}")
+            yield LocatedMistake(tree.start, f"this gesture has no {keyword}")
 
 
-def _categories(words: Sequence[Word], wrong: list[Located]) -> tuple[str, ...]:
+def _categories(words: Sequence[Word], wrong: list[LocatedMistake]) -> tuple[str, ...]:
     wrong += _repeated(words)
     for word in words:
         if not _LEXEME.fullmatch(word.text):
-            wrong.append(Located(word, f"a category is a BML lexeme in capitals: {word.text.upper()}"))
+            wrong.append(LocatedMistake(word, f"a category is a BML lexeme in capitals: {word.text.upper()}"))
     return tuple(word.text for word in words)
 
 
-def _repeated(words: Sequence[Word]) -> Iterator[Located]:
+def _repeated(words: Sequence[Word]) -> Iterator[LocatedMistake]:
     for position, word in enumerate(words):
         if word.text in {before.text for before in words[:position]}:
-            yield Located(word, f"{word.text} stands here a second time")
+            yield LocatedMistake(word, f"{word.text} stands here a second time")
 
 
-def _levels(header: Iterable[Statement], wrong: list[Located]) -> Mapping[Level, Expressivity]:
-    """How the gesture is made at each level that it is fit for."""
-    sound = [statement for statement in header if statement.sound]
-    listed = next((statement.words for statement in sound if statement.keyword.text == "LEVELS"), ())
+def _levels(header: Iterable[Statement], wrong: list[LocatedMistake]) -> Mapping[Level, Expressivity]:
+    """The expressivity at each level that the gesture suits."""
+    readable = [statement for statement in header if statement.readable]
+    listed = next((statement.words for statement in readable if statement.keyword.text == "LEVELS"), ())
     wrong += _repeated(listed)
     found = [one_of(Level, word, "a level of agitation", wrong) for word in listed]
     fit = list(Level) if None in found or not found else found
-    said: dict[Level, dict[str, float]] = {}
-    for statement in sound:
+    defined: dict[Level, dict[str, float]] = {}
+    for statement in readable:
         if statement.keyword.text == "EXPRESSIVITY":
             level = one_of(Level, statement.words[0], "a level of agitation", wrong)
             factors = _factors(statement, wrong)
             if level is not None and level not in fit:
-                wrong.append(Located(statement.words[0], f"{level} is not among the LEVELS of this gesture"))
+                wrong.append(LocatedMistake(statement.words[0], f"{level} is not among the LEVELS of this gesture"))
             elif level is not None:
-                said[level] = factors
-    medium = replace(MEDIUM, **said.get(Level.MEDIUM, {}))
+                defined[level] = factors
+    medium = replace(MEDIUM, **defined.get(Level.MEDIUM, {}))
     return MappingProxyType(
-        {level: replace(derived(level, medium), **said.get(level, {})) for level in Level if level in fit}
+        {
+            level: replace(derived_expressivity(level, medium), **defined.get(level, {}))
+            for level in Level
+            if level in fit
+        }
     )
 
 
-def _factors(statement: Statement, wrong: list[Located]) -> dict[str, float]:
-    """Of one EXPRESSIVITY line: what it says of amplitude, tempo and the rest."""
+def _factors(statement: Statement, wrong: list[LocatedMistake]) -> dict[str, float]:
+    """The values of one EXPRESSIVITY line."""
     found: dict[str, float] = {}
     wrong += _repeated(statement.words[1:])
     for name, value in zip(statement.words[1:], statement.numbers, strict=True):
         if name.text not in RANGES:
-            wrong.append(Located(name, f"{name.text!r} is none of {', '.join(RANGES)}"))
+            wrong.append(LocatedMistake(name, f"{name.text!r} is none of {', '.join(RANGES)}"))
         else:
             least, most = RANGES[name.text]
             in_range = number(value, least, most, wrong)
@@ -177,28 +181,31 @@ def _factors(statement: Statement, wrong: list[Located]) -> dict[str, float]:
     return found
 
 
-def _timed(tree: FrameTree, wrong: list[Located], *, both: bool) -> TimedFrame:
-    wrong += said_twice(tree.statements)
-    sound = [statement for statement in tree.statements if statement.sound]
-    types = [statement.words[0] for statement in sound if statement.keyword.text == "FRAMETYPE"]
-    others = [statement for statement in sound if statement.other]
+def _timed(tree: FrameTree, wrong: list[LocatedMistake], *, both: bool) -> TimedFrame:
+    wrong += repeated_statements(tree.statements)
+    readable = [statement for statement in tree.statements if statement.readable]
+    types = [statement.words[0] for statement in readable if statement.keyword.text == "FRAMETYPE"]
+    others = [statement for statement in readable if statement.other]
     if others and not both:
-        wrong.append(Located(others[0].keyword, "OTHER needs a gesture of both arms: write ARMS both in its header"))
-    own = [statement for statement in sound if not statement.other]
+        wrong.append(
+            LocatedMistake(others[0].keyword, "OTHER needs a gesture of both arms: write ARMS both in its header")
+        )
+    own = [statement for statement in readable if not statement.other]
     leading = arm_key(own, wrong)
     return TimedFrame(
         tree=tree,
-        time=number(tree.start.numbers[0], 0, 1, wrong) if tree.start.sound else None,
+        time=number(tree.start.numbers[0], 0, 1, wrong) if tree.start.readable else None,
         type=one_of(FrameType, types[0], "a frame's type", wrong) if types else None,
         type_at=types[0] if types else tree.start.keyword,
         leading=leading,
-        other=mirrored_where_silent(arm_key(others, wrong), leading) if others else None,
-        noise=any(statement.keyword.text == "ADDNOISE" for statement in sound),
+        other=completed_by_mirroring(arm_key(others, wrong), leading) if others else None,
+        noise=any(statement.keyword.text == "ADDNOISE" for statement in readable),
     )
 
 
-def mirrored_where_silent(other: ArmKey, leading: ArmKey) -> ArmKey:
-    """`other`, and what it leaves open as `leading` says it. Fingers are the hand's: they come with its form."""
+def completed_by_mirroring(other: ArmKey, leading: ArmKey) -> ArmKey:
+    """`other`, with undefined parts taken from `leading`. Finger bends belong to the hand shape and are copied with
+    it."""
     says_hand = other.hand is not None or other.fingers != ()
     kept = {"hand", "fingers"} if says_hand else set()
     silent = {

@@ -1,8 +1,8 @@
-"""Gestures as they are defined (Gesture Engine §4.2): key poses in relative time, said in words, not in angles.
+"""The gesture model (Gesture Engine §4.2): key poses at relative times, described symbolically instead of by angles.
 
-An `ArmKey` says where a hand is and how it is held, as seen from the arm that makes it: `Sideways.C` is before the own
+An `ArmKey` gives position, orientation and shape of a hand relative to its own arm: `Sideways.C` is in front of the own
 shoulder, `Opp…` on the other side of the body, `INWARDS` towards the body's middle. So the same key serves either arm.
-What a key leaves out is interpolated between the keys that say it, each part by itself.
+Parts that a key leaves open are interpolated between keys that define them.
 """
 
 from collections.abc import Mapping
@@ -14,7 +14,8 @@ from ...model import Hand, Level
 
 
 class Sideways(StrEnum):
-    """McNeill's seven sectors across the body, from the extreme periphery of the arm's own side to the other's."""
+    """McNeill's seven sectors across the body, from the extreme periphery on the arm's own side to that on the
+    other."""
 
     EP = "XEP"
     P = "XP"
@@ -26,7 +27,7 @@ class Sideways(StrEnum):
 
 
 class Height(StrEnum):
-    """The seven sectors in height; `UPPER_P` is the shoulder's."""
+    """The seven sectors in height; `UPPER_P` is at the shoulders."""
 
     UPPER_EP = "YUpperEP"
     UPPER_P = "YUpperP"
@@ -46,7 +47,7 @@ class Depth(StrEnum):
 
 
 class HandForm(StrEnum):
-    """The twelve basic forms of HamNoSys, and the hand at ease."""
+    """The twelve basic hand forms of HamNoSys, and the relaxed hand."""
 
     DEFAULT = "form_default"
     FIST = "form_fist"
@@ -64,7 +65,7 @@ class HandForm(StrEnum):
 
 
 class Thumb(StrEnum):
-    """The thumb beside the form; `OPEN` is stretched beside the index finger, `OUT` away from it."""
+    """The thumb's position; `OPEN` is stretched beside the index finger, `OUT` away from it."""
 
     DEFAULT = "default"
     OPEN = "open"
@@ -89,7 +90,7 @@ class Bend(StrEnum):
 
 
 class Direction(StrEnum):
-    """Where the finger base or the palm points, in the body's space, whatever the arm does."""
+    """A direction of the finger base or the palm, in the body's space, independent of the arm's pose."""
 
     UP = "Up"
     DOWN = "Down"
@@ -100,7 +101,7 @@ class Direction(StrEnum):
 
 
 class FrameType(StrEnum):
-    """The phase boundary that a frame stands for: the paper's seven markers (§3.8), and a pose inside a phase."""
+    """The phase boundary that a frame marks: one of the paper's seven markers (§3.8), or a pose within a phase."""
 
     START = "start"
     PREPARATION = "preparation"
@@ -116,7 +117,7 @@ class FrameType(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A sector of gesture space, and how far off its middle, in metres: outwards, up, away from the body."""
+    """A sector of gesture space, and an offset from its centre in metres: outwards, up, away from the body."""
 
     sideways: Sideways
     height: Height
@@ -132,8 +133,8 @@ class HandShape:
 
 @dataclass(frozen=True, slots=True)
 class Wrist:
-    """Where the finger base and the palm's normal point: sums of directions, orthogonal to each other. Empty is
-    `FBDefault` or `PalmDefault`: as the forearm has it, without twist or bend."""
+    """The directions of the finger base and the palm's normal: sums of directions, orthogonal to each other. Empty
+    means `FBDefault` or `PalmDefault`: in line with the forearm, without twist or bend."""
 
     finger_base: frozenset[Direction] = frozenset()
     palm: frozenset[Direction] = frozenset()
@@ -141,8 +142,8 @@ class Wrist:
 
 @dataclass(frozen=True, slots=True)
 class ArmKey:
-    """What a frame says of one arm; None and () say nothing. `shoulder` raises (1) or lowers (-1) the collarbone,
-    `joints` fixes joints (`LowerArm`) by degrees about their x, y and z axes, as the left arm has them."""
+    """What a frame defines for one arm; None and () leave a part open. `shoulder` raises (1) or lowers (-1) the
+    collarbone, `joints` sets joints (`LowerArm`) by degrees about their x, y and z axes, as for the left arm."""
 
     place: Place | None = None
     hand: HandShape | None = None
@@ -154,8 +155,8 @@ class ArmKey:
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A key pose at `time`, in [0, 1] of the gesture. `other` is the other arm's in gestures of both: None there means
-    the mirror image of `leading`. `noise` moves the place a little (Perlin), by chance."""
+    """A key pose at `time` in [0, 1] of the gesture. `other` is the other arm in two-handed gestures: None means the
+    mirror image of `leading`. `noise` adds Perlin noise at this key."""
 
     time: float
     type: FrameType
@@ -166,8 +167,8 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class Expressivity:
-    """How a gesture is made: `amplitude` and `tempo` are factors (1 as defined), the others in [0, 1]: `fluidity`
-    rounds the path through the keys, `power` stops short and sharp (tension, overshoot), `repetition` adds strokes."""
+    """How a gesture is performed: `amplitude` and `tempo` are factors (1 as defined), the rest is in [0, 1]: `fluidity`
+    smooths the path through the keys, `power` makes it stop sharply (tension, overshoot), `repetition` adds strokes."""
 
     amplitude: float = 1.0
     tempo: float = 1.0
@@ -178,8 +179,9 @@ class Expressivity:
 
 @dataclass(frozen=True, slots=True)
 class Definition:
-    """A gesture as a file defines it. `categories` are the BML lexemes it shows; `levels` how it is made at each level
-    of agitation for which it is fit; `hand` None is one hand, whichever; `aimed` hands point at the target by IK."""
+    """A gesture as defined in a file. `categories` are the BML lexemes that it shows; `levels` its expressivity at each
+    level of agitation that it suits; `hand` None is either hand alone; `aimed` hands point at the target by inverse
+    kinematics."""
 
     gesture_class: str
     name: str
@@ -195,7 +197,7 @@ class Definition:
 
 @dataclass(frozen=True, slots=True)
 class Markers:
-    """The paper's seven markers in seconds from the start of the clip (§3.8, Table 3)."""
+    """The paper's seven markers (§3.8, Table 3) in seconds: from the clip's start, or absolute in a plan."""
 
     start: float
     ready: float
@@ -208,7 +210,7 @@ class Markers:
 
 @dataclass(frozen=True, slots=True)
 class ClipKey:
-    """A key pose at `time_s` in the clip; an arm that takes no part is None."""
+    """A key pose at `time_s` in the clip; None for an arm that takes no part."""
 
     time_s: float
     type: FrameType
@@ -219,7 +221,7 @@ class ClipKey:
 
 @dataclass(frozen=True, slots=True)
 class Clip:
-    """A gesture ready to be played: a definition at one level of agitation by one hand (or both).
+    """A playable gesture: a definition at one level of agitation, made by one hand or both.
 
     `stroke_speed_m_s` is the mean speed of the leading hand from `stroke_start` to `stroke_end` (paper §3.8, v).
     """

@@ -1,7 +1,7 @@
-"""The values of gesture planning: what is asked for, which clip plays when, and what each arm does with its time.
+"""The data of gesture planning: requests, the clips chosen for them, and what each arm does over time.
 
 Conventions: seconds from the start of the audio; markers of placed gestures are absolute. An arm is `Hand.LEFT` or
-`Hand.RIGHT`; a two-handed gesture is on both arms, with the same stroke, but its phases before and after may differ.
+`Hand.RIGHT`; a two-handed gesture is on both arms with the same stroke, but preparation and retraction may differ.
 """
 
 from collections.abc import Mapping
@@ -14,13 +14,13 @@ from .gesture import Clip, Markers
 Position = tuple[float, float, float]
 
 TOP_STROKE_SPEED_M_S = 1.0
-"""The fastest mean speed of a stroke: it peaks at about 1.9 times that, where people's 95th percentile is."""
+"""The fastest mean speed of a stroke: its peak is about 1.9 times that, people's 95th percentile."""
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
-    """A gesture as the schedule asks for it: category, desired stroke and relax time, priority (paper §3.8, eq. 4),
-    and the hand, the level of agitation, the size (1 as defined) and the name of a target that our BML adds."""
+class GestureRequest:
+    """A gesture of the schedule: category, desired stroke and relax time, priority (paper §3.8, eq. 4), and what our
+    BML adds: hand, level of agitation, size (1 as defined) and the name of a target."""
 
     behavior: str
     category: str
@@ -35,8 +35,8 @@ class Request:
 
 @dataclass(frozen=True, slots=True)
 class Repeat:
-    """A partial repetition of the stroke (Gesture Engine §5.1): back from `start_s`, forth until `end_s`, on an
-    emphasis; `amplitude` is in parts of the first stroke."""
+    """A partial repetition of the stroke (Gesture Engine §5.1): back from `start_s`, and forth until `end_s`, which is
+    on an emphasis; `amplitude` is a share of the first stroke's."""
 
     start_s: float
     end_s: float
@@ -44,11 +44,11 @@ class Repeat:
 
 
 @dataclass(frozen=True, slots=True)
-class Placed:
-    """A clip A_i for a request G_i, its stroke on the desired time; `relax_s` is when its hold ends at the earliest.
-    `aim_m` is the place in the world that it points at; None where it is played as defined."""
+class PlacedGesture:
+    """A clip A_i for a request G_i, its stroke at the desired time; `relax_s` is the earliest end of its hold. `aim_m`
+    is the world position that it points at; None plays it as defined."""
 
-    request: Request
+    request: GestureRequest
     clip: Clip
     relax_s: float
     repeats: tuple[Repeat, ...] = ()
@@ -56,50 +56,54 @@ class Placed:
 
     @property
     def offset_s(self) -> float:
-        """When the clip's own time 0 falls."""
+        """The absolute time of the clip's own time 0."""
         return self.request.stroke_s - self.clip.markers.stroke
 
     @property
     def stroke_start_s(self) -> float:
+        """The absolute time of the stroke's start."""
         return self.offset_s + self.clip.markers.stroke_start
 
     @property
     def stroke_end_s(self) -> float:
+        """The absolute time of the stroke's end."""
         return self.offset_s + self.clip.markers.stroke_end
 
     @property
     def size(self) -> float:
-        """How large the gesture is made: as it is asked for, but its stroke, which takes its own time, no faster than
+        """The requested size, reduced where the stroke, which has a fixed duration, would exceed
         `TOP_STROKE_SPEED_M_S`."""
         fastest_m_s = max(self.request.size * self.clip.stroke_speed_m_s, TOP_STROKE_SPEED_M_S)
         return self.request.size * TOP_STROKE_SPEED_M_S / fastest_m_s
 
     @property
     def arms(self) -> tuple[Hand, ...]:
+        """The arms that take part."""
         return arms_of(self.clip.hand)
 
 
 @dataclass(frozen=True, slots=True)
 class ArmGesture:
-    """A placed gesture as one arm plays it. `blended_from` and `blended_to` are the gestures that this arm comes from
-    and goes to without rest; where they are None it comes from rest and goes back. `underway` is how much of the way to
-    the stroke start lies behind the arm in the first frame, on a line whose first stroke leaves no time for it."""
+    """A placed gesture as played by one arm. `blended_from` and `blended_to` are the gestures that the arm comes from
+    and goes to without rest; None is from or to rest. `initial_progress` is the share of the way to the stroke start
+    that the arm has already covered in the first frame, when the first stroke of a line leaves no time for it."""
 
     side: Hand
-    placed: Placed
+    placed: PlacedGesture
     markers: Markers
     blended_from: str | None = None
     blended_to: str | None = None
-    underway: float = 0.0
+    initial_progress: float = 0.0
 
     @property
     def behavior(self) -> str:
+        """The BML id of the gesture."""
         return self.placed.request.behavior
 
 
 @dataclass(frozen=True, slots=True)
 class ArmRest:
-    """An arm at rest in a pose, from when it has arrived until it leaves."""
+    """An arm at rest in a pose, from arrival to departure."""
 
     side: Hand
     pose: str
@@ -120,8 +124,9 @@ class Transition:
 
 
 @dataclass(frozen=True, slots=True)
-class Unit:
-    """A gesture unit: gestures that flow together, from the first preparation to the end of the last retraction."""
+class GestureUnit:
+    """A gesture unit: gestures without rest between them, from the first preparation to the end of the last
+    retraction."""
 
     behaviors: tuple[str, ...]
     start_s: float
@@ -130,14 +135,14 @@ class Unit:
 
 @dataclass(frozen=True, slots=True)
 class GesturePlan:
-    """What the arms do from the first frame to `end_s`, when the last of them is at rest; gestures and rests are in
-    order of time. `realized` has the sync points of every gesture that is played, by BML id, and `decisions` what
-    became of every one that is not played as asked for."""
+    """What the arms do from the first frame to `end_s`, when both are at rest; gestures and rests are in order of time.
+    `realized` has the sync points of every gesture that is played, by BML id; `decisions` explain those that are not
+    played as requested."""
 
     gestures: tuple[ArmGesture, ...]
     rests: tuple[ArmRest, ...]
     transitions: tuple[Transition, ...]
-    units: tuple[Unit, ...]
+    units: tuple[GestureUnit, ...]
     decisions: tuple[Decision, ...]
     realized: Mapping[str, SyncPoints]
     end_s: float
@@ -149,5 +154,5 @@ class GesturePlan:
 
 
 def arms_of(hand: Hand) -> tuple[Hand, ...]:
-    """The arms that a hand stands for."""
+    """The arms that a hand of the schedule refers to."""
     return (Hand.LEFT, Hand.RIGHT) if hand is Hand.BOTH else (hand,)

@@ -1,9 +1,9 @@
-"""Where McNeill's sectors are: the wrist's place for a sector, in metres in the space of the upper body.
+"""McNeill's gesture space in metres: the wrist's position for each sector.
 
-Conventions: the origin is the hips joint of the upright body; x goes to the arm's own side, y up, z away from the
-body. The heights follow shared/motion.md, in which 0 is the hips and 1 the shoulders; Gesture Engine §4.2 has
-`YUpperP` at the shoulders. McNeill (1992) gives the squares, not the metres; these are for the body that we ship (arm
-.53 m to the wrist), so that nearly every sector is within its reach.
+Conventions: the origin is the hips joint of the upright body; x points to the arm's own side, y up, z away from the
+body. The heights follow shared/motion.md, where 0 is the hips and 1 the shoulders; Gesture Engine §4.2 has `YUpperP` at
+the shoulders. McNeill (1992) defines the sectors without metres; these fit the default body (arm .53 m to the wrist),
+so that nearly every sector is within reach.
 """
 
 from collections.abc import Mapping
@@ -24,7 +24,7 @@ DIRECTIONS: Mapping[Direction, tuple[float, float, float]] = MappingProxyType(
         Direction.TOWARDS: (0.0, 0.0, -1.0),
     }
 )
-"""Unit vectors of the directions, in the axes above."""
+"""Unit vectors of the directions in these axes."""
 
 SHOULDERS_ABOVE_HIPS_M = 0.43
 
@@ -50,13 +50,14 @@ HEIGHT: Mapping[Height, float] = MappingProxyType(
         Height.LOWER_EP: -0.25,
     }
 )
-"""In parts of the way from the hips to the shoulders."""
+"""As shares of the distance from the hips to the shoulders."""
 
 DEPTH_M: Mapping[Depth, float] = MappingProxyType({Depth.NEAR: 0.20, Depth.MIDDLE: 0.31, Depth.FAR: 0.42})
 
 
 def sector_m(place: Place, amplitude: float = 1.0) -> FloatArray:
-    """The wrist's place (3,): outwards, above the hips, away. `amplitude` stretches its distance from the middle."""
+    """The wrist's position (3,) for a place: outwards, above the hips, away. `amplitude` scales its distance from the
+    centre."""
     centre = np.array([SIDEWAYS_M[Sideways.C], HEIGHT[Height.CC] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[Depth.MIDDLE]])
     sector = np.array([SIDEWAYS_M[place.sideways], HEIGHT[place.height] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[place.depth]])
     return np.asarray(centre + amplitude * (sector + np.array(place.offset_m) - centre))

@@ -1,9 +1,9 @@
-"""Hand forms as the bends of fifteen finger joints (Gesture Engine §4.2; HamNoSys 2.0's twelve basic forms).
+"""Hand shapes as rotations of fifteen finger joints (Gesture Engine §4.2; the twelve basic forms of HamNoSys 2.0).
 
-Conventions: the left hand's, local rotations (15, 4) in the skeleton's order: thumb, index, middle, ring and little
-finger, each from the palm outwards. Degrees in the tables; a finger bends towards the palm, and spreads away from the
-middle finger to the thumb's side by positive angles. HamNoSys draws its forms; the angles are ours, set by eye, those
-of the pinching and C-shaped hands so that the fingertips meet or face each other.
+Conventions: the left hand, local rotations (15, 4) in the skeleton's order: thumb, index, middle, ring and little
+finger, each from the palm outwards. Tables are in degrees; fingers bend towards the palm, and positive spread is from
+the middle finger towards the thumb's side. HamNoSys has drawings only; the angles are ours, set by eye, those of
+pinches and C shapes so that fingertips meet or face each other.
 """
 
 from collections.abc import Mapping, Sequence
@@ -17,9 +17,9 @@ from ..geometry.rotations import from_rotation_vector, multiply
 from .gesture import Bend, Finger, HandForm, HandShape, Thumb
 
 FingerBends = tuple[float, float, float, float]
-"""Proximal, intermediate and distal bend, and spread."""
+"""Proximal, intermediate and distal flexion, and spread."""
 ThumbBends = tuple[float, float, float, float, float]
-"""At its root: to the index finger, below the palm, rolled; then the proximal and distal bend."""
+"""At the root: towards the index finger, below the palm, roll; then proximal and distal flexion."""
 
 _CLOSED: FingerBends = (85.0, 100.0, 60.0, 0.0)
 _STRAIGHT: FingerBends = (0.0, 3.0, 2.0, 0.0)
@@ -96,7 +96,7 @@ _OWN_THUMBS: Mapping[HandForm, ThumbBends] = MappingProxyType(
         HandForm.CEE_OPEN: _CEE_THUMB,
     }
 )
-"""The thumb of a form that says nothing of it."""
+"""The default thumb of each form."""
 
 _BENDS: Mapping[Bend, tuple[float, float, float]] = MappingProxyType(
     {
@@ -118,16 +118,15 @@ _THUMB_BENDS: Mapping[Bend, tuple[float, float]] = MappingProxyType(
 )
 
 _THUMB_HINGE: FloatArray = np.array([0.513, 0.643, -0.570])
-"""The axis about which the thumb bends: its pad faces the palm and the fingers, not the floor as theirs do."""
+"""The flexion axis of the thumb, whose pad faces the palm and the fingers instead of down."""
 
 _ORDER = tuple(Finger)
 
 
 @lru_cache(maxsize=256)
 def hand_shape(shape: HandShape, fingers: tuple[tuple[Finger, Bend], ...] = ()) -> FloatArray:
-    """The finger joints' local rotations (15, 4) of a form, with the bends of single fingers on top of it.
-
-    Gestures use few: what was worked out once is kept, and cannot be written to."""
+    """The finger joints' local rotations (15, 4) of a form, overridden by the bends of single fingers. Cached and
+    read-only."""
     thumb = _OWN_THUMBS[shape.form] if shape.thumb is Thumb.DEFAULT else _THUMBS[shape.thumb]
     others = list(_FINGERS[shape.form])
     for finger, bend in fingers:
@@ -142,13 +141,13 @@ def hand_shape(shape: HandShape, fingers: tuple[tuple[Finger, Bend], ...] = ()) 
 
 
 def finger_rows(finger: Finger) -> slice:
-    """Where a finger's three joints stand in the fifteen."""
+    """The rows of a finger's three joints among the fifteen."""
     first = 3 * _ORDER.index(finger)
     return slice(first, first + 3)
 
 
 def _rotations(thumb: ThumbBends, others: Sequence[FingerBends]) -> FloatArray:
-    """Each joint's bend, then what turns it at its root: the thumb's place before the palm, a finger's spread."""
+    """Each joint's flexion, combined at its root with the thumb's opposition or the finger's spread."""
     bends, roots = np.zeros((15, 3)), np.zeros((15, 3))
     inwards, below, rolled, *hinges = thumb
     roots[0], bends[0] = (0.0, inwards, -below), (rolled, 0.0, 0.0)

@@ -1,7 +1,7 @@
-"""Reads gesture files (Gesture Engine §4.2): text in, gestures as written out (`statements.py`), or every mistake.
+"""Parses gesture files (Gesture Engine §4.2) into statements (`statements.py`), collecting every mistake.
 
-The language is a statement a line. Each line is parsed by itself, then lines are put together: GESTURECLASS begins a
-gesture, STARTFRAME … ENDFRAME hold a frame. What the words mean is for `definitions.py`.
+The language has one statement per line. Each line is parsed separately, then lines are assembled: GESTURECLASS begins a
+gesture, STARTFRAME … ENDFRAME enclose a frame. `definitions.py` interprets the words.
 """
 
 import re
@@ -15,7 +15,7 @@ from types import MappingProxyType
 from lark import Lark, Token, Tree, UnexpectedInput, UnexpectedToken
 
 from ...errors import Mistake
-from .statements import FrameTree, GestureFile, GestureTree, Located, Statement, Word
+from .statements import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word
 
 HEADER: Mapping[str, str] = MappingProxyType(
     {
@@ -29,7 +29,7 @@ HEADER: Mapping[str, str] = MappingProxyType(
         "EXPRESSIVITY": "EXPRESSIVITY low amplitude 0.8 tempo 0.9",
     }
 )
-"""The statements before the frames, each with an example of how it is written."""
+"""The statements before the frames, each with an example."""
 
 FRAME: Mapping[str, str] = MappingProxyType(
     {
@@ -49,11 +49,11 @@ FRAME: Mapping[str, str] = MappingProxyType(
 
 OTHER = "OTHER"
 OF_AN_ARM = frozenset({"ARM", "HAND", "FINGER", "WRIST", "SHOULDER", "JOINT"})
-"""The statements that OTHER may stand before."""
+"""The statements that may follow OTHER."""
 
 
 def read_gestures(path: Path) -> tuple[GestureFile, tuple[Mistake, ...]]:
-    """What could be read of the file at `path`, and what is wrong with its lines and their order."""
+    """The parsed file at `path`, as far as it is readable, and its syntax mistakes."""
     try:
         text = path.read_text(encoding="utf-8-sig")
     except OSError as error:
@@ -64,16 +64,16 @@ def read_gestures(path: Path) -> tuple[GestureFile, tuple[Mistake, ...]]:
 
 
 def parse_gestures(text: str, path: Path) -> tuple[GestureFile, tuple[Mistake, ...]]:
-    """As `read_gestures`, of text already read; `path` is where it says it comes from."""
+    """As `read_gestures`, for text in memory; `path` is for messages."""
     lines = tuple(line.expandtabs(1) for line in text.split("\n"))
-    wrong: list[Located] = []
+    wrong: list[LocatedMistake] = []
     gestures = _Assembly(wrong).of(_statements(lines, wrong))
     file = GestureFile(path, lines, gestures)
     return file, tuple(mistake_in(file, found) for found in wrong)
 
 
-def mistake_in(file: GestureFile, found: Located) -> Mistake:
-    """A mistake with its file and the line it is on."""
+def mistake_in(file: GestureFile, found: LocatedMistake) -> Mistake:
+    """A located mistake with its file and source line."""
     at = found.at
     return Mistake(file.path, at.line, at.column, found.message, file.lines[at.line - 1].rstrip("\r"))
 
@@ -85,12 +85,12 @@ def _grammar() -> Lark:
 
 @lru_cache(maxsize=2048)
 def _parsed(code: str) -> Tree[Token]:
-    """Kept, for gestures repeat their lines: in a library one in six is new."""
+    """Cached, since gestures repeat lines: only one in six of a library is new."""
     return _grammar().parse(code)
 
 
-def _statements(lines: tuple[str, ...], wrong: list[Located]) -> Iterator[Statement]:
-    """Each line that says something; one that could not be read counts as what it most likely is."""
+def _statements(lines: tuple[str, ...], wrong: list[LocatedMistake]) -> Iterator[Statement]:
+    """The statement of each non-empty line; an unreadable one counts as what it most likely is."""
     for number, line in enumerate(lines, start=1):
         code = line.split("#", maxsplit=1)[0].rstrip()
         if not code.strip():
@@ -102,10 +102,10 @@ def _statements(lines: tuple[str, ...], wrong: list[Located]) -> Iterator[Statem
 
 
 def _statement(tree: Tree[Token], line: int) -> Statement:
-    *other, said = (child for child in tree.children if child is not None)
-    assert isinstance(said, Tree)
+    *other, stated = (child for child in tree.children if child is not None)
+    assert isinstance(stated, Tree)
     keyword, *values = (
-        Word(str(token), line, token.column or 1) for token in said.children if isinstance(token, Token)
+        Word(str(token), line, token.column or 1) for token in stated.children if isinstance(token, Token)
     )
     words = tuple(value for value in values if value.text[0].isalpha())
     numbers = tuple(value for value in values if not value.text[0].isalpha())
@@ -113,7 +113,7 @@ def _statement(tree: Tree[Token], line: int) -> Statement:
 
 
 def _words(code: str, line: int) -> list[Word]:
-    """The words of a line that could not be read; an empty one after them stands for its end."""
+    """The words of an unreadable line; an empty word marks its end."""
     words = [Word(found.group(), line, found.start() + 1) for found in re.finditer(r"\S+", code)]
     return [*words, Word("", line, len(code) + 1)]
 
@@ -123,24 +123,24 @@ def _column(error: UnexpectedInput, code: str) -> int:
     return len(code) + 1 if at_end else int(error.column)
 
 
-def _unread(words: list[Word], column: int, wrong: list[Located]) -> Statement:
-    """What a line was meant to be that cannot be read from `column` on; what is wrong with it goes to `wrong`."""
+def _unread(words: list[Word], column: int, wrong: list[LocatedMistake]) -> Statement:
+    """The probable statement of a line that is unreadable from `column` on; its mistake is appended to `wrong`."""
     other = words[0].text == OTHER and len(words) > 2
     keyword = words[1] if other else words[0]
     known = {**HEADER, **FRAME}
     guessed = keyword.text if keyword.text in known else _nearest(keyword.text, known)
     if keyword.text not in known:
         meant = f"did you mean {guessed}?" if guessed else f"lines of a gesture file begin with {', '.join(known)}"
-        wrong.append(Located(keyword, f"no line begins with {keyword.text!r}; {meant}"))
+        wrong.append(LocatedMistake(keyword, f"no line begins with {keyword.text!r}; {meant}"))
     elif other and keyword.text not in OF_AN_ARM:
         told = f"OTHER speaks of the other arm's {', '.join(sorted(OF_AN_ARM))}, not of {keyword.text}"
-        wrong.append(Located(keyword, told))
+        wrong.append(LocatedMistake(keyword, told))
     else:
         at = next(word for word in words if word.column + len(word.text) > column or not word.text)
         found = f"found {at.text!r}" if at.text else "the line ends too soon"
         told = f"{found}; {keyword.text} is written as in: {known[keyword.text]}"
-        wrong.append(Located(replace(at, column=max(at.column, column)), told))
-    return Statement(replace(keyword, text=guessed or ""), other=other, sound=False)
+        wrong.append(LocatedMistake(replace(at, column=max(at.column, column)), told))
+    return Statement(replace(keyword, text=guessed or ""), other=other, readable=False)
 
 
 def _nearest(word: str, known: Iterable[str]) -> str | None:
@@ -148,9 +148,9 @@ def _nearest(word: str, known: Iterable[str]) -> str | None:
 
 
 class _Assembly:
-    """Puts statements together into gestures; what stands in the wrong place goes to `wrong`."""
+    """Assembles statements into gestures; misplaced ones are appended to `wrong`."""
 
-    def __init__(self, wrong: list[Located]) -> None:
+    def __init__(self, wrong: list[LocatedMistake]) -> None:
         self._wrong = wrong
         self._gestures: list[GestureTree] = []
         self._header: list[Statement] = []
@@ -167,7 +167,7 @@ class _Assembly:
                 continue
             if not self._header:
                 self._say(statement, "a gesture begins with GESTURECLASS")
-                self._header = [replace(statement, keyword=replace(statement.keyword, text=""), sound=False)]
+                self._header = [replace(statement, keyword=replace(statement.keyword, text=""), readable=False)]
             if keyword == "STARTFRAME":
                 self._end_frame(closed=False)
                 self._start = statement
@@ -207,6 +207,6 @@ class _Assembly:
         self._header, self._frames = [], []
 
     def _say(self, statement: Statement, message: str) -> None:
-        """Of lines that could be read: the others are mistakes already."""
-        if statement.sound:
-            self._wrong.append(Located(statement.keyword, message))
+        """Report a mistake, but only on readable lines: the others have been reported already."""
+        if statement.readable:
+            self._wrong.append(LocatedMistake(statement.keyword, message))

@@ -1,7 +1,6 @@
-"""The gesture library: every definition under a folder, as clips by category, level of agitation and hand.
+"""The gesture library: all definitions in a folder, available as clips by category, level of agitation and hand.
 
-A folder holds `*.gesture` files, in subfolders as well, and may hold `aliases.yaml`: lexemes that other BML speaks,
-by the category of ours that shows them.
+The folder holds `*.gesture` files, also in subfolders, and optionally `aliases.yaml` (`aliases.py`).
 """
 
 import re
@@ -15,12 +14,12 @@ from types import MappingProxyType
 from ...errors import AuthoringError, InputError, Mistake
 from ...model import Hand, Level
 from .aliases import ALIASES, read_aliases
-from .checking import names_twice
+from .checking import duplicate_names
 from .clips import clip
 from .definitions import definition
 from .gesture import Clip, Definition
 from .language import mistake_in, read_gestures
-from .statements import GestureFile, Located
+from .statements import GestureFile, LocatedMistake
 
 SUFFIX = ".gesture"
 LAST_RESORT = "BEAT"
@@ -29,7 +28,7 @@ LAST_RESORT = "BEAT"
 
 @dataclass(frozen=True, slots=True)
 class Library:
-    """Definitions in the order of their files, by category, and the aliases of categories."""
+    """Gesture definitions in the order of their files and by category, and aliases of categories."""
 
     definitions: tuple[Definition, ...]
     by_category: Mapping[str, tuple[Definition, ...]]
@@ -37,7 +36,7 @@ class Library:
 
     @classmethod
     def load(cls, folder: Path) -> "Library":
-        """Everything under `folder`; raises AuthoringError with every mistake in all of it."""
+        """Read all files in `folder`. Raises AuthoringError with all mistakes in all of them."""
         definitions = read_definitions(gesture_files([folder]))
         library = cls.of(definitions)
         path = folder / ALIASES
@@ -45,7 +44,7 @@ class Library:
 
     @classmethod
     def of(cls, definitions: Iterable[Definition], aliases: Mapping[str, str] = MappingProxyType({})) -> "Library":
-        """The library of these definitions."""
+        """A library of these definitions."""
         listed = tuple(definitions)
         found: dict[str, list[Definition]] = defaultdict(list)
         for one in listed:
@@ -56,15 +55,15 @@ class Library:
 
     @property
     def categories(self) -> tuple[str, ...]:
-        """The lexemes that have a gesture, in alphabetical order."""
+        """The categories that have a gesture, sorted."""
         return tuple(self.by_category)
 
     def clips(self, category: str, level: Level, hand: Hand) -> tuple[Clip, ...]:
-        """Every way to show `category` at `level` with `hand`, in the order of the files; none when there is none.
+        """All clips for `category` at `level` with `hand`, in the order of the files; possibly none.
 
-        Definitions for as many hands as are asked for come alone. Where there are none, both hands make a one-handed
-        gesture each, as mirror images, or one hand makes the leading hand's part of one for both. A definition for the
-        left hand, or the right, is for that hand only.
+        Definitions for as many hands as requested take precedence. If there are none, both hands make a one-handed
+        gesture as mirror images, or one hand makes the leading hand's part of a two-handed one. A definition for the
+        left or the right hand is for that hand only.
         """
         fit = [one for one in self.by_category.get(category, ()) if level in one.levels]
         either, both = [one for one in fit if one.hand is None], [one for one in fit if one.hand is Hand.BOTH]
@@ -73,7 +72,7 @@ class Library:
         return tuple(clip(one, level, hand, category) for one in same or otherwise)
 
     def definition(self, name: str) -> Definition:
-        """The definition of that name; raises InputError `unknown_name`."""
+        """The definition of this name. Raises InputError `unknown_name`."""
         named = {one.name: one for one in self.definitions}
         if name not in named:
             close = get_close_matches(name, named, n=3)
@@ -82,8 +81,8 @@ class Library:
         return named[name]
 
     def nearest(self, lexeme: str) -> str | None:
-        """The category that shows `lexeme` of whatever BML: its own, in whatever case and with whatever between its
-        words, that of which it is an alias, or a beat. None when the library has no beat either."""
+        """The category that shows `lexeme` of any BML dialect: the same name, ignoring case and separators, the one it
+        is an alias of, or else a beat. None if the library has no beat either."""
         spelt = re.sub(r"[^A-Z0-9]+", "_", lexeme.upper()).strip("_")
         for category in (lexeme, spelt, self.aliases.get(spelt), LAST_RESORT):
             if category in self.by_category:
@@ -92,24 +91,24 @@ class Library:
 
 
 def gesture_files(paths: Iterable[Path]) -> tuple[Path, ...]:
-    """The gesture files among these and in these folders, in the order of their names within a folder."""
+    """The gesture files among these paths and in these folders, sorted by name within a folder."""
     inside = (sorted(path.rglob(f"*{SUFFIX}")) if path.is_dir() else [path] for path in paths)
     return tuple(file for files in inside for file in files if file.suffix == SUFFIX)
 
 
 def read_definitions(paths: Sequence[Path]) -> tuple[Definition, ...]:
-    """The definitions in these files; raises AuthoringError with every mistake, by file and line."""
+    """The definitions in these files. Raises AuthoringError with all mistakes, by file and line."""
     definitions: list[Definition] = []
     files: list[GestureFile] = []
     mistakes: list[Mistake] = []
     for path in paths:
         file, found = read_gestures(path)
-        wrong: list[Located] = []
+        wrong: list[LocatedMistake] = []
         read = [definition(tree, path, wrong) for tree in file.gestures]
         definitions += [one for one in read if one is not None]
         mistakes += [*found, *(mistake_in(file, one) for one in wrong)]
         files.append(file)
-    mistakes += names_twice(files)
+    mistakes += duplicate_names(files)
     if mistakes:
         order = {path: number for number, path in enumerate(paths)}
         raise AuthoringError(tuple(sorted(mistakes, key=lambda one: (order[one.path], one.line, one.column))))

@@ -1,6 +1,6 @@
-"""What the lines of a frame say of an arm (Gesture Engine §4.2): sectors, hand shapes, fingers, wrists, joints.
+"""Interprets the statements of a frame (Gesture Engine §4.2): sectors, hand shapes, fingers, wrists, joints.
 
-Each function turns a sound statement into its value, or into None with what is wrong in `wrong`.
+Each function converts a readable statement into its value, or returns None and appends the mistake to `wrong`.
 """
 
 import re
@@ -27,7 +27,7 @@ from .gesture import (
     Wrist,
 )
 from .gesture_space import DIRECTIONS
-from .statements import Located, Statement, Word
+from .statements import LocatedMistake, Statement, Word
 
 Named = TypeVar("Named", bound=StrEnum)
 
@@ -45,13 +45,13 @@ THUMB_IN_FORM = frozenset(
         HandForm.CEE_OPEN,
     }
 )
-"""The forms that the thumb makes together with the fingers, so that it cannot stand otherwise."""
+"""The forms that include the thumb, which therefore cannot be given separately."""
 
 _DIRECTIONS = re.compile("|".join(Direction))
 
 
-def arm_key(statements: Iterable[Statement], wrong: list[Located]) -> ArmKey:
-    """What a frame's statements of one arm say together; each thing at most once."""
+def arm_key(statements: Iterable[Statement], wrong: list[LocatedMistake]) -> ArmKey:
+    """The key that a frame's statements define for one arm; each part may be defined only once."""
     said = {(statement.keyword.text, *_part(statement)): statement for statement in statements}
     one = {name: statement for (name, *_), statement in said.items()}
     fingers = [finger(statement, wrong) for (name, *_), statement in said.items() if name == "FINGER"]
@@ -66,7 +66,7 @@ def arm_key(statements: Iterable[Statement], wrong: list[Located]) -> ArmKey:
     )
 
 
-def place(statement: Statement, wrong: list[Located]) -> Place | None:
+def place(statement: Statement, wrong: list[LocatedMistake]) -> Place | None:
     """`ARM X Y Z [OFFSET out up away]`."""
     across, height, depth = statement.words
     sideways, up, away = (
@@ -81,7 +81,7 @@ def place(statement: Statement, wrong: list[Located]) -> Place | None:
     return Place(sideways, up, away, (out_m, up_m, away_m))
 
 
-def hand_shape(statement: Statement, wrong: list[Located]) -> HandShape | None:
+def hand_shape(statement: Statement, wrong: list[LocatedMistake]) -> HandShape | None:
     """`HAND form` or `HAND form_thumb`."""
     word = statement.words[0]
     shape = _SHAPES.get(word.text)
@@ -89,20 +89,20 @@ def hand_shape(statement: Statement, wrong: list[Located]) -> HandShape | None:
         wrong.append(_unknown("a form of the hand, with or without the thumb's (_open, _out, _across)", word, _SHAPES))
     elif shape.form in THUMB_IN_FORM and shape.thumb is not Thumb.DEFAULT:
         made = f"the thumb takes part in {shape.form} and cannot be {shape.thumb} as well; write {shape.form}"
-        wrong.append(Located(word, made))
+        wrong.append(LocatedMistake(word, made))
         return None
     return shape
 
 
-def finger(statement: Statement, wrong: list[Located]) -> tuple[Finger, Bend] | None:
+def finger(statement: Statement, wrong: list[LocatedMistake]) -> tuple[Finger, Bend] | None:
     """`FINGER name bend`."""
     name, bend = statement.words
     found, bent = one_of(Finger, name, "a finger", wrong), one_of(Bend, bend, "a finger's bend", wrong)
     return None if found is None or bent is None else (found, bent)
 
 
-def wrist(statement: Statement, wrong: list[Located]) -> Wrist | None:
-    """`WRIST FB… Palm…`: two sums of directions, at right angles to each other."""
+def wrist(statement: Statement, wrong: list[LocatedMistake]) -> Wrist | None:
+    """`WRIST FB… Palm…`: two sums of directions, orthogonal to each other."""
     base_word, palm_word = statement.words
     base, palm = _directions(FINGER_BASE, base_word, wrong), _directions(PALM, palm_word, wrong)
     if base is None or palm is None:
@@ -111,18 +111,18 @@ def wrist(statement: Statement, wrong: list[Located]) -> Wrist | None:
         left = [f"{PALM}{one}" for one in Direction if orthogonal(base, {one})]
         right_would_be = f"right would be {', '.join(left)}" if left else "no single direction of the palm fits it"
         told = f"the palm must face at a right angle to {base_word.text}; {right_would_be}, or a sum of these"
-        wrong.append(Located(palm_word, told))
+        wrong.append(LocatedMistake(palm_word, told))
         return None
     return Wrist(base, palm)
 
 
 def orthogonal(finger_base: Iterable[Direction], palm: Iterable[Direction]) -> bool:
-    """Whether the two sums of directions are at a right angle, exactly: the sums are whole. True of an empty one."""
+    """Whether the sums of directions are orthogonal; exact, since sums are integers. True if either is empty."""
     return sum(_dot(one, other) for one, other in product(finger_base, tuple(palm))) == 0
 
 
-def joint(statement: Statement, wrong: list[Located]) -> tuple[str, tuple[float, float, float]] | None:
-    """`JOINT name x y z`, degrees: the explicit override of Gesture Engine §4.2."""
+def joint(statement: Statement, wrong: list[LocatedMistake]) -> tuple[str, tuple[float, float, float]] | None:
+    """`JOINT name x y z` in degrees: the explicit override of Gesture Engine §4.2."""
     name = statement.words[0]
     known = name.text in ARM_JOINTS
     if not known:
@@ -131,39 +131,39 @@ def joint(statement: Statement, wrong: list[Located]) -> tuple[str, tuple[float,
     return (name.text, (x, y, z)) if known and x is not None and y is not None and z is not None else None
 
 
-def number(word: Word, least: float, most: float, wrong: list[Located], *, unit: str = "") -> float | None:
-    """The number that `word` is, when it is in [least, most]."""
+def number(word: Word, least: float, most: float, wrong: list[LocatedMistake], *, unit: str = "") -> float | None:
+    """The number, if it is in [least, most]."""
     value = float(word.text)
     if least <= value <= most:
         return value + 0.0
-    wrong.append(Located(word, f"{word.text} is outside {least:g} … {most:g}{unit}"))
+    wrong.append(LocatedMistake(word, f"{word.text} is outside {least:g} … {most:g}{unit}"))
     return None
 
 
-def one_of(names: type[Named], word: Word, what: str, wrong: list[Located]) -> Named | None:
-    """The member of `names` that `word` is."""
+def one_of(names: type[Named], word: Word, what: str, wrong: list[LocatedMistake]) -> Named | None:
+    """The member of `names` with this value."""
     if word.text in set(names):
         return names(word.text)
     wrong.append(_unknown(what, word, list(names)))
     return None
 
 
-def _unknown(what: str, word: Word, known: Iterable[str]) -> Located:
-    """The nearest of the known words when one is near; all of them when they are few."""
+def _unknown(what: str, word: Word, known: Iterable[str]) -> LocatedMistake:
+    """Suggests the nearest of the known words, or lists all if they are few."""
     words = [str(one) for one in known]
     by_capitals = {one.lower(): one for one in words}
     close = get_close_matches(word.text.lower(), by_capitals, n=1)
     listed = f": one of {', '.join(words)}" if len(words) <= 20 else ""
     meant = f"; did you mean {by_capitals[close[0]]}?" if close else listed
-    return Located(word, f"{word.text!r} is not {what}{meant}")
+    return LocatedMistake(word, f"{word.text!r} is not {what}{meant}")
 
 
 def _part(statement: Statement) -> tuple[str, ...]:
-    """What tells two statements of one keyword apart: the finger, the joint."""
+    """What distinguishes two statements of one keyword: the finger or the joint."""
     return (statement.words[0].text,) if statement.keyword.text in {"FINGER", "JOINT"} else ()
 
 
-def _directions(prefix: str, word: Word, wrong: list[Located]) -> frozenset[Direction] | None:
+def _directions(prefix: str, word: Word, wrong: list[LocatedMistake]) -> frozenset[Direction] | None:
     """The directions of `FBUpAway` or `PalmInwards`; the empty set for `…Default`."""
     rest = word.text.removeprefix(prefix)
     if rest == AS_THE_FOREARM and word.text != rest:
@@ -176,7 +176,7 @@ def _directions(prefix: str, word: Word, wrong: list[Located]) -> frozenset[Dire
     clash = next((f"{a} and {b}" for a, b in product(found, found) if _dot(a, b) < 0), None)
     if clash or len(set(found)) < len(found):
         told = f"{clash} are opposite" if clash else "a direction stands there twice"
-        wrong.append(Located(word, f"{told}; a sum takes each of up/down, inwards/outwards, away/towards once"))
+        wrong.append(LocatedMistake(word, f"{told}; a sum takes each of up/down, inwards/outwards, away/towards once"))
         return None
     return frozenset(found)
 

@@ -1,7 +1,7 @@
-"""What a gesture file says, line by line, before its words are understood: statements, frames and gestures.
+"""The syntax tree of gesture files: statements, frames and gestures.
 
-Lines and columns count from 1. A line that could not be read is a statement without words that is not `sound`: it
-holds its place, so that what stands around it is still understood.
+Lines and columns count from 1. An unreadable line is a statement without words and with `readable` false, so that the
+lines around it can still be interpreted.
 """
 
 from collections.abc import Iterator
@@ -11,7 +11,7 @@ from pathlib import Path
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A value of a statement."""
+    """A value of a statement and its position."""
 
     text: str
     line: int
@@ -20,19 +20,19 @@ class Word:
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """One line: its keyword, what follows it, and whether it speaks of the other arm. `numbers` are words as well, in
-    the order in which they stand; the grammar sees to it that they are numbers."""
+    """One line: keyword, arguments, and whether it refers to the other arm. `numbers` are the numeric arguments in
+    order, guaranteed numeric by the grammar."""
 
     keyword: Word
     words: tuple[Word, ...] = ()
     numbers: tuple[Word, ...] = ()
     other: bool = False
-    sound: bool = True
+    readable: bool = True
 
 
 @dataclass(frozen=True, slots=True)
 class FrameTree:
-    """The lines from STARTFRAME to ENDFRAME, both left out."""
+    """The lines from STARTFRAME to ENDFRAME, without the latter."""
 
     start: Statement
     statements: tuple[Statement, ...]
@@ -40,7 +40,7 @@ class FrameTree:
 
 @dataclass(frozen=True, slots=True)
 class GestureTree:
-    """A gesture as written: the lines before its frames, the first being GESTURECLASS, and its frames."""
+    """A gesture: the header lines, beginning with GESTURECLASS, and the frames."""
 
     header: tuple[Statement, ...]
     frames: tuple[FrameTree, ...]
@@ -49,9 +49,9 @@ class GestureTree:
     def start(self) -> Word:
         return self.header[0].keyword
 
-    def all_sound(self) -> bool:
-        """Whether each of its lines could be read."""
-        return all(statement.sound for statement in self._statements())
+    def all_readable(self) -> bool:
+        """Whether all its lines were readable."""
+        return all(statement.readable for statement in self._statements())
 
     def _statements(self) -> Iterator[Statement]:
         yield from self.header
@@ -61,7 +61,7 @@ class GestureTree:
 
 @dataclass(frozen=True, slots=True)
 class GestureFile:
-    """A file as read: its lines, and the gestures in them."""
+    """A parsed file: its lines and gestures."""
 
     path: Path
     lines: tuple[str, ...] = ()
@@ -69,8 +69,8 @@ class GestureFile:
 
 
 @dataclass(frozen=True, slots=True)
-class Located:
-    """A mistake, at the word where it shows."""
+class LocatedMistake:
+    """A mistake and the word at which it was found."""
 
     at: Word
     message: str

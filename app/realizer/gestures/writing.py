@@ -1,20 +1,19 @@
-"""A gesture definition as a gesture file says it, for tools that make gestures: the Gesture Editor's way out (Gesture
-Engine §4.3). What is written reads back as the same definition.
-"""
+"""Writes a gesture definition as the text of a gesture file, for tools such as the Gesture Editor (Gesture Engine
+§4.3)."""
 
 from collections.abc import Iterator
 
 from ...model import Level
-from .definitions import RANGES, mirrored_where_silent
+from .definitions import RANGES, completed_by_mirroring
 from .gesture import ArmKey, Definition, Direction, Expressivity, Frame, HandShape, Place, Thumb, Wrist
 from .language import OTHER
 from .specifiers import AS_THE_FOREARM, FINGER_BASE, PALM
 
 
 def write_gesture(definition: Definition) -> str:
-    """The lines of a gesture file; path and line are left out.
+    """The lines of a gesture file that parses to the same definition, apart from path and line.
 
-    Raises ValueError when the other arm leaves open what the leading arm says: the language has no word for that.
+    Raises ValueError if the other arm leaves open what the leading arm defines, which the language cannot express.
     """
     return "".join(f"{line}\n" for line in (*_header(definition), *_frames(definition)))
 
@@ -53,7 +52,7 @@ def _other(frame: Frame) -> Iterator[str]:
     if frame.other is None:
         return
     lines = list(_key(frame.other))
-    if not lines or mirrored_where_silent(frame.other, frame.leading) != frame.other:
+    if not lines or completed_by_mirroring(frame.other, frame.leading) != frame.other:
         raise ValueError(f"at {frame.time:g} the other arm leaves open what the leading arm says")
     yield from lines
 
@@ -89,6 +88,6 @@ def _sum(directions: frozenset[Direction]) -> str:
 
 
 def _number(value: float) -> str:
-    """The shortest decimals that read back as the same number: no powers of ten, which the language does not have."""
+    """The shortest decimal notation that reads back as the same number, without exponents."""
     text = repr(float(value))
     return text if "e" not in text else f"{value:.17f}".rstrip("0")

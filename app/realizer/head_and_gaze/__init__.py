@@ -1,4 +1,3 @@
-"""Where the head goes and the eyes look: gaze with eyes, head and trunk, nods and shakes, fixations, and what pointing
-hands point at. Imports `geometry`, `body`, the values of `gestures`, and of `torso` how lively a body is. Begin with
-`gaze.py` and `head.py`, two of the paper's controllers.
-"""
+"""Head and gaze: gaze shifts of eyes, head and trunk, head movements, fixational eye movements, and targets of pointing
+gestures. Imports `geometry`, `body`, the data model of `gestures`, and the amount of idle movement from `torso`. Begin
+with `gaze.py` and `head.py`, two of the paper's controllers."""

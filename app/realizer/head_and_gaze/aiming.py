@@ -1,25 +1,25 @@
-"""What pointing hands point at.
+"""Finds the targets of pointing gestures.
 
-Conventions: places in the world, metres (`understudy.realizer.body.skeleton`). Where the other of the talk is, the gaze
-says (`understudy.realizer.head_and_gaze.looks`); hands point lower than eyes look.
+Conventions: world positions in metres (`understudy.realizer.body.skeleton`). The listener's position is that of the
+gaze (`understudy.realizer.head_and_gaze.gaze_targets`), but hands point lower than eyes look.
 """
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from ..body.motion import Decision
-from ..gestures.gesture_plan import Placed, Position
-from .looks import LISTENER_M
+from ..gestures.gesture_plan import PlacedGesture, Position
+from .gaze_targets import LISTENER_M
 
 LISTENER = "listener"
 BELOW_THE_EYES_M = 0.35
-"""Who is pointed at is pointed at at the chest."""
+"""Pointing at a person aims at the chest."""
 AT_THE_LISTENER = "YOU"
-"""The category that means the listener, whether a target is named or not."""
+"""The category that points at the listener, with or without a named target."""
 
 
-def aimed(placed: Placed, targets_m: Mapping[str, Position]) -> Placed:
-    """The gesture with what it points at; a target whose place nobody has said leaves it as it is defined."""
+def with_target(placed: PlacedGesture, targets_m: Mapping[str, Position]) -> PlacedGesture:
+    """The gesture with its target position; if the target's position is unknown, the gesture as defined."""
     target = placed.request.target or (LISTENER if placed.clip.category == AT_THE_LISTENER else None)
     if target is None or not placed.clip.aimed:
         return placed
@@ -29,8 +29,8 @@ def aimed(placed: Placed, targets_m: Mapping[str, Position]) -> Placed:
     return replace(placed, aim_m=targets_m.get(target))
 
 
-def missed(placed: Placed) -> Iterator[Decision]:
-    """What to tell of a pointing whose target is nowhere."""
+def unknown_target(placed: PlacedGesture) -> Iterator[Decision]:
+    """A decision for a pointing gesture whose target has no known position."""
     if placed.clip.aimed and placed.request.target and placed.aim_m is None:
         where = f"where {placed.request.target!r} is nobody has said"
         yield Decision(placed.request.behavior, "replaced", f"{where}: it points as {placed.clip.name} is defined")

@@ -1,7 +1,7 @@
-"""Where the eyes look: both at one point, as far as they can turn.
+"""Gaze geometry: both eyes converge on a point, within their limits.
 
-Conventions: metres and radians in the world; an eye that is not turned looks along +Z of the head. The eyes' rotations
-have no roll. Limits are those of the eye in the head.
+Conventions: metres and radians in the world; an unrotated eye looks along the head's +Z. The eyes' rotations have no
+roll. Limits are those of the eye in the head.
 """
 
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ import numpy as np
 
 from ...model import FloatArray
 from ..body.skeleton import Skeleton
-from ..geometry.angles import aim, direction, turn
+from ..geometry.angles import from_pitch_yaw_roll, pitch_and_yaw, unit_vector
 from ..geometry.rotations import inverse, multiply, rotate
 
 EYES = ("leftEye", "rightEye")
@@ -19,7 +19,7 @@ SIDEWAYS_LIMIT = np.radians(35.0)
 UPRIGHT_LIMIT = np.radians(25.0)
 
 FARTHEST_M = 20.0
-"""Eyes that see farther are parallel."""
+"""The eyes are parallel for targets beyond this distance."""
 
 _PARALLEL = 1e-6
 _AHEAD = np.array([0.0, 0.0, 1.0])
@@ -27,22 +27,22 @@ _AHEAD = np.array([0.0, 0.0, 1.0])
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Chest:
-    """What carries the head: the rotation of the upper chest in the world (T, 4), and the neck's place (T, 3)."""
+    """What carries the head: the upper chest's orientation in the world (T, 4), and the neck's position (T, 3)."""
 
-    turned: FloatArray
+    orientation: FloatArray
     neck_m: FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Face:
-    """The head's rotation in the world (T, 4), and the left and right eye's places (T, 2, 3)."""
+    """The head's orientation in the world (T, 4), and the positions of the left and right eye (T, 2, 3)."""
 
-    turned: FloatArray
+    orientation: FloatArray
     eyes_m: FloatArray
 
 
 def chest(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Chest:
-    """The chest as the joints from the hips up carry it."""
+    """The chest, from the rotations of the joints between hips and neck."""
     place_m, turned = hips_m, rotations[:, 0]
     for joint in skeleton.chain("spine", "chest", "upperChest"):
         place_m = place_m + rotate(turned, skeleton.offsets_m[joint])
@@ -51,24 +51,24 @@ def chest(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Ches
 
 
 def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArray) -> Face:
-    """Head and eyes over the chest, with neck and head turned so (T, 4)."""
+    """Head and eyes on the chest, for local rotations (T, 4) of neck and head."""
     joint, *eyes = skeleton.chain("head", *EYES)
-    turned = multiply(carried_by.turned, neck)
+    turned = multiply(carried_by.orientation, neck)
     head_m = carried_by.neck_m + rotate(turned, skeleton.offsets_m[joint])
     turned = multiply(turned, head)
     return Face(turned, head_m[:, None] + rotate(turned[:, None], skeleton.offsets_m[eyes]))
 
 
-def aimed(where: Face, at_m: FloatArray) -> FloatArray:
-    """The rotations (T, 2, 4) of the left and right eye that look at the points `at_m` (T, 3), within their limits."""
-    pitch, yaw = aim(rotate(inverse(where.turned)[:, None], at_m[:, None] - where.eyes_m))
+def eye_rotations(where: Face, at_m: FloatArray) -> FloatArray:
+    """The rotations (T, 2, 4) of the left and right eye towards the points `at_m` (T, 3), within their limits."""
+    pitch, yaw = pitch_and_yaw(rotate(inverse(where.orientation)[:, None], at_m[:, None] - where.eyes_m))
     pitch = np.clip(pitch, -UPRIGHT_LIMIT, UPRIGHT_LIMIT)
-    return turn(pitch, np.clip(yaw, -SIDEWAYS_LIMIT, SIDEWAYS_LIMIT), np.zeros_like(yaw))
+    return from_pitch_yaw_roll(pitch, np.clip(yaw, -SIDEWAYS_LIMIT, SIDEWAYS_LIMIT), np.zeros_like(yaw))
 
 
-def seen_m(where: Face, eyes: FloatArray) -> FloatArray:
-    """The points (T, 3) that eyes turned so (T, 2, 4) look at: where their lines of sight are nearest to each other."""
-    lines = rotate(multiply(where.turned[:, None], eyes), _AHEAD)
+def fixation_point_m(where: Face, eyes: FloatArray) -> FloatArray:
+    """The points (T, 3) at which eyes with these rotations (T, 2, 4) look: where their lines of sight come nearest."""
+    lines = rotate(multiply(where.orientation[:, None], eyes), _AHEAD)
     left, right = lines[:, 0], lines[:, 1]
     base = where.eyes_m[:, 0] - where.eyes_m[:, 1]
     cosine, on_left, on_right = (np.sum(a * b, axis=-1) for a, b in ((left, right), (base, left), (base, right)))
@@ -79,6 +79,6 @@ def seen_m(where: Face, eyes: FloatArray) -> FloatArray:
     return np.asarray(ends_m.mean(axis=1))
 
 
-def toward(pitch: FloatArray, yaw: FloatArray, distance_m: FloatArray, from_m: FloatArray) -> FloatArray:
-    """The points (T, 3) so far from `from_m` in the direction of `pitch` and `yaw`."""
-    return np.asarray(from_m + distance_m[:, None] * direction(pitch, yaw))
+def point_in_direction(pitch: FloatArray, yaw: FloatArray, distance_m: FloatArray, from_m: FloatArray) -> FloatArray:
+    """The points (T, 3) at a distance from `from_m` in the direction of `pitch` and `yaw`."""
+    return np.asarray(from_m + distance_m[:, None] * unit_vector(pitch, yaw))

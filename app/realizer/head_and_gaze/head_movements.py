@@ -1,11 +1,10 @@
-"""What each head movement does: phase-shifted sine waves (paper §3.8), and tilts and turns that are held.
+"""Head movements by lexeme: phase-shifted sine waves (paper §3.8), and held tilts and turns.
 
-A nod is a wave that starts and ends at its crest, so that it goes down from where the head is and comes back there; a
-shake swings to both sides, its first and last quarter softened. Both run through their phase at the pace that puts an
-extreme on `stroke`, the one nearest to where it would be at an even pace. Tilts, turns and the like are reached at
-`stroke` and held until `relax`.
+A nod is a wave that starts and ends at its crest, so that it goes down from the current position and returns to it; a
+shake swings to both sides, its first and last quarter smoothed. Their phase advances such that the extreme nearest to
+`stroke` falls on it. Tilts, turns and the like are reached at `stroke` and held until `relax`.
 
-Conventions: degrees in the table, else radians; pitch down, yaw left, roll to the right shoulder; seconds.
+Conventions: degrees in the table, else radians; positive pitch is down, yaw left, roll to the right shoulder; seconds.
 """
 
 from collections.abc import Mapping
@@ -23,7 +22,7 @@ Degrees = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class HeadMovement:
-    """What a lexeme does at amount 1: `nods` and comes back, `swings` to both sides, is `held`; each may be nothing."""
+    """The components of a lexeme at amount 1: `nods` return to the start, `swings` go to both sides, `held` is kept."""
 
     nods: Degrees = (0.0, 0.0, 0.0)
     swings: Degrees = (0.0, 0.0, 0.0)
@@ -48,25 +47,25 @@ MOVEMENTS: Mapping[str, HeadMovement] = MappingProxyType(
         "TURN_RIGHT": HeadMovement(held=(0.0, -25.0, 0.0)),
     }
 )
-"""The sizes are ours: a big nod (amount .9) of 18°, a small one of 6°, well within what the neck can do."""
+"""The amplitudes are ours: a big nod (amount .9) of 18°, a small one of 6°, well within the neck's range."""
 
 DEFAULT_AMOUNT = 0.5
 
 PHASE_SHIFT = np.radians(35.0)
-"""How far the neck is ahead of the head in the middle of a movement."""
+"""How far the neck leads the head in the middle of a movement."""
 
 DECAY = 0.65
-"""How large each nod is by the one before."""
+"""The size of each nod relative to the one before."""
 
 SHORTEST_WAVE_S = 0.2
 FASTEST_RAD_S = 3.5
-"""Nods and shakes of no more than 5 Hz, and no joint faster than 200° a second, whatever the schedule says."""
+"""Nods and shakes are limited to 5 Hz, and joints to 200°/s, whatever the schedule says."""
 
 
-def moved(times_s: FloatArray, behavior: Behavior, *, ahead: float) -> FloatArray:
-    """Pitch, yaw and roll (T, 3) of one of the two joints, neck and head, at frames within the movement; `ahead` by
-    that part of `PHASE_SHIFT` in the middle."""
-    movement, waves = MOVEMENTS[behavior.lexeme], waves_of(behavior)
+def movement_angles(times_s: FloatArray, behavior: Behavior, *, ahead: float) -> FloatArray:
+    """Pitch, yaw and roll (T, 3) of either neck or head, at frames within the movement. Its phase leads by the share
+    `ahead` of `PHASE_SHIFT` in the middle."""
+    movement, waves = MOVEMENTS[behavior.lexeme], cycle_count(behavior)
     amount = DEFAULT_AMOUNT if behavior.amount is None else behavior.amount
     nods, swings, held = (
         np.radians(amount * np.array(degrees) / 2) for degrees in (movement.nods, movement.swings, movement.held)
@@ -81,21 +80,21 @@ def moved(times_s: FloatArray, behavior: Behavior, *, ahead: float) -> FloatArra
     return turned
 
 
-def waves_of(behavior: Behavior) -> int:
-    """How often a nod or shake goes: as often as it is asked to, and there is time for."""
+def cycle_count(behavior: Behavior) -> int:
+    """The number of nods or shakes: as many as requested, if there is time for them."""
     time_for = int((behavior.sync.end - behavior.sync.start) / SHORTEST_WAVE_S)
     return max(1, min(behavior.repetitions or 1, time_for))
 
 
-def unhurried(turned: FloatArray, frame_s: float) -> FloatArray:
-    """The same course (T, 3), smaller where it would be too fast for a neck."""
+def limited_speed(turned: FloatArray, frame_s: float) -> FloatArray:
+    """The same curve (T, 3), reduced in size where it would exceed the neck's maximum speed."""
     speed = np.linalg.norm(np.diff(turned, axis=0, prepend=0.0, append=0.0), axis=-1).max() / frame_s
     return np.asarray(turned * (FASTEST_RAD_S / max(speed, FASTEST_RAD_S)))
 
 
 def _phase(times_s: FloatArray, behavior: Behavior, waves: int, first_extreme: float, ahead: float) -> FloatArray:
-    """From 0 at the start to 2π × `waves` at the end, through an extreme at the stroke; `ahead` by a part of
-    `PHASE_SHIFT` in the middle. Extremes follow `first_extreme` at every half of a swing and every nod (2π)."""
+    """The phase from 0 at the start to 2π × `waves` at the end, with an extreme at the stroke; it leads by the share
+    `ahead` of `PHASE_SHIFT` in the middle. After `first_extreme`, extremes are π apart in swings and 2π in nods."""
     sync, last = behavior.sync, 2 * np.pi * waves
     stroke_s = _stroke_s(behavior)
     between = np.pi if first_extreme < np.pi else 2 * np.pi
@@ -106,20 +105,20 @@ def _phase(times_s: FloatArray, behavior: Behavior, waves: int, first_extreme: f
 
 
 def _stroke_s(behavior: Behavior) -> float:
-    """The moment of the extreme, inside the movement; the middle where none is given."""
+    """The time of the extreme, within the movement; the middle if none is given."""
     sync = behavior.sync
     stroke_s = (sync.start + sync.end) / 2 if sync.stroke is None else sync.stroke
     return min(max(stroke_s, sync.start + SHORTEST_S), sync.end - SHORTEST_S)
 
 
 def _nodding(phase: FloatArray, waves: int) -> FloatArray:
-    """0 at each whole wave, 1 and less and less between them."""
+    """0 at each full wave, with peaks of decreasing height between."""
     sizes = DECAY ** np.arange(waves)
     return np.asarray((1 - np.cos(phase)) / 2 * sizes[np.clip(phase / (2 * np.pi), 0, waves - 1).astype(int)])
 
 
 def _swinging(phase: FloatArray, waves: int) -> FloatArray:
-    """A sine whose first and last quarter are sines squared, so that it starts and ends at rest."""
+    """A sine whose first and last quarter are squared, so that it starts and ends with zero velocity."""
     left, quarter = 2 * np.pi * waves - phase, np.pi / 2
     return np.asarray(np.sin(phase) * np.sin(np.clip(phase, 0, quarter)) * np.sin(np.clip(left, 0, quarter)))
 

@@ -1,3 +1,2 @@
-"""Our own body to look at: skinned surfaces around the skeleton, drawn by code, with a face that moves. Imports
-`geometry`, `body` and the tables of `face`. Begin with `mannequin.py`.
-"""
+"""The built-in mannequin: procedural skinned surfaces around the skeleton, with blendshapes of the face. Imports
+`geometry`, `body` and the tables of `face`. Begin with `mannequin.py`."""

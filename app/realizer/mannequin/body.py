@@ -1,7 +1,7 @@
-"""The mannequin's body below the head: which capsules make the jumper, the trousers, the shoes, the hands.
+"""The mannequin's body below the head: capsules of jumper, trousers, shoes and hands.
 
-Conventions: places are given as a joint and metres from it in the T-pose, left parts only; the right are their mirror
-images. Clothes and skin are meshed apart, so that the borders between them are clean and bare hands stand out before
+Conventions: positions are given as a joint and an offset in metres in the T-pose, for the left side; the right side is
+the mirror image. Clothes and skin are meshed separately, so that their borders are clean and bare hands stand out from
 the body.
 """
 
@@ -18,8 +18,8 @@ HERE: Offset = (0.0, 0.0, 0.0)
 
 
 class Use(Enum):
-    """What a bone is for: a long surface over several joints is drawn by one bone and carried by others, for where two
-    that are drawn overlap the skin swells."""
+    """The role of a bone: a long surface over several joints is drawn as one bone and skinned to others, because
+    overlapping drawn bones would bulge."""
 
     DRAWN_AND_CARRIES = auto()
     DRAWN = auto()
@@ -28,7 +28,7 @@ class Use(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Bone:
-    """A capsule from a place at `joint` to a place at `towards`, that follows `joint`."""
+    """A capsule from a point at `joint` to a point at `towards`, skinned to `joint`."""
 
     joint: str
     towards: str
@@ -42,10 +42,10 @@ class Bone:
 
 @dataclass(frozen=True, slots=True)
 class Garment:
-    """A surface of one material: `middle` bones stand once, `left` bones are mirrored."""
+    """A surface of one material: `middle` bones occur once, `left` bones are mirrored."""
 
     material: str
-    melt_m: float
+    blend_m: float
     grid_m: float
     middle: tuple[Bone, ...] = ()
     left: tuple[Bone, ...] = ()
@@ -53,7 +53,7 @@ class Garment:
 
 JUMPER = Garment(
     "jumper",
-    melt_m=0.012,
+    blend_m=0.012,
     grid_m=0.016,
     middle=(
         Bone("hips", "upperChest", 0.1045, 0.1065, (0, -0.03, 0.0), (0, 0.02, 0.008), (1.45, 0.9, 1.03), Use.DRAWN),
@@ -71,7 +71,7 @@ JUMPER = Garment(
 
 TROUSERS = Garment(
     "trousers",
-    melt_m=0.012,
+    blend_m=0.012,
     grid_m=0.018,
     middle=(Bone("hips", "hips", 0.102, 0.100, (0, 0.01, 0.0), (0, -0.06, -0.008), (1.42, 0.8, 1.02)),),
     left=(
@@ -82,7 +82,7 @@ TROUSERS = Garment(
 
 SHOES = Garment(
     "shoes",
-    melt_m=0.008,
+    blend_m=0.008,
     grid_m=0.012,
     left=(
         Bone("leftFoot", "leftFoot", 0.040, 0.040, (0, 0.02, 0.0), (0, -0.035, -0.018)),
@@ -93,7 +93,7 @@ SHOES = Garment(
 
 
 def _finger_bones() -> tuple[Bone, ...]:
-    """Three capsules a finger; the last ends a finger's breadth beyond its joint."""
+    """Three capsules per finger; the last ends a finger's breadth beyond its joint."""
     radii = {"Thumb": 0.0112, "Index": 0.0092, "Middle": 0.0095, "Ring": 0.0090, "Little": 0.0080}
     tips: dict[str, Offset] = {
         "Thumb": (0.020, -0.002, 0.010),
@@ -117,7 +117,7 @@ def _finger_bones() -> tuple[Bone, ...]:
 
 HANDS = Garment(
     "skin",
-    melt_m=0.0030,
+    blend_m=0.0030,
     grid_m=0.0055,
     left=(
         Bone("leftLowerArm", "leftHand", 0.026, 0.026, (0.21, 0, 0), (-0.005, 0, 0), (1, 0.82, 1.05)),
@@ -133,7 +133,7 @@ HANDS = Garment(
 
 NECK = Garment(
     "skin",
-    melt_m=0.008,
+    blend_m=0.008,
     grid_m=0.012,
     middle=(
         Bone("neck", "head", 0.051, 0.046, (0, -0.07, 0.002), (0, -0.02, 0.0)),
@@ -144,13 +144,13 @@ NECK = Garment(
 GARMENTS: tuple[Garment, ...] = (JUMPER, TROUSERS, SHOES, HANDS, NECK)
 
 
-def drawn(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
-    """The capsules around this skeleton that make the garment's surface: middle, left, right."""
+def drawn_capsules(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+    """The capsules that form the garment's surface on this skeleton: middle, left, right."""
     return _capsules(garment, skeleton, besides=Use.CARRIES)
 
 
-def carrying(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
-    """The capsules whose joints the garment's surface follows."""
+def skinning_capsules(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+    """The capsules whose joints the garment's surface is skinned to."""
     return _capsules(garment, skeleton, besides=Use.DRAWN)
 
 
@@ -162,7 +162,7 @@ def _capsules(garment: Garment, skeleton: Skeleton, *, besides: Use) -> tuple[Ca
 
 
 def t_pose_m(skeleton: Skeleton) -> FloatArray:
-    """Where the joints are in the T-pose (J, 3)."""
+    """The joints' positions in the T-pose (J, 3)."""
     places = np.zeros_like(skeleton.offsets_m)
     for joint, parent in enumerate(skeleton.parents):
         places[joint] = skeleton.offsets_m[joint] + (places[parent] if parent >= 0 else 0.0)

@@ -1,7 +1,7 @@
-"""The mannequin's eyes: balls with iris and pupil, lids that close over them, lashes, brows.
+"""The mannequin's eyes: eyeballs with iris and pupil, closing lids, lashes, brows.
 
-Conventions: metres in the space of the head joint. A lid is a shell around the ball, laid out by elevation (from its
-edge to where it goes under the skin) and azimuth (from the right to the left). Angles are degrees, the left eye's.
+Conventions: metres in the space of the head joint. A lid is a shell around the eyeball, parameterized by elevation
+(from its edge to under the skin) and azimuth (from right to left). Angles are degrees, for the left eye.
 """
 
 from collections.abc import Mapping
@@ -33,7 +33,7 @@ SUNK_DEGREES = 80.0
 
 @dataclass(frozen=True, slots=True)
 class Opening:
-    """The elevations of the upper and the lower lid's edge in the middle of the eye."""
+    """The elevations of the upper and lower lid's edges at the centre of the eye."""
 
     upper: float
     lower: float
@@ -51,7 +51,7 @@ OPENINGS: Mapping[str, Opening] = MappingProxyType(
         "cheekSquint": Opening(22.0, -14.0),
     }
 )
-"""What the lids do in the shapes that move them."""
+"""The lid openings of the blendshapes that move them."""
 
 SIDEWAYS_DEGREES: Mapping[str, float] = MappingProxyType({"eyeLookIn": -5.0, "eyeLookOut": 5.0})
 
@@ -62,11 +62,11 @@ BROW: tuple[tuple[float, float, float], ...] = (
     (0.043, 0.0995, 0.0026),
     (0.050, 0.0955, 0.0018),
 )
-"""Places (x, y) and radii along the left brow."""
+"""Positions (x, y) and radii along the left brow."""
 
 
 def ball(eye_m: FloatArray) -> tuple[tuple[str, Surface], ...]:
-    """An eyeball that looks ahead: pupil, iris and white."""
+    """An eyeball looking ahead: pupil, iris and white."""
     return (
         ("pupil", _zone(eye_m, 0.0, PUPIL_DEGREES, 2)),
         ("iris", _zone(eye_m, PUPIL_DEGREES, IRIS_DEGREES, 2)),
@@ -75,7 +75,7 @@ def ball(eye_m: FloatArray) -> tuple[tuple[str, Surface], ...]:
 
 
 def lids(eye_m: FloatArray, side: str) -> tuple[tuple[str, Surface, Tissue], ...]:
-    """Both lids of an eye and the lashes of the upper one."""
+    """Both lids of an eye and the upper lashes."""
     return (
         ("skin", *_shell(eye_m, side, upper=True)),
         ("skin", *_shell(eye_m, side, upper=False)),
@@ -84,7 +84,7 @@ def lids(eye_m: FloatArray, side: str) -> tuple[tuple[str, Surface, Tissue], ...
 
 
 def brow(side: str) -> tuple[Surface, Tissue]:
-    """A brow, which moves as the skin under it."""
+    """A brow, which moves with the skin under it."""
     sign = 1.0 if side == "left" else -1.0
     places = on_skin_m(np.array([(sign * x, y, 0.08) for x, y, _radius in BROW]))
     ends = [(float(x), float(y), float(z)) for x, y, z in places]
@@ -92,13 +92,13 @@ def brow(side: str) -> tuple[Surface, Tissue]:
         Capsule("head", first, second, BROW[number][2], BROW[number + 1][2])
         for number, (first, second) in enumerate(pairwise(ends))
     )
-    surface = mesh(rods, melt_m=0.0008, grid_m=0.0021)
+    surface = mesh(rods, blend_m=0.0008, grid_m=0.0021)
     nothing = np.zeros(len(surface.positions_m))
     return surface, Tissue(surface.positions_m, nothing, nothing, nothing)
 
 
 def _zone(eye_m: FloatArray, start: float, end: float, rows: int) -> Surface:
-    """The ball between two angles from its pole, which looks ahead."""
+    """The eyeball between two angles from its front pole."""
     around = np.arange(24) * 2 * np.pi / 24
     rings = [
         np.stack([np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), np.full(24, np.cos(polar))], axis=1)
@@ -144,13 +144,13 @@ def _lashes(eye_m: FloatArray, side: str) -> tuple[Surface, Tissue]:
 
 
 def _held(points: FloatArray, own: Mapping[str, FloatArray]) -> Tissue:
-    """Lids keep to the ball: no muscle of the face pulls at them but their own."""
+    """Lids stay on the eyeball: only their own shapes move them."""
     nothing = np.zeros(len(points))
     return Tissue(points, nothing, nothing, nothing, inside=True, own=own)
 
 
 def _lid_m(eye_m: FloatArray, side: str, opening: Opening, *, upper: bool, sideways: float = 0.0) -> FloatArray:
-    """The lid's points, from the edge: ((ROWS + 2) × azimuths, 3)."""
+    """The lid's points, starting at the edge: ((ROWS + 2) × azimuths, 3)."""
     edge = _edge(opening.upper if upper else opening.lower)
     sunk = SUNK_DEGREES if upper else -SUNK_DEGREES
     rows = [edge + share * (sunk - edge) for share in np.linspace(0, 1, ROWS + 1) ** 1.3]
@@ -168,7 +168,7 @@ def _lash_m(eye_m: FloatArray, opening: Opening) -> FloatArray:
 
 
 def _edge(middle: float) -> FloatArray:
-    """An edge's elevations: it comes to the corners of the eye, which are a little below the middle."""
+    """An edge's elevations, which meet the corners of the eye slightly below its centre."""
     inside = np.clip(AZIMUTHS / CORNER_AZIMUTH, -1, 1)
     return np.asarray(CORNER_ELEVATION + (middle - CORNER_ELEVATION) * np.cos(inside * np.pi / 2) ** 0.75)
 
@@ -180,7 +180,7 @@ def _sphere(eye_m: FloatArray, radius_m: float, elevations: FloatArray, azimuths
 
 
 def _grid(rows: int, columns: int, *, flipped: bool) -> IntArray:
-    """Triangles between rows of points; the next row lies above, or below if `flipped`."""
+    """Triangles between rows of points; each row is above the previous one, or below if `flipped`."""
     row, column = (each.reshape(-1) for each in np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij"))
     here = row * columns + column
     above = here + columns

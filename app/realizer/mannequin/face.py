@@ -1,9 +1,9 @@
-"""How the mannequin's face moves: a displacement field for each of ARKit's 52 shapes, and visemes as mixtures of them.
+"""The mannequin's face rig: a displacement field for each of ARKit's 52 blendshapes, and visemes as mixtures of them.
 
-Conventions: metres in the space of the head joint, x to the character's left; pulls are millimetres. A pull moves the
-tissue about its centre, and less with distance (a Gaussian of the width `reach`). Left shapes are written down, right
-ones are their mirror images. The lids and the eyeballs are in `understudy.realizer.mannequin.eyes`: the balls turn with
-the eye joints only, so that `eyeLook` shapes, which come with turned joints, move the lids.
+Conventions: metres in the space of the head joint, x to the character's left; pulls are in millimetres. A pull
+displaces the tissue around its centre, falling off as a Gaussian of width `reach`. Shapes of the left side are given,
+those of the right are mirror images. For lids and eyeballs see `understudy.realizer.mannequin.eyes`: eyeballs rotate
+with the eye joints only, so `eyeLook` shapes just move the lids.
 """
 
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ import numpy as np
 from ...model import FloatArray
 from ..body.motion import SHAPES
 from ..face.face_tables import VISEMES
-from ..geometry.rotations import about, rotate
+from ..geometry.rotations import from_axis_angle, rotate
 
 MOUTH_Y_M = 0.017
 """The height of the line between the closed lips."""
@@ -31,7 +31,7 @@ _MM = 1e-3
 
 
 class Lip(Enum):
-    """Which side of the mouth's line a pull moves."""
+    """Which side of the mouth's line a pull affects."""
 
     BOTH = auto()
     UPPER = auto()
@@ -40,7 +40,7 @@ class Lip(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Pull:
-    """Moves the face about `centre_mm` (x, y) by `move_mm`, with Gaussian widths `reach_mm` (x, y)."""
+    """Displaces the face around `centre_mm` (x, y) by `move_mm`, with Gaussian widths `reach_mm` (x, y)."""
 
     centre_mm: tuple[float, float]
     reach_mm: tuple[float, float]
@@ -50,8 +50,9 @@ class Pull:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Tissue:
-    """What the shapes move: points (V, 3), how far each follows the jaw (V,), how far it is below the line of the lips
-    (V,), how much it is lip (V,), all in [0, 1]. What lies inside the mouth is not pulled."""
+    """What the shapes deform: points (V, 3), how far each follows the jaw (V,), how far it is below the line of the
+    lips (V,), how much it belongs to the lips (V,), all in [0, 1]. Points inside the mouth are not affected by pulls.
+    """
 
     points_m: FloatArray
     jaw: FloatArray
@@ -140,13 +141,13 @@ VISEME_MIXTURES: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "U": {"jawOpen": 0.16, "mouthPucker": 0.85, "mouthFunnel": 0.2},
     }
 )
-"""The fifteen visemes of shared/motion.md, by the shapes that make them; a name without a side is both sides'."""
+"""The fifteen visemes of shared/motion.md as mixtures of shapes; a name without a side stands for both."""
 
 FACE_SHAPES: tuple[str, ...] = (*SHAPES, *(f"viseme_{name}" for name in VISEMES))
 
 
 def displacements_m(tissue: Tissue) -> dict[str, FloatArray]:
-    """How each shape of `FACE_SHAPES` moves the tissue (V, 3); shapes that leave it alone are left out."""
+    """The displacement (V, 3) by each shape of `FACE_SHAPES` that affects the tissue."""
     found = {**_jaw_displacements(tissue), **tissue.own}
     if not tissue.inside:
         found["mouthClose"] = -tissue.lip[:, None] * found["jawOpen"]
@@ -161,9 +162,9 @@ def displacements_m(tissue: Tissue) -> dict[str, FloatArray]:
 
 
 def _jaw_displacements(tissue: Tissue) -> dict[str, FloatArray]:
-    """The jaw turns about its hinge, and slides."""
+    """The jaw rotates about its hinge, and slides."""
     from_hinge = tissue.points_m - JAW_HINGE_M
-    turn = about((1.0, 0.0, 0.0), np.radians(JAW_OPEN_DEGREES) * tissue.jaw)
+    turn = from_axis_angle((1.0, 0.0, 0.0), np.radians(JAW_OPEN_DEGREES) * tissue.jaw)
     moves = {name: tissue.jaw[:, None] * np.array(move) * _MM for name, move in JAW_MOVES_MM.items()}
     return {"jawOpen": rotate(turn, from_hinge) - from_hinge, **moves}
 

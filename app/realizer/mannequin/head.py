@@ -1,7 +1,6 @@
-"""The mannequin's head: a skull of capsules, its skin laid out in rings around the mouth, teeth, tongue, ears,
-hair.
+"""The mannequin's head: a skull of capsules, skin in rings around the mouth, ears, hair.
 
-Conventions: metres in the space of the head joint. The skin's mesh is polar: rings about the mouth, from the bottom of
+Conventions: metres in the space of the head joint. The skin's mesh is polar: rings around the mouth, from the back of
 the mouth through the closed lips over the face to the back of the head; columns count counter-clockwise from the left
 corner of the mouth. So the lips can part, and the mesh is finest where the face moves most.
 """
@@ -13,13 +12,13 @@ import numpy as np
 
 from ...model import FloatArray
 from .face import MOUTH_HALF_M, MOUTH_Y_M, Tissue
-from .surface import Capsule, IntArray, Surface, melted, mesh
+from .surface import Capsule, IntArray, Surface, blended_field, mesh
 
 COLUMNS = 64
 CENTRE_M = np.array([0.0, 0.06, 0.0])
-"""Whence rays go to the skin."""
+"""The origin of rays to the skin."""
 
-MELT_M = 0.009
+BLEND_M = 0.009
 MOUTH_M = np.array([0.0, MOUTH_Y_M, 0.106])
 
 
@@ -57,8 +56,8 @@ HAIR: tuple[Capsule, ...] = (
 
 @dataclass(frozen=True, slots=True)
 class Ring:
-    """A closed line around the mouth: half its width and height, how far it lies out (of the skin; of the mouth inside)
-    and what it belongs to."""
+    """A closed curve around the mouth: half its width and height, its distance outwards (from the skin, or from the
+    mouth if inside) and its material."""
 
     half_m: tuple[float, float]
     out_m: float
@@ -90,7 +89,7 @@ FIRST_OUTSIDE = len(_INSIDE)
 
 
 def skin() -> tuple[tuple[str, Surface, Tissue], ...]:
-    """The skin, the lips and the inside of the mouth: material, surface, and how each moves."""
+    """Skin, lips and the inside of the mouth: material, surface, and tissue of each."""
     angles = np.arange(COLUMNS) * 2 * np.pi / COLUMNS
     middle = _on_skin(np.zeros((1, 2)))[0]
     inside = np.stack([_inside_m(ring, angles, middle) for ring in RINGS[:FIRST_OUTSIDE]])
@@ -110,16 +109,16 @@ def skin() -> tuple[tuple[str, Surface, Tissue], ...]:
 
 def ears() -> Surface:
     """Both ears."""
-    return mesh(EARS, melt_m=0.004, grid_m=0.008)
+    return mesh(EARS, blend_m=0.004, grid_m=0.008)
 
 
 def hair() -> Surface:
-    """A cap of short hair, whose edge is where it meets the skin."""
-    return mesh(HAIR, melt_m=0.012, grid_m=0.010)
+    """A cap of short hair, which ends where it meets the skin."""
+    return mesh(HAIR, blend_m=0.012, grid_m=0.010)
 
 
 def on_skin_m(points: FloatArray) -> FloatArray:
-    """The points (N, 3) moved along the ray from the head's middle to the skin."""
+    """The points (N, 3) projected to the skin along rays from the head's centre."""
     away = points - CENTRE_M
     return _cast(away / np.linalg.norm(away, axis=1, keepdims=True))
 
@@ -148,13 +147,14 @@ def _outside_m(angles: FloatArray) -> FloatArray:
 
 
 def _axes() -> tuple[FloatArray, FloatArray]:
-    """Out of the mouth, and up along the face."""
+    """The directions out of the mouth and up along the face."""
     outwards = (MOUTH_M - CENTRE_M) / _mouth_distance_m()
     return outwards, np.array([0.0, outwards[2], -outwards[1]])
 
 
 def _on_skin(places: FloatArray) -> FloatArray:
-    """Points on the skin (N, 3) at places (N, 2) about the mouth: how far along the skin, nearly, across and up."""
+    """Points on the skin (N, 3) at positions (N, 2) relative to the mouth: approximate distances along the skin, across
+    and up."""
     outwards, upwards = _axes()
     distance = np.linalg.norm(places, axis=1, keepdims=True)
     angle = distance / _mouth_distance_m()
@@ -164,10 +164,10 @@ def _on_skin(places: FloatArray) -> FloatArray:
 
 
 def _cast(rays: FloatArray) -> FloatArray:
-    """Where rays (N, 3) from the middle leave the skull, found from outside."""
+    """Where rays (N, 3) from the centre leave the skull, searched from outside."""
     distance = np.full(len(rays), 0.17)
     for _ in range(24):
-        distance -= 0.9 * melted(SKULL, CENTRE_M + distance[:, None] * rays, MELT_M)
+        distance -= 0.9 * blended_field(SKULL, CENTRE_M + distance[:, None] * rays, BLEND_M)
     return np.asarray(CENTRE_M + distance[:, None] * rays)
 
 
@@ -187,7 +187,7 @@ def _cap(ring: int, pole: int) -> IntArray:
 
 
 def _bottom() -> IntArray:
-    """The bottom of the mouth, a fan over the innermost ring."""
+    """The back of the mouth, a fan over the innermost ring."""
     return np.array([[0, first, second] for first, second in pairwise(range(1, COLUMNS))])
 
 
@@ -201,7 +201,7 @@ def _normals(points: FloatArray, triangles: IntArray) -> FloatArray:
 
 
 def _tissue(points: FloatArray) -> Tissue:
-    """By rings near the mouth, by place farther off."""
+    """Tissue properties: by ring near the mouth, by position elsewhere."""
     angles = np.tile(np.arange(COLUMNS) * 2 * np.pi / COLUMNS, len(RINGS))
     heights = np.repeat([ring.half_m[1] for ring in RINGS], COLUMNS)
     heights, angles = np.append(heights, 0.3), np.append(angles, np.pi / 2)
@@ -225,7 +225,7 @@ def _smooth(start: float, end: float, values: FloatArray) -> FloatArray:
 def _only(
     material: str, triangles: IntArray, points: FloatArray, normals: FloatArray, tissue: Tissue
 ) -> tuple[str, Surface, Tissue]:
-    """A part with the vertices that it uses."""
+    """A part with only the vertices that it uses."""
     used, numbered = np.unique(triangles, return_inverse=True)
     surface = Surface(points[used], normals[used], numbered.reshape(triangles.shape))
     return material, surface, Tissue(points[used], tissue.jaw[used], tissue.below[used], tissue.lip[used])

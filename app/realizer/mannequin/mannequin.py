@@ -1,7 +1,7 @@
-"""The mannequin: skinned surfaces around a skeleton, drawn by code, and what they look like in a pose.
+"""The mannequin: procedural skinned surfaces around a skeleton, and their deformation in a pose.
 
 Conventions: metres, in the T-pose of the skeleton (`understudy.realizer.body.skeleton`); colours are linear, in [0, 1].
-Each vertex follows at most four joints, whose weights sum to 1.
+Each vertex is influenced by at most four joints, whose weights sum to 1.
 """
 
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ from ..body.motion import SHAPES
 from ..body.skeleton import SIDES, Skeleton, forward
 from ..geometry.rotations import rotate
 from . import head as mannequin_head
-from .body import GARMENTS, carrying, drawn, t_pose_m
+from .body import GARMENTS, drawn_capsules, skinning_capsules, t_pose_m
 from .eyes import ball, brow, lids
 from .face import displacements_m
 from .mouth import teeth, tongue
@@ -25,7 +25,7 @@ from .surface import Capsule, IntArray, Surface, distances_m, mesh
 INFLUENCES = 4
 
 SOFTNESS_M = 0.009
-"""How far from a joint the skin begins to follow the next one."""
+"""The distance from a joint over which skinning blends into the next one."""
 
 COLOURS: Mapping[str, tuple[float, float, float]] = MappingProxyType(
     {
@@ -47,8 +47,8 @@ COLOURS: Mapping[str, tuple[float, float, float]] = MappingProxyType(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Part:
-    """A surface of one material. `joints` (V, 4) are those that each vertex follows, by `weights` (V, 4); `shapes` are
-    the displacements (V, 3) of the face shapes that move it."""
+    """A surface of one material. `joints` (V, 4) influence each vertex with `weights` (V, 4); `shapes` are
+    displacements (V, 3) by the blendshapes that affect it."""
 
     material: str
     surface: Surface
@@ -59,30 +59,30 @@ class Part:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Mannequin:
-    """The whole figure."""
+    """The complete figure."""
 
     skeleton: Skeleton
     parts: tuple[Part, ...]
 
     @classmethod
     def around(cls, skeleton: Skeleton) -> "Mannequin":
-        """The mannequin that we ship, about this skeleton."""
+        """The default mannequin on this skeleton."""
         return cls(skeleton, _parts(skeleton))
 
 
 @lru_cache(maxsize=2)
 def _parts(skeleton: Skeleton) -> tuple[Part, ...]:
-    """Drawn once a skeleton, for it takes a second; nobody writes to them."""
-    bones = tuple(capsule for garment in GARMENTS for capsule in carrying(garment, skeleton))
+    """Cached per skeleton, since building takes a second; never mutated."""
+    bones = tuple(capsule for garment in GARMENTS for capsule in skinning_capsules(garment, skeleton))
     parts = []
     for garment in GARMENTS:
-        surface = mesh(drawn(garment, skeleton), melt_m=garment.melt_m, grid_m=garment.grid_m)
+        surface = mesh(drawn_capsules(garment, skeleton), blend_m=garment.blend_m, grid_m=garment.grid_m)
         parts.append(Part(garment.material, surface, *_skinned(surface.positions_m, bones, skeleton)))
     return (*parts, *_head_parts(skeleton))
 
 
 def _head_parts(skeleton: Skeleton) -> tuple[Part, ...]:
-    """Everything that the head joint carries, and the eyeballs."""
+    """Everything attached to the head joint, and the eyeballs."""
     moving = list(mannequin_head.skin())
     moving += [("teeth", *teeth(upper=upper)) for upper in (True, False)]
     moving.append(("tongue", *tongue()))
@@ -101,7 +101,7 @@ def _head_parts(skeleton: Skeleton) -> tuple[Part, ...]:
 
 
 def _rigid(material: str, surface: Surface, joint: int, origin_m: FloatArray) -> Part:
-    """A part that follows one joint, whose surface is given about `origin_m`."""
+    """A part attached to one joint, whose surface is given relative to `origin_m`."""
     count = len(surface.positions_m)
     joints = np.zeros((count, INFLUENCES), dtype=np.int64)
     joints[:, 0] = joint
@@ -110,7 +110,7 @@ def _rigid(material: str, surface: Surface, joint: int, origin_m: FloatArray) ->
 
 
 def joined(parts: tuple[Part, ...]) -> tuple[Part, ...]:
-    """The parts of each material as one, so that a renderer draws it at once."""
+    """The parts merged by material, for rendering in one pass."""
     materials = dict.fromkeys(part.material for part in parts)
     return tuple(_as_one(tuple(part for part in parts if part.material == material)) for material in materials)
 
@@ -131,7 +131,8 @@ def _as_one(parts: tuple[Part, ...]) -> Part:
 
 
 def posed(mannequin: Mannequin, rotations: FloatArray, hips_m: FloatArray, shapes: FloatArray) -> tuple[Surface, ...]:
-    """The parts in a pose: local `rotations` (J, 4), `hips_m` (3,), the face's `shapes` (52,)."""
+    """The surfaces in a pose: local `rotations` (J, 4), hip position `hips_m` (3,), blendshape weights `shapes`
+    (52,)."""
     places, turns = forward(mannequin.skeleton, rotations, hips_m)
     moves = places - rotate(turns, t_pose_m(mannequin.skeleton))
     weight = dict(zip(SHAPES, shapes, strict=True))
@@ -151,7 +152,7 @@ def _posed(part: Part, turns: FloatArray, moves: FloatArray, weight: Mapping[str
 
 
 def _skinned(points_m: FloatArray, bones: tuple[Capsule, ...], skeleton: Skeleton) -> tuple[IntArray, FloatArray]:
-    """The joints (V, 4) that points follow and how much: the nearer a bone's skin, the more."""
+    """The joints (V, 4) that influence the points, and their weights: the nearer to a bone's surface, the more."""
     distances = distances_m(bones, points_m)
     closeness = np.zeros((len(points_m), len(skeleton.names)))
     nearest = distances.min(axis=0)

@@ -1,4 +1,4 @@
-"""The teeth and tongue, in metres in the space of the head joint. The upper teeth stay with the skull."""
+"""Teeth and tongue, in metres in the space of the head joint. The upper teeth are fixed to the skull."""
 
 from itertools import pairwise
 
@@ -39,8 +39,8 @@ def teeth(*, upper: bool) -> tuple[Surface, Tissue]:
 
 
 def tongue() -> tuple[Surface, Tissue]:
-    """The tongue, which the jaw carries; its tip comes out the farthest."""
-    surface = mesh(TONGUE, melt_m=0.002, grid_m=0.005)
+    """The tongue, attached to the jaw; its tip moves farthest out."""
+    surface = mesh(TONGUE, blend_m=0.002, grid_m=0.005)
     points = surface.positions_m
     ones = np.ones(len(points))
     forward = np.clip((points[:, 2] - 0.055) / 0.030, 0.0, 1.0)
@@ -49,7 +49,7 @@ def tongue() -> tuple[Surface, Tissue]:
 
 
 def _ribbon(lines: FloatArray) -> Surface:
-    """Quads between lines (L, N, 3) of points that run from right to left; each strip has normals of its own."""
+    """Quads between lines (L, N, 3) of points from right to left; each strip has normals of its own."""
     positions, normals, triangles = [], [], []
     count = lines.shape[1]
     column = np.arange(count - 1)

@@ -1,7 +1,7 @@
-"""Smooth closed surfaces around bones: tapering capsules that melt into each other, meshed (naive surface nets).
+"""Smooth closed surfaces around bones: tapered capsules, smoothly blended and meshed by naive surface nets.
 
 Conventions: metres, in the T-pose of the skeleton. A field is negative inside. Each capsule runs from one point to
-another with a radius at each end; `stretch` makes its section an ellipse (2 along x is twice as wide).
+another with a radius at each end; `stretch` makes its cross-section an ellipse (2 along x is twice as wide).
 """
 
 from dataclasses import dataclass
@@ -15,17 +15,17 @@ from ...model import FloatArray
 IntArray = NDArray[np.int64]
 
 PROJECTIONS = 2
-"""Newton steps that bring the vertices from the grid's estimate to the surface itself."""
+"""Newton steps that project the vertices from the grid's estimate onto the surface."""
 
 REACH = 6.0
-"""Capsules do not melt into what is further off than this many times the melting width."""
+"""Capsules do not blend with others that are farther away than this many times the blending width."""
 
 _GRADIENT_STEP_M = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
 class Capsule:
-    """A part of the body that follows `joint`."""
+    """A part of the body, skinned to `joint`."""
 
     joint: str
     start_m: tuple[float, float, float]
@@ -45,44 +45,44 @@ class Surface:
 
 
 def distances_m(capsules: tuple[Capsule, ...], points_m: FloatArray) -> FloatArray:
-    """How far the points (…, 3) are from each capsule's skin, nearly: (C, …)."""
+    """Approximate distances (C, …) of the points (…, 3) from each capsule's surface."""
     return np.stack([_distance_m(capsule, points_m) for capsule in capsules])
 
 
-def mesh(capsules: tuple[Capsule, ...], *, melt_m: float, grid_m: float) -> Surface:
-    """The surface of the capsules, melted together over about `melt_m`, with vertices about `grid_m` apart."""
-    boxes = [_box_m(capsule, margin_m=2 * grid_m + REACH * melt_m) for capsule in capsules]
+def mesh(capsules: tuple[Capsule, ...], *, blend_m: float, grid_m: float) -> Surface:
+    """The surface of the capsules, blended over about `blend_m`, with vertices about `grid_m` apart."""
+    boxes = [_box_m(capsule, margin_m=2 * grid_m + REACH * blend_m) for capsule in capsules]
     low = np.min([lowest for lowest, _highest in boxes], axis=0)
     axes = [np.arange(low[k], max(highest[k] for _lowest, highest in boxes) + grid_m, grid_m) for k in range(3)]
     near = np.zeros([len(axis) for axis in axes])
     for capsule, (lowest, highest) in zip(capsules, boxes, strict=True):
         within = tuple(slice(*np.searchsorted(axes[k], (lowest[k], highest[k]))) for k in range(3))
         points = np.stack(np.meshgrid(*(axes[k][within[k]] for k in range(3)), indexing="ij"), axis=-1)
-        near[within] += np.exp(-_distance_m(capsule, points) / melt_m)
-    cells, triangles = _surface_net(_field_m(near, melt_m))
+        near[within] += np.exp(-_distance_m(capsule, points) / blend_m)
+    cells, triangles = _surface_net(_field_m(near, blend_m))
     positions = low + grid_m * cells
     for _ in range(PROJECTIONS):
-        positions = _projected(capsules, positions, melt_m)
-    gradient = _gradient(capsules, positions, melt_m)[1]
+        positions = _projected(capsules, positions, blend_m)
+    gradient = _gradient(capsules, positions, blend_m)[1]
     return Surface(positions, gradient / np.linalg.norm(gradient, axis=-1, keepdims=True), triangles)
 
 
-def melted(capsules: tuple[Capsule, ...], points_m: FloatArray, melt_m: float) -> FloatArray:
-    """The field of all capsules together at the points (N, 3): a smooth minimum of their distances."""
+def blended_field(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: float) -> FloatArray:
+    """The combined field of all capsules at the points (N, 3): a smooth minimum of their distances."""
     near = np.zeros(len(points_m))
     for capsule in capsules:
-        lowest, highest = _box_m(capsule, margin_m=REACH * melt_m)
+        lowest, highest = _box_m(capsule, margin_m=REACH * blend_m)
         within = np.flatnonzero(np.all((points_m > lowest) & (points_m < highest), axis=1))
-        near[within] += np.exp(-_distance_m(capsule, points_m[within]) / melt_m)
-    return _field_m(near, melt_m)
+        near[within] += np.exp(-_distance_m(capsule, points_m[within]) / blend_m)
+    return _field_m(near, blend_m)
 
 
-def _field_m(near: FloatArray, melt_m: float) -> FloatArray:
-    return np.asarray(-melt_m * np.log(np.maximum(near, np.exp(-REACH))))
+def _field_m(near: FloatArray, blend_m: float) -> FloatArray:
+    return np.asarray(-blend_m * np.log(np.maximum(near, np.exp(-REACH))))
 
 
 def _box_m(capsule: Capsule, *, margin_m: float) -> tuple[FloatArray, FloatArray]:
-    """The corners of a box that holds the capsule and a margin."""
+    """The corners of a box that contains the capsule and a margin."""
     ends = np.array([capsule.start_m, capsule.end_m])
     reach = max(capsule.start_radius_m, capsule.end_radius_m) * np.array(capsule.stretch) + margin_m
     return ends.min(axis=0) - reach, ends.max(axis=0) + reach
@@ -98,21 +98,21 @@ def _distance_m(capsule: Capsule, points_m: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.norm(from_start - along[..., None] * axis, axis=-1) - radius)
 
 
-def _gradient(capsules: tuple[Capsule, ...], points_m: FloatArray, melt_m: float) -> tuple[FloatArray, FloatArray]:
-    """The field at the points, and its gradient by differences."""
+def _gradient(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: float) -> tuple[FloatArray, FloatArray]:
+    """The field at the points, and its gradient by finite differences."""
     steps = _GRADIENT_STEP_M * np.eye(3)
-    field = melted(capsules, points_m, melt_m)
-    ahead = [melted(capsules, points_m + step, melt_m) for step in steps]
+    field = blended_field(capsules, points_m, blend_m)
+    ahead = [blended_field(capsules, points_m + step, blend_m) for step in steps]
     return field, (np.stack(ahead, axis=-1) - field[..., None]) / _GRADIENT_STEP_M
 
 
-def _projected(capsules: tuple[Capsule, ...], points_m: FloatArray, melt_m: float) -> FloatArray:
-    field, gradient = _gradient(capsules, points_m, melt_m)
+def _projected(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: float) -> FloatArray:
+    field, gradient = _gradient(capsules, points_m, blend_m)
     return np.asarray(points_m - (field / np.sum(gradient**2, axis=-1))[..., None] * gradient)
 
 
 def _surface_net(field: FloatArray) -> tuple[FloatArray, IntArray]:
-    """A vertex in each cell that the surface passes, in cell units, and two triangles across each edge it cuts."""
+    """A vertex in each cell that the surface crosses, in cell units, and two triangles for each edge that it cuts."""
     cells = tuple(size - 1 for size in field.shape)
     sums, counts = np.zeros((*cells, 3)), np.zeros(cells)
     crossings = [_crossings(field, axis) for axis in range(3)]
@@ -133,7 +133,8 @@ def _surface_net(field: FloatArray) -> tuple[FloatArray, IntArray]:
 
 
 def _crossings(field: FloatArray, axis: int) -> tuple[IntArray, FloatArray]:
-    """The grid edges along `axis` that the surface cuts, by their lower end (E, 3), and where along them."""
+    """The grid edges along `axis` that the surface cuts, by their lower end (E, 3), and the crossing points along
+    them."""
     lower = np.take(field, range(field.shape[axis] - 1), axis=axis)
     upper = np.take(field, range(1, field.shape[axis]), axis=axis)
     edges = np.argwhere((lower < 0) != (upper < 0))
@@ -142,7 +143,7 @@ def _crossings(field: FloatArray, axis: int) -> tuple[IntArray, FloatArray]:
 
 
 def _cells_around(edges: IntArray, axis: int) -> tuple[IntArray, ...]:
-    """The four cells that share each edge, counter-clockwise as seen against the axis."""
+    """The four cells around each edge, counter-clockwise as seen against the axis."""
     second, third = np.eye(3, dtype=np.int64)[[(axis + 1) % 3, (axis + 2) % 3]]
     steps = {(a, b): edges - a * second - b * third for a, b in product((0, 1), (0, 1))}
     return steps[1, 1], steps[0, 1], steps[0, 0], steps[1, 0]

@@ -1,6 +1,6 @@
-"""A contact sheet: the mannequin in the poses that matter, from the front and three quarters, with times and words.
+"""Draws contact sheets: the mannequin in key poses, from the front and three quarters, with times and words.
 
-matplotlib lays out and writes the picture; it is an extra, `pip install 'understudy[plot]'`, asked for by the doors.
+Needs matplotlib, the extra `understudy[plot]`; command line and HTTP API check for it.
 """
 
 import io
@@ -14,7 +14,7 @@ from ..body.motion import SHAPES, Motion
 from ..body.skeleton import HIPS_HEIGHT_M, Skeleton, forward
 from ..geometry.rotations import rotate
 from ..mannequin.mannequin import COLOURS, Mannequin, posed
-from .rasterizer import Camera, Paint, draw
+from .rasterizer import Camera, ColouredMesh, draw
 
 BACKGROUND = np.array([0.80, 0.81, 0.82])
 FRONT = Camera((0.0, 1.14, 0.0), 1.62)
@@ -24,7 +24,7 @@ COLUMNS = 8
 AT_MOST = 24
 TOGETHER_S = 0.1
 SHOWN = (Channel.GESTURE, Channel.HEAD, Channel.FACE, Channel.GAZE, Channel.POSTURE)
-"""What is worth a picture, the most first."""
+"""The channels shown, most important first."""
 
 FACE_ABOVE_HEAD_M = np.array([0.0, 0.09, 0.0])
 DOTS_PER_INCH = 100
@@ -32,7 +32,7 @@ DOTS_PER_INCH = 100
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Still:
-    """One pose and what is written under it: `rotations` (J, 4), `shapes` (52,) of the face, all 0 when not given."""
+    """A pose and its caption: `rotations` (J, 4), and `shapes` (52,) of the face, by default all 0."""
 
     caption: str
     rotations: FloatArray
@@ -43,7 +43,7 @@ class Still:
 def draw_sheet(
     motion: Motion, skeleton: Skeleton, moments: Sequence[tuple[float, str]], *, faces: bool = True
 ) -> bytes:
-    """The poses at the moments (seconds, caption), as PNG."""
+    """The poses at the given times (seconds, caption), as PNG."""
     body = motion.body
     frames = [int(np.argmin(np.abs(body.times_s - time_s))) for time_s, _caption in moments]
     stills = [
@@ -54,10 +54,10 @@ def draw_sheet(
 
 
 def moments_of(motion: Motion, schedule: Schedule, *, at_most: int = AT_MOST) -> tuple[tuple[float, str], ...]:
-    """The peaks of what was realized, as moments for a sheet: when, and what with which word.
+    """The peaks of the realized behaviours, for a sheet: time, and caption with the word spoken then.
 
-    The peak is the stroke, else `ready`, else the start. Peaks nearer than `TOGETHER_S` are one moment. Of more than
-    `at_most`, gestures come before movements of the head, these before faces, gazes and postures.
+    The peak is the stroke, else `ready`, else the start. Peaks within `TOGETHER_S` are combined. Of more than
+    `at_most`, gestures are preferred to head movements, these to faces, gazes and postures.
     """
     chosen: list[tuple[float, str]] = []
     shown = [behavior for behavior in schedule.behaviors if behavior.kind in SHOWN and behavior.id in motion.realized]
@@ -74,13 +74,13 @@ def moments_of(motion: Motion, schedule: Schedule, *, at_most: int = AT_MOST) ->
 
 
 def _word_at(words: Sequence[Word], time_s: float) -> str:
-    """The word that is said at this time."""
+    """The word spoken at this time."""
     said = (word for word in words if word.interval and word.interval.start_s <= time_s < word.interval.end_s)
     return next((f"“{word.text}”" for word in said), "")
 
 
 def draw_stills(stills: Sequence[Still], skeleton: Skeleton, *, faces: bool = True, columns: int = COLUMNS) -> bytes:
-    """The poses side by side, so many to a row at most, as PNG."""
+    """The poses side by side, at most `columns` per row, as PNG."""
     mannequin = Mannequin.around(skeleton)
     columns = min(columns, len(stills))
     cells = [_cell(mannequin, still, faces=faces) for still in stills]
@@ -91,12 +91,14 @@ def draw_stills(stills: Sequence[Still], skeleton: Skeleton, *, faces: bool = Tr
 
 
 def _cell(mannequin: Mannequin, still: Still, *, faces: bool) -> FloatArray:
-    """The pictures of one pose above each other, and room for its caption."""
+    """The views of one pose above each other, and space for the caption."""
     hips_m = np.array([0.0, HIPS_HEIGHT_M, 0.0]) if still.hips_m is None else still.hips_m
     shapes = np.zeros(len(SHAPES)) if still.shapes is None else still.shapes
     surfaces = posed(mannequin, still.rotations, hips_m, shapes)
     paints = tuple(
-        Paint(each.positions_m, each.normals, each.triangles, np.tile(COLOURS[part.material], (len(each.normals), 1)))
+        ColouredMesh(
+            each.positions_m, each.normals, each.triangles, np.tile(COLOURS[part.material], (len(each.normals), 1))
+        )
         for part, each in zip(mannequin.parts, surfaces, strict=True)
     )
     views = [(FRONT, BODY_HEIGHT), (THREE_QUARTERS, BODY_HEIGHT)]
@@ -108,7 +110,7 @@ def _cell(mannequin: Mannequin, still: Still, *, faces: bool) -> FloatArray:
 
 
 def _face_camera(skeleton: Skeleton, still: Still, hips_m: FloatArray) -> Camera:
-    """A close-up, straight from the front, of wherever the head is."""
+    """A close-up of the head from the front."""
     places_m, turns = forward(skeleton, still.rotations, hips_m)
     head = skeleton.index["head"]
     middle = places_m[head] + rotate(turns[head], FACE_ABOVE_HEAD_M)
@@ -134,5 +136,5 @@ def _lettered(picture: FloatArray, stills: Sequence[Still], columns: int, cell_h
 
 
 def _display(light: FloatArray) -> FloatArray:
-    """Linear light as screens want it."""
+    """Linear light converted to display values."""
     return np.asarray(np.clip(light, 0, 1) ** (1 / 2.2))

@@ -1,7 +1,7 @@
-"""Draws triangles into a picture without a screen: a z-buffer in numpy, colours shaded at the vertices (Gouraud).
+"""A software rasterizer: z-buffer in numpy, Gouraud shading.
 
 Conventions: pictures are (height, width, 3) arrays of linear light in [0, 1], the first row at the top. The camera is
-orthographic: it looks at a point, from a direction, and a picture's height shows so many metres.
+orthographic: a target point, a direction, and the height of the picture in metres.
 """
 
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from ...model import FloatArray
 from ..mannequin.surface import IntArray
 
 SAMPLES = 2
-"""Each pixel is the mean of so many squared."""
+"""Supersampling: each pixel is the mean of this number squared."""
 
 SUN, SUN_LIGHT = np.array([0.45, 0.75, 0.65]), 0.85
 SKY_LIGHT, GROUND_LIGHT = np.array([0.42, 0.45, 0.50]), np.array([0.20, 0.17, 0.15])
@@ -21,7 +21,7 @@ SKY_LIGHT, GROUND_LIGHT = np.array([0.42, 0.45, 0.50]), np.array([0.20, 0.17, 0.
 
 @dataclass(frozen=True, slots=True)
 class Camera:
-    """Looks at `target_m` from `azimuth` radians to the character's left of its front; a picture is `span_m` high."""
+    """Looks at `target_m` from `azimuth` radians to the character's left of its front; the picture is `span_m` high."""
 
     target_m: tuple[float, float, float]
     span_m: float
@@ -30,8 +30,9 @@ class Camera:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Paint:
-    """A triangle mesh to draw: positions (V, 3), normals (V, 3), triangles (F, 3), colours (V, 3) in linear light."""
+class ColouredMesh:
+    """A triangle mesh with colours: positions (V, 3), normals (V, 3), triangles (F, 3), colours (V, 3) in linear
+    light."""
 
     positions_m: FloatArray
     normals: FloatArray
@@ -39,8 +40,10 @@ class Paint:
     colours: FloatArray
 
 
-def draw(paints: tuple[Paint, ...], camera: Camera, *, height: int, width: int, ground: FloatArray) -> FloatArray:
-    """The picture before a background of the colour `ground` (3,)."""
+def draw(
+    paints: tuple[ColouredMesh, ...], camera: Camera, *, height: int, width: int, ground: FloatArray
+) -> FloatArray:
+    """The picture on a background of the colour `ground` (3,)."""
     rows, columns = height * SAMPLES, width * SAMPLES
     right, up, towards = _axes(camera)
     scale = rows / camera.span_m
@@ -59,7 +62,7 @@ def draw(paints: tuple[Paint, ...], camera: Camera, *, height: int, width: int, 
 
 
 def _axes(camera: Camera) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """The picture's right and up, and the way to the camera, in the world."""
+    """The picture's right and up, and the direction to the camera, in the world."""
     flat, lifted = np.cos(camera.elevation), np.sin(camera.elevation)
     towards = np.array([np.sin(camera.azimuth) * flat, lifted, np.cos(camera.azimuth) * flat])
     right = np.array([np.cos(camera.azimuth), 0.0, -np.sin(camera.azimuth)])
@@ -67,7 +70,7 @@ def _axes(camera: Camera) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 
 def _light(normals: FloatArray, towards: FloatArray) -> FloatArray:
-    """What falls on the skin: the sun, the sky above and the ground below, and a little from the camera."""
+    """The illumination: sun, sky above, ground below, and a little from the camera."""
     sun = SUN_LIGHT * np.clip(normals @ (SUN / np.linalg.norm(SUN)), 0, None)
     skywards = 0.5 + 0.5 * normals[:, 1:2]
     ambient = GROUND_LIGHT + skywards * (SKY_LIGHT - GROUND_LIGHT)
@@ -77,7 +80,7 @@ def _light(normals: FloatArray, towards: FloatArray) -> FloatArray:
 def _fill(
     picture: FloatArray, size: tuple[int, int], corners: FloatArray, depths: FloatArray, colours: FloatArray
 ) -> None:
-    """Fills the triangles, corners (F, 3, 2) in samples, the nearest on top: all of like extent at once."""
+    """Fill triangles with corners (F, 3, 2) in samples, nearest on top, in batches of similar size."""
     edges = corners[:, 1:] - corners[:, :1]
     area = edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0]
     low, high = (best(best(corners[:, 0], corners[:, 1]), corners[:, 2]) for best in (np.minimum, np.maximum))
@@ -103,8 +106,8 @@ def _fill(
 def _covered(
     size: tuple[int, int], corners: FloatArray, first: IntArray, step: int
 ) -> tuple[IntArray, FloatArray, IntArray]:
-    """The samples inside triangles of at most `step` samples' extent: their index in the picture, the shares of the
-    three corners, the triangle's number. A share is linear in x and y: 1 at its corner, 0 on the side across."""
+    """The samples inside triangles of at most `step` samples' size: their index in the picture, the barycentric
+    coordinates, and the triangle's index."""
     rows, columns = size
     places = (corners - (first + 0.5)[:, None]).astype(np.float32)
     down, across = np.divmod(np.arange(step * step), step)
@@ -123,7 +126,8 @@ def _covered(
 
 
 def _planes(corners: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """The shares of the second and the third corner as functions of place: factors (F, 3) of x, y and 1."""
+    """The barycentric coordinates of the second and third corner as linear functions of position: factors (F, 3) of x,
+    y and 1."""
     start, first, second = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
     found = []

@@ -1,8 +1,7 @@
-"""A picture of how fast the wrists move, to judge gestures by eye: both hands' speeds, the phases shaded, the words.
+"""Plots wrist speeds of both hands with gesture phases and words, to judge gestures by eye.
 
-Conventions: speeds are metres a second in the world, of a motion smoothed as those it is compared with were measured
-(6 Hz low-pass, shared/motion.md). matplotlib draws it; it is an extra, `pip install 'understudy[plot]'`, asked for by
-the doors.
+Conventions: speeds are metres per second in the world, low-pass filtered at 6 Hz like the recordings they are compared
+with (shared/motion.md). Needs matplotlib, the extra `understudy[plot]`; command line and HTTP API check for it.
 """
 
 from __future__ import annotations
@@ -41,7 +40,7 @@ LINE, LIMIT, WORD = "#1f4e79", "#c0392b", "#9aa5b1"
 
 
 def draw_speeds(motion: Motion, skeleton: Skeleton, schedule: Schedule) -> bytes:
-    """The picture, as PNG: a row for each hand over a row of words."""
+    """The plot as PNG: a row for each hand above a row of words."""
     from matplotlib.figure import Figure
     from matplotlib.patches import Patch
 
@@ -80,7 +79,7 @@ def _up_from(skeleton: Skeleton, joint: int) -> list[int]:
 
 
 def _low_passed(places_m: FloatArray, frame_rate_hz: int) -> FloatArray:
-    """Smoothed in time by a second-order Butterworth filter, there and back; too short a motion stays as it is."""
+    """Second-order Butterworth low-pass, forward and backward; motions that are too short are returned unfiltered."""
     from scipy.signal import butter, sosfiltfilt
 
     if len(places_m) <= 9 or frame_rate_hz <= 2 * LOW_PASS_HZ:
@@ -89,7 +88,7 @@ def _low_passed(places_m: FloatArray, frame_rate_hz: int) -> FloatArray:
 
 
 def _draw_phases(row: Axes, motion: Motion, schedule: Schedule, hand: Hand) -> None:
-    """The phases of the gestures of this hand, as they were realized, each with its lexeme."""
+    """The realized phases of this hand's gestures, each with its lexeme."""
     for behavior in schedule.behaviors:
         sync = motion.realized.get(behavior.id)
         if behavior.kind is not Channel.GESTURE or sync is None or behavior.hand not in {hand, Hand.BOTH, None}:
@@ -110,7 +109,7 @@ def _point_s(sync: SyncPoints, point: str) -> float | None:
 
 
 def _draw_words(row: Axes, schedule: Schedule) -> None:
-    """A box for each word; neighbours' labels at two heights, lest they touch."""
+    """A box for each word; labels alternate between two heights so that neighbours do not touch."""
     for word in schedule.words:
         if word.interval is None:
             continue

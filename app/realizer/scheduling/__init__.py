@@ -1,4 +1,3 @@
-"""The scheduler of the paper's §3.8: which clip plays each gesture, which give way, how neighbours flow into each
-other, when arms rest, and how all of it is laid over the body. Imports all rooms before it but `face`. Begin with
-`planning.py`, which plans, then `gesturing.py`, which plays the plan.
-"""
+"""The gesture scheduler of the paper's §3.8: selects clips, resolves conflicts, blends neighbours, places rests, and
+applies the result to the body. Imports all rooms before it except `face`. Begin with `planning.py`, which makes the
+plan, then `gesture_controller.py`, which applies it."""

@@ -1,8 +1,8 @@
-"""What each arm does with its time: gesture units, the rests between them, and every phase on the clock.
+"""Builds each arm's timeline: gesture units, the rests between them, and absolute times of all phases.
 
-A gesture that flows into the next is held until the way to its stroke start is as fast as that stroke (paper §3.8); one
-that does not goes back to rest. A preparation from rest takes its natural time, more when the way is long, less when
-there is no more; a pre-stroke hold gives way first. All of a unit's arms rest in the same way after it.
+A gesture that blends into the next is held until the transition is as fast as the next stroke (paper §3.8); otherwise
+the arm returns to rest. A preparation from rest takes its natural time, more for long ways, less if there is less time;
+the pre-stroke hold is shortened first. Both arms of a unit take the same rest pose after it.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -13,37 +13,38 @@ from math import inf
 from ...model import Hand
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..gestures.gesture import Markers
-from ..gestures.gesture_plan import ArmGesture, ArmRest, Placed
+from ..gestures.gesture_plan import ArmGesture, ArmRest, PlacedGesture
 from .rests import (
     AT_SIDE,
     SHORTEST_REST_S,
     SHORTEST_RETRACTION_S,
     RestChange,
     change_s,
-    hurried_s,
-    own_pose,
-    pose_for,
+    posture_pose,
     preparation_s,
     rest_m,
+    rest_pose_for_gap,
     retraction_s,
+    shortest_way_s,
 )
-from .transitions import Setting, flow_together, natural_preparation_s, prolonged_relax_s, within_reach
+from .transitions import TransitionContext, blends, in_same_unit, natural_preparation_s, prolonged_relax_s
 
 SHORTEST_STAY_S = 1.0
-"""A hand does not go to a rest that it would leave for another so soon."""
+"""A hand does not go to a rest pose that changes again within this time."""
 
 
 @dataclass(frozen=True, slots=True)
 class ArmTimeline:
-    """One arm's gestures and rests in order; the last rest is open, its end infinite."""
+    """One arm's gestures and rests in order; the last rest ends at infinity."""
 
     gestures: tuple[ArmGesture, ...]
     rests: tuple[ArmRest, ...]
 
 
-def units_of(gestures: Iterable[Placed], setting: Setting) -> tuple[tuple[Placed, ...], ...]:
-    """The gestures, in order, as units: of those that flow together, or whose arm has no time to rest between them."""
-    units: list[list[Placed]] = []
+def units_of(gestures: Iterable[PlacedGesture], setting: TransitionContext) -> tuple[tuple[PlacedGesture, ...], ...]:
+    """The gestures grouped into units: those that blend into each other, or whose arm has no time to rest in
+    between."""
+    units: list[list[PlacedGesture]] = []
     for gesture in gestures:
         if units and _joins(units[-1], gesture, setting):
             units[-1].append(gesture)
@@ -52,22 +53,22 @@ def units_of(gestures: Iterable[Placed], setting: Setting) -> tuple[tuple[Placed
     return tuple(map(tuple, units))
 
 
-def _joins(unit: Sequence[Placed], gesture: Placed, setting: Setting) -> bool:
-    if within_reach(max(unit, key=lambda each: each.relax_s), gesture, setting):
+def _joins(unit: Sequence[PlacedGesture], gesture: PlacedGesture, setting: TransitionContext) -> bool:
+    if in_same_unit(max(unit, key=lambda each: each.relax_s), gesture, setting):
         return True
     last = ((side, next((each for each in reversed(unit) if side in each.arms), None)) for side in gesture.arms)
-    return any(before is not None and flow_together(before, gesture, side, setting) for side, before in last)
+    return any(before is not None and blends(before, gesture, side, setting) for side, before in last)
 
 
-def rest_changes(units: Sequence[Sequence[Placed]], setting: Setting) -> tuple[RestChange, ...]:
-    """How hands rest that rest, from the first frame on: it changes when a unit ends, and when a posture says so."""
+def rest_changes(units: Sequence[Sequence[PlacedGesture]], setting: TransitionContext) -> tuple[RestChange, ...]:
+    """The rest poses from the first frame on: they change at the end of a unit and with postures of the schedule."""
     ends_s = [0.0, *(max(each.relax_s for each in unit) for unit in units)]
     starts_s = [min(each.stroke_start_s for each in unit) for unit in units]
-    poses = [pose_for(start_s - end_s) for end_s, start_s in zip(ends_s, starts_s, strict=False)]
+    poses = [rest_pose_for_gap(start_s - end_s) for end_s, start_s in zip(ends_s, starts_s, strict=False)]
     by_gap = tuple(zip(ends_s, [*poses, AT_SIDE], strict=True))
     times_s = sorted({*ends_s, *(from_s for from_s, _pose in setting.postures)})
     changes = [
-        RestChange(time_s, own_pose(setting.postures, time_s) or _in_force(by_gap, time_s)) for time_s in times_s
+        RestChange(time_s, posture_pose(setting.postures, time_s) or _in_force(by_gap, time_s)) for time_s in times_s
     ]
     return (changes[0], *(after for before, after in pairwise(changes) if after.pose != before.pose))
 
@@ -77,7 +78,7 @@ def _in_force(poses: Iterable[tuple[float, str]], time_s: float) -> str:
 
 
 def arm_timeline(
-    side: Hand, gestures: Iterable[Placed], changes: tuple[RestChange, ...], setting: Setting
+    side: Hand, gestures: Iterable[PlacedGesture], changes: tuple[RestChange, ...], setting: TransitionContext
 ) -> ArmTimeline:
     """The timeline of one arm; `gestures` are those of both."""
     own = [each for each in gestures if side in each.arms]
@@ -92,21 +93,23 @@ def arm_timeline(
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """How an arm goes from a gesture to the next: the hold of the first ends, the arm has arrived at rest, it starts,
-    it is ready. In a blend it arrives nowhere: it starts when the hold ends."""
+    """The time between two gestures of an arm: end of the first one's hold, arrival at rest, departure, ready for the
+    second. In a blend there is no arrival: the arm departs when the hold ends."""
 
     relax_s: float
     arrival_s: float
     start_s: float
     ready_s: float
-    first: Placed | None = None
-    second: Placed | None = None
+    first: PlacedGesture | None = None
+    second: PlacedGesture | None = None
     joined: bool = False
-    underway: float = 0.0
+    initial_progress: float = 0.0
 
 
-def _between(first: Placed, second: Placed, side: Hand, changes: tuple[RestChange, ...], setting: Setting) -> _Way:
-    if flow_together(first, second, side, setting):
+def _between(
+    first: PlacedGesture, second: PlacedGesture, side: Hand, changes: tuple[RestChange, ...], setting: TransitionContext
+) -> _Way:
+    if blends(first, second, side, setting):
         relax_s = prolonged_relax_s(first, second, side)
         return _Way(relax_s, relax_s, relax_s, second.stroke_start_s, first, second, joined=True)
     there_s, back_s = _retraction_s(first, side, changes), _preparation_s(second, side, changes)
@@ -117,39 +120,39 @@ def _between(first: Placed, second: Placed, side: Hand, changes: tuple[RestChang
     return _Way(first.relax_s, first.relax_s + share * there_s, ready_s - share * back_s, ready_s, first, second)
 
 
-def _from_the_first_frame(first: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
-    """A speaker lifts the hands before the first word. What is too far for the time from the first frame is therefore
-    behind them in that frame already."""
+def _from_the_first_frame(first: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
+    """The way to the first gesture. Speakers raise their hands before the first word, so if there is too little time,
+    part of the way has already been covered in the first frame."""
     window_s = first.stroke_start_s
     way_s = min(_preparation_s(first, side, changes), window_s)
     ready_s = window_s - _hold_s(first, window_s - way_s)
-    hurried = hurried_s(distance_m(rest_m(changes[0].pose, side), stroke_start_m(first, side)))
-    underway = max(0.0, 1.0 - window_s / hurried)
-    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, underway=underway)
+    hurried = shortest_way_s(distance_m(rest_m(changes[0].pose, side), stroke_start_m(first, side)))
+    progress = max(0.0, 1.0 - window_s / hurried)
+    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, initial_progress=progress)
 
 
-def _to_rest(last: Placed, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
+def _to_rest(last: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
     return _Way(last.relax_s, last.relax_s + _retraction_s(last, side, changes), inf, inf, last)
 
 
-def _hold_s(gesture: Placed, room_s: float) -> float:
-    """The pre-stroke hold, as far as there is room for it."""
+def _hold_s(gesture: PlacedGesture, room_s: float) -> float:
+    """The pre-stroke hold, as long as there is time for it."""
     natural_s = gesture.clip.markers.stroke_start - gesture.clip.markers.ready
     return max(0.0, min(natural_s, room_s))
 
 
-def _preparation_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...]) -> float:
+def _preparation_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> float:
     natural_s = natural_preparation_s(gesture)
     pose = pose_at(changes, max(0.0, gesture.stroke_start_s - natural_s))
     return preparation_s(distance_m(rest_m(pose, side), stroke_start_m(gesture, side)), natural_s)
 
 
-def _retraction_s(gesture: Placed, side: Hand, changes: tuple[RestChange, ...]) -> float:
+def _retraction_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> float:
     pose = pose_on_arrival(changes, gesture.relax_s + SHORTEST_RETRACTION_S)
     return retraction_s(distance_m(relax_m(gesture, side), rest_m(pose, side)))
 
 
-def _arm_gesture(side: Hand, gesture: Placed, before: _Way, after: _Way) -> ArmGesture:
+def _arm_gesture(side: Hand, gesture: PlacedGesture, before: _Way, after: _Way) -> ArmGesture:
     markers = Markers(
         start=before.start_s,
         ready=before.ready_s,
@@ -165,22 +168,22 @@ def _arm_gesture(side: Hand, gesture: Placed, before: _Way, after: _Way) -> ArmG
         markers=markers,
         blended_from=before.first.request.behavior if before.joined and before.first else None,
         blended_to=after.second.request.behavior if after.joined and after.second else None,
-        underway=before.underway,
+        initial_progress=before.initial_progress,
     )
 
 
 def pose_at(changes: Iterable[RestChange], time_s: float) -> str:
-    """How hands rest at a time."""
+    """The rest pose at a time."""
     return max((each for each in changes if each.from_s <= time_s), key=lambda each: each.from_s).pose
 
 
 def pose_on_arrival(changes: Iterable[RestChange], time_s: float) -> str:
-    """How a hand rests that arrives then: as it will soon, if that is going to change."""
+    """The rest pose of a hand that arrives at `time_s`: already the next one if it changes soon."""
     return pose_at(changes, time_s + SHORTEST_STAY_S)
 
 
 def _rests(side: Hand, start_s: float, end_s: float, changes: Iterable[RestChange]) -> Iterator[ArmRest]:
-    """An arm's rest from its arrival to its next start, with the changes of pose for which there is time."""
+    """An arm's rests from arrival to departure, with those changes of pose for which there is time."""
     pose = pose_on_arrival(changes, start_s)
     for change in changes:
         if change.from_s <= start_s + SHORTEST_STAY_S or change.pose == pose:

@@ -1,9 +1,9 @@
-"""The scheduler of the paper's §3.8: from the gestures of a schedule to clips on a timeline, arm by arm.
+"""The gesture scheduler (paper §3.8): from a schedule's gestures to clips on a timeline for each arm.
 
-In order: each gesture gets a clip (`selection`), which is aligned by its stroke and never warped in time; neighbours
-that get in each other's way are replaced or pruned by priority (`pruning`); strokes are repeated on further emphases
-(`repetition`); gestures that are close flow together in units, and units end at rest (`arm_timelines`). Whatever is
-not played as asked for has a `Decision`. docs/realizer-scheduling.md tells the rules with their reasons.
+In order: each gesture gets a clip (`selection`), aligned by its stroke and never time-warped; conflicting neighbours
+are replaced or pruned by priority (`pruning`); strokes are repeated on further emphases (`repetition`); gestures close
+together blend into units, and units end at rest (`arm_timelines`). Whatever is not played as requested has a
+`Decision`. docs/realizer-scheduling.md explains the rules.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -17,29 +17,39 @@ import numpy as np
 from ...model import Hand, Schedule, SyncPoints
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..body.motion import Decision
-from ..gestures.gesture_plan import ArmGesture, GesturePlan, Placed, Position, Request, Transition, Unit
-from ..head_and_gaze.aiming import aimed, missed
+from ..gestures.gesture_plan import (
+    ArmGesture,
+    GesturePlan,
+    GestureRequest,
+    GestureUnit,
+    PlacedGesture,
+    Position,
+    Transition,
+)
+from ..head_and_gaze.aiming import unknown_target, with_target
 from .arm_timelines import arm_timeline, rest_changes, units_of
-from .pruning import Admission, admitted
+from .pruning import Admission, admit
 from .repetition import repeats_until_s, with_repeats
 from .rests import posture_changes
-from .selection import Clips, candidates, in_drawn_order, in_time, placed, requests_of
-from .transitions import Setting, natural_preparation_s
+from .selection import Clips, candidate_clips, in_time, place_clip, requests_of, shuffled
+from .transitions import TransitionContext, natural_preparation_s
 
 SIDES = (Hand.LEFT, Hand.RIGHT)
 
 _NOTICEABLE_S = 0.02
-"""A phase that differs by less from what was asked for needs no word."""
+_ON_TIME_S = 0.01
+"""Differences from the schedule below this are not reported."""
 
 
 def plan_gestures(
     library: Clips, schedule: Schedule, *, seed: int, targets_m: Mapping[str, Position] = MappingProxyType({})
 ) -> GesturePlan:
-    """What the arms do through a schedule. The stroke of every gesture that is played is on its time in the BML,
-    save on the first sound of a line, where it may be late.
+    """What the arms do during a schedule. The stroke of every gesture that is played is at its time in the BML, except
+    at the very start, where it may be late.
 
-    `targets_m` places what is pointed at in the world, as for the gaze."""
-    setting = Setting(schedule.phrases, posture_changes(schedule))
+    `targets_m` has the world positions of pointing targets, as for the gaze.
+    """
+    setting = TransitionContext(schedule.phrases, posture_changes(schedule))
     chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
     gestures = tuple(_repeated(chosen.kept, schedule, setting))
     units = units_of(gestures, setting)
@@ -53,47 +63,53 @@ def plan_gestures(
         rests=tuple(replace(rest, end_s=end_s) if isinf(rest.end_s) else rest for rest in rests),
         transitions=tuple(transition for side in SIDES for transition in _transitions(side, arms)),
         units=tuple(_unit(unit, arms) for unit in units),
-        decisions=(*chosen.decisions, *(told for gesture in gestures for told in missed(gesture)), *_decisions(arms)),
+        decisions=(
+            *chosen.decisions,
+            *(told for gesture in gestures for told in unknown_target(gesture)),
+            *_decisions(arms),
+        ),
         realized={gesture.request.behavior: _realized(gesture, arms) for gesture in gestures},
         end_s=end_s,
     )
 
 
 def chosen_clips(
-    library: Clips, schedule: Schedule, setting: Setting, *, seed: int, targets_m: Mapping[str, Position]
+    library: Clips, schedule: Schedule, setting: TransitionContext, *, seed: int, targets_m: Mapping[str, Position]
 ) -> Admission:
-    """The gestures that are played, with their clips, in order of their strokes, and what became of the others."""
+    """The gestures that are played with their clips, in order of their strokes, and the decisions about the others."""
     rng = np.random.default_rng(seed)
-    kept: tuple[Placed, ...] = ()
+    kept: tuple[PlacedGesture, ...] = ()
     decisions: list[Decision] = []
     for request in requests_of(schedule):
-        clips, told = candidates(request, library)
+        clips, told = candidate_clips(request, library)
         decisions += told
         if clips:
             used = next((each.clip.name for each in reversed(kept) if each.clip.category == clips[0].category), None)
-            drawn = [aimed(placed(clip, request), targets_m) for clip in in_drawn_order(clips, used, rng)]
+            drawn = [with_target(place_clip(clip, request), targets_m) for clip in shuffled(clips, used, rng)]
             options = [in_time(each) for each in sorted(drawn, key=lambda each: each.stroke_start_s < 0)]
-            admission = admitted(options, kept, setting)
+            admission = admit(options, kept, setting)
             kept = admission.kept
             decisions += (*admission.decisions, *_late(kept, request))
     return Admission(kept, tuple(decisions))
 
 
-def _late(kept: Iterable[Placed], request: Request) -> Iterator[Decision]:
+def _late(kept: Iterable[PlacedGesture], request: GestureRequest) -> Iterator[Decision]:
     for gesture in kept:
         late_s = gesture.request.stroke_s - request.stroke_s
-        if gesture.request.behavior == request.behavior and late_s > _NOTICEABLE_S:
+        if gesture.request.behavior == request.behavior and late_s > _ON_TIME_S:
             yield Decision(request.behavior, "late", f"by {late_s:.2f} s: its stroke begins with the first frame")
 
 
-def _repeated(gestures: tuple[Placed, ...], schedule: Schedule, setting: Setting) -> Iterator[Placed]:
+def _repeated(
+    gestures: tuple[PlacedGesture, ...], schedule: Schedule, setting: TransitionContext
+) -> Iterator[PlacedGesture]:
     for number, gesture in enumerate(gestures):
         until_s = min(schedule.duration_s, repeats_until_s(gesture, gestures[number + 1 :], setting))
         yield with_repeats(gesture, schedule.emphases_s, until_s)
 
 
 def _transitions(side: Hand, arms: Iterable[ArmGesture]) -> Iterator[Transition]:
-    """The blends of one arm, as fast as they came out."""
+    """The blends of one arm with their actual speeds."""
     own = (each for each in arms if each.side is side)
     for first, second in pairwise(own):
         if second.blended_from is not None:
@@ -102,21 +118,21 @@ def _transitions(side: Hand, arms: Iterable[ArmGesture]) -> Iterator[Transition]
             yield Transition(side, first.behavior, second.behavior, start_s, end_s, way_m / (end_s - start_s))
 
 
-def _of_behavior(gesture: Placed, arms: Iterable[ArmGesture]) -> list[ArmGesture]:
+def _of_behavior(gesture: PlacedGesture, arms: Iterable[ArmGesture]) -> list[ArmGesture]:
     return [each for each in arms if each.placed is gesture]
 
 
-def _unit(unit: tuple[Placed, ...], arms: tuple[ArmGesture, ...]) -> Unit:
+def _unit(unit: tuple[PlacedGesture, ...], arms: tuple[ArmGesture, ...]) -> GestureUnit:
     own = [each for gesture in unit for each in _of_behavior(gesture, arms)]
-    return Unit(
+    return GestureUnit(
         behaviors=tuple(gesture.request.behavior for gesture in unit),
         start_s=min(each.markers.start for each in own),
         end_s=max(each.markers.end for each in own),
     )
 
 
-def _realized(gesture: Placed, arms: Iterable[ArmGesture]) -> SyncPoints:
-    """The sync points of a gesture as its arms play it: of both, who starts first and ends last."""
+def _realized(gesture: PlacedGesture, arms: Iterable[ArmGesture]) -> SyncPoints:
+    """The sync points of a gesture over both arms: the earliest start and the latest end."""
     own = [each.markers for each in _of_behavior(gesture, arms)]
     return SyncPoints(
         start=min(markers.start for markers in own),
@@ -130,7 +146,7 @@ def _realized(gesture: Placed, arms: Iterable[ArmGesture]) -> SyncPoints:
 
 
 def _decisions(arms: Iterable[ArmGesture]) -> Iterator[Decision]:
-    """What was decided about gestures that are played; what holds of both arms is told once."""
+    """The decisions about gestures that are played; those that apply to both arms are reported once."""
     told = {(each.behavior, each.action): each for arm in arms for each in reversed(list(_told(arm)))}
     yield from told.values()
 
@@ -142,7 +158,7 @@ def _told(arm: ArmGesture) -> Iterator[Decision]:
     elif natural_preparation_s(gesture) - (markers.ready - markers.start) > _NOTICEABLE_S:
         natural_s = natural_preparation_s(gesture)
         reason = f"{markers.ready - markers.start:.2f} s of preparation instead of {natural_s:.2f} s"
-        if arm.underway > 0:
+        if arm.initial_progress > 0:
             reason += ", the hand raised in the first frame"
         yield Decision(arm.behavior, "shortened", reason)
     cut_s = gesture.clip.markers.relax - gesture.clip.markers.stroke - (markers.relax - markers.stroke)

@@ -1,44 +1,43 @@
 """Stroke expansion (Gesture Engine §5.1): on further emphases of the phrase the hand keeps its shape and the arm
-repeats part of the stroke, smaller each time, so that each ends on an emphasis.
+repeats part of the stroke, smaller each time, ending on the emphasis.
 
-It is done by gestures whose expressivity asks for it and by beats, which are nothing but emphasis, up to what their
-next neighbour or the end of the phrase leaves.
+It applies to gestures whose expressivity includes repetition and to beats, until the next gesture or the phrase's end.
 """
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import inf
 
-from ..gestures.gesture_plan import Placed, Repeat
-from .transitions import Setting, transition_s
+from ..gestures.gesture_plan import PlacedGesture, Repeat
+from .transitions import TransitionContext, transition_s
 
 AMPLITUDES = (0.6, 0.4, 0.25)
-"""Of the first repetition, the second and the third, in parts of the stroke."""
+"""Of the first, second and third repetition, as shares of the stroke."""
 SHORTEST_SPACING_S = 0.35
-"""Between the ends of two strokes: back and forth again at a human speed."""
+"""Between the ends of two strokes: enough to move back and forth at a human speed."""
 LONGEST_SPACING_S = 1.5
-"""Later, the emphasis belongs to something else."""
+"""A later emphasis is not part of the gesture any more."""
 AFTER_S = 0.1
-"""The hold that follows the last repetition."""
+"""The hold after the last repetition."""
 BEATS = frozenset({"BEAT", "BEAT_HIGH", "RHYTHM", "PRECISION", "CHOP", "PALM_BEAT"})
 BEAT_REPEATS = 2
 
 
-def with_repeats(placed: Placed, emphases_s: Iterable[float], until_s: float) -> Placed:
-    """The gesture with its stroke repeated on the emphases before `until_s`, and its relax time behind the last."""
+def with_repeats(placed: PlacedGesture, emphases_s: Iterable[float], until_s: float) -> PlacedGesture:
+    """The gesture with its stroke repeated on the emphases before `until_s`, and its relax time after the last one."""
     repeats = tuple(_repeats(placed, sorted(emphases_s), until_s))
     if not repeats:
         return placed
     return replace(placed, repeats=repeats, relax_s=max(placed.relax_s, min(repeats[-1].end_s + AFTER_S, until_s)))
 
 
-def most_repeats(placed: Placed) -> int:
-    """How often a gesture may be repeated: never at an expressivity of 0, three times at 1."""
+def most_repeats(placed: PlacedGesture) -> int:
+    """The maximum number of repetitions: none at a `repetition` of 0, three at 1."""
     wanted = round(len(AMPLITUDES) * placed.clip.expressivity.repetition)
     return max(wanted, BEAT_REPEATS) if placed.clip.category in BEATS else wanted
 
 
-def _repeats(placed: Placed, emphases_s: list[float], until_s: float) -> Iterator[Repeat]:
+def _repeats(placed: PlacedGesture, emphases_s: list[float], until_s: float) -> Iterator[Repeat]:
     amplitudes = iter(AMPLITUDES[: most_repeats(placed)])
     stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
     last_s = placed.stroke_end_s
@@ -55,8 +54,8 @@ def _repeats(placed: Placed, emphases_s: list[float], until_s: float) -> Iterato
         last_s = emphasis_s
 
 
-def repeats_until_s(placed: Placed, later: Iterable[Placed], setting: Setting) -> float:
-    """How long a gesture may go on: to the end of its phrase, or until an arm must leave for its next gesture."""
+def repeats_until_s(placed: PlacedGesture, later: Iterable[PlacedGesture], setting: TransitionContext) -> float:
+    """How long a gesture may be repeated: until the end of its phrase, or until an arm leaves for its next gesture."""
     phrase = setting.phrase_of(placed.request.stroke_s)
     ends_s = [inf if phrase is None else setting.phrases[phrase].end_s]
     following = list(later)

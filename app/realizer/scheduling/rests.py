@@ -1,9 +1,9 @@
-"""Where the hands rest between gestures, and how long the ways from and to rest take.
+"""Rest poses between gestures, and the durations of preparations and retractions.
 
-A gesture unit ends in one retraction, whose aim is chosen by the distance to the next unit: small clasped, medium at
-the side, large in the pockets (towards-natural §3.3, which gives no distances; ours are `SMALL_GAP_S` and
-`MEDIUM_GAP_S`). A posture of the schedule that tells what the hands do (HANDS_FOLDED …) takes over from then on: it is
-the character's own way to stand. A change of the standing leg ends it.
+A gesture unit ends in one retraction, whose rest pose depends on the time to the next unit: small clasped, medium at
+the side, large in the pockets (towards-natural §3.3, without durations; ours are `SMALL_GAP_S` and `MEDIUM_GAP_S`).
+From a hand posture in the schedule on (HANDS_FOLDED …) that pose is used instead, since it is the character's own way
+to stand. A change of the weight-bearing leg ends it.
 
 Conventions: wrists as in `understudy.realizer.gestures.gesture_space`, from the arm's own side; speeds are means over a
 way.
@@ -35,41 +35,41 @@ POSTURES: Mapping[str, str | None] = MappingProxyType(
         "WEIGHT_ON_RIGHT_LEG": None,
     }
 )
-"""What a posture says of the hands; None lets the distance to the next unit choose again."""
+"""The rest pose of a posture; None lets the gap's length decide again."""
 
 PREPARATION_SPEED_M_S = 0.6
 RETRACTION_SPEED_M_S = 0.6
-"""So that usual ways take about as long as people's in stories (shared/motion.md: .53 s either way)."""
+"""So that typical ways take about as long as in people's stories (shared/motion.md: .53 s in either direction)."""
 TOP_SPEED_M_S = 1.1
-"""The fastest mean speed of a way. A smooth one peaks at 1.9 times its mean: 2 m/s, people's 99th percentile."""
+"""The fastest mean speed of a way. Its peak is 1.9 times the mean: 2 m/s, people's 99th percentile."""
 CHANGE_SPEED_M_S = 0.45
-"""Of the way from one rest to another, which nothing hurries."""
+"""Between two rest poses, without hurry."""
 SHORTEST_PREPARATION_S = 0.45
 HURRIED_PREPARATION_S = 0.15
 SHORTEST_RETRACTION_S = 0.45
 SHORTEST_CHANGE_S = 0.6
 SHORTEST_REST_S = 0.3
-"""Less than that at rest looks like a twitch."""
+"""A shorter rest looks like a twitch."""
 
 
 @dataclass(frozen=True, slots=True)
 class RestChange:
-    """From `from_s` on, hands that rest do so in `pose`."""
+    """From `from_s` on, resting hands take this pose."""
 
     from_s: float
     pose: str
 
 
-def pose_for(gap_s: float) -> str:
-    """The pose that suits the time until the next unit."""
+def rest_pose_for_gap(gap_s: float) -> str:
+    """The rest pose for a gap of this length until the next unit."""
     if gap_s < SMALL_GAP_S:
         return CLASPED
     return AT_SIDE if gap_s < MEDIUM_GAP_S else IN_POCKETS
 
 
 def posture_changes(schedule: Schedule) -> tuple[tuple[float, str | None], ...]:
-    """When the schedule's postures say something of the hands, and what, in order of time: a shift lasts, a posture
-    with a way back ends where the latest shift left the hands."""
+    """The hand poses that the schedule's postures determine, in order of time: a shift lasts, a posture that ends
+    returns to the pose of the latest shift."""
     postures = (each for each in schedule.behaviors if each.kept and each.kind is Channel.POSTURE)
     told = sorted((each for each in postures if each.lexeme in POSTURES), key=lambda each: each.sync.start)
     changes: list[tuple[float, str | None]] = []
@@ -86,35 +86,36 @@ def posture_changes(schedule: Schedule) -> tuple[tuple[float, str | None], ...]:
 
 
 def _from_s(posture: Behavior) -> float:
-    """A posture of the first moment is how the line is begun, not something that happens in it."""
+    """A posture at the very beginning applies from the first frame instead of being reached during the line."""
     return 0.0 if posture.sync.start < FIRST_MOMENT_S else posture.sync.start
 
 
-def own_pose(changes: tuple[tuple[float, str | None], ...], time_s: float) -> str | None:
-    """The pose that the postures before `time_s` leave the hands in; None when they say nothing."""
+def posture_pose(changes: tuple[tuple[float, str | None], ...], time_s: float) -> str | None:
+    """The hand pose determined by postures before `time_s`; None if there is none."""
     return next((pose for from_s, pose in reversed(changes) if from_s <= time_s), None)
 
 
 def rest_m(pose: str, side: Hand) -> FloatArray:
-    """The wrist's place (3,) in a rest pose."""
+    """The wrist's position (3,) in a rest pose."""
     left, right = RESTS[pose]
     return np.array((left if side is Hand.LEFT else right).wrist_m)
 
 
 def preparation_s(way_m: float, natural_s: float) -> float:
-    """How long a preparation takes that is in no hurry."""
+    """The duration of a preparation without time pressure."""
     return max(natural_s, way_m / PREPARATION_SPEED_M_S, SHORTEST_PREPARATION_S)
 
 
-def hurried_s(way_m: float) -> float:
-    """The shortest time for a way from or to rest."""
+def shortest_way_s(way_m: float) -> float:
+    """The minimum duration of a way from or to rest."""
     return max(way_m / TOP_SPEED_M_S, HURRIED_PREPARATION_S)
 
 
 def retraction_s(way_m: float) -> float:
+    """The duration of a retraction without time pressure."""
     return max(way_m / RETRACTION_SPEED_M_S, SHORTEST_RETRACTION_S)
 
 
 def change_s(way_m: float) -> float:
-    """How long the hands take from one rest to another."""
+    """The duration of a change from one rest pose to another."""
     return max(way_m / CHANGE_SPEED_M_S, SHORTEST_CHANGE_S)

@@ -1,11 +1,10 @@
-"""Which clip plays a gesture of the schedule (paper §3.8, eq. 4 and 5).
+"""Selects clips for a schedule's gestures (paper §3.8, eq. 4 and 5).
 
-A clip fits when what lies between its stroke and its relax time is no longer than what the request leaves (eq. 5). The
-paper's clips are recordings, whose post-stroke hold can be drawn out and not cut. In ours the hold is a pose between
-two keys, so that a clip whose hold alone is too long is taken when no other fits, and its hold cut, which leaves the
-stroke as it is. What eq. 5 then asks is that the stroke itself ends by the relax time. `TOLERANCE_S` later is forgiven:
-schedules made before the clip was known end a stroke on the stressed vowel, to the millisecond, and may ask for no hold
-at all.
+A clip fits if the time from its stroke to its relax time is no longer than the request's (eq. 5). The paper's clips are
+recordings, whose post-stroke hold can be extended but not cut. Ours hold a pose between two keys, so a clip whose hold
+alone is too long is used if no other fits, with its hold cut; eq. 5 then requires only that the stroke ends by the
+relax time. `TOLERANCE_S` more is accepted, since schedules are made before the clip is known, end strokes on stressed
+vowels to the millisecond, and may have no hold at all.
 """
 
 from collections.abc import Iterator
@@ -19,39 +18,39 @@ import numpy as np
 from ...model import Behavior, Channel, Hand, Level, Schedule
 from ..body.motion import Decision
 from ..gestures.gesture import Clip
-from ..gestures.gesture_plan import Placed, Request
+from ..gestures.gesture_plan import GestureRequest, PlacedGesture
 
 TOLERANCE_S = 0.1
 LATEST_S = 0.35
 """A gesture on the first sound of a recording may come this late, about a word, rather than not at all."""
 
 USUAL_AMOUNT = 0.5
-"""The size of a gesture that BML calls neither small nor large. The hands go as far as its root: twice
-the amount is not twice the reach of an arm."""
+"""The amount of a gesture of normal size. Reach grows with the square root of the amount: twice the amount is not twice
+the reach."""
 
 
 class Clips(Protocol):
-    """What selection asks of the gesture library (`understudy.realizer.gestures.library`)."""
+    """The interface that selection needs from the gesture library (`understudy.realizer.gestures.library`)."""
 
     def clips(self, category: str, level: Level, hand: Hand) -> tuple[Clip, ...]: ...
 
     def nearest(self, lexeme: str) -> str | None: ...
 
 
-def requests_of(schedule: Schedule) -> tuple[Request, ...]:
-    """The G_i of a schedule's kept gestures (eq. 4), in order of their strokes."""
+def requests_of(schedule: Schedule) -> tuple[GestureRequest, ...]:
+    """The requests G_i for a schedule's kept gestures (eq. 4), in order of their strokes."""
     gestures = (each for each in schedule.behaviors if each.kept and each.kind is Channel.GESTURE)
     requests = (_request(gesture, schedule.agitation) for gesture in gestures)
     return tuple(sorted(requests, key=lambda request: (request.stroke_s, request.behavior)))
 
 
-def _request(gesture: Behavior, level: Level) -> Request:
-    """BML may leave sync points out: the stroke is then where it ends, or where the gesture begins."""
+def _request(gesture: Behavior, level: Level) -> GestureRequest:
+    """BML sync points are optional: without a stroke it is where the stroke ends, or where the gesture begins."""
     sync = gesture.sync
     stroke_s = next((point for point in (sync.stroke, sync.stroke_end, sync.stroke_start) if point is not None), None)
     stroke_s = sync.start if stroke_s is None else stroke_s
     relax_s = next((point for point in (sync.relax, sync.stroke_end) if point is not None), sync.end)
-    return Request(
+    return GestureRequest(
         behavior=gesture.id,
         category=gesture.lexeme,
         stroke_s=stroke_s,
@@ -64,26 +63,26 @@ def _request(gesture: Behavior, level: Level) -> Request:
     )
 
 
-def fits(clip: Clip, request: Request) -> bool:
+def fits(clip: Clip, request: GestureRequest) -> bool:
     """Eq. 5: t_rl - t_st <= t_grl - t_gst."""
     return clip.markers.relax - clip.markers.stroke <= request.relax_s - request.stroke_s + TOLERANCE_S
 
 
-def fits_without_hold(clip: Clip, request: Request) -> bool:
-    """Eq. 5 with the clip's own hold cut: t_se - t_st <= t_grl - t_gst."""
+def fits_without_hold(clip: Clip, request: GestureRequest) -> bool:
+    """Eq. 5 with the clip's hold cut: t_se - t_st <= t_grl - t_gst."""
     return clip.markers.stroke_end - clip.markers.stroke <= request.relax_s - request.stroke_s + TOLERANCE_S
 
 
-def placed(clip: Clip, request: Request) -> Placed:
-    """The clip with its stroke on the desired time and its hold extended to the desired relax time, at least to where
-    its stroke ends."""
-    aligned = Placed(request, clip, request.relax_s)
+def place_clip(clip: Clip, request: GestureRequest) -> PlacedGesture:
+    """The clip with its stroke at the desired time and its hold extended to the desired relax time, at least until the
+    stroke's end."""
+    aligned = PlacedGesture(request, clip, request.relax_s)
     return replace(aligned, relax_s=max(request.relax_s, aligned.stroke_end_s))
 
 
-def in_time(placed: Placed) -> Placed:
-    """The clip as late as it takes for its stroke to begin with the first frame, the hand raised already; where that is
-    more than `LATEST_S` it stays where it is, before the first frame."""
+def in_time(placed: PlacedGesture) -> PlacedGesture:
+    """The gesture delayed until its stroke begins with the first frame, the hand already raised; if that would be more
+    than `LATEST_S`, unchanged, with its stroke before the first frame."""
     late_s = -placed.stroke_start_s
     if not 0 < late_s <= LATEST_S:
         return placed
@@ -91,8 +90,8 @@ def in_time(placed: Placed) -> Placed:
     return replace(late, relax_s=max(late.relax_s, late.stroke_end_s))
 
 
-def candidates(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
-    """The clips that fit a request, none when it must be dropped, and what was decided on the way."""
+def candidate_clips(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
+    """The clips that fit a request, none if it must be dropped, and the decisions made."""
     clips, decisions = _of_category(request, library)
     if not clips:
         reason = f"the library has no clip for {request.category}, nor a beat that could stand in"
@@ -107,14 +106,14 @@ def candidates(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tupl
     return (), (*decisions, Decision(request.behavior, "dropped", reason))
 
 
-def in_drawn_order(clips: tuple[Clip, ...], last_used: str | None, rng: np.random.Generator) -> tuple[Clip, ...]:
-    """The clips as chance has them, the variant that was used last behind the others."""
+def shuffled(clips: tuple[Clip, ...], last_used: str | None, rng: np.random.Generator) -> tuple[Clip, ...]:
+    """The clips in random order, with the variant used last at the end."""
     shuffled = [clips[number] for number in rng.permutation(len(clips))]
     return tuple(sorted(shuffled, key=lambda clip: clip.name == last_used))
 
 
-def _of_category(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
-    """The clips of the nearest category, by the hand and at the level that are asked for, or else by others."""
+def _of_category(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
+    """The clips of the nearest category with the requested hand and level, or else with others."""
     category = library.nearest(request.category)
     if category is None:
         return (), ()
@@ -129,8 +128,8 @@ def _of_category(request: Request, library: Clips) -> tuple[tuple[Clip, ...], tu
     return (), ()
 
 
-def _changes(request: Request, category: str, hand: Hand, level: Level) -> Iterator[str]:
-    """In words, how what there is differs from what was asked for."""
+def _changes(request: GestureRequest, category: str, hand: Hand, level: Level) -> Iterator[str]:
+    """Differences between the clip and the request, in words."""
     if category != request.category:
         yield f"the library has no {request.category}: {category} stands in"
     if hand is not request.hand:

@@ -1,89 +1,92 @@
-"""Neighbouring gestures (paper §3.8): which flow into each other, how fast, how long a hold lasts.
+"""Transitions between neighbouring gestures (paper §3.8): which blend, how fast they are, how long holds last.
 
-The paper has one timeline; we have one an arm, and its rules hold on each by itself: gestures of different hands do not
-meet, and one of both hands has a neighbour on either arm.
+The paper has one timeline; here each arm has one, and the rules apply to each separately: gestures of different hands
+do not conflict, and a two-handed one has a neighbour on either arm.
 
-A gesture flows into the next of its arm when both belong to one unit (towards-natural §3.3: closer than `UNIT_GAP_S`
-and in the same phrase of the speech), or when there is no time to go to rest in between.
+A gesture blends into the next of its arm if both belong to one unit (towards-natural §3.3: closer than `UNIT_GAP_S` and
+in the same phrase), or if there is no time to rest in between.
 """
 
 from dataclasses import dataclass
 
 from ...model import Hand, Interval
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
-from ..gestures.gesture_plan import Placed
-from .rests import SHORTEST_REST_S, own_pose, pose_for, preparation_s, rest_m, retraction_s
+from ..gestures.gesture_plan import PlacedGesture
+from .rests import SHORTEST_REST_S, posture_pose, preparation_s, rest_m, rest_pose_for_gap, retraction_s
 
 UNIT_GAP_S = 1.5
 EASY_TRANSITION_S = 0.40
-"""What is left of a gap when the hold before it is prolonged (people's preparations last .30 to 1.05 s)."""
+"""The part of a gap that a prolonged hold leaves (people's preparations last .30 to 1.05 s)."""
 SLOWEST_STROKE_M_S = 0.25
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
-    """What of a schedule bears on the ways between gestures: its phrases, and when postures say how the hands rest."""
+class TransitionContext:
+    """The parts of a schedule that affect transitions: its phrases, and the rest poses of its postures."""
 
     phrases: tuple[Interval, ...] = ()
     postures: tuple[tuple[float, str | None], ...] = ()
 
     def phrase_of(self, time_s: float) -> int | None:
-        """The phrase that has begun last; None when there are none."""
+        """The index of the last phrase that has begun; None if there are no phrases."""
         begun = [number for number, phrase in enumerate(self.phrases) if phrase.start_s <= time_s]
         return max(begun, default=0) if self.phrases else None
 
     def pose_in_gap(self, start_s: float, gap_s: float) -> str:
-        """How the hands rest in a gap between units."""
-        return own_pose(self.postures, start_s) or pose_for(gap_s)
+        """The rest pose in a gap between units."""
+        return posture_pose(self.postures, start_s) or rest_pose_for_gap(gap_s)
 
 
-def gap_s(first: Placed, second: Placed) -> float:
-    """From the desired relax time of one to the stroke start of the next: t_ss of k+1 - t_grl of k."""
+def gap_s(first: PlacedGesture, second: PlacedGesture) -> float:
+    """The time from the desired relax time of the first to the stroke start of the second: t_ss of k+1 - t_grl of k."""
     return second.stroke_start_s - first.relax_s
 
 
-def within_reach(first: Placed, second: Placed, setting: Setting) -> bool:
-    """Whether two neighbours are close enough for one unit, and in one phrase."""
+def in_same_unit(first: PlacedGesture, second: PlacedGesture, setting: TransitionContext) -> bool:
+    """Whether two neighbours are close enough for one unit and in the same phrase."""
     same = setting.phrase_of(first.request.stroke_s) == setting.phrase_of(second.request.stroke_s)
     return same and gap_s(first, second) < UNIT_GAP_S
 
 
-def flow_together(first: Placed, second: Placed, side: Hand, setting: Setting) -> bool:
+def blends(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> bool:
     """Whether an arm goes from the first to the second without rest."""
-    return within_reach(first, second, setting) or gap_s(first, second) < _rest_between_s(first, second, side, setting)
+    return in_same_unit(first, second, setting) or gap_s(first, second) < _rest_between_s(first, second, side, setting)
 
 
-def _rest_between_s(first: Placed, second: Placed, side: Hand, setting: Setting) -> float:
-    """The time it takes to go to rest and come back."""
+def _rest_between_s(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> float:
+    """The time needed to return to rest and come back."""
     rest = rest_m(setting.pose_in_gap(first.relax_s, gap_s(first, second)), side)
     there_m, back_m = distance_m(relax_m(first, side), rest), distance_m(rest, stroke_start_m(second, side))
     return retraction_s(there_m) + SHORTEST_REST_S + preparation_s(back_m, natural_preparation_s(second))
 
 
-def natural_preparation_s(placed: Placed) -> float:
+def natural_preparation_s(placed: PlacedGesture) -> float:
+    """The duration of the preparation in the clip."""
     return placed.clip.markers.ready - placed.clip.markers.start
 
 
-def transition_speed_m_s(first: Placed, second: Placed, side: Hand) -> float:
-    """The paper's v of k → k+1: the way between the hand's places by the time that there is for it."""
+def transition_speed_m_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
+    """The paper's v of k → k+1: the distance between the hand's positions divided by the time available."""
     return distance_m(relax_m(first, side), stroke_start_m(second, side)) / gap_s(first, second)
 
 
-def prolonged_relax_s(first: Placed, second: Placed, side: Hand) -> float:
-    """t_grl*: when the hold of `first` ends so that the way to `second` is as fast as its stroke (paper §3.8, Fig. 4).
+def prolonged_relax_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
+    """t_grl*: the end of the first one's hold, such that the transition is as fast as the next stroke (paper §3.8, Fig.
+    4).
 
-    From d / (gap - t_h) = v follows t_h = gap - d / v; a way that is too fast already gets no hold. At least
-    `EASY_TRANSITION_S` of the gap is left, which is ours: hands that are in place must still be turned and shaped.
+    From d / (gap - t_h) = v follows t_h = gap - d / v; a transition that is too fast already gets no hold. At least
+    `EASY_TRANSITION_S` of the gap remains, which is our addition: orientation and shape must change even if the hand is
+    in place.
     """
     return first.relax_s + max(gap_s(first, second) - transition_s(first, second, side), 0.0)
 
 
-def transition_s(first: Placed, second: Placed, side: Hand) -> float:
-    """How long an unhurried way to `second` takes: as fast as its stroke, and at least `EASY_TRANSITION_S`."""
+def transition_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
+    """The natural duration of a transition to `second`: as fast as its stroke, and at least `EASY_TRANSITION_S`."""
     way_m = distance_m(relax_m(first, side), stroke_start_m(second, side))
     return max(way_m / stroke_speed_m_s(second), EASY_TRANSITION_S)
 
 
-def stroke_speed_m_s(placed: Placed) -> float:
-    """The paper's v of a gesture; a stroke of the wrist or the fingers alone, which has none, is taken as slow."""
+def stroke_speed_m_s(placed: PlacedGesture) -> float:
+    """The paper's v of a gesture. Strokes of the wrist or the fingers alone have none and count as slow."""
     return max(placed.clip.stroke_speed_m_s * placed.size, SLOWEST_STROKE_M_S)

@@ -1,4 +1,2 @@
-"""What trunk, hips and legs do, asked or not: standing, breath, sway, shifts of weight, and the trunk's part in
-gestures and postures. Imports `geometry`, `body`, and of `gestures` and `arms` the joints and the poses at rest. Begin
-with `idle.py`, the body that does nothing.
-"""
+"""Trunk, hips and legs: idle motion, breathing, postures and weight shifts, balance, and the trunk's part in gestures.
+Imports `geometry`, `body`, and from `gestures` and `arms` the joints and rest poses. Begin with `idle.py`."""

@@ -1,8 +1,8 @@
-"""The hips over the feet: how high they can be, and the legs that keep the feet where they stand.
+"""Keeps the feet planted: the height of the hips, and leg rotations by inverse kinematics.
 
-Conventions: metres in the world. Each leg is solved in closed form: the knee's angle from the distance of hip joint and
-ankle, the thigh's direction from where the ankle is as seen from the foot. The knee bends about the
-lower leg's x axis, as it does in the T-pose.
+Conventions: metres in the world. Each leg is solved analytically: the knee's angle from the distance of hip joint and
+ankle, the thigh's direction from the ankle's position relative to the foot's heading. The knee bends about the lower
+leg's x axis, as in the T-pose.
 """
 
 from dataclasses import dataclass
@@ -11,35 +11,35 @@ import numpy as np
 
 from ...model import FloatArray
 from ..body.skeleton import SIDES, Skeleton
-from ..geometry.rotations import about, inverse, multiply, rotate
+from ..geometry.rotations import from_axis_angle, inverse, multiply, rotate
 
 LEG_JOINTS = tuple(side + part for side in SIDES for part in ("UpperLeg", "LowerLeg", "Foot"))
 
 STRETCHED = 0.992
-"""How much of its length the leg that bears the weight reaches: its knee is bent by about 14°, never locked."""
+"""How much of its length the weight-bearing leg extends to: its knee is bent by about 14°, never locked."""
 
 _SOFTNESS_M = 0.0025
-"""How gradually one leg takes over from the other as the one that says how high the hips can be."""
+"""The width of the smooth transition between the legs that limit the height of the hips."""
 
 
 @dataclass(frozen=True, slots=True)
 class Footing:
-    """Where a foot stands: its ankle's place, and how far it points to the left, in radians."""
+    """A planted foot: its ankle's position, and its heading to the left in radians."""
 
     ankle_m: tuple[float, float, float]
     yaw: float
 
 
 Feet = tuple[Footing, Footing]
-"""The left one and the right one."""
+"""The left and the right foot."""
 
 STANDING: Feet = (Footing((0.115, 0.08, -0.012), 0.16), Footing((-0.110, 0.08, -0.038), -0.12))
 """Slightly apart, toes out, the left foot a little in front."""
 
 
 def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, feet: Feet = STANDING) -> FloatArray:
-    """How high (T,) the hips of the horizontal place `hips_m` (T, 3) and the rotations `turned` (T, 4) are carried: as
-    high as the leg that bears most of the weight reaches."""
+    """The height (T,) of hips at the horizontal position `hips_m` (T, 3) with orientations `turned` (T, 4): as high as
+    the weight-bearing leg reaches."""
     heights = []
     for side, foot in zip(SIDES, feet, strict=True):
         hip_m = rotate(turned, skeleton.offsets_m[skeleton.index[f"{side}UpperLeg"]])
@@ -51,14 +51,14 @@ def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, fe
 
 
 def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet = STANDING) -> FloatArray:
-    """The rotations (T, 6, 4) of `LEG_JOINTS` that keep the feet in their places, whatever the hips do.
+    """The rotations (T, 6, 4) of `LEG_JOINTS` that keep the feet in place for any movement of the hips.
 
-    Feet farther away than the legs are long come off their places; under the heights above none are.
+    Feet beyond the legs' reach leave their places; at heights up to `hips_height_m` this does not happen.
     """
     found = []
     for side, foot in zip(SIDES, feet, strict=True):
         hip_m = hips_m + rotate(turned, skeleton.offsets_m[skeleton.index[f"{side}UpperLeg"]])
-        flat = about((0.0, 1.0, 0.0), np.array(foot.yaw))
+        flat = from_axis_angle((0.0, 1.0, 0.0), np.array(foot.yaw))
         thigh, knee = _leg(skeleton, side, rotate(inverse(flat), np.asarray(foot.ankle_m) - hip_m))
         thigh = multiply(flat, thigh)
         found += [multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat)]
@@ -66,7 +66,7 @@ def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet 
 
 
 def _leg(skeleton: Skeleton, side: str, way_m: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The rotations (T, 4) of thigh and knee for the way from hip to ankle, as seen from a foot that points ahead."""
+    """The rotations (T, 4) of thigh and knee for the vector from hip to ankle, in the space of the foot's heading."""
     shin = skeleton.offsets_m[skeleton.index[f"{side}LowerLeg"]]
     foot = skeleton.offsets_m[skeleton.index[f"{side}Foot"]]
     upper_m, lower_m = _lengths_m(skeleton, side)

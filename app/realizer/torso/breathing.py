@@ -1,8 +1,8 @@
-"""Breath: the lungs fill where the voice pauses, and empty slowly while it speaks.
+"""Breathing: the lungs fill in speech pauses and empty slowly during phrases.
 
-Conventions: seconds; the lungs' volume is 0 after a quiet breath out and 1 after a deep breath in. Who rests breathes
-about 15 times a minute, two fifths of the time in; who speaks breathes in quickly and deeper in the pauses and before
-the first word, and out over whole phrases, so that the rhythm is the speech's.
+Conventions: seconds; lung volume is 0 after quiet expiration and 1 after deep inspiration. At rest people breathe about
+15 times a minute, inhaling for two fifths of the cycle. Speakers inhale quickly and more deeply in pauses and before
+the first word, and exhale over whole phrases.
 """
 
 from collections.abc import Iterator, Sequence
@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from ...model import FloatArray, Interval
-from ..geometry.easing import through
+from ..geometry.easing import minimum_jerk_through
 
 QUIET_CYCLE_S = 4.0
 INHALING_SHARE = 0.4
@@ -19,27 +19,27 @@ QUIET_DEPTH = 0.6
 QUICK_BREATH_S = (0.35, 0.8)
 SHORTEST_PAUSE_S = 0.25
 SHORTEST_BETWEEN_S = 1.5
-"""A pause sooner than this after the last breath needs no other."""
+"""A pause sooner than this after the last breath gets no breath of its own."""
 
 
-def lungs(
+def lung_volume(
     times_s: FloatArray,
     phrases: Sequence[Interval],
     generator: np.random.Generator,
     *,
     cycle_s: float = QUIET_CYCLE_S,
 ) -> FloatArray:
-    """The volume (T,), with breaths in the pauses between `phrases` (in order), and quiet ones of about `cycle_s` where
-    nobody speaks."""
+    """The lung volume (T,), with breaths in the pauses between `phrases` (in order), and quiet breathing with a period
+    of about `cycle_s` where nobody speaks."""
     during = Interval(float(times_s[0]), float(times_s[-1]))
     at_s, volumes = np.array(list(_knots(during, phrases, generator, cycle_s))).T
-    return through(times_s, at_s, volumes)
+    return minimum_jerk_through(times_s, at_s, volumes)
 
 
 def _knots(
     during: Interval, phrases: Sequence[Interval], generator: np.random.Generator, usual_s: float
 ) -> Iterator[tuple[float, float]]:
-    """When the lungs are empty and when full, from before the first moment to after the last."""
+    """The times of empty and full lungs with their volumes, from before the first time to after the last."""
     pauses = list(_pauses(phrases))
     now_s = during.start_s - usual_s * float(generator.uniform(1.0, 2.0))
     while now_s <= during.end_s:
@@ -58,7 +58,7 @@ def _knots(
 
 
 def _pauses(phrases: Sequence[Interval]) -> Iterator[Interval]:
-    """Where there is time to breathe in: before the first phrase and between phrases."""
+    """The intervals in which to inhale: before the first phrase and between phrases."""
     if phrases:
         yield Interval(phrases[0].start_s - QUICK_BREATH_S[1], phrases[0].start_s)
     for phrase, following in pairwise(phrases):

@@ -1,8 +1,8 @@
-"""The body that does nothing: it stands on its feet, breathes, sways, and is never quite still (paper §3.8).
+"""Idle motion: the body stands, breathes, sways, and is never quite still (paper §3.8).
 
-Everything else is laid over this motion. Conventions: degrees in the tables, radians and metres elsewhere; the arms
-hang at the sides as the base that gestures take the place of; neck and head are straight, the gaze turns them. The
-sizes are ours, seen to be enough to be alive and too little to draw the eye.
+All other controllers build on this motion. Conventions: degrees in the tables, radians and metres elsewhere; the arms
+hang at the sides until gestures override them; neck and head are straight until the gaze turns them. The amplitudes are
+ours: enough to look alive, too little to attract attention.
 """
 
 from collections.abc import Mapping
@@ -16,37 +16,37 @@ from ...model import FloatArray, Hand, Schedule
 from ..arms.rest_poses import rest_pose
 from ..body.motion import BodyMotion
 from ..body.skeleton import SIDES, Skeleton
-from ..geometry.angles import turn
+from ..geometry.angles import from_pitch_yaw_roll
 from ..geometry.noise import perlin
 from ..geometry.rotations import IDENTITY, multiply
 from ..gestures.arm_joints import arm_joints
 from .balance import LEG_JOINTS, hips_height_m, legs
-from .breathing import QUIET_CYCLE_S, lungs
-from .liveliness import LIVELINESS, liveliness
-from .posture import Held, postures
+from .breathing import QUIET_CYCLE_S, lung_volume
+from .idle_activity import IDLE_ACTIVITY, idle_activity
+from .posture import TrunkPosture, trunk_postures
 
 Degrees = tuple[float, float, float]
-"""Pitch, yaw and roll; the left side's, the right's has the other yaw and roll."""
+"""Pitch, yaw and roll of the left side; yaw and roll change sign on the right."""
 
 UNEVEN_WEIGHT = 0.4
 _WANDERING_WEIGHT, _WANDERING_HZ = 0.5, 0.06
-"""Nobody stands on both legs alike; on which leg more is chance, and does not stay."""
+"""Nobody puts equal weight on both legs; which leg bears more is random and changes slowly."""
 
 _HIPS_OVER_LEG_M = 0.05
-"""How far to the side the hips are when one leg bears all the weight, and then how much higher its hip is."""
+"""The lateral shift of the hips when one leg bears all the weight, and how much higher its hip is."""
 _PELVIS_DEGREES = 4.0
 _HIPS_BACK_M = 0.22
-"""How far the hips go back for each radian that the trunk leans forward, so that it stays over the feet."""
+"""How far the hips move back per radian of forward lean, to keep the balance."""
 
 _LEAN: Mapping[str, float] = MappingProxyType({"hips": 0.4, "spine": 0.3, "chest": 0.3})
-"""The joints' shares in a lean."""
+"""The joints' shares of a lean."""
 _UPRIGHT: Mapping[str, float] = MappingProxyType({"hips": 1.0, "spine": -0.7, "chest": -0.5})
-"""How the trunk stays upright over a pelvis that is not level."""
+"""The joints' compensation of a tilted pelvis, which keeps the trunk upright."""
 
 _BREATH: Mapping[str, Degrees] = MappingProxyType(
     {"spine": (0.4, 0.0, 0.0), "chest": (-1.4, 0.0, 0.0), "upperChest": (-0.7, 0.0, 0.0)}
 )
-"""The turns with full lungs."""
+"""Rotations with full lungs."""
 _COLLARBONE_BREATH: Degrees = (0.0, 0.0, 2.0)
 
 _SWAY_HZ = 0.23
@@ -54,26 +54,24 @@ _SWAY_M = 0.018
 _SWAY_DEGREES = 2.0
 _STIRRING_HZ = 0.6
 _STIRRING_DEGREES = 1.2
-"""Noise of trunk and arms; the usual distance from the middle is a quarter of the amplitude."""
+"""Noise of trunk and arms; the typical deviation is a quarter of the amplitude."""
 
 _TRUNK = ("hips", "spine", "chest", "upperChest")
 _STIRRED: Mapping[str, Degrees] = MappingProxyType(
     {"Shoulder": (0.0, 1.0, -1.0), "UpperArm": (1.0, 1.0, -1.0), "LowerArm": (2.0, 0.0, 0.0)}
 )
-"""How much of the arms' noise each joint takes, in what it can do: the forearm twists."""
+"""Noise of the arm joints, about the axes in which they can rotate: the forearm twists."""
 
 
-def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: int) -> BodyMotion:
-    """The idle motion at `times_s` (T,), with the schedule's postures and with breath in the pauses of its speech.
-
-    The feet stay where they are. The same seed gives the same motion.
-    """
+def idle_motion(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: int) -> BodyMotion:
+    """The idle motion at `times_s` (T,), with the schedule's postures, and breaths in its speech pauses. The feet stay
+    in place. Deterministic for a seed."""
     generator = np.random.default_rng(seed)
-    held = postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
+    held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     wandering = _WANDERING_WEIGHT * perlin(times_s, frequency_hz=_WANDERING_HZ, seed=seed + 2)[:, 0]
     held = replace(held, weight=held.weight + (1 - schedule.stillness) * wandering)
-    cycle_s, lively = QUIET_CYCLE_S / LIVELINESS[schedule.agitation], liveliness(schedule)
-    breath = lungs(times_s, schedule.phrases, generator, cycle_s=cycle_s)
+    cycle_s, lively = QUIET_CYCLE_S / IDLE_ACTIVITY[schedule.agitation], idle_activity(schedule)
+    breath = lung_volume(times_s, schedule.phrases, generator, cycle_s=cycle_s)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
     sway = lively * perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14, in_step=False)
     _hold_trunk(skeleton, rotations, held, breath, sway[:, :12])
@@ -89,20 +87,22 @@ def idle(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: i
     return BodyMotion(times_s, rotations, hips_m)
 
 
-def _hold_trunk(skeleton: Skeleton, rotations: FloatArray, held: Held, breath: FloatArray, sway: FloatArray) -> None:
-    """Lean, weight, breath and sway (T, 12) of the joints from the hips up."""
+def _hold_trunk(
+    skeleton: Skeleton, rotations: FloatArray, held: TrunkPosture, breath: FloatArray, sway: FloatArray
+) -> None:
+    """Set lean, weight shift, breath and sway (T, 12) of the joints from the hips up."""
     angles = np.radians(_SWAY_DEGREES) * sway.reshape(len(sway), len(_TRUNK), 3)
     for number, joint in enumerate(_TRUNK):
         angles[:, number] += np.radians(_BREATH.get(joint, (0.0, 0.0, 0.0))) * breath[:, None]
         angles[:, number, 0] += _LEAN.get(joint, 0.0) * held.forward
         angles[:, number, 2] += _UPRIGHT.get(joint, 0.0) * np.radians(_PELVIS_DEGREES) * held.weight
         angles[:, number, 2] -= _LEAN.get(joint, 0.0) * held.left
-    rotations[:, skeleton.chain(*_TRUNK)] = turn(*np.moveaxis(angles, -1, 0))
+    rotations[:, skeleton.chain(*_TRUNK)] = from_pitch_yaw_roll(*np.moveaxis(angles, -1, 0))
 
 
 @cache
 def _hanging(skeleton: Skeleton) -> FloatArray:
-    """The pose (J, 4) with the arms at the sides, which takes as long to solve as a second of motion."""
+    """The pose (J, 4) with arms at the sides. Cached, since solving it costs as much as a second of motion."""
     pose = np.tile(IDENTITY, (len(skeleton.names), 1))
     for side in (Hand.LEFT, Hand.RIGHT):
         pose[skeleton.chain(*arm_joints(side))] = rest_pose(skeleton, side, "at_side").rotations
@@ -111,12 +111,12 @@ def _hanging(skeleton: Skeleton) -> FloatArray:
 
 
 def _stir_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, stirring: FloatArray) -> None:
-    """Collarbones that rise with the breath, and a little life (T, 2 × stirred) in the arms' joints."""
+    """Raise the collarbones with the breath and add noise (T, 2 × stirred) to the arm joints."""
     for side, noise in zip(SIDES, np.split(stirring, 2, axis=1), strict=True):
         stirs = np.radians(_STIRRING_DEGREES) * noise[:, :, None] * (_mirrored(side) * list(_STIRRED.values()))
         stirs[:, 0] += np.radians(_COLLARBONE_BREATH) * _mirrored(side) * breath[:, None]
         stirred = skeleton.chain(*(side + name for name in _STIRRED))
-        rotations[:, stirred] = multiply(rotations[0, stirred], turn(*np.moveaxis(stirs, -1, 0)))
+        rotations[:, stirred] = multiply(rotations[0, stirred], from_pitch_yaw_roll(*np.moveaxis(stirs, -1, 0)))
 
 
 def _mirrored(side: str) -> FloatArray:

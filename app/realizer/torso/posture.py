@@ -1,10 +1,10 @@
-"""Postures: shifts of trunk and weight at the times that the schedule gives them (BML `postureShift`, `posture`).
+"""Postures: trunk leans and weight shifts over time (BML `postureShift`, `posture`).
 
-A shift stays until another takes its place, so each one says all that it changes: leaning forward and back leave the
-weight where it is, a leg that takes the weight and `STRAIGHTEN` end every lean. A `posture` with a way back comes back
-to the latest shift. Where the hands rest (`HANDS_FOLDED` …) is the gestures' matter and changes nothing here.
+A shift lasts until the next one. Leaning forward or back keeps the weight where it is; shifting the weight or
+`STRAIGHTEN` ends every lean. A `posture` that ends returns to the latest shift. Hand postures (`HANDS_FOLDED` …) belong
+to the gestures and have no effect here.
 
-Conventions: angles are radians, the weight is 1 on the left leg, -1 on the right; seconds.
+Conventions: angles in radians; the weight is 1 on the left leg, -1 on the right; seconds.
 """
 
 from collections.abc import Iterable, Mapping
@@ -14,15 +14,15 @@ from types import MappingProxyType
 import numpy as np
 
 from ...model import Behavior, Channel, FloatArray
-from ..geometry.easing import changes
+from ..geometry.easing import superposed_movements
 
 SHORTEST_SHIFT_S = 0.6
-"""Half the body's weight is not moved faster; a shift that is given less time ends later."""
+"""The minimum duration of a shift; one that is scheduled shorter ends later."""
 
 
 @dataclass(frozen=True, slots=True)
 class Posture:
-    """How the trunk is held; None leaves it as it was."""
+    """The target of a posture; None leaves a component unchanged."""
 
     forward_degrees: float | None = None
     left_degrees: float | None = None
@@ -40,20 +40,21 @@ POSTURES: Mapping[str, Posture] = MappingProxyType(
         "WEIGHT_ON_RIGHT_LEG": Posture(0.0, 0.0, -1.0),
     }
 )
-"""Leans that the feet can bear without a step, and that still show from the side; the angles are ours."""
+"""Leans that need no step but show from the side; the angles are ours."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Held:
-    """How the trunk is held in time, each (T,): leaning forward and to the left (radians), the weight's side."""
+class TrunkPosture:
+    """The trunk over time, each (T,): lean forward and to the left in radians, and the side of the weight."""
 
     forward: FloatArray
     left: FloatArray
     weight: FloatArray
 
 
-def postures(times_s: FloatArray, behaviors: Iterable[Behavior], *, weight: float) -> Held:
-    """The trunk through the kept posture behaviours, from upright with `weight` on; each moves by minimum jerk."""
+def trunk_postures(times_s: FloatArray, behaviors: Iterable[Behavior], *, weight: float) -> TrunkPosture:
+    """The trunk through the kept posture behaviours, starting upright with `weight`; all transitions are minimum
+    jerk."""
     base = np.array([0.0, 0.0, weight])
     states, starts_s, durations_s = [base], [], []
     for start_s, duration_s, shift, begins in _moments(behaviors):
@@ -62,22 +63,22 @@ def postures(times_s: FloatArray, behaviors: Iterable[Behavior], *, weight: floa
         starts_s.append(start_s)
         durations_s.append(max(duration_s, SHORTEST_SHIFT_S))
     by = np.diff(np.array(states), axis=0)
-    course = states[0] + changes(times_s, np.array(starts_s), np.array(durations_s), by)
-    return Held(np.radians(course[:, 0]), np.radians(course[:, 1]), course[:, 2])
+    course = states[0] + superposed_movements(times_s, np.array(starts_s), np.array(durations_s), by)
+    return TrunkPosture(np.radians(course[:, 0]), np.radians(course[:, 1]), course[:, 2])
 
 
 def reached_s(shift: Behavior) -> float:
-    """When the posture is to be there."""
+    """When the posture should be reached."""
     return shift.sync.end if shift.sync.ready is None else shift.sync.ready
 
 
 def _lasts(shift: Behavior) -> bool:
-    """Whether it is a `postureShift`, which is over when it is reached, or a `posture`, which ends in coming back."""
+    """Whether it is a `postureShift`, which ends when it is reached, or a `posture`, which ends with the return."""
     return shift.sync.end <= reached_s(shift)
 
 
 def _moments(behaviors: Iterable[Behavior]) -> list[tuple[float, float, Behavior, bool]]:
-    """When the trunk goes into a posture (True) or comes back from one, and within which time, in order."""
+    """Each start (True) and end of a posture: time, duration, behaviour, in order."""
     found = []
     for shift in behaviors:
         if not shift.kept or shift.kind is not Channel.POSTURE or shift.lexeme not in POSTURES:

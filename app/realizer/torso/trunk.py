@@ -1,8 +1,8 @@
-"""The trunk's part in gestures: it turns to where the hands are, leans after them, and the weight goes along.
+"""The trunk follows the gestures: it turns and leans towards the hands, and the weight shifts along.
 
-Towards Natural Gesture Synthesis (§3.4) lays body rotation over gestures on offset tracks and moves the wrists' targets
-with the body. Ours follows the wrists: a few degrees and centimetres, added to what the trunk does, slowly, and a
-little ahead of the hands, as the larger masses move first.
+Towards Natural Gesture Synthesis (§3.4) puts body rotation on tracks with an offset and moves the wrist targets with
+the body. Here a few degrees and centimetres derived from the wrists are added to the trunk's motion, low-pass filtered
+and slightly ahead of the hands, since larger masses move first.
 
 Conventions: radians, metres; wrists in the hips' space of the upright body (x to the own side, y up, z away).
 """
@@ -21,7 +21,7 @@ from ..geometry.rotations import from_rotation_vector, multiply
 from .balance import LEG_JOINTS, hips_height_m, legs
 
 SHARES: Mapping[str, float] = MappingProxyType({"spine": 0.4, "chest": 0.35, "upperChest": 0.25})
-"""Each joint's part of what the trunk turns."""
+"""Each joint's share of the trunk's rotation."""
 
 LEAN_RAD_M = 0.22
 STRAIGHTEN_RAD_M = 0.10
@@ -29,8 +29,9 @@ TURN_RAD_M = 0.25
 TWIST_RAD_M = 0.10
 ASIDE_RAD_M = 0.08
 WEIGHT_M_M = 0.05
-"""How far for each metre: forward after the hand that is farther out, upright for hands over the chest, round to the
-hand that is farther aside, round after the one that reaches, over from the higher one, and the hips to the side."""
+"""Per metre: forward lean towards the hand that is farther out, straightening for hands above the chest, yaw towards
+the hand farther to the side, yaw with the hand that reaches farther, side bend away from the higher hand, and lateral
+hip shift."""
 
 _AT_EASE_M: FloatArray = np.array([0.15, 0.05, 0.20])
 _AT_EASE_M.setflags(write=False)
@@ -40,8 +41,8 @@ _WEIGHT_SMOOTHING_S = 0.40
 _AHEAD_S = 0.08
 
 
-def with_trunk(skeleton: Skeleton, body: BodyMotion, left_m: FloatArray, right_m: FloatArray) -> BodyMotion:
-    """The body with its trunk going along with the wrists (T, 3); the feet stay where they are."""
+def with_trunk_following(skeleton: Skeleton, body: BodyMotion, left_m: FloatArray, right_m: FloatArray) -> BodyMotion:
+    """The body with its trunk following the wrists (T, 3); the feet stay in place."""
     left, right = left_m - _AT_EASE_M, right_m - _AT_EASE_M
     turns = _followed(body.times_s, _turns(left, right), _SMOOTHING_S)
     rotations = body.rotations.copy()
@@ -56,7 +57,7 @@ def with_trunk(skeleton: Skeleton, body: BodyMotion, left_m: FloatArray, right_m
 
 
 def _turns(left: FloatArray, right: FloatArray) -> FloatArray:
-    """Rotation vectors (T, 3): forward, to the left, aside to the right."""
+    """Rotation vectors (T, 3): forward, to the left, to the right side."""
     (left_out, left_up, left_away), (right_out, right_up, right_away) = left.T, right.T
     reach_m = np.maximum(np.maximum(left_away, right_away), 0.0)
     over_chest_m = np.maximum(np.maximum(left_up, right_up) - _CHEST_M, 0.0)
@@ -66,7 +67,7 @@ def _turns(left: FloatArray, right: FloatArray) -> FloatArray:
 
 
 def _followed(times_s: FloatArray, course: FloatArray, width_s: float) -> FloatArray:
-    """A course (T, C), smoothed and a little ahead."""
+    """A curve (T, C), smoothed and shifted slightly ahead."""
     if len(times_s) < 2:
         return course
     smooth = gaussian_filter1d(course, width_s / float(times_s[1] - times_s[0]), axis=0, mode="nearest")

@@ -1,4 +1,3 @@
-"""A program at work: facts made of an utterance, forward chaining to all that follows from them (paper §3.3), and the
-trace of which rules fired or nearly did. Imports `program`, `language` and `knowledge`. Begin with `chainer.py`, then
-`facts.py`; `matching.py` and `tracing.py` serve authors alone.
-"""
+"""Runs a program: converts an utterance to facts, derives all that follows by forward chaining (paper §3.3), and traces
+which rules fired or nearly did. Imports `program`, `language` and `knowledge`. Begin with `chainer.py`, then
+`facts.py`; `matching.py` and `tracing.py` are for authors only."""

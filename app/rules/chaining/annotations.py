@@ -1,12 +1,12 @@
-"""Computes annotations when all facts are known, so that the order in which rules ran cannot matter.
+"""Computes annotations when all facts are known, independently of the order in which rules ran.
 
-Every match of a rule *claims* an annotation for the fact it asserts; the highest claim counts. A claim that reads
-other facts' annotations reads them when they are final: facts are taken in order of dependence. Facts whose claims
-read each other in a circle (a *knot*; the smallest is a fact raised by a rule that joins it) have no such order. In a
-knot, the claims that read nothing of the knot come first; then, in turns, every claim whose facts have values by then
-is made, all claims of a turn on the values before the turn, and each claim once. So a rule that raises what it joins
-raises each fact once, from the value it has without that rule; two such rules on one fact raise it to the higher of
-both, not twice.
+Every match of a rule *claims* an annotation for the fact it asserts; the highest claim counts. A claim that depends on
+other facts' annotations is evaluated when these are final: facts are processed in order of dependence. Facts whose
+claims depend on each other cyclically (a *knot*; the smallest is a fact raised by a rule that joins it) have no such
+order. In a knot, claims that do not depend on the knot are evaluated first; then, in rounds, every claim whose facts
+have values by then, each claim once, all claims of a round with the values before the round. So a rule that raises the
+annotation of a fact it joins does so once, from the value without that rule; two such rules on one fact raise it to the
+higher of both, not twice.
 """
 
 from collections import defaultdict
@@ -17,7 +17,8 @@ from ..knowledge import Claim, Fact
 
 
 def annotate(claims: Sequence[Claim], annotations: dict[Fact, float]) -> None:
-    """Adds to `annotations`, which holds what was given and what was claimed outright, what `claims` make of it."""
+    """Add to `annotations`, which contains given values and unconditional claims, the values that result from
+    `claims`."""
     claims_on: defaultdict[Fact, list[Claim]] = defaultdict(list)
     for claim in claims:
         claims_on[claim.fact].append(claim)
@@ -34,7 +35,7 @@ def _settle(knot: set[Fact], claims: Sequence[Claim], annotations: dict[Fact, fl
 
 
 def _parted(claims: Sequence[Claim], holds: Callable[[Claim], bool]) -> tuple[list[Claim], list[Claim]]:
-    """The claims for which something holds, and the others."""
+    """The claims that satisfy the condition, and the others."""
     parts: tuple[list[Claim], list[Claim]] = ([], [])
     for claim in claims:
         parts[not holds(claim)].append(claim)
@@ -42,7 +43,7 @@ def _parted(claims: Sequence[Claim], holds: Callable[[Claim], bool]) -> tuple[li
 
 
 def _make(claims: Sequence[Claim], annotations: dict[Fact, float]) -> None:
-    """Make these claims at once: none sees what another claims."""
+    """Evaluate these claims at once: none sees the result of another."""
     claimed = [(claim.fact, claim.value(annotations)) for claim in claims]
     for fact, value in claimed:
         if fact not in annotations or value > annotations[fact]:
@@ -50,7 +51,7 @@ def _make(claims: Sequence[Claim], annotations: dict[Fact, float]) -> None:
 
 
 def _knots(claims_on: Mapping[Fact, Sequence[Claim]]) -> Iterator[list[Fact]]:
-    """The strongly connected components of "reads", what is read before what reads it (Tarjan's algorithm)."""
+    """The strongly connected components of the dependence between facts, dependencies first (Tarjan's algorithm)."""
     search = _Search(claims_on)
     for root in claims_on:
         if root in search.number:
@@ -73,7 +74,7 @@ def _knots(claims_on: Mapping[Fact, Sequence[Claim]]) -> Iterator[list[Fact]]:
 
 @dataclass(slots=True)
 class _Search:
-    """Where Tarjan's search stands: numbers by first visit, the lowest reached from each, what is not settled yet."""
+    """The state of Tarjan's search: visit numbers, lowest number reachable from each, and the stack of open facts."""
 
     claims_on: Mapping[Fact, Sequence[Claim]]
     number: dict[Fact, int] = field(default_factory=dict)
@@ -81,7 +82,7 @@ class _Search:
     open: dict[Fact, None] = field(default_factory=dict)
 
     def enter(self, fact: Fact) -> Iterator[Fact]:
-        """Number the fact; the facts it reads, as far as there are claims on them, are still to be visited."""
+        """Number the fact; yields the facts it depends on that have claims and are still to be visited."""
         self.number[fact] = self.low[fact] = len(self.number)
         self.open[fact] = None
         return iter([read for claim in self.claims_on[fact] for read in claim.reads if read in self.claims_on])
@@ -90,7 +91,7 @@ class _Search:
         self.low[fact] = min(self.low[fact], number)
 
     def leave(self, root: Fact) -> list[Fact]:
-        """The knot that `root` was the first of."""
+        """The knot whose first fact is `root`."""
         knot = []
         while root in self.open:
             knot.append(self.open.popitem()[0])

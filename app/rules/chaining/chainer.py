@@ -1,9 +1,9 @@
-"""Forward chaining: from given facts and a program to all facts that follow, each with the reason it is there (§3.3).
+"""Forward chaining: derives all facts that follow from given facts and a program, each with its reason (§3.3).
 
-Facts are found in rounds (semi-naive evaluation). In a stratum's first round every rule runs once on all facts, in
-later rounds only on what the round before brought. What a round finds is seen from the next round on, so the rounds,
-and with them the first derivation of each fact, do not depend on anything but the program and the set of given facts:
-the reason kept is of the earliest round and, within it, of the first rule in the order of the program. Annotations
+Facts are derived in rounds (semi-naive evaluation). In a stratum's first round every rule runs once on all facts, in
+later rounds only on the facts added in the round before. Facts become visible in the round after they were derived, so
+the rounds, and with them the first derivation of each fact, depend only on the program and the set of given facts: the
+recorded reason is that of the earliest round and, within it, of the first rule in the order of the program. Annotations
 are computed when all facts are known (`annotations.py`), and choose-rules run last.
 """
 
@@ -21,7 +21,7 @@ __all__ = ["Alternative", "Argument", "Call", "Choice", "Derivation", "Fact", "L
 
 @dataclass(frozen=True, slots=True)
 class Derivation:
-    """All that follows: the facts in order of derivation, given ones first, and the choices in order of the rules."""
+    """The result: facts in order of derivation, given ones first, and choices in the order of the rules."""
 
     facts: tuple[Fact, ...]
     choices: tuple[Choice, ...]
@@ -29,15 +29,15 @@ class Derivation:
     reasons: Mapping[Fact, Reason]
 
     def annotation(self, fact: Fact) -> float | None:
-        """The merged annotation of a fact; None when its predicate has none, or the fact is not known."""
+        """The merged annotation of a fact; None if its predicate has none, or the fact is unknown."""
         return self.annotations.get(fact)
 
     def reason(self, fact: Fact) -> Reason | None:
-        """The first derivation of a fact; None when it was given, or is not known."""
+        """The first derivation of a fact; None if it was given, or is unknown."""
         return self.reasons.get(fact)
 
     def grounds(self, fact: Fact) -> tuple[Fact, ...]:
-        """The given facts at the bottom of the first derivation of `fact`, each once, in the order they are met."""
+        """The given facts on which the first derivation of `fact` rests, without duplicates, in order of traversal."""
         found: dict[Fact, None] = {}
         visited: set[Fact] = set()
         waiting = [fact]
@@ -59,10 +59,11 @@ def derive(
     annotations: Mapping[Fact, float] = MappingProxyType({}),
     limits: Limits = Limits(),  # noqa: B008  # frozen
 ) -> Derivation:
-    """Everything that follows from `given`; given facts of annotated predicates have the annotation given, or 0.
+    """Everything that follows from `given`; given facts of annotated predicates have their annotation in `annotations`,
+    or 0.
 
-    Raises AuthoringError, naming the rule, when it goes beyond the limits or computes what cannot be computed;
-    ValueError when a given fact is none of the declared predicates'.
+    Raises AuthoringError, naming the rule, if the limits are exceeded or a computation is undefined; ValueError if a
+    given fact's predicate is not declared.
     """
     facts = list(given)
     _refuse_undeclared(program, facts)
@@ -91,7 +92,7 @@ def _refuse_undeclared(program: Program, facts: Iterable[Fact]) -> None:
 
 
 def _close(stratum: Stratum, knowledge: Knowledge) -> None:
-    """Run the rules of a stratum until nothing follows any more."""
+    """Run the rules of a stratum to a fixed point."""
     for plan in stratum.first:
         plan.run(knowledge)
     rounds = 1

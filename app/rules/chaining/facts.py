@@ -1,9 +1,8 @@
-"""An utterance as the facts of `vocabulary.rules`: what was heard and parsed, before any rule has fired.
+"""Converts an analysed utterance to the facts of `vocabulary.rules`, the input of the rules.
 
-Conventions: a span is a pair of boundaries, word 3 runs from 3 to 4. A word's facts carry it in lower case without the
-punctuation around it; the punctuation has facts of its own, at boundaries. The parts the parser tells apart in a word
-("do" and "n't") have their facts on the word's span. Nothing is derived here but the sentences, which the line's own
-punctuation ends.
+Conventions: a span is a pair of boundaries; word 3 is from 3 to 4. Words are in lower case without surrounding
+punctuation, which has facts of its own, at boundaries. Tokens that the parser splits from a word ("do" and "n't") have
+their facts on the word's span. Nothing is derived here except sentences, which end at the line's own punctuation.
 """
 
 import re
@@ -13,7 +12,7 @@ from ...model import Filler, Token, Utterance, Word
 from .chainer import Fact
 
 SHORTEST_PAUSE_S = 0.2
-"""Shorter gaps between words are closures of stops, not pauses."""
+"""Shorter gaps between words are stop closures, not pauses."""
 
 _WORD = re.compile(r"^[^\w'&$%]*(.*?)[^\w&$%]*$", re.DOTALL)
 _MARKS = re.compile(r"\.{2,}|…|[-–—]+|[^\w\s]")
@@ -21,15 +20,15 @@ _SAME_MARK = {"…": "...", "’": "'", "“": '"', "”": '"'}
 _ABBREVIATIONS = frozenset(("mr", "mrs", "ms", "dr", "st", "prof", "sr", "jr", "vs", "u.s", "a.m", "p.m", "i.e", "e.g"))
 
 
-def bare(text: str) -> str:
-    """The word as the lexicon and the rules spell it: lower case, straight apostrophes, no punctuation around it."""
+def normalized_word(text: str) -> str:
+    """The word as spelled in lexicon and rules: lower case, straight apostrophes, no surrounding punctuation."""
     plain = text.replace("’", "'").replace("‘", "'").lower()
     match = _WORD.match(plain)
     return match.group(1) if match else plain
 
 
 def utterance_facts(utterance: Utterance) -> tuple[Fact, ...]:
-    """The given facts of an utterance, in the order of `vocabulary.rules`, without repetitions."""
+    """The given facts of an utterance, in the order of `vocabulary.rules`, without duplicates."""
     facts = (
         *_word_facts(utterance.words),
         *_token_facts(utterance.parse.tokens),
@@ -42,7 +41,7 @@ def utterance_facts(utterance: Utterance) -> tuple[Fact, ...]:
 
 def _word_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
     for word in words:
-        start, end, text = word.index, word.index + 1, bare(word.text)
+        start, end, text = word.index, word.index + 1, normalized_word(word.text)
         leading, trailing = _around(word.text, text)
         if text:
             yield Fact("word", (text, start, end))
@@ -53,7 +52,7 @@ def _word_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
 
 
 def _around(text: str, inner: str) -> tuple[list[str], list[str]]:
-    """The marks before and after the word proper; of a word that is all punctuation, all of them before."""
+    """The punctuation before and after the word itself; if there is nothing else, all of it is before."""
     if not inner:
         return _marks(text), []
     begin = text.replace("’", "'").replace("‘", "'").lower().find(inner)
@@ -104,13 +103,13 @@ def _sentence_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
 
 
 def _ends_sentence(text: str, following: str) -> bool:
-    """Whether the full stop, question mark, exclamation mark or trailing off after a word ends a sentence."""
-    marks = _around(text, bare(text))[1]
+    """Whether the full stop, question mark, exclamation mark or ellipsis after a word ends a sentence."""
+    marks = _around(text, normalized_word(text))[1]
     if "?" in marks or "!" in marks:
         return True
     if "..." in marks:
         return following[:1].isupper()
-    return "." in marks and bare(text) not in _ABBREVIATIONS
+    return "." in marks and normalized_word(text) not in _ABBREVIATIONS
 
 
 def _heard_facts(utterance: Utterance) -> Iterator[Fact]:
@@ -134,6 +133,6 @@ def _heard_facts(utterance: Utterance) -> Iterator[Fact]:
 
 
 def _boundary_of(filler: Filler, words: tuple[Word, ...]) -> int:
-    """The boundary before the first word that begins after the filler does."""
+    """The boundary before the first word that begins after the filler."""
     later = (word.index for word in words if word.interval and word.interval.start_s > filler.interval.start_s)
     return next(later, len(words))

@@ -1,8 +1,9 @@
-"""The ways in which one rule matches facts that are all known, or would but for a few of its statements.
+"""Matches one rule against a complete set of facts, optionally with a few unmet statements, to explain rules to
+authors.
 
-This answers authors' questions (`tracing.py`); deriving does not come here. Once everything is derived, a rule matches
-exactly where it has fired: `unless` excludes nothing that was derived after the rule ran (`stratification.py`). What a
-rule computes from annotations decides nothing and is left alone.
+Used by `tracing.py`, not for derivation. Once everything is derived, a rule matches exactly where it has fired:
+`unless` excludes nothing that was derived after the rule ran (`stratification.py`). Computations on annotations do not
+affect matching and are ignored.
 """
 
 from collections import defaultdict
@@ -34,7 +35,7 @@ Bindings: TypeAlias = Mapping[str, Argument]
 
 @dataclass(frozen=True, slots=True)
 class FactBase:
-    """Facts by predicate, and by predicate, position and argument. A fact has no annotation, a pattern may have."""
+    """Facts by predicate, and by predicate, position and argument. Facts have no annotation, patterns may have one."""
 
     filed: Mapping[object, Sequence[Fact]]
 
@@ -48,14 +49,14 @@ class FactBase:
         return cls(MappingProxyType(dict(filed)))
 
     def fitting(self, atom: Atom, bindings: Bindings) -> Iterator[tuple[Fact, Bindings]]:
-        """The facts that a pattern fits under these bindings, each with the bindings it leads to."""
+        """The facts that match a pattern under these bindings, each with the resulting bindings."""
         for fact in self.candidates(atom, bindings):
             extended = _unified(atom, fact, bindings)
             if extended is not None:
                 yield fact, extended
 
     def candidates(self, atom: Atom, bindings: Bindings) -> Sequence[Fact]:
-        """Few facts among which are all that the pattern fits."""
+        """A small set of facts that includes all that match the pattern."""
         fewest = self.filed.get(atom.name, ())
         for position, argument in enumerate(atom.arguments):
             value = _known(argument, bindings)
@@ -66,7 +67,7 @@ class FactBase:
 
 @dataclass(frozen=True, slots=True)
 class Match:
-    """One way to match a rule: the facts joined, by the number of the pattern; `unmet` are statements left undone."""
+    """One match of a rule: the facts joined, by the index of the pattern; `unmet` are statements that do not hold."""
 
     joined: Mapping[int, Fact]
     bindings: Bindings
@@ -74,25 +75,25 @@ class Match:
 
 
 def matches(rule: RuleTree, facts: FactBase, *, most_unmet: int = 0) -> Iterator[Match]:
-    """Every way in which the rule matches when up to `most_unmet` of its statements may fail.
+    """All matches of the rule in which up to `most_unmet` of its statements may fail.
 
-    A pattern only counts as unmet where no fact fits it; computations cannot be left undone.
+    A pattern counts as unmet only if no fact matches it; computations cannot be unmet.
     """
     joins = tuple(part for part in rule.statements if isinstance(part, Pattern) and not part.absent)
     conditions = tuple(part for part in rule.statements if part not in joins)
     yield from _continued(_State({}, {}, tuple(enumerate(joins)), conditions, ()), facts, most_unmet)
 
 
-def filled(expression: Expression, bindings: Bindings) -> Expression:
-    """The expression with the values of its variables, as far as they have any."""
+def substitute(expression: Expression, bindings: Bindings) -> Expression:
+    """The expression with its bound variables replaced by their values."""
     if isinstance(expression, Variable):
         value = bindings.get(expression.name)
         return expression if value is None else Constant(value, expression.place)
     if isinstance(expression, Operation):
-        left, right = filled(expression.left, bindings), filled(expression.right, bindings)
+        left, right = substitute(expression.left, bindings), substitute(expression.right, bindings)
         return replace(expression, left=left, right=right)
     if isinstance(expression, Atom):
-        return replace(expression, arguments=tuple(filled(part, bindings) for part in expression.arguments))
+        return replace(expression, arguments=tuple(substitute(part, bindings) for part in expression.arguments))
     return expression
 
 
@@ -122,9 +123,9 @@ def _continued(state: _State, facts: FactBase, most_unmet: int) -> Iterator[Matc
 
 
 def _decided(state: _State, facts: FactBase) -> _State | None:
-    """The state after all computations and conditions whose variables have values; None where one cannot be computed.
+    """The state after all computations and conditions whose variables are bound; None if a computation is undefined.
 
-    What reads a variable of an unmet pattern stays undecided, and so stands in nobody's way.
+    Conditions on variables of an unmet pattern stay undecided and do not prevent the match.
     """
     position = 0
     while position < len(state.conditions):
@@ -155,7 +156,8 @@ def _with_condition(state: _State, condition: Statement, facts: FactBase) -> _St
 
 
 def _is_there(unmet: Statement, bindings: Bindings, facts: FactBase) -> bool:
-    """Whether it is a pattern that a fact fits after all: then that fact leads to a match, or to what is unmet."""
+    """Whether the statement is a pattern that a fact matches after all: then that fact leads to a match, or to what is
+    unmet."""
     if not isinstance(unmet, Pattern) or unmet.absent:
         return False
     return next(facts.fitting(unmet.fact, bindings), None) is not None
@@ -171,7 +173,7 @@ def _inputs(condition: Statement) -> frozenset[str]:
 
 def _unified(atom: Atom, fact: Fact, bindings: Bindings) -> Bindings | None:
     found = dict(bindings)
-    for argument, value in zip(atom.arguments, fact.arguments, strict=False):  # a pattern's annotation has no partner
+    for argument, value in zip(atom.arguments, fact.arguments, strict=False):  # patterns may have an annotation
         if isinstance(argument, Alternatives):
             fits = value in argument.values
         elif isinstance(argument, Variable):

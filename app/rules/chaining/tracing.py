@@ -1,8 +1,8 @@
-"""Which rules fired and which nearly did, with the fact that was missing: told to an author who asks why.
+"""Explains to authors which rules fired, and which nearly did and what was missing.
 
-A rule nearly fires where all of its statements hold but one. Of a fact that is missing this is only said where the
-rule found a word, entry or function that it names (`ANCHORS`), and where the missing fact is possible: almost any
-sentence is otherwise one word short of almost any rule. Spans are boundaries between words, as in the rules.
+A rule nearly fires if all of its statements but one hold. A missing fact is only reported if the rule found a word,
+entry or function that it names (`ANCHORS`), and if the fact is possible: otherwise almost every sentence is one word
+short of almost every rule. Spans are boundaries between words, as in the rules.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -14,14 +14,14 @@ from ..knowledge import Fact
 from ..language.tree import Alternatives, Choice, Computation, Constant, Expression, Guard, Pattern, Statement
 from ..program.program import Program, Rule
 from ..program.stratification import asserted
-from .matching import Bindings, FactBase, Match, filled, matches
+from .matching import Bindings, FactBase, Match, matches, substitute
 
 ANCHORS = frozenset(("word", "lemma", "lexical", "fcn"))
-"""Predicates by whose constants a rule says which words it is about."""
+"""Predicates whose constants tell which words a rule is about."""
 
 
-class Lack(StrEnum):
-    """What kept a rule from firing."""
+class ObstacleKind(StrEnum):
+    """The reason why a rule did not fire."""
 
     MISSING = "missing"
     EXCLUDED = "excluded by"
@@ -30,7 +30,7 @@ class Lack(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Said:
-    """A fact or statement in the rule language, with the values its variables have, and the words it speaks of."""
+    """A fact or statement in the rule language with its variables' values, and the words it concerns."""
 
     text: str
     span: tuple[int, int] | None = None
@@ -38,15 +38,15 @@ class Said:
 
 @dataclass(frozen=True, slots=True)
 class Obstacle:
-    """A fact that is not there, one that is and should not be, or a comparison that does not hold."""
+    """A missing fact, a fact excluded by `unless`, or a comparison that does not hold."""
 
-    lack: Lack
+    lack: ObstacleKind
     said: Said
 
 
 @dataclass(frozen=True, slots=True)
 class Firing:
-    """A match of a rule: the facts it joined in the order it names them, and what it asserts or may choose."""
+    """A match of a rule: the facts it joined in the order of the rule, and what it asserts or may choose."""
 
     rule: Rule
     joined: tuple[Said, ...]
@@ -55,7 +55,7 @@ class Firing:
 
 @dataclass(frozen=True, slots=True)
 class NearMiss:
-    """What a rule found, and what kept it from firing."""
+    """The facts that a rule found, and what prevented it from firing."""
 
     rule: Rule
     joined: tuple[Said, ...]
@@ -64,7 +64,7 @@ class NearMiss:
 
 @dataclass(frozen=True, slots=True)
 class RuleTrace:
-    """Every match of the rules in their order, and where rules that did not match came nearest, those that found most
+    """All matches in the order of the rules, and the nearest misses of rules without a match, those that found most
     first."""
 
     firings: tuple[Firing, ...]
@@ -72,7 +72,7 @@ class RuleTrace:
 
 
 def trace_rules(program: Program, facts: Iterable[Fact]) -> RuleTrace:
-    """What each rule made of all the facts that were given and derived; a near miss of each rule at most."""
+    """The matches of each rule with all given and derived facts, and at most one near miss of each."""
     tracer = _Tracer(program, FactBase.of(facts))
     firings: list[Firing] = []
     near: list[tuple[tuple[int, int], NearMiss]] = []
@@ -89,7 +89,7 @@ def trace_rules(program: Program, facts: Iterable[Fact]) -> RuleTrace:
 
 
 def trace_rule(program: Program, rule: Rule, facts: Iterable[Fact]) -> RuleTrace:
-    """Every match of one rule; where there is none, where it came nearest, however far that is."""
+    """All matches of one rule or, if there are none, its nearest misses, however far."""
     tracer = _Tracer(program, FactBase.of(facts))
     for most_unmet in range(len(rule.tree.statements) + 1):
         found = tuple(matches(rule.tree, tracer.facts, most_unmet=most_unmet))
@@ -101,7 +101,7 @@ def trace_rule(program: Program, rule: Rule, facts: Iterable[Fact]) -> RuleTrace
 
 
 def fires(rule: Rule, facts: FactBase) -> bool:
-    """Whether the rule matches at all."""
+    """Whether the rule has any match."""
     return next(matches(rule.tree, facts), None) is not None
 
 
@@ -134,26 +134,26 @@ class _Tracer:
         for part in rule.tree.conclusions:
             if isinstance(part, Choice):
                 for offered in part.alternatives:
-                    calls = " ".join(str(filled(call, bindings)) for call in offered.calls)
+                    calls = " ".join(str(substitute(call, bindings)) for call in offered.calls)
                     yield Said(f"weight {offered.weight:g}: {calls}")
 
     def _obstacle(self, statement: Statement, bindings: Bindings) -> Obstacle:
         if isinstance(statement, Pattern) and not statement.absent:
             atom = statement.fact
-            return Obstacle(Lack.MISSING, self._said(atom.name, atom.arguments, bindings))
+            return Obstacle(ObstacleKind.MISSING, self._said(atom.name, atom.arguments, bindings))
         if isinstance(statement, Pattern):
             fact, _ = next(self.facts.fitting(statement.fact, bindings))
-            return Obstacle(Lack.EXCLUDED, Said(str(fact), self._span(fact.predicate, fact.arguments)))
-        return Obstacle(Lack.UNTRUE, Said(_compared(statement, bindings)))
+            return Obstacle(ObstacleKind.EXCLUDED, Said(str(fact), self._span(fact.predicate, fact.arguments)))
+        return Obstacle(ObstacleKind.UNTRUE, Said(_compared(statement, bindings)))
 
     def _said(self, predicate: str, arguments: Sequence[Expression], bindings: Bindings) -> Said:
-        """A fact as a rule writes it, without its annotation, which is not computed here."""
-        known = [filled(part, bindings) for part in arguments][: len(self.program.predicates[predicate].parameters)]
+        """A fact as written in a rule, without its annotation, which is not computed here."""
+        known = [substitute(part, bindings) for part in arguments][: len(self.program.predicates[predicate].parameters)]
         values = [part.value if isinstance(part, Constant) else None for part in known]
         return Said(f"{predicate}({', '.join(map(str, known))})", self._span(predicate, values))
 
     def _span(self, predicate: str, values: Sequence[object]) -> tuple[int, int] | None:
-        """The boundaries `start` and `end` of a fact; where it has one of them, those of the word there."""
+        """The boundaries `start` and `end` of a fact; if it has only one, those of the word there."""
         named = dict(zip(self.program.predicates[predicate].parameters, values, strict=True))
         match named.get("start"), named.get("end"):
             case int(start), int(end):
@@ -166,7 +166,7 @@ class _Tracer:
 
 
 def _nearness(rule: Rule, match: Match) -> tuple[int, int]:
-    """How many of the joined patterns name a word, an entry or a function, and how many there are."""
+    """The number of joined patterns that name a word, an entry or a function, and the number of all joined patterns."""
     joins = [part.fact for part in rule.tree.statements if isinstance(part, Pattern) and not part.absent]
     anchors = [
         atom.name in ANCHORS and any(isinstance(part, Constant | Alternatives) for part in atom.arguments)
@@ -181,4 +181,4 @@ def _compared(statement: Guard | Computation | Pattern, bindings: Bindings) -> s
     else:
         assert isinstance(statement, Computation)
         left, sign, right = statement.variable, "=", statement.expression
-    return f"{left} {sign} {right}: {filled(left, bindings)} {sign} {filled(right, bindings)}"
+    return f"{left} {sign} {right}: {substitute(left, bindings)} {sign} {substitute(right, bindings)}"

@@ -1,4 +1,3 @@
-"""Rule files as text in, syntax trees with places out, with every syntax mistake in an author's words; and what rules
-can compute. Imports the errors alone. Begin with `language.py`, beside it the grammar in `grammar.lark`; the nodes of
-the tree are in `tree.py`.
-"""
+"""The rule language: rule files parsed into syntax trees with positions, syntax mistakes explained to authors, and the
+arithmetic of rules. Imports only the errors. Begin with `language.py` and the grammar in `grammar.lark`; `tree.py` has
+the nodes of the tree."""

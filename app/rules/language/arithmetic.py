@@ -1,7 +1,7 @@
-"""What rules can compute: the fixed list of functions, the four operations, the comparisons.
+"""The computations available to rules: built-in functions, the four operations, comparisons.
 
-Numbers are ints and floats, no larger than 10^15 either way, so that no rule can compute for ever on one number.
-Texts compare with `==` and `!=` to anything, and with the ordering comparisons to nothing.
+Numbers are ints and floats of at most 10^15 in magnitude, so that computing on one number is always bounded. Texts can
+be compared with anything by `==` and `!=`, but have no order.
 """
 
 import operator
@@ -18,12 +18,12 @@ LARGEST = 1e15
 
 
 class ComputationError(Exception):
-    """A computation or comparison that these values do not allow; the step that made it tells where."""
+    """A computation or comparison that is undefined for these values; the step that made it adds the place."""
 
 
 @dataclass(frozen=True, slots=True)
 class Builtin:
-    """A function of numbers that rules may call with `fewest` to `most` (None: any number of) arguments."""
+    """A numeric function that rules may call with `fewest` to `most` (None: any number of) arguments."""
 
     apply: Callable[[Sequence[Number]], Number]
     fewest: int
@@ -40,7 +40,7 @@ class Builtin:
 
 
 def _increase_priority(priorities: Sequence[Number]) -> Number:
-    """One more than the highest: the priority of a whole over its components (paper §3.3, Figure 3)."""
+    """One more than the highest: the priority of a whole above its components (paper §3.3, Figure 3)."""
     return max(priorities) + 1
 
 
@@ -64,7 +64,7 @@ _ORDERINGS: Mapping[str, Callable[[Number, Number], bool]] = MappingProxyType(
 
 
 def compare(sign: str, left: Argument, right: Argument) -> bool:
-    """Whether `left sign right` holds. Raises ComputationError when a text is to be ordered."""
+    """Whether `left sign right` holds. Raises ComputationError if a text is to be ordered."""
     if sign == "==":
         return left == right
     if sign == "!=":
@@ -73,7 +73,7 @@ def compare(sign: str, left: Argument, right: Argument) -> bool:
 
 
 def apply_operation(sign: str, left: Argument, right: Argument) -> Number:
-    """`left sign right`. Raises ComputationError on texts, division by zero and numbers beyond `LARGEST`."""
+    """`left sign right`. Raises ComputationError for texts, division by zero and numbers beyond `LARGEST`."""
     try:
         return _bounded(OPERATIONS[sign](_number(left, sign), _number(right, sign)))
     except ZeroDivisionError:
@@ -81,7 +81,7 @@ def apply_operation(sign: str, left: Argument, right: Argument) -> Number:
 
 
 def apply_builtin(name: str, arguments: Sequence[Argument]) -> Number:
-    """`name(arguments)`. Raises ComputationError on texts and numbers beyond `LARGEST`."""
+    """`name(arguments)`. Raises ComputationError for texts and numbers beyond `LARGEST`."""
     return _bounded(BUILTINS[name].apply([_number(argument, name) for argument in arguments]))
 
 

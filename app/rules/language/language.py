@@ -1,7 +1,7 @@
-"""Reads rule files: text in, syntax trees with places out (`tree.py`), or every syntax mistake with its place.
+"""Parses rule files into syntax trees with positions (`tree.py`), or reports every syntax mistake with its place.
 
-A file is cut into blocks at the lines that begin with `rule` or `predicate`, and each block is parsed by itself, so
-that a mistake in one hides none in the others. Newlines separate statements except inside parentheses.
+A file is split into blocks at the lines that begin with `rule` or `predicate`, and each block is parsed separately, so
+that a mistake in one does not hide those in others. Newlines separate statements except inside parentheses.
 """
 
 import re
@@ -45,7 +45,7 @@ _SIGNS_IN_A_LINE = 60
 
 
 def read_rules(path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
-    """What could be read of the file at `path`, and its syntax mistakes in order."""
+    """The parsed file at `path`, as far as it is readable, and its syntax mistakes in order."""
     try:
         text = path.read_text(encoding="utf-8-sig")
     except OSError as error:
@@ -56,7 +56,7 @@ def read_rules(path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
 
 
 def parse_rules(text: str, path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
-    """As `read_rules`, of text already read; `path` is where it says it comes from."""
+    """As `read_rules`, for text in memory; `path` is for messages."""
     lines = tuple(line.expandtabs(1) for line in text.split("\n"))
     blocks: list[Block] = []
     unread: list[str] = []
@@ -80,7 +80,7 @@ def _grammar() -> Lark:
 
 
 def _parse_block(cut: "_Cut") -> tuple[PredicateTree | RuleTree | None, list[_Located]]:
-    """The tree of a block, or None and what is wrong with it."""
+    """The tree of a block, or None, and its mistakes."""
     text = cut.source + "\n"
     builder = _Builder(cut.first_line)
     try:
@@ -97,7 +97,7 @@ def _parse_block(cut: "_Cut") -> tuple[PredicateTree | RuleTree | None, list[_Lo
 
 @dataclass(frozen=True, slots=True)
 class _Cut:
-    """One block as written, where it begins, and the comment lines directly above it."""
+    """The source of one block, its first line, and the comment lines directly above it."""
 
     first_line: int
     source: str
@@ -115,13 +115,13 @@ def _cut(lines: tuple[str, ...]) -> Iterator[_Cut]:
 
 
 def _without_trailing_comments(lines: tuple[str, ...]) -> str:
-    """The block's own text: blank lines and comments at its end are the next block's."""
+    """The source of a block without blank lines and comments at its end, which belong to the next block."""
     last = max(number for number, line in enumerate(lines) if line.strip() and not line.lstrip().startswith("#"))
     return "\n".join(lines[: last + 1])
 
 
 def _stray_lines(lines: tuple[str, ...], path: Path) -> Iterator[Mistake]:
-    """The first line before any block that is neither blank nor comment."""
+    """A mistake at the first line before any block that is neither blank nor a comment."""
     for number, line in enumerate(lines, start=1):
         if _BLOCK_START.match(line):
             return
@@ -134,14 +134,14 @@ def _stray_lines(lines: tuple[str, ...], path: Path) -> Iterator[Mistake]:
 
 
 class _OverlongLineError(Exception):
-    """A line with so many operators and parentheses that its tree would be too deep to walk."""
+    """A line with so many operators and parentheses that its tree would be too deep to traverse."""
 
     def __init__(self, token: Token) -> None:
         self.token = token
 
 
 class _Lines(PostLex):
-    """Drops the newlines that separate nothing: inside parentheses, doubled, before the first token."""
+    """Drops newlines that separate nothing: inside parentheses, repeated, before the first token."""
 
     always_accept = ("_NEWLINE",)
 
@@ -162,7 +162,7 @@ class _Lines(PostLex):
 
 @v_args(inline=True)
 class _Builder(Transformer[Token, Any]):
-    """Turns lark's tree of one block into ours. Raises nothing: what is malformed goes to `mistakes`."""
+    """Converts lark's tree of one block to ours. Raises nothing: malformed parts are added to `mistakes`."""
 
     def __init__(self, first_line: int) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""What a rule file says, before anybody asks whether it makes sense: the syntax tree, with the place of every part.
+"""The syntax tree of rule files, with the position of every part.
 
 Lines and columns count from 1.
 """
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 Argument: TypeAlias = str | int | float
-"""What facts are about: a text (a symbol is a text), or a number."""
+"""An argument of a fact: a text (symbols are texts) or a number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class Constant:
 
 @dataclass(frozen=True, slots=True)
 class Wildcard:
-    """`_`: anything, and nobody asks what."""
+    """`_`: matches anything."""
 
     place: Place
 
@@ -73,7 +73,7 @@ class Operation:
 
 @dataclass(frozen=True, slots=True)
 class Atom:
-    """`name(arguments)`: by where it stands a pattern, an assertion, a behaviour or the call of a function."""
+    """`name(arguments)`: depending on its context a pattern, an assertion, a behaviour or a function call."""
 
     name: str
     arguments: tuple["Expression", ...]
@@ -88,7 +88,7 @@ Expression: TypeAlias = Variable | Constant | Wildcard | Alternatives | Operatio
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """A fact that must be there or, with `absent`, must not."""
+    """A fact that must exist or, with `absent`, must not."""
 
     fact: Atom
     absent: bool = False
@@ -117,7 +117,7 @@ Statement: TypeAlias = Pattern | Computation | Guard
 
 @dataclass(frozen=True, slots=True)
 class WeightedCalls:
-    """`weight 2 when guard and guard`, and the behaviours below it."""
+    """An alternative of a choice: `weight 2 when guard and guard`, and the behaviours below it."""
 
     weight: float
     guards: tuple[Guard, ...]
@@ -143,7 +143,7 @@ class Choice:
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """An argument in a declaration; `merged` when it is marked `max`."""
+    """A parameter in a declaration; `merged` if it is marked `max`."""
 
     name: str
     merged: bool
@@ -161,7 +161,7 @@ class PredicateTree:
 
 @dataclass(frozen=True, slots=True)
 class RuleTree:
-    """`rule name foreach statements`, and what follows: rightly one assertion or one choice."""
+    """`rule name foreach statements`, and its conclusions: in a valid rule, one assertion or one choice."""
 
     name: str
     statements: tuple[Statement, ...]
@@ -171,7 +171,7 @@ class RuleTree:
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """A declaration or rule, the comment lines directly above it and its text as written."""
+    """A declaration or rule, the comment lines directly above it and its source."""
 
     tree: PredicateTree | RuleTree
     comment: str
@@ -180,7 +180,7 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class RuleFile:
-    """The blocks of one file that could be read, its lines to show mistakes in, and the names of what could not."""
+    """The readable blocks of one file, its lines to show mistakes in, and the names of unreadable blocks."""
 
     path: Path
     lines: tuple[str, ...] = ()

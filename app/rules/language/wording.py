@@ -1,4 +1,4 @@
-"""What a syntax mistake in a rule file is called, in an author's words: what was expected, and what was found."""
+"""Words the messages about syntax mistakes in rule files: what was expected, and what was found."""
 
 from lark import Token, UnexpectedCharacters, UnexpectedInput, UnexpectedToken
 
@@ -41,7 +41,8 @@ _WORDS = {
     "ASSERT": "`assert`",
     "CHOOSE": "`choose`",
 }
-"""What may stand where a mistake is, in the order in which it is told; other terminals are told by their neighbours."""
+"""Descriptions of expected terminals, in the order in which they are listed; others are described by their
+neighbours."""
 
 _CHARACTERS = {
     '"': 'a text ends on its own line with `"`, and inside it `"` and `\\` are written `\\"` and `\\\\`',
@@ -52,7 +53,7 @@ _CHARACTERS = {
 
 
 def syntax_message(error: UnexpectedInput, text: str) -> str:
-    """What was expected where `error` struck; `text` is the block that was parsed."""
+    """What was expected at `error`; `text` is the block that was parsed."""
     if isinstance(error, UnexpectedCharacters):
         hint = _CHARACTERS.get(error.char, "no part of the language begins so")
         return f"found `{error.char}`; {hint}"

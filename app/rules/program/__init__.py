@@ -1,4 +1,3 @@
-"""Syntax trees in, a program out: checked as a whole and rule by rule, put into an order in which negation is safe
-(stratification), each rule compiled into steps with its joins planned. Imports `language` and `knowledge`. Begin with
-`program.py`, which names these stages in order.
-"""
+"""Compiles syntax trees to a program: checks all rules together and each by itself, orders them so that negation is
+safe (stratification), and compiles each rule into steps with planned joins. Imports `language` and `knowledge`. Begin
+with `program.py`, which calls these stages in order."""

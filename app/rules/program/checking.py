@@ -1,7 +1,7 @@
-"""Finds every mistake of rule files that are written well but make no sense, each at its place.
+"""Finds the semantic mistakes of rule files, each with its place.
 
-What a single rule can get wrong is in `rule_checks.py`; here is what files get wrong together: names declared twice,
-and rules that exclude what they depend on.
+`rule_checks.py` checks single rules; here are the checks across rules: duplicate names, and rules whose `unless`
+depends on their own conclusions.
 """
 
 from collections.abc import Collection, Iterator, Sequence
@@ -16,7 +16,7 @@ _Rule = tuple[RuleFile, RuleTree]
 
 
 def check(files: Sequence[RuleFile], behaviors: Collection[str] | None) -> Iterator[Mistake]:
-    """Every mistake in `files`, in no particular order; `behaviors` may be called by choose-rules (None: any)."""
+    """All mistakes in `files`, in no particular order; `behaviors` may be called by choose-rules (None: any)."""
     blocks = [(file, block.tree) for file in files for block in file.blocks]
     declarations = [(file, tree) for file, tree in blocks if isinstance(tree, PredicateTree)]
     rules = [(file, tree) for file, tree in blocks if isinstance(tree, RuleTree)]

@@ -1,4 +1,5 @@
-"""Compiles one checked rule: splits what can be known while matching from what waits for annotations, and plans it."""
+"""Compiles one checked rule: separates computations done while matching from those that depend on annotations, and
+plans the matching."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -24,7 +25,8 @@ from .steps import Step
 
 
 def compiled(rule: RuleTree, file: RuleFile, annotated: Mapping[str, bool], indexes: dict[Index, int]) -> Plans:
-    """The plans of a checked rule; `annotated` tells the predicates with annotation, `indexes` numbers the indexes."""
+    """The plans of a checked rule; `annotated` tells which predicates have annotations, `indexes` assigns numbers to
+    indexes."""
     layout = Layout(annotated, partial(_locate, file, rule.name))
     compiler = _Compiler(rule, layout, [part for part in rule.statements if isinstance(part, Computation)])
     last = compiler.last_step()
@@ -34,7 +36,7 @@ def compiled(rule: RuleTree, file: RuleFile, annotated: Mapping[str, bool], inde
 
 
 def annotation_variables(rule: RuleTree, annotated: Mapping[str, bool]) -> dict[str, int]:
-    """The variables that patterns bind to annotations, with the number of the positive pattern that binds each."""
+    """The variables bound to annotations, with the index of the positive pattern that binds each."""
     joins = [part.fact for part in rule.statements if isinstance(part, Pattern) and not part.absent]
     return {
         atom.arguments[-1].name: number
@@ -44,7 +46,7 @@ def annotation_variables(rule: RuleTree, annotated: Mapping[str, bool]) -> dict[
 
 
 def late_computations(computations: Sequence[Computation], annotations: Mapping[str, int]) -> tuple[Computation, ...]:
-    """The computations that read annotations, directly or through one another; each after those it reads."""
+    """The computations that depend on annotations, directly or indirectly, in order of dependence."""
     late = set(annotations)
     while more := {part.variable.name for part in computations if variables_of(part.expression) & late} - late:
         late |= more
@@ -64,7 +66,7 @@ def _locate(file: RuleFile, rule: str, place: Place) -> Origin:
 
 @dataclass(slots=True)
 class _Compiler:
-    """Makes the last step of a rule. What is computed in its arguments is added to `computations`, hidden ones last."""
+    """Builds the last step of a rule. Computations in its arguments are added to `computations`, hidden ones last."""
 
     rule: RuleTree
     layout: Layout
@@ -94,7 +96,8 @@ class _Compiler:
         return Offer(alternative.weight, guards, calls)
 
     def _slot(self, argument: Expression) -> int:
-        """The slot of a concluded argument; a computed one gets a variable whose name no author can write."""
+        """The slot of an argument of the conclusion; a computed one gets a variable name that is not valid in rule
+        files."""
         if isinstance(argument, Variable):
             return self.layout.variable(argument.name)
         if isinstance(argument, Constant):

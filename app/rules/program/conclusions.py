@@ -1,4 +1,4 @@
-"""What follows where a rule holds: facts are asserted, with what they claim for their annotation, or choices made."""
+"""The conclusions of rules: facts are asserted, with claims for their annotations, or choices made."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from .steps import Evaluate
 
 @dataclass(frozen=True, slots=True)
 class Annotated:
-    """What a rule computes from annotations, once they are final.
+    """The computations of a rule that depend on final annotations.
 
     `reads` are (variable's slot, joined fact's slot), `computations` (slot, expression, place) in order.
     """
@@ -26,7 +26,7 @@ class Annotated:
         return frozenset((*(slot for slot, _ in self.reads), *(slot for slot, _, _ in self.computations)))
 
     def fill(self, environment: Environment, annotations: Mapping[Fact, float]) -> None:
-        """Put the annotations and what is computed from them into their slots."""
+        """Put the annotations and the values computed from them into their slots."""
         for slot, fact in self.reads:
             environment[slot] = annotations[environment[fact]]
         for slot, evaluate, origin in self.computations:
@@ -38,7 +38,8 @@ class Annotated:
 
 @dataclass(frozen=True, slots=True)
 class Head:
-    """A fact to assert: the slots of its arguments and of its annotation, which is `late` if it reads annotations."""
+    """A fact to assert: the slots of its arguments and of its annotation, which is `late` if it depends on
+    annotations."""
 
     predicate: str
     slots: tuple[int, ...]
@@ -72,7 +73,7 @@ class Assert:
                 knowledge.claim(fact, self._number(environment[head.annotation]))
 
     def _claimed(self, slot: int, environment: Environment, annotations: Mapping[Fact, float]) -> float:
-        """The annotation claimed in `slot` when those that the rule reads are final."""
+        """The annotation claimed in `slot`, given the final annotations that the rule reads."""
         self.annotated.fill(environment, annotations)
         return self._number(environment[slot])
 
@@ -90,8 +91,8 @@ class Offer:
     guards: tuple[tuple[Callable[[Environment], bool], Origin], ...]
     calls: tuple[tuple[str, tuple[int, ...]], ...]
 
-    def stands(self, environment: Environment) -> bool:
-        """Whether every guard holds."""
+    def is_applicable(self, environment: Environment) -> bool:
+        """Whether all guards hold."""
         for holds, origin in self.guards:
             try:
                 if not holds(environment):
@@ -100,14 +101,14 @@ class Offer:
                 raise origin.error(str(error)) from None
         return True
 
-    def made(self, environment: Environment) -> Alternative:
+    def to_alternative(self, environment: Environment) -> Alternative:
         calls = [Call(name, tuple([environment[slot] for slot in slots])) for name, slots in self.calls]
         return Alternative(self.weight, tuple(calls))
 
 
 @dataclass(frozen=True, slots=True)
 class Choose:
-    """The last step of a choose-rule; where no alternative's guards hold there is no choice."""
+    """The last step of a choose-rule; without an alternative whose guards hold there is no choice."""
 
     offers: tuple[Offer, ...]
     annotated: Annotated
@@ -116,7 +117,7 @@ class Choose:
 
     def run(self, knowledge: Knowledge, environment: Environment) -> None:
         self.annotated.fill(environment, knowledge.annotations)
-        alternatives = [offer.made(environment) for offer in self.offers if offer.stands(environment)]
+        alternatives = [offer.to_alternative(environment) for offer in self.offers if offer.is_applicable(environment)]
         if alternatives:
             supports = tuple([environment[slot] for slot in self.supports])
             knowledge.choices.append(Choice(self.origin, supports, tuple(alternatives)))

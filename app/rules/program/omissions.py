@@ -1,4 +1,4 @@
-"""Fills in the annotation that an asserted fact leaves out: 0, so that whatever another rule claims for it counts."""
+"""Adds omitted annotations to asserted facts: 0, so that any other rule's claim prevails."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
@@ -9,7 +9,7 @@ OMITTED = 0
 
 
 def with_annotations(files: Sequence[RuleFile]) -> tuple[RuleFile, ...]:
-    """The same files, where every asserted fact of a predicate with annotation has one."""
+    """The files, with an annotation in every asserted fact of an annotated predicate."""
     annotated = {
         block.tree.name: len(block.tree.parameters)
         for file in files

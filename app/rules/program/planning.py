@@ -1,8 +1,8 @@
-"""Turns a checked rule into plans: the order in which to match its patterns, chosen once when the rules are loaded.
+"""Plans the matching of a checked rule: the order of its patterns, determined once when rules are loaded.
 
-A plan begins from everything known or, one plan for each pattern, from what the last round brought to that pattern;
-it goes on with the pattern that has most arguments known by then. Computations, guards and `unless` are taken as soon
-as their variables have values. Annotations are left out: they are computed when the facts are known (`annotations.py`).
+A plan starts from all facts or, in one plan per pattern, from the facts that the last round added for that pattern; it
+continues with the pattern that has most arguments bound. Computations, guards and `unless` are evaluated as soon as
+their variables are bound. Annotations are left out: they are computed when all facts are known (`annotations.py`).
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -31,19 +31,19 @@ from .steps import Absent, Compute, Evaluate, Join, JoinRecent, Shape, Step, Tes
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """One way to match a rule: `template` is the environment to begin with."""
+    """One way to match a rule: `template` is the initial environment."""
 
     template: tuple[object, ...]
     begin: Step
 
     def run(self, knowledge: Knowledge) -> None:
-        """Match the rule in every possible way, and conclude."""
+        """Find all matches of the rule, and draw its conclusions."""
         self.begin.run(knowledge, list(self.template))
 
 
 @dataclass(frozen=True, slots=True)
 class Plans:
-    """How to match one rule: from all facts, or, a plan for each pattern, from what is new to it."""
+    """The plans of one rule: from all facts, and, one per pattern, from the facts that are new to it."""
 
     from_all: Plan
     from_recent: tuple[Plan, ...]
@@ -51,9 +51,9 @@ class Plans:
 
 @dataclass(slots=True)
 class Layout:
-    """Gives the constants, variables and facts of one rule their slots, and turns its expressions into functions.
+    """Assigns slots to the constants, variables and facts of one rule, and compiles its expressions to functions.
 
-    `annotated` tells the predicates whose last argument is an annotation.
+    `annotated` tells which predicates have an annotation as their last argument.
     """
 
     annotated: Mapping[str, bool]
@@ -62,7 +62,7 @@ class Layout:
     _slots: dict[object, int] = field(default_factory=dict)
 
     def slot(self, key: object, value: object = None) -> int:
-        """The slot of `key`, made on first sight with `value` in the template."""
+        """The slot of `key`, created on first use with `value` in the template."""
         if key not in self._slots:
             self._slots[key] = len(self.template)
             self.template.append(value)
@@ -75,7 +75,7 @@ class Layout:
         return self.slot(("constant", type(value), value), value)
 
     def fact(self, pattern: int) -> int:
-        """The slot of the fact that the rule's `pattern`-th positive pattern joined."""
+        """The slot of the fact joined by the rule's `pattern`-th positive pattern."""
         return self.slot(("fact", pattern))
 
     def identity(self, atom: Atom) -> tuple[Expression, ...]:
@@ -83,7 +83,7 @@ class Layout:
         return atom.arguments[:-1] if self.annotated[atom.name] else atom.arguments
 
     def evaluator(self, expression: Expression) -> Evaluate:
-        """The expression as a function of the environment; it raises ComputationError."""
+        """The expression as a function of the environment, which may raise ComputationError."""
         if isinstance(expression, Variable):
             return pick((self.variable(expression.name),))
         if isinstance(expression, Constant):
@@ -96,16 +96,17 @@ class Layout:
         raise AssertionError(f"unchecked: {expression} has no value")
 
     def test(self, guard: Guard) -> Callable[[Environment], bool]:
-        """The guard as a function of the environment; it raises ComputationError."""
+        """The guard as a function of the environment, which may raise ComputationError."""
         return partial(_comparison, guard.operator, self.evaluator(guard.left), self.evaluator(guard.right))
 
 
 def plans(
     rule: RuleTree, layout: Layout, indexes: dict[Index, int], *, computed: Sequence[Computation], last: Step
 ) -> Plans:
-    """The plans of a checked rule, each ending in `last`; indexes they need are numbered in `indexes`.
+    """The plans of a checked rule, each ending in `last`; indexes they need are assigned numbers in `indexes`.
 
-    `computed` are the computations to take: the rule's own without those on annotations, and the concluded arguments'.
+    `computed` are the computations to include: the rule's own except those on annotations, and those in the
+    conclusion's arguments.
     """
     joins = [part for part in rule.statements if isinstance(part, Pattern) and not part.absent]
     conditions: list[Statement] = [*computed, *(part for part in rule.statements if isinstance(part, Guard))]
@@ -137,7 +138,7 @@ class _Planner:
     last: Step
 
     def rest(self, bound: frozenset[str], joins: tuple[int, ...], conditions: tuple[Statement, ...]) -> Step:
-        """The steps that are left when the variables in `bound` have values."""
+        """The remaining steps when the variables in `bound` have values."""
         for position, condition in enumerate(conditions):
             if self._inputs(condition) <= bound:
                 return self._condition(condition, bound, joins, conditions[:position] + conditions[position + 1 :])
@@ -148,7 +149,7 @@ class _Planner:
         return self._join(chosen, bound, left, conditions)
 
     def beginning(self, chosen: int, joins: tuple[int, ...], conditions: tuple[Statement, ...]) -> Step:
-        """The plan that begins from what is new to the pattern `chosen`."""
+        """The plan that starts from the facts new to the pattern `chosen`."""
         atom = self.joins[chosen].fact
         arguments = self.layout.identity(atom)
         then = self.rest(_bound_by(arguments), tuple(number for number in joins if number != chosen), conditions)
@@ -188,19 +189,19 @@ class _Planner:
         return variables_of(condition.expression)
 
     def _known(self, number: int, bound: frozenset[str]) -> float:
-        """How selective a pattern is: its constants and bound variables, alternatives for half."""
+        """The selectivity of a pattern: its constants and bound variables, alternatives counting half."""
         arguments = self.layout.identity(self.joins[number].fact)
         return len(_keyed(arguments, bound)) + 0.5 * len(_among(arguments))
 
     def _lookup(self, atom: Atom, bound: frozenset[str]) -> tuple[int, Pick]:
-        """The index by the arguments of `atom` that are known, and what picks the key from the environment."""
+        """The index by the bound arguments of `atom`, and the function that picks the key from the environment."""
         arguments = self.layout.identity(atom)
         positions = _keyed(arguments, bound)
         index = self.indexes.setdefault(Index(atom.name, positions), len(self.indexes))
         return index, pick(tuple(self._slot(arguments[position]) for position in positions))
 
     def _shape(self, number: int, bound: frozenset[str], *, keyed: bool) -> Shape:
-        """What is left to look at in a fact; with `keyed` the index has seen to the known arguments."""
+        """The remaining conditions on a fact; with `keyed` the index covers the bound arguments."""
         arguments = self.layout.identity(self.joins[number].fact)
         binds: dict[str, tuple[int, int]] = {}
         equal: list[tuple[int, int]] = []

@@ -1,4 +1,4 @@
-"""Loads rule files into a program: checked, put in order, with every join planned. A program never changes."""
+"""Loads rule files into an immutable program: checked, stratified, with all joins planned."""
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from .stratification import asserted, feeding, strata
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A fact as a rule writes it: `arguments` are source terms ("negation", "$start", "modal|mental", "_")."""
+    """A fact as written in a rule: `arguments` are source terms ("negation", "$start", "modal|mental", "_")."""
 
     predicate: str
     arguments: tuple[str, ...]
@@ -27,7 +27,8 @@ class Mention:
 @dataclass(frozen=True, slots=True)
 class Rule:
     """A rule as its author sees it. `kind` is "assert" or "choose", `comment` the comment lines directly above it,
-    `line` that of the rule's name, `calls` the behaviours a choose-rule names, each once, `tree` all that it says."""
+    `line` that of the rule's name, `calls` the behaviours of a choose-rule without duplicates, `tree` its syntax tree.
+    """
 
     name: str
     kind: str
@@ -43,7 +44,7 @@ class Rule:
 
 @dataclass(frozen=True, slots=True)
 class Predicate:
-    """A declared predicate; `parameters` without the annotation, which is `annotation` ("" when there is none)."""
+    """A declared predicate; `parameters` without the annotation, whose name is `annotation` ("" if there is none)."""
 
     name: str
     parameters: tuple[str, ...]
@@ -55,7 +56,7 @@ class Predicate:
 
 @dataclass(frozen=True, slots=True)
 class Stratum:
-    """Rules that run together: `first` once on all facts, then `later` on what each round brought."""
+    """Rules that run together: `first` once on all facts, then `later` on the facts that each round added."""
 
     first: tuple[Plan, ...]
     later: tuple[Plan, ...]
@@ -63,7 +64,7 @@ class Stratum:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """Rules ready to run (`understudy.rules.chaining.chainer.derive`); shared by threads as it is."""
+    """Compiled rules (`understudy.rules.chaining.chainer.derive`); immutable and thread-safe."""
 
     rules: tuple[Rule, ...]
     predicates: Mapping[str, Predicate]
@@ -75,7 +76,7 @@ class Program:
 def load_program(paths: Iterable[Path], *, behaviors: Collection[str] | None = None) -> Program:
     """The program of these files; `behaviors` are the names that choose-rules may call (None: any).
 
-    Raises AuthoringError with every mistake of every file, in the order of the files and their lines.
+    Raises AuthoringError with all mistakes of all files, in the order of the files and their lines.
     """
     readings = [read_rules(path) for path in paths]
     files = with_annotations([file for file, _ in readings])

@@ -1,8 +1,8 @@
-"""Finds every mistake that a single rule can make, given what is declared.
+"""Finds the mistakes of single rules, given the declarations.
 
-Annotations must not decide which facts there are (`annotations.py` computes them afterwards): a variable that a
-pattern binds to an annotation, and every variable computed from one, may only stand in annotations that are asserted
-and in the calls of behaviours.
+Annotations must not determine which facts exist, since they are computed afterwards (`annotations.py`): a variable
+bound to an annotation, and every variable computed from one, may only occur in asserted annotations and in calls of
+behaviours.
 """
 
 from collections import Counter
@@ -36,12 +36,12 @@ from .stratification import asserted
 Located = tuple[Place, str]
 
 MOST_STATEMENTS = 50
-"""As many as a plan can be deep; a rule of more is unreadable long before."""
+"""The maximum depth of a plan; a longer rule would be unreadable anyway."""
 
 
 @dataclass(frozen=True, slots=True)
 class Declared:
-    """What rules may speak of. Declarations in `unread` are there but could not be read; nothing is asked of them."""
+    """The declarations that rules can refer to. Those in `unread` exist but could not be parsed and are not checked."""
 
     predicates: Mapping[str, PredicateTree]
     unread: frozenset[str]
@@ -56,12 +56,13 @@ class Declared:
         }
 
     def facts_of(self, rule: RuleTree) -> tuple[Atom, ...]:
-        """Every fact a rule joins, excludes or asserts."""
+        """All facts that a rule joins, excludes or asserts."""
         return (*(part.fact for part in rule.statements if isinstance(part, Pattern)), *asserted(rule))
 
 
 def rule_mistakes(rule: RuleTree, declared: Declared) -> Iterator[Located]:
-    """Every mistake in `rule`; those of its annotations only where its facts are sound, for they tell what is one."""
+    """All mistakes in `rule`; those of its annotations only if its facts are correct, since they determine what is
+    one."""
     yield from _parts(rule)
     yield from _behaviors(rule, declared)
     for expression in _expressions(rule):
@@ -79,7 +80,7 @@ def rule_mistakes(rule: RuleTree, declared: Declared) -> Iterator[Located]:
 
 
 def _parts(rule: RuleTree) -> Iterator[Located]:
-    """Parts that are missing or too many."""
+    """Missing or superfluous parts."""
     if not any(isinstance(part, Pattern) and not part.absent for part in rule.statements):
         yield rule.place, f"rule {rule.name} joins no fact: `foreach` needs one that is not under `unless`"
     if len(rule.statements) > MOST_STATEMENTS:
@@ -114,7 +115,7 @@ def _behaviors(rule: RuleTree, declared: Declared) -> Iterator[Located]:
 
 
 def _fact(atom: Atom, declared: Declared) -> Iterator[Located]:
-    """Mistakes of a fact's predicate and arity."""
+    """Mistakes in a fact's predicate and arity."""
     if atom.name in declared.unread:
         return
     if atom.name not in declared.predicates:
@@ -130,7 +131,7 @@ def _fact(atom: Atom, declared: Declared) -> Iterator[Located]:
 
 
 def _pattern(pattern: Pattern, declared: Declared) -> Iterator[Located]:
-    """Mistakes of a pattern's arguments."""
+    """Mistakes in a pattern's arguments."""
     for argument in pattern.fact.arguments:
         if isinstance(argument, Operation | Atom):
             yield argument.place, "a pattern computes nothing; compute on a line of its own: $x = ..."
@@ -145,7 +146,7 @@ def _pattern(pattern: Pattern, declared: Declared) -> Iterator[Located]:
 
 
 def _values(expression: Expression) -> Iterator[Located]:
-    """Mistakes of an expression whose value is wanted."""
+    """Mistakes in an expression that is evaluated."""
     if isinstance(expression, Wildcard | Alternatives):
         yield expression.place, f"`{expression}` only stands in patterns; here one value is wanted"
     elif isinstance(expression, Operation):
@@ -172,7 +173,7 @@ def _number(expression: Expression, wanted_by: str) -> Iterator[Located]:
 
 
 def _comparable(guard: Guard) -> Iterator[Located]:
-    """Mistakes of the types a guard compares, as far as they are written in it."""
+    """Type mistakes in a guard, as far as they are evident."""
     kinds = [_kind(guard.left), _kind(guard.right)]
     if is_ordering(guard.operator):
         for side, kind in zip((guard.left, guard.right), kinds, strict=True):
@@ -189,7 +190,7 @@ def _kind(expression: Expression) -> str:
 
 
 def _unbound(rule: RuleTree) -> Iterator[Located]:
-    """Variables that are used and nothing gives them a value."""
+    """Variables that are used without being bound."""
     bound = _bound(rule)
     for variable in _used(rule):
         if variable.name not in bound:
@@ -213,7 +214,7 @@ def _bound(rule: RuleTree) -> set[str]:
 
 
 def _annotations(rule: RuleTree, declared: Declared) -> Iterator[Located]:
-    """Annotations, and what is computed from them, where they would decide which facts there are."""
+    """Annotations, and values computed from them, where they would determine which facts exist."""
     binding = annotation_variables(rule, declared.annotated)
     computations = [part for part in rule.statements if isinstance(part, Computation)]
     tainted = binding.keys() | {part.variable.name for part in late_computations(computations, binding)}
@@ -239,7 +240,7 @@ def _annotations(rule: RuleTree, declared: Declared) -> Iterator[Located]:
 
 
 def _deciding(rule: RuleTree, declared: Declared) -> Iterator[Expression]:
-    """The expressions that decide which facts and choices there are."""
+    """The expressions that determine which facts and choices exist."""
     for guard in _guards(rule):
         yield guard.left
         yield guard.right
@@ -248,7 +249,7 @@ def _deciding(rule: RuleTree, declared: Declared) -> Iterator[Expression]:
 
 
 def _expressions(rule: RuleTree) -> Iterator[Expression]:
-    """The expressions whose value is wanted: all but the arguments of patterns."""
+    """The expressions that are evaluated: all but the arguments of patterns."""
     for part in rule.statements:
         if isinstance(part, Computation):
             yield part.expression

@@ -1,7 +1,7 @@
-"""The steps by which a rule is matched: each does its part with the environment and hands on to the next.
+"""The steps of matching a rule: each extends the environment and calls the next.
 
-Every value a step needs lies in a slot of the environment, constants too, so that keys and arguments are picked with
-one `itemgetter`. Steps are immutable; what changes is the environment and the `Knowledge`.
+All values that steps need are in slots of the environment, including constants, so that keys and arguments are picked
+with one `itemgetter`. Steps are immutable; only the environment and the `Knowledge` change.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,15 +19,15 @@ class Step(Protocol):
     """One step of a plan."""
 
     def run(self, knowledge: Knowledge, environment: Environment) -> None:
-        """Go on from here, once for every way in which this step can be taken."""
+        """Continue from here, once for each way in which this step can be taken."""
 
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """What a fact must look like to match a pattern, and what it then says.
+    """The conditions under which a fact matches a pattern, and the values it then provides.
 
-    `binds` are (slot, position) of variables it gives a value, `equal` (slot, position) where it must repeat what a
-    slot holds, `among` (position, values) where alternatives stand, `slot` where the fact itself goes.
+    `binds` are (slot, position) of variables that it binds, `equal` (slot, position) of values that it must repeat,
+    `among` (position, values) of alternatives, `slot` is for the fact itself.
     """
 
     binds: tuple[tuple[int, int], ...]
@@ -36,7 +36,7 @@ class Shape:
     slot: int
 
     def each(self, facts: Sequence[Fact], then: Step, knowledge: Knowledge, environment: Environment) -> None:
-        """Run `then` for every one of the facts that has this shape."""
+        """Run `then` for each of the facts that match."""
         for fact in facts:
             arguments = fact.arguments
             for position, values in self.among:
@@ -55,7 +55,7 @@ class Shape:
 
 @dataclass(frozen=True, slots=True)
 class Join:
-    """For every fact that the index holds under the key and that has the shape."""
+    """For each fact in the index under the key that has the shape."""
 
     index: int
     key: Pick
@@ -70,9 +70,9 @@ class Join:
 
 @dataclass(frozen=True, slots=True)
 class JoinRecent:
-    """For every fact of the last round that has the shape: where a rule begins from what is new.
+    """For each fact of the last round that has the shape: the start of an incremental plan.
 
-    `beginning` is the predicate and, where it is a constant, the first argument.
+    `beginning` is the predicate and, if it is a constant, the first argument.
     """
 
     beginning: tuple[str, Argument | None]
@@ -87,7 +87,7 @@ class JoinRecent:
 
 @dataclass(frozen=True, slots=True)
 class Absent:
-    """Only if the index holds no fact under the key that has one of the alternatives' values."""
+    """Continue only if the index has no fact under the key with one of the alternatives' values."""
 
     index: int
     key: Pick
@@ -121,7 +121,7 @@ class Compute:
 
 @dataclass(frozen=True, slots=True)
 class Test:
-    """Only if the guard holds."""
+    """Continue only if the guard holds."""
 
     holds: Callable[[Environment], bool]
     origin: Origin

@@ -1,9 +1,9 @@
-"""In which order rules must run so that `unless` is asked only when all that it asks about is known.
+"""Stratification: orders rules such that an `unless` is evaluated only when all facts it depends on are known.
 
-A rule feeds a pattern when a fact it asserts could match it: same predicate, and no position where both have constants
-and none in common. A fact asserted just as it was joined only gains annotation and feeds nothing. Strata are numbered
-from 0; a rule stands in the first stratum that is not before those that feed its patterns, and after those that feed
-its `unless`. Where an `unless` is fed, through other rules, by its own rule, there is no such order.
+A rule feeds a pattern if a fact it asserts could match it: same predicate, and no position with disjoint constants. A
+fact asserted exactly as it was joined only gets an annotation and feeds nothing. Strata are numbered from 0; a rule is
+in the first stratum that is not before those feeding its patterns, and after those feeding its `unless`. If an `unless`
+depends, through other rules, on its own rule, there is no such order.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,12 +13,12 @@ from typing import TypeAlias
 from ..language.tree import Alternatives, Argument, Assertion, Atom, Constant, Expression, Pattern, RuleTree
 
 Form: TypeAlias = tuple[frozenset[Argument] | None, ...]
-"""What may stand at each position of a fact; None: anything."""
+"""The possible values at each position of a fact; None: any."""
 
 
 @dataclass(frozen=True, slots=True)
 class Cycle:
-    """Rules, by number, each feeding the next; the last feeds the first, through its pattern `unless`."""
+    """Rules, by index, each feeding the next; the last feeds the first, through its pattern `unless`."""
 
     rules: tuple[int, ...]
     unless: Pattern
@@ -26,18 +26,18 @@ class Cycle:
 
 @dataclass(frozen=True, slots=True)
 class Feeding:
-    """The rules that feed each rule's patterns, and those that feed its `unless` patterns, by number."""
+    """By rule index, the rules that feed its patterns, and those that feed its `unless` patterns."""
 
     joined: tuple[frozenset[int], ...]
     excluded: tuple[tuple[tuple[Pattern, frozenset[int]], ...], ...]
 
     def into(self, rule: int) -> frozenset[int]:
-        """Every rule that feeds `rule`, either way."""
+        """All rules that feed `rule`, either way."""
         return self.joined[rule].union(*(feeders for _, feeders in self.excluded[rule]))
 
 
 def feeding(rules: Sequence[RuleTree], annotated: Mapping[str, bool]) -> Feeding:
-    """Who feeds whom; `annotated` tells the predicates whose last argument is an annotation."""
+    """The dependencies between rules; `annotated` tells which predicates have an annotation as their last argument."""
     heads = [
         (number, atom.name, _form(atom, annotated))
         for number, rule in enumerate(rules)
@@ -58,7 +58,7 @@ def feeding(rules: Sequence[RuleTree], annotated: Mapping[str, bool]) -> Feeding
 
 
 def cycles(fed: Feeding) -> Iterator[Cycle]:
-    """One cycle for each `unless` that its own rule feeds."""
+    """One cycle for each `unless` that depends on its own rule."""
     for rule, excluded in enumerate(fed.excluded):
         for unless, feeders in excluded:
             ways = (_way(fed, rule, feeder) for feeder in sorted(feeders))
@@ -87,7 +87,7 @@ def asserted(rule: RuleTree) -> tuple[Atom, ...]:
 
 
 def _way(fed: Feeding, start: int, end: int) -> tuple[int, ...] | None:
-    """The shortest way on which `start` feeds `end`, both included."""
+    """The shortest chain of rules by which `start` feeds `end`, both included."""
     reached: dict[int, tuple[int, ...]] = {end: (end,)}
     border = [end]
     while border and start not in reached:
@@ -120,7 +120,7 @@ def _compatible(head: Form, pattern: Form) -> bool:
 
 
 def _only_annotates(atom: Atom, rule: RuleTree, annotated: Mapping[str, bool]) -> bool:
-    """Whether the fact asserted is one that the rule has joined."""
+    """Whether the asserted fact is one that the rule has joined."""
     said = _spoken(_identity(atom, annotated))
     return said is not None and any(
         isinstance(part, Pattern)
@@ -132,6 +132,6 @@ def _only_annotates(atom: Atom, rule: RuleTree, annotated: Mapping[str, bool]) -
 
 
 def _spoken(arguments: Sequence[Expression]) -> tuple[object, ...] | None:
-    """Variables and constants without their places; None where there is anything else."""
+    """Variables and constants without their positions; None if there is anything else."""
     spoken = tuple(getattr(argument, "name", None) or getattr(argument, "value", None) for argument in arguments)
     return None if None in spoken or any(isinstance(argument, Atom) for argument in arguments) else spoken

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from understudy.acoustic.agitation.vocal_motion import motion_features
+from understudy.acoustic.agitation.vocal_motion import dynamics_features
 from understudy.acoustic.agitation.voice_quality import voice_quality
 from understudy.acoustic.contours import contours_of
 from understudy.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray
@@ -30,7 +30,7 @@ def motion(audio: Audio) -> FloatArray:
 
 def motion_of(audio: Audio, heard: Contours) -> FloatArray:
     spoken = heard.energy_db >= heard.energy_db.max() - 30
-    return motion_features(heard, voice_quality(audio, heard.f0_hz), spoken=spoken)
+    return dynamics_features(heard, voice_quality(audio, heard.f0_hz), spoken=spoken)
 
 
 def test_a_voice_that_trembles_steps_further() -> None:

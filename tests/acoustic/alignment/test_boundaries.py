@@ -14,8 +14,8 @@ from understudy.acoustic.alignment.boundary_views import (
     BANDS,
     CONTEXT_STEPS,
     STEP_SAMPLES,
+    BoundaryArrays,
     BoundaryView,
-    Places,
     mel_levels,
 )
 from understudy.acoustic.alignment.phone_boundaries import SHORTEST_PHONE_S, boundaries
@@ -47,7 +47,7 @@ def _constant(moves_s: float) -> BoundaryModel:
     """A model that sees nothing and moves everything alike."""
     width = (2 * CONTEXT_STEPS + 1) * BANDS
     view = BoundaryView(np.zeros(width, np.float32), np.zeros((width, 1), np.float32), kind_weight=0.0, gap_weight=0.0)
-    points = view.points(mel_levels(_audio().samples), Places.of(boundaries(WORDS)))
+    points = view.points(mel_levels(_audio().samples), BoundaryArrays.of(boundaries(WORDS)))
     return BoundaryModel(view, np.zeros_like(points[:1]), np.array([moves_s], np.float32))
 
 

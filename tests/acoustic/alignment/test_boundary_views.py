@@ -10,8 +10,8 @@ from understudy.acoustic.alignment.boundary_views import (
     STEP_S,
     STEP_SAMPLES,
     TYPICAL_GAP_S,
+    BoundaryArrays,
     BoundaryView,
-    Places,
     levels_around,
     mel_levels,
 )
@@ -26,13 +26,13 @@ def _tone(seconds: float, hertz: float) -> np.ndarray:
 
 
 def test_places_have_gaps_to_their_neighbours_and_the_ends_long_ones() -> None:
-    places = Places.of(FOUND)
+    places = BoundaryArrays.of(FOUND)
     assert np.allclose(places.gaps_s, [[LONGEST_GAP_S, 0.12], [0.12, 0.28], [0.28, LONGEST_GAP_S]])
     assert places.at_silence.tolist() == [True, False, True]
 
 
 def test_a_place_that_is_shifted_comes_nearer_one_neighbour_and_leaves_the_other() -> None:
-    shifted = Places.of(FOUND).shifted(np.array([0.0, 0.02, 0.0])).part(1, 2)
+    shifted = BoundaryArrays.of(FOUND).shifted(np.array([0.0, 0.02, 0.0])).part(1, 2)
     assert np.allclose(shifted.times_s, [0.34])
     assert np.allclose(shifted.gaps_s, [[0.14, 0.26]])
 
@@ -66,7 +66,7 @@ def test_beyond_the_audio_its_ends_are_seen() -> None:
 def test_points_tell_kinds_gaps_and_spectra_by_their_weights() -> None:
     width = (2 * CONTEXT_STEPS + 1) * BANDS
     view = BoundaryView(np.ones(width, np.float32), np.eye(width, 2, dtype=np.float32), kind_weight=3.0, gap_weight=2.0)
-    points = view.points(np.full((200, BANDS), 5.0, np.float16), Places.of(FOUND))
+    points = view.points(np.full((200, BANDS), 5.0, np.float16), BoundaryArrays.of(FOUND))
     assert np.allclose(np.sort(points[:, :18], axis=1)[:, -3:], [[0.0, 3.0, 3.0]] * 3)
     assert np.allclose(points[1, 18:20], 2.0 * np.log(np.array([0.12, 0.28]) / TYPICAL_GAP_S))
     assert np.allclose(points[:, 20:], 4.0)

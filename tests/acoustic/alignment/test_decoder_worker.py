@@ -8,7 +8,7 @@ import soundfile
 
 from understudy.acoustic.alignment.decoder_signal import FRAMES_PER_S, pcm
 from understudy.acoustic.alignment.decoder_worker import FRAMES_PER_S as WORKERS_FRAMES_PER_S
-from understudy.acoustic.alignment.decoder_worker import MOST_WORDS_KNOWN, NARROW, Listener
+from understudy.acoustic.alignment.decoder_worker import MOST_WORDS_KNOWN, NARROW, Recognizer
 
 AUDIO = Path(__file__).parents[2] / "audio"
 PHONES = ("AA", "B", "IY", "K", "M", "S")
@@ -29,14 +29,14 @@ def test_both_ends_count_the_same_frames() -> None:
 
 @pytest.mark.parametrize("count", [1000, MOST_WORDS_KNOWN + 1], ids=["many words", "too many words"])
 def test_what_was_learnt_before_changes_nothing(filler: bytes, count: int) -> None:
-    listener = Listener()
-    before = listener.answer_to(filler, UM, more=False)
+    recognizer = Recognizer()
+    before = recognizer.response_to(filler, UM, more=False)
     pronunciations = [" ".join(phones) for phones, _ in zip(product(PHONES, repeat=6), range(count), strict=False)]
-    listener.aligned(filler, [pronunciations], NARROW)
-    assert listener.answer_to(filler, UM, more=False) == before
+    recognizer.aligned(filler, [pronunciations], NARROW)
+    assert recognizer.response_to(filler, UM, more=False) == before
     assert before["words"] is not None
 
 
 def test_a_word_may_be_said_in_any_of_its_ways(filler: bytes) -> None:
     words = [["B AH T", "AH M", "K IY Z"]]
-    assert [each[0] for each, _ in Listener().aligned(filler, words, NARROW)] == ["AH_M"]
+    assert [each[0] for each, _ in Recognizer().aligned(filler, words, NARROW)] == ["AH_M"]

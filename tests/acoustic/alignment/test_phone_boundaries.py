@@ -2,7 +2,13 @@
 
 import numpy as np
 
-from understudy.acoustic.alignment.phone_boundaries import SHORTEST_PAUSE_S, Boundary, boundaries, in_order, rebuilt
+from understudy.acoustic.alignment.phone_boundaries import (
+    SHORTEST_PAUSE_S,
+    Boundary,
+    boundaries,
+    spaced_times,
+    with_boundaries,
+)
 from understudy.model import Interval, Phone, Word
 
 
@@ -33,12 +39,12 @@ def test_a_gap_shorter_than_a_pause_is_none() -> None:
 
 def test_words_are_rebuilt_as_they_were_and_between_other_times() -> None:
     times_s = np.array([boundary.time_s for boundary in boundaries(WORDS)])
-    assert rebuilt(WORDS, times_s) == WORDS
-    later = rebuilt(WORDS, times_s + np.arange(6.0))
+    assert with_boundaries(WORDS, times_s) == WORDS
+    later = with_boundaries(WORDS, times_s + np.arange(6.0))
     assert [word.interval for word in later] == [Interval(0.2, 2.5), Interval(2.5, 3.6), Interval(4.8, 5.9)]
     assert later[0].phones[1].interval == Interval(1.3, 2.5)
 
 
 def test_times_that_crossed_are_put_in_order() -> None:
-    assert in_order(np.array([0.5, 0.4, 0.9]), 1.0).tolist() == [0.5, 0.51, 0.9]
-    assert in_order(np.array([-0.1, 0.995, 1.4]), 1.0).tolist() == [0.0, 0.99, 1.0]
+    assert spaced_times(np.array([0.5, 0.4, 0.9]), 1.0).tolist() == [0.5, 0.51, 0.9]
+    assert spaced_times(np.array([-0.1, 0.995, 1.4]), 1.0).tolist() == [0.0, 0.99, 1.0]

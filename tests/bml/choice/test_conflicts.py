@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from understudy.bml.choice.candidates import PlacedBehavior
-from understudy.bml.choice.conflicts import resolve
+from understudy.bml.choice.conflicts import compete, resolve
 from understudy.bml.choice.phases import Placing, Window, placed
 from understudy.bml.choice.table import GLANCE, LOOK, Phase, Timing
 from understudy.model import Behavior, Channel, Hand
@@ -171,3 +171,12 @@ def test_what_is_kept_never_overlaps(drawn: list[tuple[float, int, Hand, Channel
             sync = outcome[each.behavior.id].sync
             times = [time_s for _, time_s in sync.in_order()]
             assert times == sorted(times)
+
+
+def test_a_mouth_and_brows_move_at_once_and_two_mouths_do_not() -> None:
+    smile, press, frown = (
+        replace(candidate(lexeme, 2.0, priority, kind=Channel.FACE).behavior, lexeme=lexeme)
+        for priority, lexeme in enumerate(("RAISE_MOUTH_CORNERS", "PRESS_LIPS", "LOWER_BROWS"))
+    )
+    assert compete(smile, press)
+    assert not compete(smile, frown)

@@ -16,8 +16,8 @@ def candidates() -> tuple[BehaviorCandidates, ...]:
     meant = [offered(movement(name, word)) for name, word in (("gesture_me", 4), ("gesture_high", 20), ("shake", 40))]
     stressed = [offered(movement("small_nod", word)) for word in (8, 9, 30)]
     emphases = [
-        BehaviorCandidates(function("emphasis", "plain", each.function.first, each.function.last), each.alternatives)
-        for each in stressed
+        BehaviorCandidates(function("emphasis", "plain", word, word), each.alternatives)
+        for word, each in zip((8, 9, 30), stressed, strict=True)
     ]
     return (*meant, *emphases)
 

@@ -7,6 +7,7 @@ import pytest
 from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from understudy.bml.choice.candidates import stressed_vowel_s
 from understudy.bml.choice.characters import Character, Characters
+from understudy.bml.choice.conflicts import compete
 from understudy.bml.choice.lead_in import with_lead_in
 from understudy.bml.choice.scheduling import schedule
 from understudy.model import Behavior, Channel, Hand, Interval, Movement, Phone, Word
@@ -183,7 +184,7 @@ def test_everything_possible_at_once_still_makes_a_schedule(seed: int) -> None:
         assert times[0] >= 0
         assert behavior.kept or behavior.reason
     for one, other in combinations(kept, 2):
-        if one.kind is other.kind and (one.hand is other.hand or Hand.BOTH in (one.hand, other.hand)):
+        if one.kind is other.kind and compete(one, other):
             assert one.sync.end <= other.sync.start or other.sync.end <= one.sync.start
 
 

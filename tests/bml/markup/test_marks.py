@@ -10,7 +10,7 @@ from tests.bml.writing.test_writer import everything
 from tests.support.bml_checker import check
 from tests.support.by_hand import spoken
 from understudy.bml.markup.documents import Document, Element, Reference, TimeForm
-from understudy.bml.markup.marks import clock
+from understudy.bml.markup.marks import time_formatter
 from understudy.bml.writing.writer import BmlForm, to_document, write_bml
 from understudy.model import SyncPoints
 
@@ -20,7 +20,7 @@ STROKE = SyncPoints(start=1.3, ready=1.45, stroke_start=1.5, stroke=1.6, stroke_
 
 def told(sync: SyncPoints) -> dict[str, Reference]:
     """The points, with words beginning at 1.0, 1.4 and 1.8."""
-    times = clock(spoken("one two three"), TimeForm.SYNC, "w{}".format)(sync)
+    times = time_formatter(spoken("one two three"), TimeForm.SYNC, "w{}".format)(sync)
     return {name: time for name, time in times.items() if isinstance(time, Reference)}
 
 
@@ -37,14 +37,14 @@ def test_without_a_stroke_they_are_told_from_the_word_of_the_start(start_s: floa
 
 
 def test_what_comes_before_the_speech_is_told_from_its_start() -> None:
-    times = clock(spoken("one two"), TimeForm.SYNC, "w{}".format, speech_start_s=0.8)
+    times = time_formatter(spoken("one two"), TimeForm.SYNC, "w{}".format, speech_start_s=0.8)
     assert times(SyncPoints(start=0.3, end=1.2))["start"] == Reference("speech1", "start", -0.5)
     assert times(SyncPoints(start=0.9, end=1.2))["end"] == Reference("speech1", "start", 0.4)
 
 
 def test_words_without_a_time_are_passed_over() -> None:
     words = (*spoken("one two"), replace(spoken("one two three")[2], interval=None))
-    times = clock(words, TimeForm.SYNC, "w{}".format)(SyncPoints(start=2.0, end=3.0))
+    times = time_formatter(words, TimeForm.SYNC, "w{}".format)(SyncPoints(start=2.0, end=3.0))
     assert times["start"] == Reference("speech1", "w1", 0.6)
 
 

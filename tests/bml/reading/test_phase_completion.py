@@ -3,13 +3,13 @@
 import pytest
 
 from understudy.bml.markup.documents import Reference, Time
-from understudy.bml.reading.phase_completion import Wanted, completed, on_the_clock
+from understudy.bml.reading.phase_completion import StatedPoints, complete, resolve_times
 
 NAMES = ("start", "stroke", "end")
 
 
-def wanted(name: str, **times: Time) -> Wanted:
-    return Wanted(name, NAMES, (0.4, 0.6), times)
+def wanted(name: str, **times: Time) -> StatedPoints:
+    return StatedPoints(name, NAMES, (0.4, 0.6), times)
 
 
 @pytest.mark.parametrize(
@@ -25,7 +25,7 @@ def wanted(name: str, **times: Time) -> Wanted:
     ids=["nothing", "start", "stroke", "no room before it", "both ends", "end before start"],
 )
 def test_what_is_not_told_lies_at_usual_distances(told: dict[str, float], expected: tuple[float, ...]) -> None:
-    assert tuple(completed(wanted("a"), told).values()) == pytest.approx(expected)
+    assert tuple(complete(wanted("a"), told).values()) == pytest.approx(expected)
 
 
 def test_references_are_followed_in_whatever_order_they_stand() -> None:
@@ -34,7 +34,7 @@ def test_references_are_followed_in_whatever_order_they_stand() -> None:
         wanted("b", stroke=Reference("a", "stroke", 1.0)),
         wanted("a", start=0.5),
     ]
-    points, lost = on_the_clock(chain, {})
+    points, lost = resolve_times(chain, {})
     assert lost == ()
     assert points["a"]["stroke"] == pytest.approx(0.9)
     assert points["b"] == pytest.approx({"start": 1.5, "stroke": 1.9, "end": 2.5})
@@ -49,18 +49,18 @@ def test_a_circle_and_what_hangs_on_it_have_no_time() -> None:
         wanted("d", start=Reference("gone", "start")),
         wanted("e"),
     ]
-    points, lost = on_the_clock(circle, {})
+    points, lost = resolve_times(circle, {})
     assert list(points) == ["e"]
     assert lost == ("a", "b", "c", "d")
 
 
 def test_a_block_of_references_that_begins_too_early_comes_later_as_a_whole() -> None:
     early = [wanted("a"), wanted("b", start=Reference("a", "start", -2.0), end=Reference("a", "start"))]
-    points, _lost = on_the_clock(early, {})
+    points, _lost = resolve_times(early, {})
     assert (points["a"]["start"], points["b"]["start"], points["b"]["end"]) == (2.0, 0.0, 2.0)
 
 
 def test_beside_an_absolute_time_what_is_too_early_begins_at_0() -> None:
     early = [wanted("a", start=1.0), wanted("b", start=Reference("a", "start", -2.0))]
-    points, _lost = on_the_clock(early, {})
+    points, _lost = resolve_times(early, {})
     assert (points["a"]["start"], points["b"]["start"]) == (1.0, 0.0)

@@ -6,8 +6,8 @@ import pytest
 
 from tests.support.shared_data import BML_SUITE, needs
 from understudy.bml.markup.documents import DialectName, Document, Element, Reference
-from understudy.bml.markup.markup import to_xml
 from understudy.bml.markup.parsing import ReadingLimits
+from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import MOST_MISTAKES, read_bml
 from understudy.errors import TooLargeError, WrongBmlError
 

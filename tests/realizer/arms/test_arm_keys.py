@@ -74,7 +74,7 @@ def test_an_idle_arm_only_rests() -> None:
 def test_a_hand_underway_is_raised_in_the_first_frame() -> None:
     resting, raised = (keys_of(clip(), gesture("g1", stroke_s, stroke_s + 1))[0] for stroke_s in (2.0, 0.35))
     start = pose_arm(SKELETON, Hand.RIGHT, ArmKey(place=place(0.0)))
-    said = start.said
+    said = start.defined
     from_rest = angle_between(resting.pose.parts[said], start.parts[said]).max()
     assert angle_between(raised.pose.parts[said], start.parts[said]).max() < 0.6 * from_rest
 

@@ -5,7 +5,7 @@ import pytest
 
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.arms import ArmTrack, TimedPose, arm_motion
-from understudy.realizer.arms.collisions import clear
+from understudy.realizer.arms.collisions import resolve_collisions
 from understudy.realizer.arms.posing import PartialPose, pose_arm
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.contacts import penetrations_m
@@ -58,7 +58,7 @@ def deepest_m(body: BodyMotion) -> float:
 def test_hands_that_would_be_inside_something_are_kept_out_without_a_jump(keys: tuple[tuple[Hand, Place], ...]) -> None:
     body = moving(*keys)
     assert deepest_m(body) > 0.02
-    cleared, decisions = clear(BODY, body)
+    cleared, decisions = resolve_collisions(BODY, body)
     assert deepest_m(cleared) < 0.001
     assert {decision.action for decision in decisions} == {"moved"}
     assert "cm inside" in decisions[0].reason
@@ -71,7 +71,7 @@ def test_hands_that_would_be_inside_something_are_kept_out_without_a_jump(keys: 
 
 def test_what_is_clear_is_left_as_it_is() -> None:
     body = moving((Hand.LEFT, BEFORE), (Hand.RIGHT, BEFORE))
-    cleared, decisions = clear(BODY, body)
+    cleared, decisions = resolve_collisions(BODY, body)
     assert decisions == ()
     assert np.array_equal(cleared.rotations, body.rotations)
 
@@ -80,7 +80,7 @@ def test_a_joint_past_its_limit_is_brought_back() -> None:
     body = moving((Hand.LEFT, BEFORE))
     bent = body.rotations.copy()
     bent[:, BODY.index["leftHand"]] = [0.0, 0.0, np.sin(np.radians(50)), np.cos(np.radians(50))]
-    cleared, _ = clear(BODY, BodyMotion(TIMES_S, bent, body.hips_m))
+    cleared, _ = resolve_collisions(BODY, BodyMotion(TIMES_S, bent, body.hips_m))
     assert violations(BODY, bent).max() > 25
     assert violations(BODY, cleared.rotations).max() == 0
 
@@ -93,7 +93,7 @@ def test_what_cannot_be_cleared_without_a_jump_is_told() -> None:
     track = (TimedPose(0.0, start), TimedPose(1.0, start), TimedPose(1.12, behind.over(start)), TimedPose(1.24, start))
     through = body.rotations.copy()
     through[:, BODY.chain(*arm_joints(Hand.LEFT))] = arm_motion(ArmTrack(Hand.LEFT, track), TIMES_S, seed=0)
-    cleared, decisions = clear(BODY, BodyMotion(TIMES_S, through, body.hips_m))
+    cleared, decisions = resolve_collisions(BODY, BodyMotion(TIMES_S, through, body.hips_m))
     fastest = [angle_between(each[1:], each[:-1]).max() * RATE_HZ for each in (through, cleared.rotations)]
     assert fastest[1] <= max(20.0, fastest[0] + 1e-6)
     assert (deepest_m(cleared) > 0.001) == ("kept" in {decision.action for decision in decisions})

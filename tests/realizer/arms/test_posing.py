@@ -109,12 +109,12 @@ def test_a_default_wrist_is_in_line_with_the_forearm() -> None:
 
 
 def test_what_a_key_leaves_open_stays_open() -> None:
-    assert not pose_arm(BODY, Hand.LEFT, ArmKey()).said.any()
-    assert pose_arm(BODY, Hand.LEFT, ArmKey(FORWARD)).said.nonzero()[0].tolist() == [0, 1, 2]
+    assert not pose_arm(BODY, Hand.LEFT, ArmKey()).defined.any()
+    assert pose_arm(BODY, Hand.LEFT, ArmKey(FORWARD)).defined.nonzero()[0].tolist() == [0, 1, 2]
     bent = pose_arm(BODY, Hand.LEFT, ArmKey(fingers=((Finger.RING, Bend.CLOSED),)))
-    assert [PARTS[row] for row in bent.said.nonzero()[0]] == ["RingProximal", "RingIntermediate", "RingDistal"]
+    assert [PARTS[row] for row in bent.defined.nonzero()[0]] == ["RingProximal", "RingIntermediate", "RingDistal"]
     raised = pose_arm(BODY, Hand.LEFT, ArmKey(shoulder=1.0))
-    assert raised.said.nonzero()[0].tolist() == [0]
+    assert raised.defined.nonzero()[0].tolist() == [0]
 
 
 def test_a_raised_shoulder_leaves_the_wrist_where_it_is() -> None:

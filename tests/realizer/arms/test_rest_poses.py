@@ -6,7 +6,7 @@ import pytest
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.posing import wrist_of
 from understudy.realizer.arms.rest_poses import RESTS, rest_pose
-from understudy.realizer.body.contacts import Posed, contacts
+from understudy.realizer.body.contacts import PosedBody, contacts
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between
@@ -33,7 +33,7 @@ def test_wrists_are_where_the_pose_says_within_the_limits_of_the_joints(name: st
 
 @pytest.mark.parametrize("name", RESTS)
 def test_hands_have_room_to_stir(name: str) -> None:
-    found = contacts(BODY, Posed.of(BODY, resting(name), np.zeros((1, 3))))
+    found = contacts(BODY, PosedBody.of(BODY, resting(name), np.zeros((1, 3))))
     assert found.depth_m.max() < -0.01
 
 
@@ -42,4 +42,4 @@ def test_no_elbow_is_locked_and_no_finger_is_stiff(name: str) -> None:
     for side in SIDES:
         rotations = rest_pose(BODY, side, name).rotations
         assert angle_between(rotations[2], IDENTITY) > np.radians(12)
-        assert rest_pose(BODY, side, name).as_partial().said.all()
+        assert rest_pose(BODY, side, name).as_partial().defined.all()

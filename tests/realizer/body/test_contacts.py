@@ -6,7 +6,7 @@ from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.posing import arm_rotations, pose_arm
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.build import BUILD
-from understudy.realizer.body.contacts import LIMBS, PAIRS, RADII_M, Posed, contacts, penetrations_m
+from understudy.realizer.body.contacts import LIMBS, PAIRS, RADII_M, PosedBody, contacts, penetrations_m
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.geometry.rotations import IDENTITY
 from understudy.realizer.gestures.arm_joints import arm_joints
@@ -41,7 +41,7 @@ def test_a_hand_before_the_belly_is_clear_and_one_moved_into_it_is_inside_by_as_
 
 
 def test_the_way_out_of_the_belly_is_forward() -> None:
-    found = contacts(BODY, Posed.of(BODY, at((0.0, 0.0, -0.10)), np.zeros((1, 3))))
+    found = contacts(BODY, PosedBody.of(BODY, at((0.0, 0.0, -0.10)), np.zeros((1, 3))))
     column = int(found.depth_m[0].argmax())
     assert found.out[0, column, 2] > 0.5
     assert np.isclose(np.linalg.norm(found.out[0, column]), 1.0)
@@ -49,10 +49,10 @@ def test_the_way_out_of_the_belly_is_forward() -> None:
 
 
 def test_arms_moved_alone_are_as_arms_placed_from_the_hips() -> None:
-    start = Posed.of(BODY, at((0.0, 0.0, 0.0)), np.zeros((1, 3)))
-    anew = Posed.of(BODY, at((0.1, 0.1, 0.1)), np.zeros((1, 3)))
+    start = PosedBody.of(BODY, at((0.0, 0.0, 0.0)), np.zeros((1, 3)))
+    anew = PosedBody.of(BODY, at((0.1, 0.1, 0.1)), np.zeros((1, 3)))
     collarbones = BODY.chain("leftShoulder", "rightShoulder")
     rotations = anew.rotations.copy()
     rotations[:, collarbones] = start.rotations[:, collarbones]
-    whole = contacts(BODY, Posed.of(BODY, rotations, np.zeros((1, 3))))
+    whole = contacts(BODY, PosedBody.of(BODY, rotations, np.zeros((1, 3))))
     assert np.allclose(contacts(BODY, start.with_arms(BODY, rotations)).depth_m, whole.depth_m)

@@ -8,16 +8,16 @@ from understudy.model import FloatArray
 from understudy.realizer.body.limits import (
     LIMITS,
     clamped,
-    parted_deg,
     shoulder_deg,
+    swing_twist_deg,
     violations,
     within_shoulder_limits,
 )
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.geometry.rotations import IDENTITY, about, from_rotation_vector, multiply, rotate
+from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle, from_rotation_vector, multiply, rotate
 
 BODY = Skeleton.standing()
-DOWN = about((0.0, 0.0, 1.0), np.array(-np.pi / 2))
+DOWN = from_axis_angle((0.0, 0.0, 1.0), np.array(-np.pi / 2))
 X: FloatArray = np.array([1.0, 0.0, 0.0])
 
 
@@ -59,19 +59,19 @@ def test_a_joint_just_past_its_limit_is_told_by_how_much(
 
 
 def test_shoulders_are_measured_from_an_arm_that_hangs() -> None:
-    forward = multiply(about((-1.0, 0.0, 0.0), np.radians(np.array(90.0))), DOWN)
+    forward = multiply(from_axis_angle((-1.0, 0.0, 0.0), np.radians(np.array(90.0))), DOWN)
     assert np.allclose(rotate(forward, X), [0, 0, 1])
     assert np.allclose(shoulder_deg(DOWN), 0)
     assert np.allclose(shoulder_deg(IDENTITY), [0, 0, 90])
     assert np.allclose(shoulder_deg(forward), [-90, 0, 0])
-    turned_in = multiply(DOWN, about((1.0, 0.0, 0.0), np.radians(np.array(40.0))))
+    turned_in = multiply(DOWN, from_axis_angle((1.0, 0.0, 0.0), np.radians(np.array(40.0))))
     assert np.allclose(np.abs(shoulder_deg(turned_in)), [0, 40, 0])
 
 
 def test_parting_gives_a_twist_and_a_bend_that_make_the_rotation_again() -> None:
     rotations = Rotation.random(200, random_state=6).as_quat()
     for bone in range(3):
-        angles = np.radians(parted_deg(rotations, bone))
+        angles = np.radians(swing_twist_deg(rotations, bone))
         twist, bend = np.zeros_like(angles), angles.copy()
         twist[:, bone], bend[:, bone] = angles[:, bone], 0.0
         again = multiply(from_rotation_vector(bend), from_rotation_vector(twist))
@@ -95,5 +95,5 @@ def test_clamping_brings_trunk_neck_and_arms_back_and_leaves_the_rest_alone() ->
 
 def test_an_upper_arm_within_its_limits_is_not_touched() -> None:
     assert np.array_equal(within_shoulder_limits(DOWN[None]), DOWN[None])
-    behind = multiply(about((1.0, 0.0, 0.0), np.radians(np.array([100.0]))), DOWN)
+    behind = multiply(from_axis_angle((1.0, 0.0, 0.0), np.radians(np.array([100.0]))), DOWN)
     assert shoulder_deg(within_shoulder_limits(behind))[0, 0] == pytest.approx(60)

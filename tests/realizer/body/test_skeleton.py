@@ -5,7 +5,7 @@ import pytest
 
 from understudy.model import FloatArray
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton, forward
-from understudy.realizer.geometry.rotations import IDENTITY, about
+from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle
 
 BODY = Skeleton.standing()
 
@@ -35,6 +35,6 @@ def test_t_pose_is_mirrored_faces_forward_and_stands_on_the_ground() -> None:
 @pytest.mark.parametrize("side", ["left", "right"])
 def test_an_elbow_bent_about_y_brings_the_hand_forward(side: str) -> None:
     angle = -np.pi / 2 if side == "left" else np.pi / 2
-    at = positions({f"{side}LowerArm": about((0.0, 1.0, 0.0), np.array(angle))})
+    at = positions({f"{side}LowerArm": from_axis_angle((0.0, 1.0, 0.0), np.array(angle))})
     elbow, hand = at[BODY.index[f"{side}LowerArm"]], at[BODY.index[f"{side}Hand"]]
     assert np.allclose(hand - elbow, [0, 0, 0.25])

@@ -9,7 +9,7 @@ import pytest
 from tests.support.hand_made_motion import BODY, X, Y, Z, turned, waving
 from understudy.realizer.body.motion import SHAPES, Motion
 from understudy.realizer.exporting.arkit_csv import COLUMNS, to_arkit_csv
-from understudy.realizer.geometry.rotations import about
+from understudy.realizer.geometry.rotations import from_axis_angle
 
 
 def rows(motion: Motion) -> list[dict[str, str]]:
@@ -44,6 +44,6 @@ def test_timecodes_count_frames() -> None:
 def test_turns_to_the_left_up_and_to_the_left_shoulder_are_positive(
     axis: tuple[float, float, float], angle: float, turn: str, joint: str, part: str
 ) -> None:
-    row = rows(turned(joint, about(axis, np.array(angle))))[0]
+    row = rows(turned(joint, from_axis_angle(axis, np.array(angle))))[0]
     expected = {f"{part}{each}": 0.3 if each == turn else 0.0 for each in ("Yaw", "Pitch", "Roll")}
     assert {name: float(row[name]) for name in expected} == pytest.approx(expected, abs=1e-6)

@@ -17,7 +17,7 @@ from understudy.model import FloatArray
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.exporting.avatar import to_avatar_glb
-from understudy.realizer.exporting.gltf import Accessors, Json, binary, joint_nodes
+from understudy.realizer.exporting.gltf import Accessors, Json, joint_nodes, to_glb_bytes
 from understudy.realizer.exporting.retargeting import load_rigs
 
 RIGS = load_rigs(Path(__file__).parents[3] / "lexicon" / "retarget", BODY)
@@ -37,7 +37,7 @@ def avatar(nodes: list[Any], *, targets: tuple[str, ...] = ("jawOpen", "mine"), 
         "extras": {"targetNames": targets},
     }
     tree: dict[str, Any] = {"nodes": [*nodes, {"name": "Mesh", "mesh": 0}], "meshes": [mesh], **parts}
-    return binary(tree, accessors)
+    return to_glb_bytes(tree, accessors)
 
 
 def t_posed() -> list[Any]:

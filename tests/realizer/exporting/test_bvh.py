@@ -13,7 +13,7 @@ from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.exporting.bvh import to_bvh
 from understudy.realizer.exporting.retargeting import load_rigs
-from understudy.realizer.geometry.rotations import IDENTITY, about, multiply
+from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle, multiply
 
 RIGS = load_rigs(Path(__file__).parents[3] / "lexicon" / "retarget", BODY)
 MIXAMO = RIGS["mixamo"]
@@ -103,20 +103,20 @@ def test_zero_rotation_is_the_t_pose() -> None:
 def test_an_elbow_bent_about_one_axis_moves_that_channel_only(
     axis: tuple[float, float, float], channel: int, degrees: float
 ) -> None:
-    found = exported(turned("leftLowerArm", about(axis, np.array(np.radians(degrees)))))
+    found = exported(turned("leftLowerArm", from_axis_angle(axis, np.array(np.radians(degrees)))))
     expected = [0.0, 0.0, 0.0]
     expected[channel] = degrees
     assert found.row("LeftForeArm") == pytest.approx(expected, abs=1e-3)
 
 
 def test_an_elbow_at_a_right_angle_about_y_reads_90() -> None:
-    found = exported(turned("leftLowerArm", about(Y, np.array(-np.pi / 2))))
+    found = exported(turned("leftLowerArm", from_axis_angle(Y, np.array(-np.pi / 2))))
     assert found.row("LeftForeArm") == pytest.approx([0, 0, -90], abs=1e-3)
 
 
 @pytest.mark.parametrize("degrees", [90.0, -90.0])
 def test_where_two_axes_fall_together_the_rotation_is_still_the_same(degrees: float) -> None:
-    locked = multiply(about(Z, np.array(0.4)), about(X, np.array(np.radians(degrees))))
+    locked = multiply(from_axis_angle(Z, np.array(0.4)), from_axis_angle(X, np.array(np.radians(degrees))))
     found = exported(turned("leftLowerArm", locked))
     read_back = Rotation.from_euler("ZXY", found.row("LeftForeArm"), degrees=True).as_quat()
     assert abs(float(read_back @ locked)) == pytest.approx(1.0, abs=1e-9)
@@ -131,7 +131,7 @@ def test_a_reader_of_another_make_puts_every_joint_where_we_have_it() -> None:
 
 
 def test_angles_run_on_where_a_joint_turns_past_half_a_turn() -> None:
-    spin = about(Z, np.linspace(0, 6, 200))
+    spin = from_axis_angle(Z, np.linspace(0, 6, 200))
     found = exported(turned("leftLowerArm", spin, frames=200))
     angles = [found.row("LeftForeArm", frame)[0] for frame in range(200)]
     assert np.abs(np.diff(angles)).max() < 2
@@ -143,7 +143,7 @@ def test_frame_times_have_digits_enough_for_ten_minutes() -> None:
 
 
 def test_lines_end_plainly_and_no_number_is_minus_zero() -> None:
-    motion = turned("head", multiply(IDENTITY, about(X, np.array(-1e-9))))
+    motion = turned("head", multiply(IDENTITY, from_axis_angle(X, np.array(-1e-9))))
     content = to_bvh(motion, BODY, MIXAMO)
     assert b"\r" not in content
     assert b"-0.0000 " not in content

@@ -9,7 +9,7 @@ from tests.support.hand_made_motion import BODY, Y, Z, turned, waving
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.exporting.glb import to_glb
-from understudy.realizer.geometry.rotations import about
+from understudy.realizer.geometry.rotations import from_axis_angle
 from understudy.realizer.mannequin.face import FACE_SHAPES
 
 MOTION = waving()
@@ -105,11 +105,11 @@ def test_all_weights_of_a_key_stand_together_and_visemes_rest(waved: Gltf) -> No
 def test_a_joint_that_never_moves_has_one_key(waved: Gltf) -> None:
     times_s, rotations = waved.track("leftUpperArm", "rotation")
     assert times_s.tolist() == [0]
-    assert rotations[0] == pytest.approx(about(Z, np.array(-1.25)), abs=1e-6)
+    assert rotations[0] == pytest.approx(from_axis_angle(Z, np.array(-1.25)), abs=1e-6)
 
 
 def test_neighbouring_rotations_have_one_sign() -> None:
-    spin = about(Y, np.linspace(0, 4 * np.pi, 60))
+    spin = from_axis_angle(Y, np.linspace(0, 4 * np.pi, 60))
     spin[20:40] *= -1
     _times_s, rotations = read(to_glb(turned("head", spin, frames=60), BODY)).track("head", "rotation")
     assert (np.sum(rotations[1:] * rotations[:-1], axis=1) > 0).all()

@@ -7,7 +7,7 @@ from tests.support.gltf_reading import Gltf, read
 from tests.support.hand_made_motion import BODY, Y, turned, waving
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.exporting.vrma import MOODS, VOWELS, presets, to_vrma
-from understudy.realizer.geometry.rotations import about
+from understudy.realizer.geometry.rotations import from_axis_angle
 from understudy.realizer.mannequin.face import VISEME_MIXTURES
 
 
@@ -51,12 +51,12 @@ def test_an_expressions_weight_is_the_x_of_its_node(waved: Gltf) -> None:
 
 
 def test_the_look_is_midway_between_the_eyes() -> None:
-    motion = turned("leftEye", about(Y, np.array(0.2)))
-    motion.body.rotations[:, BODY.index["rightEye"]] = about(Y, np.array(0.4))
+    motion = turned("leftEye", from_axis_angle(Y, np.array(0.2)))
+    motion.body.rotations[:, BODY.index["rightEye"]] = from_axis_angle(Y, np.array(0.4))
     found = read(to_vrma(motion, BODY))
     node = found.tree["extensions"]["VRMC_vrm_animation"]["lookAt"]["node"]
     assert node in found.tree["nodes"][found.node("head")]["children"]
-    assert found.track("lookAt", "rotation")[1][0] == pytest.approx(about(Y, np.array(0.3)), abs=1e-6)
+    assert found.track("lookAt", "rotation")[1][0] == pytest.approx(from_axis_angle(Y, np.array(0.3)), abs=1e-6)
 
 
 @pytest.mark.parametrize("vowel", VOWELS)

@@ -8,7 +8,7 @@ from tests.support.speaking import SKELETON, TABLES, still, times
 from understudy.bml.choice.visemes import visemes
 from understudy.model import Interval, Phone, Schedule, Viseme, Word
 from understudy.realizer.face.diphthongs import GLIDES, with_glides
-from understudy.realizer.face.face import face
+from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import INDEX
 
 
@@ -58,6 +58,6 @@ def test_how_ends_rounder_than_ha() -> None:
     rounding = []
     for said in (how, ha):
         schedule = Schedule((), 2.0, (said,), visemes((said,), 2.0)[0])
-        shapes = face(TABLES, schedule, still(times(2.0)), SKELETON, seed=1)
+        shapes = face_weights(TABLES, schedule, still(times(2.0)), SKELETON, seed=1)
         rounding.append(shapes[round(60 * 0.85), INDEX["mouthPucker"]])
     assert rounding[0] > rounding[1] + 0.2

@@ -9,7 +9,7 @@ from tests.support.speaking import SKELETON, TABLES, faced, shape, shown, still,
 from understudy.bml.choice.faces import ACTION_UNITS, CORE_LEXEMES
 from understudy.model import Channel, Schedule, SyncPoints
 from understudy.realizer.face.expressions import LEAST_RISE_S, realized_faces, unknown_faces
-from understudy.realizer.face.face import ASYMMETRY, face
+from understudy.realizer.face.face import ASYMMETRY, face_weights
 from understudy.realizer.face.face_tables import INDEX
 
 FASTEST_PER_S = 1.875 / LEAST_RISE_S
@@ -48,7 +48,7 @@ def test_a_blink_is_whole_at_its_ready_whatever_the_frame_rate(rate_hz: int, rea
     sync = SyncPoints(start=ready_s - 0.07, ready=ready_s, relax=ready_s, end=ready_s + 0.1)
     blink = replace(shown("BLINK", kind=Channel.EYES), sync=sync)
     times_s = times(1.0, rate_hz)
-    shapes = face(TABLES, Schedule((blink,), 1.0), still(times_s), SKELETON, seed=1)
+    shapes = face_weights(TABLES, Schedule((blink,), 1.0), still(times_s), SKELETON, seed=1)
     whole = np.flatnonzero(shapes[:, INDEX["eyeBlinkLeft"]] > 0.999)
     assert len(whole) > 0
     assert -0.002 < times_s[whole[0]] - ready_s < 1 / rate_hz + 1e-9
@@ -79,7 +79,7 @@ def test_faces_that_were_dropped_are_not_shown_and_unknown_ones_are_told() -> No
     lost, unknown = replace(shown("RAISE_BROWS"), kept=False), replace(shown("GRIMACE"), id="face2")
     sideless = replace(shown("AU12"), id="face3", direction="UP")
     assert np.array_equal(faced(behaviors=(lost, unknown, sideless)), faced())
-    decisions = unknown_faces(TABLES.words, (lost, unknown, sideless))
+    decisions = unknown_faces(TABLES.lexemes, (lost, unknown, sideless))
     assert [(decision.behavior, decision.action) for decision in decisions] == [
         ("face2", "dropped"),
         ("face3", "dropped"),

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from tests.support.speaking import SKELETON, TABLES, faced, middle_s, said, shape, shown, still, times
 from understudy.model import Behavior, Interval, Schedule, SyncPoints, Viseme
 from understudy.realizer.body.motion import SHAPES
-from understudy.realizer.face.face import face
+from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import INDEX, VISEMES
 from understudy.realizer.face.lip_closure import lip_closures
 
@@ -27,7 +27,7 @@ def test_a_smile_goes_on_through_oo_but_smaller_and_never_opens_an_m() -> None:
     at_s = middle_s(spoken, "U")
     assert 0.1 < shape(speaking, "mouthSmileLeft", at_s) < 0.7 * shape(alone, "mouthSmileLeft", at_s)
     assert shape(speaking, "mouthSmileLeft", middle_s(spoken, "I")) > shape(speaking, "mouthSmileLeft", at_s)
-    assert all(closure.shut for closure in lip_closures(spoken, speaking, times(2.0)))
+    assert all(closure.closed for closure in lip_closures(spoken, speaking, times(2.0)))
 
 
 @pytest.mark.parametrize("lexeme", ["OPEN_MOUTH", "OPEN_LIPS", "AU10", "AU16", "RAISE_MOUTH_CORNERS"])
@@ -35,9 +35,9 @@ def test_no_expression_opens_a_closure(lexeme: str) -> None:
     spoken = said("AA B AA")
     shapes = faced(spoken, (shown(lexeme, amount=1.0),))
     [closure] = lip_closures(spoken, shapes, times(2.0))
-    assert closure.shut is not None
+    assert closure.closed is not None
     phone = closure.viseme.interval
-    assert closure.shut.start_s == pytest.approx(phone.start_s, abs=0.04)
+    assert closure.closed.start_s == pytest.approx(phone.start_s, abs=0.04)
 
 
 def test_an_open_mouth_is_open_in_silence() -> None:
@@ -48,7 +48,7 @@ def test_an_open_mouth_is_open_in_silence() -> None:
 def test_weights_stay_between_0_and_1_and_nothing_jumps() -> None:
     everything = tuple(
         replace(shown(lexeme, amount=1.0, start_s=0.1 * (number % 9)), id=f"face{number}")
-        for number, lexeme in enumerate(sorted(TABLES.words))
+        for number, lexeme in enumerate(sorted(TABLES.lexemes))
     )
     shapes = faced(said(SENTENCE, phone_s=0.07), everything, end_s=3.0)
     assert shapes.shape == (181, len(SHAPES))
@@ -83,7 +83,7 @@ def test_the_same_seed_makes_the_same_face_and_another_another() -> None:
 def test_frames_between_frames_agree_with_each_other() -> None:
     """The face is a function of time: twice the frame rate passes through the same values."""
     schedule = Schedule((shown("RAISE_BROWS", amount=0.7),), 2.0, visemes=said(SENTENCE, phone_s=0.07))
-    slow, fast = (face(TABLES, schedule, still(times(2.0, rate_hz)), SKELETON, seed=1) for rate_hz in (30, 60))
+    slow, fast = (face_weights(TABLES, schedule, still(times(2.0, rate_hz)), SKELETON, seed=1) for rate_hz in (30, 60))
     assert np.allclose(slow, fast[::2], atol=1e-9)
 
 
@@ -91,9 +91,11 @@ def test_a_long_line_is_made_piece_by_piece_and_the_pieces_fit() -> None:
     long = tuple(viseme for turn in range(30) for viseme in _later(said(SENTENCE, phone_s=0.07), turn * 2.2))
     schedule = Schedule((shown("RAISE_BROWS", start_s=33.5),), 70.0, visemes=long)
     times_s = times(70.0)
-    whole = face(TABLES, schedule, still(times_s), SKELETON, seed=1)
+    whole = face_weights(TABLES, schedule, still(times_s), SKELETON, seed=1)
     middle = slice(60 * 30, 60 * 40)
-    assert np.allclose(whole[middle], face(TABLES, schedule, still(times_s[middle]), SKELETON, seed=1), atol=1e-9)
+    assert np.allclose(
+        whole[middle], face_weights(TABLES, schedule, still(times_s[middle]), SKELETON, seed=1), atol=1e-9
+    )
 
 
 def test_what_is_said_later_than_the_horizon_changes_nothing_now() -> None:
@@ -124,7 +126,7 @@ SHOWN = st.builds(
     lambda lexeme, points_s, amount: replace(
         shown(lexeme, amount=amount), sync=SyncPoints(points_s[0], points_s[3], ready=points_s[1], relax=points_s[2])
     ),
-    st.sampled_from(sorted(TABLES.words)),
+    st.sampled_from(sorted(TABLES.lexemes)),
     st.lists(MOMENTS_S, min_size=4, max_size=4).map(sorted),
     st.floats(0, 1),
 )

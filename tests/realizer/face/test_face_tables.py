@@ -34,11 +34,11 @@ def test_names_without_a_side_are_both_sides_but_not_of_jaw_and_mouth() -> None:
 def test_the_units_of_the_fifty_two_shapes_are_there() -> None:
     """shared/motion.md, "Face"."""
     listed = [1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 16, 17, 18, 20, 22, 24, 26, 27, 28, 43, 45, 61, 62, 63, 64]
-    assert {f"AU{number}" for number in listed} <= TABLES.words.keys()
+    assert {f"AU{number}" for number in listed} <= TABLES.lexemes.keys()
 
 
 def test_one_side_leaves_the_other_alone_and_halves_what_has_no_side() -> None:
-    left = sided(TABLES.words["RAISE_BROWS"], Side.LEFT)
+    left = sided(TABLES.lexemes["RAISE_BROWS"], Side.LEFT)
     assert left[INDEX["browOuterUpLeft"]] == 1
     assert left[INDEX["browOuterUpRight"]] == 0
     assert left[INDEX["browInnerUp"]] == 0.5

@@ -7,17 +7,17 @@ import pytest
 
 from tests.support.speaking import SKELETON, TABLES, shown, still, times
 from understudy.model import Behavior, FloatArray, Schedule, SyncPoints
-from understudy.realizer.face.face import face
+from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import INDEX
-from understudy.realizer.geometry.rotations import about
+from understudy.realizer.geometry.rotations import from_axis_angle
 
 
 def turned(axis: tuple[float, float, float], degrees: float, behaviors: tuple[Behavior, ...] = ()) -> FloatArray:
     """The face, in the mean of its frames, of a body whose eyes are turned so."""
     body = still(times(0.5))
     eyes = SKELETON.chain("leftEye", "rightEye")
-    body.rotations[:, eyes] = about(axis, np.full((len(body.times_s), 2), np.deg2rad(degrees)))
-    return np.asarray(face(TABLES, Schedule(behaviors, 0.5), body, SKELETON, seed=1).mean(axis=0))
+    body.rotations[:, eyes] = from_axis_angle(axis, np.full((len(body.times_s), 2), np.deg2rad(degrees)))
+    return np.asarray(face_weights(TABLES, Schedule(behaviors, 0.5), body, SKELETON, seed=1).mean(axis=0))
 
 
 def weight(shapes: FloatArray, name: str) -> float:

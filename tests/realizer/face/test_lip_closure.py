@@ -43,19 +43,19 @@ def test_a_raised_upper_lip_parts_the_lips_but_not_the_lower_from_the_teeth() ->
 @pytest.mark.parametrize("label", ["PP", "FF"])
 def test_the_time_of_a_closure_is_found(label: str) -> None:
     [closure] = lip_closures(said(label, 0.4, 0.5), closed(0.38, 0.47), TIMES_S)
-    assert closure.shut is not None
-    assert closure.shut.start_s == pytest.approx(0.38, abs=0.01)
-    assert closure.shut.end_s == pytest.approx(0.47, abs=0.01)
+    assert closure.closed is not None
+    assert closure.closed.start_s == pytest.approx(0.38, abs=0.01)
+    assert closure.closed.end_s == pytest.approx(0.47, abs=0.01)
 
 
 def test_a_closure_outside_its_phone_is_none() -> None:
     [closure] = lip_closures(said("PP", 0.4, 0.5), closed(0.6, 0.7), TIMES_S)
-    assert closure.shut is None
+    assert closure.closed is None
 
 
 def test_a_mouth_that_never_opens_is_shut_from_the_first_frame_to_the_last() -> None:
     [closure] = lip_closures(said("PP", 0.4, 0.5), mouth(), TIMES_S)
-    assert closure.shut == Interval(0, TIMES_S[-1])
+    assert closure.closed == Interval(0, TIMES_S[-1])
 
 
 def test_other_visemes_want_no_closure() -> None:

@@ -7,7 +7,7 @@ from tests.support.speaking import START_S, TABLES, faced, middle_s, said, shape
 from understudy.model import Interval, Viseme
 from understudy.realizer.face.face_tables import INDEX, VISEMES
 from understudy.realizer.face.lip_closure import SHUT, lip_closures, lip_opening
-from understudy.realizer.face.lips import LEAD_S, speak, viseme_weights
+from understudy.realizer.face.lips import LEAD_S, lip_sync, viseme_weights
 
 VOWELS = ["AA", "AE", "IY", "AO", "UW", "ER"]
 
@@ -19,11 +19,11 @@ def test_lips_close_for_every_bilabial_and_labiodental(consonant: str, vowel: st
     spoken = said(f"{vowel} {consonant} {vowel}", phone_s=phone_s)
     times_s = times(2.0)
     [closure] = lip_closures(spoken, faced(spoken), times_s)
-    assert closure.shut is not None
+    assert closure.closed is not None
     phone = closure.viseme.interval
-    assert closure.shut.start_s == pytest.approx(phone.start_s, abs=0.04)
-    assert closure.shut.end_s == pytest.approx(phone.end_s, abs=0.04)
-    assert closure.shut.start_s < phone.start_s + 0.01, "lips lead the sound"
+    assert closure.closed.start_s == pytest.approx(phone.start_s, abs=0.04)
+    assert closure.closed.end_s == pytest.approx(phone.end_s, abs=0.04)
+    assert closure.closed.start_s < phone.start_s + 0.01, "lips lead the sound"
 
 
 @pytest.mark.parametrize("vowel", VOWELS)
@@ -84,7 +84,7 @@ def test_the_mouth_is_never_more_closed_than_open() -> None:
 
 def test_gaps_between_visemes_are_silence() -> None:
     alone = (Viseme("aa", Interval(0.5, 0.7), 1.0, 1.0), Viseme("O", Interval(1.2, 1.4), 1.0, 0.5))
-    speech = speak(TABLES.visemes, alone, times(2.0))
+    speech = lip_sync(TABLES.visemes, alone, times(2.0))
     assert speech.lips[round(60 * 0.95)] > 0.95
     assert speech.lips[round(60 * 0.6)] < 0.05
 
@@ -92,19 +92,19 @@ def test_gaps_between_visemes_are_silence() -> None:
 @pytest.mark.parametrize("gap_s", [0.001, 0.01, 0.03])
 def test_a_gap_that_nobody_hears_does_not_shut_the_mouth(gap_s: float) -> None:
     parted = (Viseme("aa", Interval(0.5, 0.7), 1.0, 1.0), Viseme("aa", Interval(0.7 + gap_s, 0.9), 1.0, 1.0))
-    opening = speak(TABLES.visemes, parted, times(1.5)).shapes[:, INDEX["jawOpen"]]
+    opening = lip_sync(TABLES.visemes, parted, times(1.5)).shapes[:, INDEX["jawOpen"]]
     assert opening[round(60 * 0.6) : round(60 * 0.85)].min() > 0.7 * opening.max()
 
 
 def test_a_face_without_speech_has_its_mouth_shut() -> None:
-    speech = speak(TABLES.visemes, (), times(1.0))
+    speech = lip_sync(TABLES.visemes, (), times(1.0))
     assert np.allclose(speech.lips, 1)
     assert np.allclose(speech.shapes[:, INDEX["jawOpen"]], 0)
 
 
 def test_visemes_that_overlap_or_come_out_of_order_are_still_a_face() -> None:
     muddled = (Viseme("aa", Interval(0.5, 1.0), 1.0, 1.0), Viseme("O", Interval(0.4, 0.7), 1.0, 0.5))
-    assert np.isfinite(speak(TABLES.visemes, muddled, times(2.0)).shapes).all()
+    assert np.isfinite(lip_sync(TABLES.visemes, muddled, times(2.0)).shapes).all()
 
 
 SENTENCE = "HH AW M EH N IY P IY P AH L V UW D B AO T"

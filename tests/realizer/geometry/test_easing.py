@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from understudy.realizer.geometry.easing import changes, minimum_jerk, plateau, through
+from understudy.realizer.geometry.easing import minimum_jerk, minimum_jerk_through, plateau, superposed_movements
 
 TIMES_S = np.arange(0, 4001) / 1000
 
@@ -18,16 +18,16 @@ def test_minimum_jerk_goes_from_0_to_1_and_starts_and_ends_at_rest() -> None:
 
 def test_movements_that_overlap_add_up_without_a_step_in_speed() -> None:
     by = np.array([[1.0, 2.0], [-1.0, 1.0]])
-    course = changes(TIMES_S, np.array([0.5, 0.8]), np.array([1.0, 0.5]), by)
+    course = superposed_movements(TIMES_S, np.array([0.5, 0.8]), np.array([1.0, 0.5]), by)
     assert course[[0, -1]] == pytest.approx(np.array([[0, 0], [0, 3]]))
     assert np.abs(np.diff(course, 2, axis=0)).max() < 1e-4
 
 
 def test_a_course_rests_in_each_of_its_values() -> None:
     at_s, values = np.array([0.5, 1.0, 3.0]), np.array([2.0, -1.0, 0.5])
-    course = through(TIMES_S, at_s, values)
+    course = minimum_jerk_through(TIMES_S, at_s, values)
     assert course[[0, 500, 1000, 3000, 4000]] == pytest.approx([2, 2, -1, 0.5, 0.5])
-    assert np.array_equal(through(TIMES_S, at_s[:1], values[:1]), np.full(4001, 2.0))
+    assert np.array_equal(minimum_jerk_through(TIMES_S, at_s[:1], values[:1]), np.full(4001, 2.0))
 
 
 @pytest.mark.parametrize("reached_s", [1.0, 0.5])

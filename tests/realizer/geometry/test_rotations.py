@@ -35,7 +35,7 @@ def test_axes_give_the_rotation_that_has_them() -> None:
 
 @pytest.mark.parametrize("target", [VECTORS[::-1], VECTORS, -VECTORS], ids=["any", "the same", "opposite"])
 def test_between_takes_one_direction_to_the_other(target: FloatArray) -> None:
-    turned = rotations.rotate(rotations.between(VECTORS, target), VECTORS)
+    turned = rotations.rotate(rotations.shortest_rotation(VECTORS, target), VECTORS)
     assert np.allclose(np.cross(turned, target), 0, atol=1e-6)
     assert np.all(np.sum(turned * target, axis=-1) > 0)
 
@@ -47,9 +47,9 @@ def test_slerp_goes_the_shorter_way_at_an_even_pace() -> None:
     assert np.allclose(rotations.angle_between(a, half), rotations.angle_between(a, b) / 2)
 
 
-def test_of_one_sign_leaves_no_flip() -> None:
-    smooth = rotations.about((0.0, 1.0, 0.0), np.linspace(0, 3, 20))
+def test_continuous_signs_leaves_no_flip() -> None:
+    smooth = rotations.from_axis_angle((0.0, 1.0, 0.0), np.linspace(0, 3, 20))
     flipped = smooth * np.where(np.arange(20) % 3 == 0, -1.0, 1.0)[:, None]
-    found = rotations.of_one_sign(flipped)
+    found = rotations.with_continuous_signs(flipped)
     assert np.all(np.sum(found[1:] * found[:-1], axis=-1) > 0)
     assert same(found, Rotation.from_quat(smooth))

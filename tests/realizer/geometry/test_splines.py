@@ -7,8 +7,8 @@ from scipy.spatial.transform import Rotation
 from understudy.model import FloatArray
 from understudy.realizer.geometry.rotations import (
     IDENTITY,
-    about,
     angle_between,
+    from_axis_angle,
     inverse,
     multiply,
     to_rotation_vector,
@@ -94,7 +94,7 @@ def test_neighbours_are_of_one_sign_and_of_unit_length() -> None:
 
 
 def test_even_keys_about_one_axis_give_an_even_speed() -> None:
-    turning = about((0.0, 0.0, 1.0), np.array([0.0, 0.2, 0.5, 0.9, 1.2]))[:, None]
+    turning = from_axis_angle((0.0, 0.0, 1.0), np.array([0.0, 0.2, 0.5, 0.9, 1.2]))[:, None]
     found = spline(np.array([0.0, 0.2, 0.5, 0.9, 1.2]), turning, np.zeros((5, 3)), np.linspace(0.2, 0.9, 71))
     assert np.allclose(speeds(found, 0.01)[..., 2], 1.0)
 

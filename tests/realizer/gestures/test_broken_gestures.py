@@ -6,10 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.docs.test_gesture_language_page import EXAMPLES
-from understudy.realizer.gestures.checking import names_twice
+from understudy.realizer.gestures.checking import duplicate_names
 from understudy.realizer.gestures.definitions import definition
 from understudy.realizer.gestures.language import mistake_in, parse_gestures
-from understudy.realizer.gestures.statements import Located
+from understudy.realizer.gestures.statements import LocatedMistake
 
 LINES = tuple("\n".join(EXAMPLES).splitlines())
 WORDS = sorted({word for line in LINES for word in line.split()})
@@ -42,9 +42,9 @@ def broken_lines(draw: st.DrawFn) -> list[str]:
 @given(broken_lines())
 def test_every_mistake_has_its_place(lines: list[str]) -> None:
     file, mistakes = parse_gestures("\n".join(lines), Path("broken.gesture"))
-    wrong: list[Located] = []
+    wrong: list[LocatedMistake] = []
     found = [definition(tree, file.path, wrong) for tree in file.gestures]
-    told = [*mistakes, *(mistake_in(file, one) for one in wrong), *names_twice([file])]
+    told = [*mistakes, *(mistake_in(file, one) for one in wrong), *duplicate_names([file])]
     assert all(found) or told
     for one in told:
         assert 1 <= one.column <= len(file.lines[one.line - 1]) + 1

@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.gesture_files import gesture, mistakes_in, read_one
 from understudy.model import Hand, Level
-from understudy.realizer.gestures.definitions import RANGES, derived
+from understudy.realizer.gestures.definitions import RANGES, derived_expressivity
 from understudy.realizer.gestures.gesture import Expressivity, FrameType
 
 SMALL = Path(__file__).resolve().parents[3] / "lexicon" / "gestures" / "small.gesture"
@@ -46,7 +46,7 @@ def test_levels_are_made_from_medium(tmp_path: Path) -> None:
 @pytest.mark.parametrize("level", Level)
 @pytest.mark.parametrize("edge", [0, 1])
 def test_derived_levels_stay_in_range(level: Level, edge: int) -> None:
-    made = derived(level, Expressivity(**{name: limits[edge] for name, limits in RANGES.items()}))
+    made = derived_expressivity(level, Expressivity(**{name: limits[edge] for name, limits in RANGES.items()}))
     assert all(least <= getattr(made, name) <= most for name, (least, most) in RANGES.items())
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from understudy.authoring.catalogue import load_gestures
 from understudy.model import Hand, Level
 from understudy.realizer.gestures.checking import REPEATED
-from understudy.realizer.gestures.definitions import MAX_DURATION_S, RANGES, definition, mirrored_where_silent
+from understudy.realizer.gestures.definitions import MAX_DURATION_S, RANGES, completed_by_mirroring, definition
 from understudy.realizer.gestures.gesture import (
     ArmKey,
     Bend,
@@ -32,7 +32,7 @@ from understudy.realizer.gestures.gesture import (
 )
 from understudy.realizer.gestures.language import parse_gestures
 from understudy.realizer.gestures.specifiers import ARM_JOINTS, MAX_DEGREES, MAX_OFFSET_M, THUMB_IN_FORM, orthogonal
-from understudy.realizer.gestures.statements import Located
+from understudy.realizer.gestures.statements import LocatedMistake
 from understudy.realizer.gestures.writing import write_gesture
 
 PATH = Path("written.gesture")
@@ -102,7 +102,7 @@ def definitions(draw: st.DrawFn) -> Definition:
         if not frames:
             leading = replace(leading, place=draw(PLACES))
         said = hand is Hand.BOTH and draw(st.booleans()) and other != ArmKey()
-        other = mirrored_where_silent(other, leading)
+        other = completed_by_mirroring(other, leading)
         frames.append(Frame(time / 1000, type_, leading, other if said else None, draw(st.booleans())))
     return Definition(
         gesture_class=draw(st.sampled_from(["beat", "iconic", "OTHER", "HAND"])),
@@ -119,7 +119,7 @@ def definitions(draw: st.DrawFn) -> Definition:
 
 def read_back(text: str) -> list[Definition | None]:
     file, mistakes = parse_gestures(text, PATH)
-    wrong: list[Located] = []
+    wrong: list[LocatedMistake] = []
     found = [definition(tree, PATH, wrong) for tree in file.gestures]
     assert (mistakes, wrong) == ((), [])
     return found

@@ -8,12 +8,12 @@ from understudy.model import Behavior, Channel, FloatArray, Schedule
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import forward
-from understudy.realizer.geometry.angles import aim, angles
-from understudy.realizer.geometry.rotations import IDENTITY, angle_between, between, rotate
-from understudy.realizer.head_and_gaze.gaze import gaze
+from understudy.realizer.geometry.angles import pitch_and_yaw, to_pitch_yaw_roll
+from understudy.realizer.geometry.rotations import IDENTITY, angle_between, rotate, shortest_rotation
+from understudy.realizer.head_and_gaze.gaze import apply_gaze
 from understudy.realizer.head_and_gaze.gaze_geometry import EYES, SIDEWAYS_LIMIT, UPRIGHT_LIMIT
-from understudy.realizer.head_and_gaze.looks import LISTENER_M, Position
-from understudy.realizer.torso.idle import idle
+from understudy.realizer.head_and_gaze.gaze_targets import LISTENER_M, Position
+from understudy.realizer.torso.idle import idle_motion
 
 TWO_DEGREES = np.radians(2.0)
 
@@ -23,7 +23,7 @@ def look(lexeme: str, *times_s: float, **changes: object) -> Behavior:
 
 
 def gazing(planned: Schedule, targets_m: dict[str, Position] | None = None) -> BodyMotion:
-    return gaze(BODY, idle(BODY, TIMES_S, planned, seed=2), planned, targets_m=targets_m or {})
+    return apply_gaze(BODY, idle_motion(BODY, TIMES_S, planned, seed=2), planned, targets_m=targets_m or {})
 
 
 def missed(body: BodyMotion, at_m: Position = LISTENER_M) -> FloatArray:
@@ -31,16 +31,16 @@ def missed(body: BodyMotion, at_m: Position = LISTENER_M) -> FloatArray:
     places_m, turned = forward(BODY, body.rotations, body.hips_m)
     eyes = BODY.chain(*EYES)
     lines, ways = rotate(turned[:, eyes], np.array([0.0, 0.0, 1.0])), np.array(at_m) - places_m[:, eyes]
-    return np.asarray(angle_between(between(lines, ways), IDENTITY).max(axis=1))
+    return np.asarray(angle_between(shortest_rotation(lines, ways), IDENTITY).max(axis=1))
 
 
 def head_yaw(body: BodyMotion) -> FloatArray:
-    return np.degrees(angles(faced(body).turned)[1])
+    return np.degrees(to_pitch_yaw_roll(faced(body).orientation)[1])
 
 
 def sight_yaw(body: BodyMotion) -> FloatArray:
     """Where the line of sight goes, from between the eyes."""
-    return np.degrees(aim(seen_by(body) - faced(body).eyes_m.mean(axis=1))[1])
+    return np.degrees(pitch_and_yaw(seen_by(body) - faced(body).eyes_m.mean(axis=1))[1])
 
 
 def test_both_eyes_are_on_the_listener_while_nothing_is_asked_for_and_while_the_body_leans() -> None:
@@ -109,7 +109,7 @@ def test_nothing_turns_farther_than_it_can_nor_too_fast() -> None:
     ]
     behind: Position = (0.4, 1.6, -1.0)
     body = gazing(schedule(*asides, look("SHIFT", 3.0, 3.1, target="behind")), {"behind": behind})
-    pitch, yaw, roll = angles(body.rotations[:, BODY.chain(*EYES)])
+    pitch, yaw, roll = to_pitch_yaw_roll(body.rotations[:, BODY.chain(*EYES)])
     assert np.abs(pitch).max() <= UPRIGHT_LIMIT + 1e-9
     assert np.abs(yaw).max() <= SIDEWAYS_LIMIT + 1e-9
     assert np.abs(roll).max() < 1e-9
@@ -118,10 +118,10 @@ def test_nothing_turns_farther_than_it_can_nor_too_fast() -> None:
 
 
 def test_the_gaze_takes_the_place_of_what_the_head_did_before_and_leaves_the_body() -> None:
-    calm = idle(BODY, TIMES_S, schedule(), seed=2)
+    calm = idle_motion(BODY, TIMES_S, schedule(), seed=2)
     rotations = calm.rotations.copy()
     rotations[:, BODY.chain("neck", "head")] = rotations[:, BODY.index["leftUpperArm"], None]
     shaken = BodyMotion(TIMES_S, rotations, calm.hips_m)
-    assert np.allclose(gaze(BODY, shaken, schedule()).rotations, gaze(BODY, calm, schedule()).rotations)
+    assert np.allclose(apply_gaze(BODY, shaken, schedule()).rotations, apply_gaze(BODY, calm, schedule()).rotations)
     others = [joint for joint in range(len(BODY.names)) if joint not in BODY.chain("neck", "head", *EYES)]
-    assert np.allclose(gaze(BODY, calm, schedule()).rotations[:, others], calm.rotations[:, others], atol=1e-9)
+    assert np.allclose(apply_gaze(BODY, calm, schedule()).rotations[:, others], calm.rotations[:, others], atol=1e-9)

@@ -5,21 +5,27 @@ import pytest
 
 from tests.support.movements import behavior
 from understudy.model import Channel
-from understudy.realizer.head_and_gaze.head_movements import FASTEST_RAD_S, MOVEMENTS, moved, unhurried, waves_of
+from understudy.realizer.head_and_gaze.head_movements import (
+    FASTEST_RAD_S,
+    MOVEMENTS,
+    cycle_count,
+    limited_speed,
+    movement_angles,
+)
 
 DURING_S = np.linspace(1.0, 2.0, 1001)
 
 
 @pytest.mark.parametrize(("asked", "end_s", "goes"), [(None, 2.0, 1), (3, 2.0, 3), (9, 2.0, 5), (2, 1.1, 1)])
 def test_a_nod_goes_as_often_as_asked_and_there_is_time_for(asked: int | None, end_s: float, goes: int) -> None:
-    assert waves_of(behavior(Channel.HEAD, "NOD", 1.0, end_s, repetitions=asked)) == goes
+    assert cycle_count(behavior(Channel.HEAD, "NOD", 1.0, end_s, repetitions=asked)) == goes
 
 
 @pytest.mark.parametrize("stroke_s", [1.2, 1.35, 1.5, 1.7])
 @pytest.mark.parametrize("lexeme", ["NOD", "SHAKE", "SWAY", "TOSS"])
 def test_waves_have_an_extreme_at_the_stroke_wherever_it_is(lexeme: str, stroke_s: float) -> None:
     wave = behavior(Channel.HEAD, lexeme, 1.0, 1.1, 1.1, stroke_s, 1.8, 1.8, 2.0, amount=1.0, repetitions=2)
-    both = moved(DURING_S, wave, ahead=0.5) + moved(DURING_S, wave, ahead=-0.5)
+    both = movement_angles(DURING_S, wave, ahead=0.5) + movement_angles(DURING_S, wave, ahead=-0.5)
     axis = int(np.argmax(np.ptp(both, axis=0)))
     size = np.abs(both[:, axis])
     near = np.abs(DURING_S - stroke_s) < 0.04
@@ -28,14 +34,14 @@ def test_waves_have_an_extreme_at_the_stroke_wherever_it_is(lexeme: str, stroke_
 
 @pytest.mark.parametrize("lexeme", sorted(MOVEMENTS))
 def test_every_movement_starts_and_ends_at_rest(lexeme: str) -> None:
-    course = moved(DURING_S, behavior(Channel.HEAD, lexeme, 1.0, 2.0, amount=1.0), ahead=0.0)
+    course = movement_angles(DURING_S, behavior(Channel.HEAD, lexeme, 1.0, 2.0, amount=1.0), ahead=0.0)
     assert np.abs(course[[0, -1]]).max() < 1e-6
     assert np.abs(np.diff(course, axis=0))[[0, -1]].max() < 1e-4
 
 
 def test_what_is_too_fast_keeps_its_shape_and_gets_smaller() -> None:
     course = np.sin(np.linspace(0, np.pi, 31))[:, None] * [1.0, 0.0, 0.0]
-    slower = unhurried(course, 1 / 60)
+    slower = limited_speed(course, 1 / 60)
     assert np.abs(np.diff(slower, axis=0)).max() * 60 == pytest.approx(FASTEST_RAD_S, rel=0.01)
     assert np.allclose(slower / slower.max(), course / course.max())
-    assert np.array_equal(unhurried(course / 10, 1 / 60), course / 10)
+    assert np.array_equal(limited_speed(course / 10, 1 / 60), course / 10)

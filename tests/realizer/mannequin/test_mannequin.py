@@ -6,7 +6,7 @@ import pytest
 from understudy.model import FloatArray
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
-from understudy.realizer.geometry.rotations import IDENTITY, about
+from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle
 from understudy.realizer.mannequin.mannequin import Mannequin, posed
 
 BODY = Skeleton.standing()
@@ -48,7 +48,7 @@ def test_left_and_right_are_mirror_images(mannequin: Mannequin) -> None:
 
 def test_a_bent_elbow_moves_the_hand_and_leaves_the_rest(mannequin: Mannequin) -> None:
     before = points(mannequin)
-    after = points(mannequin, {"leftLowerArm": about((0.0, 1.0, 0.0), np.array(-np.pi / 2))})
+    after = points(mannequin, {"leftLowerArm": from_axis_angle((0.0, 1.0, 0.0), np.array(-np.pi / 2))})
     moved = np.linalg.norm(after - before, axis=1) > 1e-3
     elbow_m = 0.45
     assert before[moved, 0].min() > elbow_m - 0.08

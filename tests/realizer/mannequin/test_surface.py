@@ -12,7 +12,7 @@ ROD = Capsule("hips", (0.0, 0.0, 0.0), (0.3, 0.0, 0.0), 0.04, 0.03)
 
 
 def test_a_ball_is_round_and_its_normals_point_out() -> None:
-    surface = mesh((BALL,), melt_m=0.005, grid_m=0.02)
+    surface = mesh((BALL,), blend_m=0.005, grid_m=0.02)
     spokes = surface.positions_m - np.array(BALL.start_m)
     assert np.linalg.norm(spokes, axis=1) == pytest.approx(0.05, abs=1e-5)
     assert np.sum(spokes * surface.normals, axis=1) == pytest.approx(0.05, abs=1e-4)
@@ -20,7 +20,7 @@ def test_a_ball_is_round_and_its_normals_point_out() -> None:
 
 @pytest.mark.parametrize("capsules", [(BALL,), (ROD,), (ROD, BALL)])
 def test_surfaces_are_closed_and_their_triangles_face_outwards(capsules: tuple[Capsule, ...]) -> None:
-    surface = mesh(capsules, melt_m=0.005, grid_m=0.015)
+    surface = mesh(capsules, blend_m=0.005, grid_m=0.015)
     directed = Counter(
         (int(triangle[k]), int(triangle[(k + 1) % 3])) for triangle in surface.triangles for k in range(3)
     )
@@ -32,6 +32,6 @@ def test_surfaces_are_closed_and_their_triangles_face_outwards(capsules: tuple[C
 
 def test_neighbours_melt_into_one_surface_wider_than_either() -> None:
     beside = (ROD, Capsule("hips", (0.3, 0.0, 0.0), (0.3, 0.3, 0.0), 0.03, 0.03))
-    surface = mesh(beside, melt_m=0.01, grid_m=0.015)
+    surface = mesh(beside, blend_m=0.01, grid_m=0.015)
     inner_corner = np.linalg.norm(surface.positions_m - [0.27, 0.03, 0.0], axis=1).min()
     assert inner_corner > 0.003

@@ -8,7 +8,7 @@ import pytest
 from understudy.model import Behavior, Channel, FloatArray, Interval, Schedule, SyncPoints, Word
 from understudy.realizer.body.motion import SHAPES, BodyMotion, Motion
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
-from understudy.realizer.geometry.rotations import IDENTITY, about
+from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle
 from understudy.realizer.pictures.contact_sheet import Still, draw_sheet, draw_stills, moments_of
 
 pytest.importorskip("matplotlib", reason="contact sheets need matplotlib")
@@ -28,7 +28,7 @@ def pixels(png: bytes) -> FloatArray:
 
 def test_a_sheet_has_the_pose_of_each_moment() -> None:
     rotations = t_pose(31)
-    rotations[15:, BODY.index["leftUpperArm"]] = about((0.0, 0.0, 1.0), np.array(-1.3))
+    rotations[15:, BODY.index["leftUpperArm"]] = from_axis_angle((0.0, 0.0, 1.0), np.array(-1.3))
     body = BodyMotion(np.arange(31) / 30, rotations, np.tile([0.0, HIPS_HEIGHT_M, 0.0], (31, 1)))
     motion = Motion(30, body, np.zeros((31, len(SHAPES))), {"b1": SyncPoints(0.0, 1.0)})
     picture = pixels(draw_sheet(motion, BODY, [(0.0, "up"), (1.0, "down")], faces=False))

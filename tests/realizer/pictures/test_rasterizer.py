@@ -2,17 +2,19 @@
 
 import numpy as np
 
-from understudy.realizer.pictures.rasterizer import Camera, Paint, draw
+from understudy.realizer.pictures.rasterizer import Camera, ColouredMesh, draw
 
 BLACK = np.zeros(3)
 RED, GREEN = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
 AHEAD = Camera((0.0, 0.0, 0.0), span_m=2.0)
 
 
-def square(centre: tuple[float, float, float], half_m: float, colour: np.ndarray) -> Paint:
+def square(centre: tuple[float, float, float], half_m: float, colour: np.ndarray) -> ColouredMesh:
     """A square that faces +Z."""
     corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]) * half_m + np.array(centre)
-    return Paint(corners, np.tile([0.0, 0.0, 1.0], (4, 1)), np.array([[0, 1, 2], [0, 2, 3]]), np.tile(colour, (4, 1)))
+    return ColouredMesh(
+        corners, np.tile([0.0, 0.0, 1.0], (4, 1)), np.array([[0, 1, 2], [0, 2, 3]]), np.tile(colour, (4, 1))
+    )
 
 
 def test_a_square_covers_its_part_of_the_picture() -> None:

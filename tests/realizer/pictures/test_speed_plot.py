@@ -5,13 +5,13 @@ import pytest
 
 from tests.support.hand_made_motion import BODY, Y, still, turned, waving
 from understudy.model import Behavior, Channel, Hand, Interval, Schedule, Word
-from understudy.realizer.geometry.rotations import about
+from understudy.realizer.geometry.rotations import from_axis_angle
 from understudy.realizer.pictures.speed_plot import draw_speeds, wrist_speeds_m_s
 
 
 def test_a_wrist_on_a_circle_has_the_circles_speed() -> None:
     radians_per_s = 2.0
-    motion = turned("leftLowerArm", about(Y, -radians_per_s * np.arange(91) / 30), frames=91)
+    motion = turned("leftLowerArm", from_axis_angle(Y, -radians_per_s * np.arange(91) / 30), frames=91)
     speeds = wrist_speeds_m_s(motion, BODY)
     assert speeds[20:70, 0] == pytest.approx(radians_per_s * 0.25, rel=0.02)
     assert speeds[:, 1] == pytest.approx(0, abs=1e-9)

@@ -225,7 +225,7 @@ def test_a_first_stroke_that_would_start_before_the_first_frame_starts_with_it(s
     """The clip's stroke takes .3 s to its emphasis."""
     plan = planned([gesture("g1", stroke_s, 0.8)])
     (arm,) = plan.gestures
-    assert (arm.markers.start, arm.markers.stroke_start, arm.underway) == (0.0, 0.0, 1.0)
+    assert (arm.markers.start, arm.markers.stroke_start, arm.initial_progress) == (0.0, 0.0, 1.0)
     assert plan.realized["g1"].stroke == pytest.approx(stroke_s + late_s)
     assert actions(plan, "g1")[0] == "late"
 
@@ -234,7 +234,7 @@ def test_a_first_preparation_is_shortened_rather_than_begun_before_the_first_fra
     plan = planned([gesture("g1", 0.6, 1.1)])
     (arm,) = plan.gestures
     assert arm.markers.start == 0.0
-    assert arm.underway == 0.0
+    assert arm.initial_progress == 0.0
     assert actions(plan, "g1") == ["shortened"]
 
 
@@ -242,7 +242,7 @@ def test_a_hand_too_far_for_the_time_that_is_left_is_raised_in_the_first_frame()
     """.1 s to the stroke start; the way at the top speed takes longer."""
     (arm,) = planned([gesture("g1", 0.4, 0.9)]).gestures
     way_m = distance_m(rest_m("clasped", Hand.RIGHT), stroke_start_m(arm.placed, Hand.RIGHT))
-    assert arm.underway == pytest.approx(1 - 0.1 / (way_m / TOP_SPEED_M_S))
+    assert arm.initial_progress == pytest.approx(1 - 0.1 / (way_m / TOP_SPEED_M_S))
 
 
 def test_beats_are_repeated_on_further_emphases_each_smaller() -> None:

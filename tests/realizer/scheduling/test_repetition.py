@@ -5,15 +5,15 @@ import pytest
 from tests.support.gesture_clips import clip, gesture
 from understudy.model import Schedule
 from understudy.realizer.gestures.gesture import Expressivity
-from understudy.realizer.gestures.gesture_plan import Placed
+from understudy.realizer.gestures.gesture_plan import PlacedGesture
 from understudy.realizer.scheduling.repetition import most_repeats, with_repeats
-from understudy.realizer.scheduling.selection import placed, requests_of
+from understudy.realizer.scheduling.selection import place_clip, requests_of
 
 
-def struck(category: str = "BEAT", repetition: float = 0.0) -> Placed:
+def struck(category: str = "BEAT", repetition: float = 0.0) -> PlacedGesture:
     """Stroke end at 2.2 s, relax at 2.5 s."""
     (request,) = requests_of(Schedule((gesture("g", 2.0, 2.5, lexeme=category),), 30.0))
-    return placed(clip(category=category, expressivity=Expressivity(repetition=repetition)), request)
+    return place_clip(clip(category=category, expressivity=Expressivity(repetition=repetition)), request)
 
 
 @pytest.mark.parametrize(

@@ -8,11 +8,11 @@ from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
 from understudy.realizer.scheduling.rests import (
     PREPARATION_SPEED_M_S,
     SHORTEST_PREPARATION_S,
-    own_pose,
-    pose_for,
     posture_changes,
+    posture_pose,
     preparation_s,
     rest_m,
+    rest_pose_for_gap,
 )
 
 
@@ -24,7 +24,7 @@ def posture(lexeme: str, start_s: float) -> Behavior:
     ("gap_s", "pose"), [(2.99, "clasped"), (3.0, "at_side"), (9.99, "at_side"), (10.0, "in_pockets")]
 )
 def test_the_pose_suits_the_gap(gap_s: float, pose: str) -> None:
-    assert pose_for(gap_s) == pose
+    assert rest_pose_for_gap(gap_s) == pose
 
 
 def test_postures_of_the_hands_last_until_the_next_or_a_change_of_leg() -> None:
@@ -35,7 +35,7 @@ def test_postures_of_the_hands_last_until_the_next_or_a_change_of_leg() -> None:
         posture("HANDS_ON_HIPS", 6.0),
     )
     changes = posture_changes(Schedule(behaviors, 12.0))
-    assert [own_pose(changes, time_s) for time_s in (1.0, 2.0, 5.0, 7.0, 10.0)] == [
+    assert [posture_pose(changes, time_s) for time_s in (1.0, 2.0, 5.0, 7.0, 10.0)] == [
         None,
         "folded",
         "folded",
@@ -47,7 +47,7 @@ def test_postures_of_the_hands_last_until_the_next_or_a_change_of_leg() -> None:
 def test_a_posture_that_comes_back_leaves_the_hands_as_the_latest_shift_did() -> None:
     passing = replace(posture("HANDS_ON_HIPS", 5.0), sync=SyncPoints(5.0, 8.0, ready=5.6, relax=7.4))
     changes = posture_changes(Schedule((posture("HANDS_FOLDED", 2.0), passing), 12.0))
-    assert [own_pose(changes, time_s) for time_s in (3.0, 6.0, 7.5)] == ["folded", "on_hips", "folded"]
+    assert [posture_pose(changes, time_s) for time_s in (3.0, 6.0, 7.5)] == ["folded", "on_hips", "folded"]
 
 
 def test_a_posture_of_the_first_moment_is_how_the_line_begins() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from tests.support.gesture_clips import clip, gesture, library
 from understudy.model import Hand, Level, Schedule, SyncPoints
-from understudy.realizer.scheduling.selection import candidates, fits, fits_without_hold, in_drawn_order, requests_of
+from understudy.realizer.scheduling.selection import candidate_clips, fits, fits_without_hold, requests_of, shuffled
 
 
 @pytest.mark.parametrize(
@@ -49,7 +49,7 @@ def test_eq_5_with_and_without_the_hold(left_s: float, whole: bool, without_hold
 def test_a_gesture_made_by_another_hand_or_at_another_level_only_stands_in() -> None:
     calm = replace(clip("both", hand=Hand.BOTH), level=Level.LOW)
     (request,) = requests_of(Schedule((gesture("g1", 2.0, 2.5),), 4.0, agitation=Level.HIGH))
-    (found,), (decision,) = candidates(request, library(calm))
+    (found,), (decision,) = candidate_clips(request, library(calm))
     assert found is calm
     assert decision.action == "replaced"
     assert "both hands" in decision.reason
@@ -58,5 +58,5 @@ def test_a_gesture_made_by_another_hand_or_at_another_level_only_stands_in() -> 
 
 def test_the_variant_used_last_comes_last_and_the_others_as_drawn() -> None:
     clips = tuple(clip(name) for name in ("one", "two", "three"))
-    orders = {tuple(c.name for c in in_drawn_order(clips, "two", np.random.default_rng(seed))) for seed in range(20)}
+    orders = {tuple(c.name for c in shuffled(clips, "two", np.random.default_rng(seed))) for seed in range(20)}
     assert orders == {("one", "three", "two"), ("three", "one", "two")}

@@ -5,22 +5,22 @@ import pytest
 from tests.support.gesture_clips import clip, gesture
 from understudy.model import Hand, Interval, Schedule
 from understudy.realizer.gestures.gesture import Clip
-from understudy.realizer.gestures.gesture_plan import TOP_STROKE_SPEED_M_S, Placed
-from understudy.realizer.scheduling.selection import placed, requests_of
+from understudy.realizer.gestures.gesture_plan import TOP_STROKE_SPEED_M_S, PlacedGesture
+from understudy.realizer.scheduling.selection import place_clip, requests_of
 from understudy.realizer.scheduling.transitions import (
     EASY_TRANSITION_S,
     SLOWEST_STROKE_M_S,
-    Setting,
-    flow_together,
+    TransitionContext,
+    blends,
     prolonged_relax_s,
     stroke_speed_m_s,
     transition_speed_m_s,
 )
 
 
-def at(stroke_s: float, relax_s: float, one: Clip | None = None, amount: float | None = None) -> Placed:
+def at(stroke_s: float, relax_s: float, one: Clip | None = None, amount: float | None = None) -> PlacedGesture:
     (request,) = requests_of(Schedule((gesture("g", stroke_s, relax_s, amount=amount),), 30.0))
-    return placed(one or clip(), request)
+    return place_clip(one or clip(), request)
 
 
 def test_the_speed_of_a_way_is_its_distance_by_its_time() -> None:
@@ -54,14 +54,14 @@ def test_a_stroke_is_as_large_as_its_time_allows() -> None:
 def test_neighbours_flow_together_in_one_phrase_below_a_second_and_a_half() -> None:
     first = at(2.0, 2.5, clip(to_m=0.1))
     near, far = at(4.29, 4.8), at(4.31, 4.8)
-    one, two = Setting((Interval(0.0, 9.0),)), Setting((Interval(0.0, 3.0), Interval(3.3, 9.0)))
-    assert flow_together(first, near, Hand.RIGHT, one)
-    assert not flow_together(first, far, Hand.RIGHT, one)
-    assert not flow_together(first, near, Hand.RIGHT, two)
-    assert flow_together(first, at(3.3, 3.8), Hand.RIGHT, two)
+    one, two = TransitionContext((Interval(0.0, 9.0),)), TransitionContext((Interval(0.0, 3.0), Interval(3.3, 9.0)))
+    assert blends(first, near, Hand.RIGHT, one)
+    assert not blends(first, far, Hand.RIGHT, one)
+    assert not blends(first, near, Hand.RIGHT, two)
+    assert blends(first, at(3.3, 3.8), Hand.RIGHT, two)
 
 
 @pytest.mark.parametrize(("time_s", "phrase"), [(0.0, 0), (0.5, 0), (2.5, 0), (3.0, 1), (9.0, 1)])
 def test_a_moment_belongs_to_the_phrase_that_has_begun_last(time_s: float, phrase: int) -> None:
-    assert Setting((Interval(0.2, 2.0), Interval(3.0, 4.0))).phrase_of(time_s) == phrase
-    assert Setting().phrase_of(time_s) is None
+    assert TransitionContext((Interval(0.2, 2.0), Interval(3.0, 4.0))).phrase_of(time_s) == phrase
+    assert TransitionContext().phrase_of(time_s) is None

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.geometry.angles import turn
+from understudy.realizer.geometry.angles import from_pitch_yaw_roll
 from understudy.realizer.geometry.rotations import IDENTITY, to_rotation_vector
 from understudy.realizer.torso.balance import LEG_JOINTS, STANDING, hips_height_m, legs
 
@@ -15,7 +15,7 @@ COUNT = 200
 def test_feet_stay_flat_and_in_place_under_hips_that_move_and_turn() -> None:
     generator = np.random.default_rng(1)
     rotations = np.tile(IDENTITY, (COUNT, len(BODY.names), 1))
-    rotations[:, 0] = turn(*generator.uniform(-0.1, 0.1, (3, COUNT)))
+    rotations[:, 0] = from_pitch_yaw_roll(*generator.uniform(-0.1, 0.1, (3, COUNT)))
     hips_m = np.zeros((COUNT, 3))
     hips_m[:, [0, 2]] = generator.uniform(-0.06, 0.06, (COUNT, 2))
     hips_m[:, 1] = hips_height_m(BODY, hips_m, rotations[:, 0])
@@ -33,7 +33,7 @@ def test_feet_stay_flat_and_in_place_under_hips_that_move_and_turn() -> None:
 def test_the_leg_under_the_hips_is_the_straighter_one_and_never_locked(across_m: float, bearing: str) -> None:
     hips_m = np.array([[across_m, 0.0, 0.0]])
     rotations = np.tile(IDENTITY, (1, len(BODY.names), 1))
-    rotations[:, 0] = turn(*np.radians([[0.0], [0.0], [np.sign(across_m) * 4.0]]))
+    rotations[:, 0] = from_pitch_yaw_roll(*np.radians([[0.0], [0.0], [np.sign(across_m) * 4.0]]))
     hips_m[:, 1] = hips_height_m(BODY, hips_m, rotations[:, 0])
     rotations[:, BODY.chain(*LEG_JOINTS)] = legs(BODY, rotations[:, 0], hips_m)
     bent = {

@@ -6,8 +6,8 @@ import pytest
 from understudy.model import FloatArray, Schedule
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.torso.idle import idle
-from understudy.realizer.torso.trunk import with_trunk
+from understudy.realizer.torso.idle import idle_motion
+from understudy.realizer.torso.trunk import with_trunk_following
 
 SKELETON = Skeleton.standing()
 TIMES_S: FloatArray = np.arange(241) / 60
@@ -15,11 +15,11 @@ AT_EASE_M: FloatArray = np.tile([0.15, 0.05, 0.20], (241, 1))
 
 
 def moved(left_m: FloatArray, right_m: FloatArray) -> BodyMotion:
-    return with_trunk(SKELETON, _idle(), left_m, right_m)
+    return with_trunk_following(SKELETON, _idle(), left_m, right_m)
 
 
 def _idle() -> BodyMotion:
-    return idle(SKELETON, TIMES_S, Schedule((), 4.0), seed=0)
+    return idle_motion(SKELETON, TIMES_S, Schedule((), 4.0), seed=0)
 
 
 def out_and_back(x_m: float, y_m: float, z_m: float) -> FloatArray:

@@ -7,7 +7,7 @@ import pytest
 from tests.support.utterances import utterance, words_of
 from understudy.model import Agitation, Clause, Filler, Interval, Phrase, Utterance
 from understudy.rules.chaining.chainer import Fact
-from understudy.rules.chaining.facts import bare, utterance_facts
+from understudy.rules.chaining.facts import normalized_word, utterance_facts
 
 
 def arguments(spoken: Utterance, predicate: str) -> set[tuple[object, ...]]:
@@ -28,7 +28,7 @@ def arguments(spoken: Utterance, predicate: str) -> set[tuple[object, ...]]:
     ],
 )
 def test_words_are_spelt_without_the_punctuation_around_them(written: str, spelt: str) -> None:
-    assert bare(written) == spelt
+    assert normalized_word(written) == spelt
 
 
 def test_a_contraction_has_the_facts_of_its_parts_on_its_own_span() -> None:

@@ -9,7 +9,7 @@ from tests.support.utterances import words_of
 from understudy.model import Utterance
 from understudy.rules.chaining.chainer import Fact, derive
 from understudy.rules.chaining.matching import FactBase
-from understudy.rules.chaining.tracing import Lack, RuleTrace, Said, fires, trace_rule, trace_rules
+from understudy.rules.chaining.tracing import ObstacleKind, RuleTrace, Said, fires, trace_rule, trace_rules
 from understudy.rules.derivation import derive_facts
 from understudy.rules.program.program import Program, load_program
 
@@ -58,7 +58,7 @@ def known(program: Program, text: str, *others: Fact) -> tuple[Fact, ...]:
     return derive(program, [*words, *others]).facts
 
 
-def obstacles(trace: RuleTrace) -> list[tuple[str, Lack, str]]:
+def obstacles(trace: RuleTrace) -> list[tuple[str, ObstacleKind, str]]:
     return [(miss.rule.name, each.lack, each.said.text) for miss in trace.near_misses for each in miss.obstacles]
 
 
@@ -74,13 +74,13 @@ def test_a_firing_tells_what_was_joined_and_what_follows_with_the_words(program:
 @pytest.mark.parametrize(
     ("text", "lack", "told"),
     [
-        ("far more fun", Lack.MISSING, "word(much, $before, 1)"),
-        ("not more fun", Lack.EXCLUDED, "word(not, 0, 1)"),
-        ("more than", Lack.UNTRUE, "$w != than: than != than"),
-        ("so more", Lack.MISSING, "word($w, 2, $e)"),
+        ("far more fun", ObstacleKind.MISSING, "word(much, $before, 1)"),
+        ("not more fun", ObstacleKind.EXCLUDED, "word(not, 0, 1)"),
+        ("more than", ObstacleKind.UNTRUE, "$w != than: than != than"),
+        ("so more", ObstacleKind.MISSING, "word($w, 2, $e)"),
     ],
 )
-def test_a_near_miss_tells_what_stood_in_the_way(program: Program, text: str, lack: Lack, told: str) -> None:
+def test_a_near_miss_tells_what_stood_in_the_way(program: Program, text: str, lack: ObstacleKind, told: str) -> None:
     [(_, *found)] = obstacles(trace_rules(program, known(program, text)))
     assert found == [lack, told]
 
@@ -88,7 +88,7 @@ def test_a_near_miss_tells_what_stood_in_the_way(program: Program, text: str, la
 def test_what_names_no_word_that_is_there_is_not_near(program: Program) -> None:
     assert trace_rules(program, known(program, "nothing here")) == RuleTrace((), ())
     assert obstacles(trace_rules(program, known(program, "", Fact("stressed_ratio", (0.4, 0, 1))))) == [
-        ("stressed", Lack.UNTRUE, "$ratio > 0.5: 0.4 > 0.5")
+        ("stressed", ObstacleKind.UNTRUE, "$ratio > 0.5: 0.4 > 0.5")
     ]
 
 
@@ -100,7 +100,8 @@ def test_a_fact_that_cannot_be_is_not_missed(tmp_path: Path) -> None:
     )
     program = load_program([path])
     assert obstacles(trace_rules(program, known(program, "b a"))) == []
-    assert obstacles(trace_rules(program, known(program, "a x b"))) == [("around", Lack.MISSING, "word(c, 1, 2)")]
+    missed = obstacles(trace_rules(program, known(program, "a x b")))
+    assert missed == [("around", ObstacleKind.MISSING, "word(c, 1, 2)")]
 
 
 def test_of_one_rule_the_nearest_is_told_however_far(program: Program) -> None:

@@ -11,7 +11,7 @@ from training.alignment import __main__ as training
 from training.alignment.degradations import NOISE_DB, by_telephone, equalised, in_a_room, in_noise
 from training.alignment.timit import Sentence, read_beginnings, read_sentence, read_sentences
 from understudy.acoustic.alignment.boundaries import kernel
-from understudy.acoustic.alignment.boundary_views import CONTEXT_STEPS, Places, mel_levels
+from understudy.acoustic.alignment.boundary_views import CONTEXT_STEPS, BoundaryArrays, mel_levels
 from understudy.model import SAMPLE_RATE_HZ, FloatArray, Interval, Phone, Word
 
 NARROW_HZ = 4000
@@ -81,7 +81,7 @@ def test_moves_are_learnt_in_spite_of_outliers(monkeypatch: pytest.MonkeyPatch) 
     levels = mel_levels(chance.standard_normal(len(loud)) * loud)
     onsets_s = np.arange(0.2, 39.0, 0.4)
     moves_s = chance.uniform(-0.020, 0.020, len(onsets_s))
-    places = Places(onsets_s - moves_s, np.full((len(moves_s), 2), 0.1), np.full((len(moves_s), 2), 8, np.int8))
+    places = BoundaryArrays(onsets_s - moves_s, np.full((len(moves_s), 2), 0.1), np.full((len(moves_s), 2), 8, np.int8))
     taught_s = np.where(np.arange(len(moves_s)) % 10 == 0, 0.060, moves_s)
     monkeypatch.setattr(training, "SUPPORTS", 80)
     monkeypatch.setattr(training, "RIDGE", 0.1)
@@ -95,7 +95,7 @@ def test_moves_are_learnt_in_spite_of_outliers(monkeypatch: pytest.MonkeyPatch) 
 def test_a_model_that_was_written_is_read_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     chance = np.random.default_rng(0)
     levels = mel_levels(chance.standard_normal(SAMPLE_RATE_HZ))
-    places = Places(np.linspace(0.1, 0.9, 30), np.full((30, 2), 0.1), np.zeros((30, 2), np.int8))
+    places = BoundaryArrays(np.linspace(0.1, 0.9, 30), np.full((30, 2), 0.1), np.zeros((30, 2), np.int8))
     monkeypatch.setattr(training, "SUPPORTS", 20)
     model = training.train([training.Examples(levels, places, chance.normal(0, 0.01, 30))])
     training.write(model, tmp_path / "boundaries.npz")

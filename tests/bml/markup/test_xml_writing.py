@@ -10,7 +10,7 @@ from lxml import etree
 
 from understudy.bml.markup.documents import DialectName, Document, Element, Reference, Value
 from understudy.bml.markup.elements import BML_CORE, CORE, SMARTBODY, Attribute, Dialect, ElementKind, Kind
-from understudy.bml.markup.markup import to_xml
+from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import read_bml
 
 CHARACTERS = st.characters(exclude_categories=["Cs", "Cc"], exclude_characters="\ufffe\uffff")

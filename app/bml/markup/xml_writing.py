@@ -1,8 +1,8 @@
-"""A BML document as XML in the form that strict realizers read (shared/bml.md).
+"""Writes BML documents as XML that strict realizers accept (shared/bml.md).
 
-UTF-8 without character references; every namespace is the default one where it begins, and only foreign attributes
-have prefixes. Elements stand each on a line of its own, but where text is among them or they are not of the dialect:
-white space might mean something there. Characters that XML cannot hold become U+FFFD.
+UTF-8 without character references; every namespace is declared as the default where it begins, and only foreign
+attributes have prefixes. Elements are on lines of their own, except next to text and outside the dialect, where white
+space might be significant. Characters that XML cannot represent become U+FFFD.
 """
 
 import re
@@ -20,14 +20,14 @@ _INDENT = "  "
 
 
 def to_xml(document: Document) -> bytes:
-    """The document as XML; the same document gives the same bytes."""
+    """The document as XML; deterministic."""
     kind = DIALECTS[document.dialect].roots[document.root.name]
     markup = "".join(_markup(document.root, kind, namespace="", margin="\n"))
     return f"<?xml version='1.0' encoding='UTF-8'?>\n{markup}\n".encode()
 
 
 def _markup(element: Element, kind: ElementKind | None, *, namespace: str, margin: str) -> Iterator[str]:
-    """The pieces of an element whose surroundings have the default `namespace` and begin new lines with `margin`."""
+    """The pieces of an element in a context with the default `namespace` and the indentation `margin`."""
     own_namespace, name = _split(kind.qualified if kind else element.name)
     yield f"<{name}"
     if own_namespace != namespace:
@@ -50,7 +50,7 @@ def _markup(element: Element, kind: ElementKind | None, *, namespace: str, margi
 
 
 def _attributes(element: Element, kind: ElementKind | None) -> Iterator[str]:
-    """The prefixes of foreign attributes, then all attributes."""
+    """The declarations of prefixes, then all attributes."""
     ordered = _in_order(element.attributes, kind)
     namespaces = dict.fromkeys(namespace for namespace, _ in map(_split, ordered) if namespace)
     prefixes = {each: _PREFIXES.get(each, f"ns{number}") for number, each in enumerate(namespaces, start=1)}
@@ -63,14 +63,14 @@ def _attributes(element: Element, kind: ElementKind | None) -> Iterator[str]:
 
 
 def _in_order(attributes: Mapping[str, Value], kind: ElementKind | None) -> Mapping[str, Value]:
-    """Those of the table in its order, then the others."""
+    """Attributes in the order of the table, then all others."""
     if kind is None:
         return attributes
     return {name: attributes[name] for name in kind.attributes if name in attributes} | dict(attributes)
 
 
 def _split(qualified: str) -> tuple[str, str]:
-    """Namespace and local name of `{namespace}name`."""
+    """The namespace and local name of `{namespace}name`."""
     namespace, _, name = qualified.rpartition("}")
     return namespace.removeprefix("{"), name
 

@@ -1,23 +1,25 @@
-"""What no controller can play as it is asked to: no such movement, no such place, too little time. Each is told."""
+"""Reports behaviours that no controller can play as scheduled: unknown movements, unknown targets, too little time."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
 
 from ...model import Behavior, Channel, Schedule
 from ..body.motion import Decision
-from ..head_and_gaze.head_movements import MOVEMENTS, waves_of
-from ..head_and_gaze.looks import DIRECTIONS, LISTENER, Position
+from ..head_and_gaze.gaze_targets import DIRECTIONS, LISTENER, Position
+from ..head_and_gaze.head_movements import MOVEMENTS, cycle_count
 from ..torso.posture import POSTURES, SHORTEST_SHIFT_S, reached_s
 from .rests import POSTURES as HAND_POSTURES
 
 Trouble = tuple[str, str] | None
-"""The action and the reason of a decision."""
+"""The action and reason of a decision."""
 
 
-def unplayed(schedule: Schedule, *, targets_m: Mapping[str, Position] = MappingProxyType({})) -> tuple[Decision, ...]:
-    """A decision for each kept head movement, posture or gaze that is not played, or not as it was asked for.
+def unplayable_behaviors(
+    schedule: Schedule, *, targets_m: Mapping[str, Position] = MappingProxyType({})
+) -> tuple[Decision, ...]:
+    """A decision for each kept head movement, posture or gaze that is not played, or not as scheduled.
 
-    Who is the target of every gaze is the other in the talk, whose place is known, by whatever name.
+    If all gazes have the same target, it is the other person, whose position is known under any name.
     """
     kept = [behavior for behavior in schedule.behaviors if behavior.kept]
     looked_at = {each.target for each in kept if each.kind is Channel.GAZE and each.target}
@@ -40,8 +42,8 @@ def _trouble(behavior: Behavior, placed: set[str]) -> Trouble:
 def _head(behavior: Behavior) -> Trouble:
     if behavior.lexeme not in MOVEMENTS:
         return "dropped", f"no head movement {behavior.lexeme!r}, only {', '.join(sorted(MOVEMENTS))}"
-    if waves_of(behavior) < (behavior.repetitions or 1):
-        return "shortened", f"there is time for {waves_of(behavior)} of {behavior.repetitions} repetitions"
+    if cycle_count(behavior) < (behavior.repetitions or 1):
+        return "shortened", f"there is time for {cycle_count(behavior)} of {behavior.repetitions} repetitions"
     return None
 
 

@@ -1,9 +1,9 @@
-"""What the gazes of a schedule aim at: where eyes, head and trunk are to be turned, and from when.
+"""Converts a schedule's gaze behaviours to targets of eyes, head and trunk over time.
 
-A `SHIFT` turns to a target for good, a `LOOK` turns head and eyes to it and back, a `GLANCE` is the eyes' alone and is
-laid over the others, as the paper has saccades (§3.8). A direction goes `amount` × 60° to that side, as our BML writes
-it. Conventions: radians and metres; directions are pitch and yaw as seen from where the eyes are in the T-pose, left
-and right are the character's own.
+A `SHIFT` moves the gaze for good, a `LOOK` turns head and eyes to a target and back, a `GLANCE` moves the eyes only and
+is added to the others, as saccades are in the paper (§3.8). A direction is an offset of `amount` × 60° to that side, as
+in our BML. Conventions: radians and metres; directions are pitch and yaw as seen from the eyes' position in the T-pose,
+left and right are the character's own.
 """
 
 from collections.abc import Iterator, Mapping
@@ -14,13 +14,13 @@ from typing import NamedTuple
 import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, Schedule
-from ..geometry.angles import aim
+from ..geometry.angles import pitch_and_yaw
 
 Position = tuple[float, float, float]
 
 LISTENER = "listener"
 LISTENER_M: Position = (0.0, 1.60, 1.25)
-"""Who listens, or speaks to a listener: straight ahead at eye height, 1.2 m from the eyes."""
+"""The other person in the conversation: straight ahead at eye height, 1.2 m from the eyes."""
 
 RANGE_DEGREES = 60.0
 
@@ -40,22 +40,22 @@ DIRECTIONS: Mapping[str, tuple[float, float]] = MappingProxyType(
 """Pitch and yaw of BML's `offsetDirection`."""
 
 HEAD_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.9, "LOOK": 0.7})
-"""How much of the angle the head turns: nearly all for who stays there, less for a look that comes back."""
+"""The share of the angle that the head contributes: nearly all when it stays, less for a look that returns."""
 
 TRUNK_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.25, "LOOK": 0.12})
-"""How much of the yaw the trunk turns."""
+"""The share of the yaw that the trunk contributes."""
 
 AT_EASE = np.radians([18.0, 24.0])
-"""How far eyes turn up or down and to the side before the head helps them."""
+"""How far eyes rotate vertically and horizontally before the head assists."""
 
 _NOWHERE: FloatArray = np.zeros(3)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Aims:
-    """What is turned where: the first row is before any gaze, the others from `starts_s` (K,) on, in order; a slow head
-    takes `within_s`. The eyes' pitch, yaw and nearness (1 / m) (K + 1, 3), the head's pitch and yaw (K + 1, 2), the
-    trunk's yaw (K + 1, 1)."""
+class GazeTargets:
+    """Target angles: the first row applies before any gaze, the others from `starts_s` (K,) on, in order; head
+    movements take at least `within_s`. Pitch, yaw and inverse distance (1 / m) of the eyes (K + 1, 3), pitch and yaw of
+    the head (K + 1, 2), yaw of the trunk (K + 1, 1)."""
 
     starts_s: FloatArray
     within_s: FloatArray
@@ -65,7 +65,8 @@ class Aims:
 
 
 class _Line(NamedTuple):
-    """Where the gaze goes from `at_s` on, what a glance adds to it, and whose shares head and trunk take."""
+    """The gaze direction from `at_s` on, what a glance adds to it, and the lexeme that determines the shares of head
+    and trunk."""
 
     at_s: float
     within_s: float
@@ -74,9 +75,9 @@ class _Line(NamedTuple):
     lexeme: str
 
 
-def looks(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position]) -> Aims:
-    """The aims of a schedule's gazes, at the listener before them. Head and trunk take their shares of the line of
-    sight; the head helps where the eyes alone would be strained."""
+def gaze_targets(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position]) -> GazeTargets:
+    """The targets of a schedule's gazes, beginning with the listener. Head and trunk take their shares of the
+    direction; the head assists where the eyes alone would rotate too far."""
     names = {each.target for each in schedule.behaviors if each.kind is Channel.GAZE and each.kept}
     at = {name: _at(name, from_m, targets_m) for name in {None, *names}}
     lines = [_Line(0.0, 0.0, at[None], _NOWHERE, "SHIFT"), *_lines(schedule, at)]
@@ -84,7 +85,7 @@ def looks(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Positi
     shares = np.array([[HEAD_SHARE[each.lexeme], TRUNK_SHARE[each.lexeme]] for each in lines])
     head = shares[:, :1] * line[:, :2]
     in_head = (line + glance)[:, :2] - head
-    return Aims(
+    return GazeTargets(
         starts_s=np.array([each.at_s for each in lines[1:]]),
         within_s=np.array([each.within_s for each in lines[1:]]),
         eyes=line + glance,
@@ -94,7 +95,7 @@ def looks(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Positi
 
 
 def _lines(schedule: Schedule, at: Mapping[str | None, FloatArray]) -> Iterator[_Line]:
-    """The latest gaze that is not over yet has the aim, among glances and among the others."""
+    """The latest active gaze determines the direction, separately for glances and for the others."""
     base = at[None]
     running: list[Behavior] = []
     for at_s, within_s, gaze, begins in _moments(schedule):
@@ -114,7 +115,7 @@ def _lines(schedule: Schedule, at: Mapping[str | None, FloatArray]) -> Iterator[
 
 
 def _moments(schedule: Schedule) -> list[tuple[float, float, Behavior, bool]]:
-    """When a gaze begins (True) or leaves its target, and within which time, in order."""
+    """Each start (True) and departure of a gaze: time, duration, behaviour, in order."""
     found = []
     for gaze in schedule.behaviors:
         if not gaze.kept or gaze.kind is not Channel.GAZE:
@@ -136,4 +137,4 @@ def _aside(gaze: Behavior) -> FloatArray:
 
 def _at(target: str | None, from_m: FloatArray, targets_m: Mapping[str, Position]) -> FloatArray:
     way_m = np.array(targets_m.get(target or LISTENER, LISTENER_M)) - from_m
-    return np.array([*aim(way_m), 1.0 / np.linalg.norm(way_m)])
+    return np.array([*pitch_and_yaw(way_m), 1.0 / np.linalg.norm(way_m)])

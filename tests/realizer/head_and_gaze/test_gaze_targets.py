@@ -5,7 +5,7 @@ import pytest
 
 from tests.support.movements import behavior, schedule
 from understudy.model import Channel
-from understudy.realizer.head_and_gaze.looks import AT_EASE, DIRECTIONS, HEAD_SHARE, LISTENER_M, looks
+from understudy.realizer.head_and_gaze.gaze_targets import AT_EASE, DIRECTIONS, HEAD_SHARE, LISTENER_M, gaze_targets
 
 FROM_M = np.array([0.0, LISTENER_M[1], 0.0])
 
@@ -16,13 +16,13 @@ def degrees(*gazes: tuple[str, float, dict[str, object]]) -> list[tuple[float, l
         behavior(Channel.GAZE, lexeme, start_s, start_s + 0.1, start_s + 1.0, start_s + 1.1, **changes)
         for lexeme, start_s, changes in gazes
     )
-    aims = looks(schedule(*behaviors), FROM_M, {"door": (1.0, LISTENER_M[1], 1.0)})
+    aims = gaze_targets(schedule(*behaviors), FROM_M, {"door": (1.0, LISTENER_M[1], 1.0)})
     eyes, head = np.degrees(aims.eyes[1:, :2]).tolist(), np.degrees(aims.head[1:]).tolist()
     return list(zip(aims.starts_s.tolist(), eyes, head, strict=True))
 
 
 def test_before_the_first_gaze_all_is_on_the_listener() -> None:
-    aims = looks(schedule(), FROM_M, {})
+    aims = gaze_targets(schedule(), FROM_M, {})
     assert len(aims.starts_s) == 0
     assert aims.eyes == pytest.approx(np.array([[0, 0, 1 / LISTENER_M[2]]]))
 

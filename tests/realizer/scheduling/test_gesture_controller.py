@@ -17,7 +17,7 @@ from understudy.realizer.geometry.rotations import IDENTITY, angle_between
 from understudy.realizer.gestures.arm_joints import arm_joints
 from understudy.realizer.gestures.gesture import ArmKey, ClipKey, FrameType
 from understudy.realizer.gestures.gesture_plan import GesturePlan
-from understudy.realizer.scheduling.gesturing import gesture as gestured
+from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 
 SKELETON = Skeleton.standing()
@@ -36,7 +36,7 @@ def still(plan: GesturePlan) -> BodyMotion:
 
 
 def moved(plan: GesturePlan) -> BodyMotion:
-    return gestured(SKELETON, still(plan), plan, seed=0)
+    return apply_gestures(SKELETON, still(plan), plan, seed=0)
 
 
 def wrist(body: BodyMotion, side: str = "right") -> FloatArray:
@@ -118,7 +118,7 @@ def test_keys_of_the_stroke_are_where_the_plan_has_them() -> None:
 
 def test_the_same_seed_gives_the_same_motion_and_another_another() -> None:
     plan = planned([gesture("g1", 2.0, 2.6)], library(clip()))
-    one, same, other = (gestured(SKELETON, still(plan), plan, seed=seed) for seed in (0, 0, 1))
+    one, same, other = (apply_gestures(SKELETON, still(plan), plan, seed=seed) for seed in (0, 0, 1))
     assert one.rotations.tobytes() == same.rotations.tobytes()
     assert one.rotations.tobytes() != other.rotations.tobytes()
 

@@ -1,8 +1,8 @@
-"""What an element of a BML document has the body do, in our words: the other way round from
-`understudy.bml.writing.blocks` and `understudy.bml.writing.smartbody`.
+"""Converts BML elements to behaviours, the inverse of `understudy.bml.writing.blocks` and
+`understudy.bml.writing.smartbody`.
 
-What core BML does not say is not known: a gesture's size and priority, for one. Faces that have no word of ours are
-their FACS action unit, `AU12`, with the side in `direction`.
+What core BML cannot express is unknown, such as a gesture's size and priority. Faces without a lexeme of ours have
+their FACS action unit as lexeme, `AU12`, and the side as `direction`.
 """
 
 from collections.abc import Callable, Mapping
@@ -25,17 +25,17 @@ _PRIORITY_STEP = 10
 _USUAL_HEAD = 0.5
 
 SHIFTS = frozenset({"gazeShift", "headDirectionShift", "postureShift", "body"})
-"""Elements whose end is when the new state is reached, which then lasts."""
+"""Elements that end when a new state is reached, which then lasts."""
 
 
-def played(element: Element, name: str, sync: SyncPoints) -> Behavior | None:
-    """The behaviour of an element, with `name` for its id; None when a body that only moves does not play it."""
+def to_behavior(element: Element, name: str, sync: SyncPoints) -> Behavior | None:
+    """The behaviour of an element, with the id `name`; None if it is not a body movement."""
     make = _MAKERS.get(element.name)
     return None if make is None else make(element, _blank(element, name, sync))
 
 
 Making = Callable[[Element, Behavior], Behavior | None]
-"""Fills in what the element says; None when that is nothing we know."""
+"""Completes the behaviour from the element; None if its content is unknown."""
 
 
 def _blank(element: Element, name: str, sync: SyncPoints) -> Behavior:

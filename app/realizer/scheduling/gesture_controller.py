@@ -1,6 +1,6 @@
-"""Lays a plan's gestures over the body (paper §3.8, the second controller): arms and hands, and the trunk with them.
+"""The gesture controller (paper §3.8, the second): overrides arms and hands with a plan's gestures; the trunk follows.
 
-The arms take the place of those that hung idly; only the breath stays in the collarbones.
+Only the breathing of the collarbones is kept from the idle arms.
 """
 
 from dataclasses import replace
@@ -17,27 +17,30 @@ from ..body.skeleton import Skeleton
 from ..geometry.rotations import inverse, multiply, normalized
 from ..gestures.arm_joints import arm_joints
 from ..gestures.gesture_plan import GesturePlan
-from ..torso.trunk import with_trunk
+from ..torso.trunk import with_trunk_following
 
 _MUSCLE_S = 0.03
 
 
-def gesture(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int, life: float = 1.0) -> BodyMotion:
-    """The body with the arms of the plan, and the trunk with them. The same seed gives the same motion; arms that hold
-    or rest stir by `life` (0 to 1) of the usual."""
+def apply_gestures(
+    skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int, noise_scale: float = 1.0
+) -> BodyMotion:
+    """The body with the plan's arm motion, and the trunk following it. Deterministic for a seed. `noise_scale` (0 to
+    1) scales the arms' noise."""
     rotations = body.rotations.copy()
     wrists_m = []
     for side in (Hand.LEFT, Hand.RIGHT):
         joints = skeleton.chain(*arm_joints(side))
-        arm = _smooth(arm_motion(arm_track(skeleton, side, plan), body.times_s, seed=seed, life=life), body.times_s)
+        arm = arm_motion(arm_track(skeleton, side, plan), body.times_s, seed=seed, noise_scale=noise_scale)
+        arm = _smooth(arm, body.times_s)
         wrists_m.append(wrist_of(skeleton, side, arm))
         arm[:, 0] = multiply(arm[:, 0], _breath(body.rotations[:, joints[0]]))
         rotations[:, joints] = arm
-    return with_trunk(skeleton, replace(body, rotations=rotations), *wrists_m)
+    return with_trunk_following(skeleton, replace(body, rotations=rotations), *wrists_m)
 
 
 def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
-    """Rotations (T, J, 4) without the corners of acceleration that splines have at their keys: muscles have none."""
+    """Rotations (T, J, 4) without the steps in acceleration that splines have at their keys."""
     if len(times_s) < 2:
         return rotations
     width = _MUSCLE_S / float(times_s[1] - times_s[0])
@@ -45,6 +48,6 @@ def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
 
 
 def _breath(collarbone: FloatArray) -> FloatArray:
-    """What an idle collarbone (T, 4) does about its own mean."""
+    """The deviation of an idle collarbone (T, 4) from its mean."""
     mean = normalized(np.sum(collarbone * np.sign(collarbone[:, 3:]), axis=0))
     return multiply(inverse(mean), collarbone)

@@ -1,0 +1,156 @@
+"""The behaviours that could make a moment visible, so that clock, hands and neighbours decide between them (paper
+§3.5).
+
+A lexeme is worth what its families are worth at the moment: the first that an audience reads in it wholly, the others
+by half. Where a mapping rule offers one of them for a function of these very words, the rule and its function are named
+and it goes before its equals, for it knows the words ("two fingers", "to the left").
+"""
+
+import random
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from ..model import (
+    Alternative,
+    BehaviorCandidates,
+    Channel,
+    Function,
+    Level,
+    Moment,
+    Movement,
+    Utterance,
+)
+from .families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyBehavior, fitting, merged
+
+OFFERED = 1.2
+ASKED_BY_LEMMA = 1.3
+MOST_ALTERNATIVES = 6
+STEEPNESS = 4.0
+"""How much the better of two alternatives is preferred: weights are worths to this power."""
+
+LEAST_PRIORITY, PRIORITY_OF_SURE = 2.0, 10.0
+"""Priorities of moments worth 0 and 1, on the scale of functions (rules/functions/priorities.yaml)."""
+
+RULED = frozenset({Channel.GAZE, Channel.EYES, Channel.POSTURE})
+"""The channels that mapping rules alone decide; hands, head and face are planned."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """What the choice of behaviours depends on besides the moment: what shows what, each behaviour's channel and
+    lexeme, and the seed."""
+
+    families: Families
+    lexemes: Mapping[str, tuple[Channel, str]]
+    seed: int
+
+
+def candidates_of(
+    stage: Stage, utterance: Utterance, moments: Iterable[Moment], offers: Sequence[BehaviorCandidates]
+) -> tuple[BehaviorCandidates, ...]:
+    """The candidates for every moment, and what rules offer on the channels that are not planned.
+
+    Functions that the caller knows are shown on all channels: he asked for them.
+    """
+    level = utterance.agitation.level if utterance.agitation else Level.MEDIUM
+    planned = (_of_moment(stage, utterance, moment, offers, level) for moment in moments)
+    ruled = (_ruled(stage, offer) for offer in offers)
+    return tuple(each for each in (*planned, *ruled) if each is not None)
+
+
+def _ruled(stage: Stage, offer: BehaviorCandidates) -> BehaviorCandidates | None:
+    """What a rule's offer does on the channels that nobody plans."""
+    if offer.function and offer.function.given:
+        return offer
+    alternatives = []
+    for alternative in offer.alternatives:
+        movements = tuple(each for each in alternative.movements if stage.lexemes[each.name][0] in RULED)
+        if movements:
+            alternatives.append(replace(alternative, movements=movements))
+    return replace(offer, alternatives=tuple(alternatives)) if alternatives else None
+
+
+def _of_moment(
+    stage: Stage, utterance: Utterance, moment: Moment, offers: Sequence[BehaviorCandidates], level: Level
+) -> BehaviorCandidates | None:
+    lemmas = frozenset(
+        token.lemma.lower() for token in utterance.parse.tokens if moment.first <= token.word <= moment.last
+    )
+    offered = dict(_offered(stage, moment, offers))
+    worths: dict[str, float] = {}
+    for family in moment.families:
+        listed = _behaviors_of(stage.families, moment.channel, family)
+        asking = {each.name for each in listed if each.lemmas}
+        for name in fitting(listed, lemmas, level):
+            worth = _worth(stage, moment, name) * (ASKED_BY_LEMMA if name in asking else 1.0)
+            worths[name] = max(worths.get(name, 0.0), worth * (OFFERED if name in offered else 1.0))
+    for name in offered:
+        worths.setdefault(name, OFFERED * _worth(stage, moment, name))
+    generator = random.Random(f"{stage.seed} {moment.id} {utterance.words[moment.stroke].text}")
+    best = sorted(worths.items(), key=lambda item: (-item[1], item[0]))[:MOST_ALTERNATIVES]
+    function = _function_at(moment, offers)
+    alternatives = tuple(
+        Alternative(
+            (_movement(moment, name, *offered.get(name, (f"show_{moment.families[0]}", function))),),
+            weight=max(worth, 1e-3) ** STEEPNESS,
+            lot=generator.uniform(0.9, 1.1),
+        )
+        for name, worth in best
+        if worth > 0
+    )
+    return BehaviorCandidates(None, alternatives, moment) if alternatives else None
+
+
+def _behaviors_of(families: Families, channel: Channel, family: str) -> tuple[FamilyBehavior, ...]:
+    listed = _listed(families, channel)
+    names = POINTINGS if family == POINT else (family,)
+    return tuple(behavior for name in names for behavior in listed.get(name, ()))
+
+
+def _listed(families: Families, channel: Channel) -> Mapping[str, tuple[FamilyBehavior, ...]]:
+    return {Channel.GESTURE: families.gesture, Channel.HEAD: families.head, Channel.FACE: families.face}[channel]
+
+
+def _worth(stage: Stage, moment: Moment, name: str) -> float:
+    """What a behaviour is worth at the moment, by all that it may be read as; a head or face by its own kind alone."""
+    shares = dict(zip(moment.families, moment.shares or (1.0,) * len(moment.families), strict=True))
+    if moment.channel is not Channel.GESTURE:
+        kinds = _listed(stage.families, moment.channel)
+        return max(
+            (share for kind, share in shares.items() if any(each.name == name for each in kinds[kind])), default=0.0
+        )
+    shown = dict.fromkeys(merged(each) for each in stage.families.shows.get(stage.lexemes[name][1], ()))
+    return sum((1.0 if not place else OTHER_FAMILY) * shares.get(family, 0.0) for place, family in enumerate(shown))
+
+
+def _offered(
+    stage: Stage, moment: Moment, offers: Sequence[BehaviorCandidates]
+) -> Iterator[tuple[str, tuple[str, str | None]]]:
+    """The behaviours that rules offer for functions on the stroke's word: by name, the rule and the function."""
+    for offer in sorted(offers, key=lambda each: each.rank, reverse=True):
+        if offer.function is None or not offer.function.first <= moment.stroke <= offer.function.last:
+            continue
+        for alternative in offer.alternatives:
+            for movement in alternative.movements:
+                if stage.lexemes[movement.name][0] is moment.channel:
+                    yield movement.name, (movement.rule, movement.function)
+
+
+def _function_at(moment: Moment, offers: Sequence[BehaviorCandidates]) -> str | None:
+    """The most important function on the stroke's word, which the moment shows with it."""
+    functions: list[Function] = [offer.function for offer in offers if offer.function is not None]
+    on_word = [each for each in functions if each.first <= moment.stroke <= each.last]
+    return max(on_word, key=lambda each: (each.priority, each.id)).id if on_word else None
+
+
+def _movement(moment: Moment, name: str, rule: str, function: str | None) -> Movement:
+    return Movement(
+        name=name,
+        first=moment.first,
+        last=moment.last,
+        priority=round(LEAST_PRIORITY + (PRIORITY_OF_SURE - LEAST_PRIORITY) * moment.importance, 1),
+        rule=rule,
+        function=function,
+        stroke=moment.stroke,
+        moment=moment.id,
+    )

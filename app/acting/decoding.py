@@ -1,0 +1,153 @@
+"""Which moments are taken: the strokes that are worth most together, and the head movements and faces over stretches.
+
+Worths are expected values in [0, 1] of shape (W, N): what a director would give for a gesture with its stroke on a
+word, N being families or lexemes. Spacing is counted in words.
+"""
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..model import SingleArray
+
+STROKES_APART = 4
+"""Words from one stroke to the next at least: a hand has time for one idea a phrase (shared/directing/GUIDE.md)."""
+
+NEAR = 2
+"""Words about a director's stroke within which a stroke still goes with the same idea."""
+
+PLACE = 0.3
+"""What a stroke is worth for lying where directors have some stroke, whatever it means, beside what it means."""
+
+PRECISE = 0.15
+"""How much more a stroke on the very word counts than one near it."""
+
+MOST_KINDS = 2
+"""Movements of the head, or faces, in one stretch."""
+
+MOUTH = frozenset(("smile", "sad", "lips_pressed", "disgust"))
+"""The kinds of face that the mouth makes; the others are made with brows and lids."""
+
+_CONTRARY = (
+    frozenset(("nod", "shake")),
+    frozenset(("smile", "frown")),
+    frozenset(("smile", "sad")),
+    frozenset(("smile", "disgust")),
+    frozenset(("brows_up", "frown")),
+    frozenset(("wide_eyes", "squint")),
+)
+"""What no face shows at once, or a head says in one breath."""
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A kind of movement over words `first` to `last`, and how likely directors want it there."""
+
+    kind: str
+    first: int
+    last: int
+    likely: float
+
+
+def gains(worth: SingleArray, at_word: SingleArray, stroke: SingleArray) -> SingleArray:
+    """What taking each of N on each word gains, its price aside: its worth (W, N), more on the very word (W, N), and
+    more where any stroke (W,) is likely."""
+    return np.asarray(worth + PRECISE * at_word + PLACE * spread(stroke[:, None], 1), np.float32)
+
+
+def strokes(gain: SingleArray, price: float, *, still: Collection[int] = ()) -> list[int]:
+    """The words on which strokes fall, in order, so that their gains (W, N) beyond the price sum to the most.
+
+    No stroke falls on a word of `still`.
+    """
+    best = gain.max(axis=1) - price if len(gain) else np.zeros(0, np.float32)
+    return _best_apart([float(value) if word not in still else -1.0 for word, value in enumerate(best)])
+
+
+def spread(values: SingleArray, near: int = NEAR) -> SingleArray:
+    """The sums of the values (W, N) within `near` words of each word."""
+    padded = np.pad(values, ((near, near), (0, 0)))
+    windows = [padded[shift : shift + len(values)] for shift in range(2 * near + 1)]
+    return np.asarray(np.sum(windows, axis=0), np.float32)
+
+
+def spans_of(
+    kinds: Sequence[str], likely: SingleArray, stretches: Sequence[tuple[int, int]], thresholds: Mapping[str, float]
+) -> Iterator[Span]:
+    """The kinds (W, K) that pass their thresholds in each stretch, the clearest first and none contrary to another.
+
+    Two in one stretch come one after the other, in the order in which they are likeliest, but for a mouth and brows,
+    which go together.
+    """
+    for first, last in stretches:
+        part = likely[first : last + 1]
+        level = stretch_level(part)
+        clear = sorted(range(len(kinds)), key=lambda place: -float(level[place]) / thresholds[kinds[place]])
+        taken: list[int] = []
+        for place in clear:
+            passes = level[place] >= thresholds[kinds[place]]
+            if passes and len(taken) < MOST_KINDS and not any(_contrary(kinds[place], kinds[each]) for each in taken):
+                taken.append(place)
+        yield from _one_after_another([(kinds[each], part[:, each]) for each in taken], first, last)
+
+
+def stretch_level(likely: SingleArray) -> SingleArray:
+    """How likely each kind is over a stretch (W, K): between the mean and the most of its words."""
+    return np.asarray(0.5 * (likely.mean(axis=0) + likely.max(axis=0)), np.float32)
+
+
+def stretches_of(texts: Sequence[str]) -> list[tuple[int, int]]:
+    """The stretches of a line over which head and face mean one thing: what stands between punctuation, joined to the
+    next where it has under three words, and halved where it has over eight."""
+    stretches: list[tuple[int, int]] = []
+    first = 0
+    for word, text in enumerate(texts):
+        mark = text.rstrip("'\"”’)")[-1:]
+        ends = word == len(texts) - 1 or mark in ".!?…" or (mark in ",;:—–-" and word - first >= 2)
+        if not ends or not text:
+            continue
+        while word - first >= 8:
+            middle = first + (word - first + 1) // 2
+            stretches.append((first, middle - 1))
+            first = middle
+        stretches.append((first, word))
+        first = word + 1
+    return stretches
+
+
+def _contrary(one: str, other: str) -> bool:
+    return frozenset((one, other)) in _CONTRARY
+
+
+def _one_after_another(taken: Sequence[tuple[str, SingleArray]], first: int, last: int) -> Iterator[Span]:
+    together = sum(kind in MOUTH for kind, _ in taken) == 1
+    if len(taken) == MOST_KINDS and together:
+        parts = [(first, last)] * MOST_KINDS
+    elif len(taken) == MOST_KINDS and last > first:
+        taken = sorted(taken, key=lambda each: int(each[1].argmax()))
+        middle = first + (last - first + 1) // 2
+        parts = [(first, middle - 1), (middle, last)]
+    else:
+        parts = [(first, last)] * min(len(taken), 1)
+    for (kind, likely), (begin, end) in zip(taken, parts, strict=False):
+        yield Span(kind, begin, end, float(likely.max()))
+
+
+def _best_apart(values: Sequence[float]) -> list[int]:
+    """The places whose values sum to the most while they lie `STROKES_APART`, by dynamic programming."""
+    best = [0.0]
+    taken: list[bool] = []
+    for place, value in enumerate(values):
+        with_it = best[max(0, place + 1 - STROKES_APART)] + value
+        taken.append(value > 0 and with_it > best[-1])
+        best.append(max(best[-1], with_it) if value > 0 else best[-1])
+    places: list[int] = []
+    place = len(values) - 1
+    while place >= 0:
+        if taken[place]:
+            places.append(place)
+            place -= STROKES_APART
+        else:
+            place -= 1
+    return places[::-1]

@@ -1,0 +1,228 @@
+"""The plan of a line: its moments, one idea a phrase, each with what it means and why (paper §3.4, and beyond it).
+
+People gesture on ideas, not on words: on the new, contrasted or stressed part of a phrase, and on most words not at all
+(shared/directing/GUIDE.md). So the plan weighs every family of gesture with its stroke on every word, takes the strokes
+that are worth more than a gesture costs, a few words apart, and leaves the rest of the line still. Head and face mean
+something over the stretches in which directors would likely want it.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import chain
+from math import exp, log
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+
+from ..model import Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
+from .choice_model import READING, ChoiceModel, log_odds_of, worth_of
+from .decoding import NEAR, gains, spans_of, spread, stretches_of, strokes
+from .encoder import Encoder, Reading
+from .families import OTHER_FAMILY, Families, merged
+from .terms import terms_of
+
+AT_WORD_SHARE = 0.5
+"""How much of the reading's expected worth comes from the words' own worths, the rest from what it says of the words
+nearby: measured by `python -m benchmarks.acting.directing`."""
+
+QUANTITY_WEIGHT = 0.5
+"""By how much a gesture's price falls as the quantity doubles, and rises as it halves, over ln 2."""
+
+OTHER_SHARE = 0.7
+"""Of the worth of a lexeme's other families, what its first does not give already."""
+
+FULL_GAIN = 1.6
+"""The gain of a gesture that every director would fight for."""
+
+FAMILIES_TOLD = 4
+TERMS_TOLD = 6
+REJECTED_TOLD = 3
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Planner:
+    """What planning needs, loaded once: the reader, the weights, how much each lexeme shows each family (L, F), and the
+    lemmas without which a family cannot be shown (mimes: "drink", "phone")."""
+
+    encoder: Encoder
+    choice: ChoiceModel
+    shown: SingleArray
+    needed_lemmas: Mapping[str, frozenset[str]]
+
+    @classmethod
+    def load(cls, models: Path, families: Families) -> "Planner":
+        """From the folder models/acting; raises ServiceError `model_unreadable`."""
+        choice = ChoiceModel.load(models / "weights.json")
+        return cls(
+            encoder=Encoder.load(models / "encoder.npz"),
+            choice=choice,
+            shown=shown_by_lexemes(families, choice.families),
+            needed_lemmas=MappingProxyType(dict(_needed_lemmas(families))),
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Weighed:
+    """A line as it was weighed: expected worth of each family with its stroke on each word, by the reading alone and by
+    all terms (W, F), and what each lexeme would gain (W, L)."""
+
+    read: SingleArray
+    worth: SingleArray
+    gain: SingleArray
+    terms: tuple[frozenset[str], ...]
+
+
+def plan(
+    planner: Planner,
+    utterance: Utterance,
+    functions: Sequence[Function],
+    *,
+    quantity: float = 1.0,
+    still: Sequence[int] = (),
+) -> tuple[Moment, ...]:
+    """The moments of a line, gestures, head and face, in order of their words.
+
+    `quantity` scales how much is done, 1 being a director's measure, 0 nothing. No stroke falls on the words `still`.
+    """
+    if quantity <= 0 or not utterance.words:
+        return ()
+    texts = [word.text for word in utterance.words]
+    reading, choice = planner.encoder.read(texts), planner.choice
+    weighed = _weighed(planner, reading, utterance, functions)
+    taken = strokes(weighed.gain, choice.price - QUANTITY_WEIGHT * log(quantity), still=still)
+    stretches = stretches_of(texts)
+    moments = chain(
+        _gestures(planner, weighed, utterance, taken),
+        _spans(Channel.HEAD, reading.head, stretches, planner.encoder.head, _at_quantity(choice.head, quantity)),
+        _spans(Channel.FACE, reading.face, stretches, planner.encoder.face, _at_quantity(choice.face, quantity)),
+    )
+    return tuple(sorted(moments, key=lambda moment: (moment.stroke, moment.channel, moment.first)))
+
+
+def expected_worth(at_word: SingleArray, nearby: SingleArray) -> SingleArray:
+    """What a stroke on each word is expected to earn (W, F), by the reading alone."""
+    return np.asarray(AT_WORD_SHARE * spread(at_word) + (1 - AT_WORD_SHARE) * nearby, np.float32)
+
+
+def shown_by_lexemes(families: Families, names: Sequence[str]) -> SingleArray:
+    """How much each lexeme shows each family (L, F): its first wholly, the others by half."""
+    rows = []
+    for shown in families.shows.values():
+        row = np.zeros(len(names), np.float32)
+        for place, family in enumerate(dict.fromkeys(merged(each) for each in shown)):
+            if family in names:
+                row[names.index(family)] = OTHER_FAMILY if place else 1.0
+        rows.append(row)
+    return np.unique(np.stack(rows), axis=0)
+
+
+def lexeme_worth(worth: SingleArray, shown: SingleArray) -> SingleArray:
+    """What each lexeme is worth (W, L): its first family, and of the others what the first leaves to be meant."""
+    first, others = (shown == 1).astype(np.float32), np.where(shown < 1, shown, 0)
+    certain = np.clip(worth @ first.T, 0, 1)
+    return np.asarray(certain + OTHER_SHARE * (worth @ others.T), np.float32)
+
+
+def _weighed(planner: Planner, reading: Reading, utterance: Utterance, functions: Sequence[Function]) -> _Weighed:
+    terms = terms_of(utterance, functions)
+    read = expected_worth(reading.at_word, reading.nearby)
+    worth = worth_of(planner.choice.log_odds(read, terms)) * _possible(planner, utterance)
+    at_word = reading.at_word @ planner.shown.T
+    gain = gains(lexeme_worth(worth, planner.shown), at_word, reading.stroke)
+    return _Weighed(read, worth, gain, terms)
+
+
+def _possible(planner: Planner, utterance: Utterance) -> SingleArray:
+    """Which families can be shown on each word (W, F), 0 or 1: some need a word nearby that says what to show."""
+    possible = np.ones((len(utterance.words), len(planner.choice.families)), np.float32)
+    for family, lemmas in planner.needed_lemmas.items():
+        if family in planner.choice.families:
+            place = planner.choice.families.index(family)
+            possible[:, place] = 0.0
+            for token in utterance.parse.tokens:
+                if token.lemma.lower() in lemmas:
+                    possible[max(0, token.word - NEAR) : token.word + NEAR + 1, place] = 1.0
+    return possible
+
+
+def _needed_lemmas(families: Families) -> Iterator[tuple[str, frozenset[str]]]:
+    for family, behaviors in families.gesture.items():
+        if all(behavior.lemmas for behavior in behaviors):
+            yield merged(family), frozenset[str]().union(*(behavior.lemmas for behavior in behaviors))
+
+
+def _gestures(planner: Planner, weighed: _Weighed, utterance: Utterance, taken: Sequence[int]) -> Iterator[Moment]:
+    families = planner.choice.families
+    bounds = [-1, *taken, len(utterance.words)]
+    for number, stroke in enumerate(taken):
+        worth = weighed.worth[stroke]
+        order = [int(place) for place in np.argsort(-worth, kind="stable")[:FAMILIES_TOLD]]
+        first, last = _phrase_about(utterance, stroke, bounds[number], bounds[number + 2])
+        terms = planner.choice.explained(weighed.read[stroke], weighed.terms[stroke], families[order[0]])
+        yield Moment(
+            id=f"moment.gesture.{stroke}",
+            channel=Channel.GESTURE,
+            first=first,
+            last=last,
+            stroke=stroke,
+            families=tuple(families[place] for place in order),
+            importance=round(min(1.0, float(weighed.gain[stroke].max()) / FULL_GAIN), 3),
+            shares=tuple(round(float(worth[place]), 3) for place in order),
+            terms=terms[:TERMS_TOLD],
+            rejected=tuple(_rejected(families, weighed, (first, stroke, last), order)),
+        )
+
+
+def _rejected(
+    families: Sequence[str], weighed: _Weighed, span: tuple[int, int, int], order: Sequence[int]
+) -> Iterator[Rejected]:
+    """The families that lost on the stroke's word, and the word of the span on which a stroke was worth most beside."""
+    first, stroke, last = span
+    for place in order[1 : 1 + REJECTED_TOLD]:
+        worth = round(float(weighed.worth[stroke, place]), 3)
+        yield Rejected((families[place],), worth, f"{families[order[0]]} is worth more on the same word")
+    beside = [word for word in range(first, last + 1) if word != stroke]
+    if beside:
+        word = max(beside, key=lambda each: float(weighed.gain[each].max()))
+        place = int(weighed.worth[word].argmax())
+        reason = f"a stroke on word {word} would be too near the one on word {stroke}"
+        yield Rejected((families[place],), round(float(weighed.worth[word, place]), 3), reason)
+
+
+def _phrase_about(utterance: Utterance, stroke: int, after: int, before: int) -> tuple[int, int]:
+    """The phrase that a stroke's idea fills, between the strokes beside it: the longest that holds its word."""
+    phrases = [phrase for phrase in utterance.parse.phrases if phrase.first <= stroke <= phrase.last]
+    widest = max(phrases, key=lambda phrase: phrase.last - phrase.first, default=None)
+    first, last = (widest.first, widest.last) if widest else (stroke, stroke)
+    return max(first, after + 1), min(last, before - 1)
+
+
+def _spans(
+    channel: Channel,
+    likely: SingleArray,
+    stretches: Sequence[tuple[int, int]],
+    kinds: Sequence[str],
+    thresholds: Mapping[str, float],
+) -> Iterator[Moment]:
+    """Head movements or faces; the stroke of each falls where it is likeliest."""
+    for span in spans_of(kinds, likely, stretches, thresholds):
+        column = likely[:, kinds.index(span.kind)]
+        weight = float(log_odds_of(np.array([span.likely], np.float32))[0])
+        yield Moment(
+            id=f"moment.{channel}.{span.kind}.{span.first}",
+            channel=channel,
+            first=span.first,
+            last=span.last,
+            stroke=span.first + int(column[span.first : span.last + 1].argmax()),
+            families=(span.kind,),
+            importance=round(span.likely, 3),
+            shares=(round(span.likely, 3),),
+            terms=(Term(f"{READING}: {span.kind}", round(weight, 2)),),
+        )
+
+
+def _at_quantity(thresholds: Mapping[str, float], quantity: float) -> dict[str, float]:
+    """The thresholds where more or less is done: their odds fall with the square of the quantity."""
+    shift = 2 * log(quantity)
+    return {kind: 1 / (1 + exp(-(log(each / (1 - each)) - shift))) for kind, each in thresholds.items()}

@@ -1,0 +1,102 @@
+"""The named terms of each word of a line: what the choice of a gesture is weighed by besides the reading in context.
+
+A term is a fact about a word that a rule, the parser or the voice has established: which function it carries, in what
+kind of sentence it stands, where in its phrase and line, how it is said. Terms have names that authors can weigh
+(`lexicon/acting/weights.yaml`); their fitted weights are in models/acting/weights.json.
+"""
+
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+
+from ..model import Function, Token, Utterance
+
+_ENDS_SENTENCE = (".", "!", "?", "…")
+_PERSONS = {
+    "first": frozenset(("i", "me", "my", "mine", "myself", "we", "us", "our", "ours", "ourselves")),
+    "second": frozenset(("you", "your", "yours", "yourself", "yourselves")),
+}
+
+
+def terms_of(utterance: Utterance, functions: Iterable[Function]) -> tuple[frozenset[str], ...]:
+    """The terms of each word, in the order of the words."""
+    found: list[set[str]] = [set() for _ in utterance.words]
+    for name, first, last in (
+        *_of_functions(functions),
+        *_of_sentences(utterance),
+        *_of_syntax(utterance),
+        *_of_places(utterance),
+        *_of_voice(utterance),
+    ):
+        for word in range(first, min(last, len(found) - 1) + 1):
+            found[word].add(name)
+    return tuple(map(frozenset, found))
+
+
+_Term = tuple[str, int, int]
+"""A term's name, and the first and last word that have it."""
+
+
+def _of_functions(functions: Iterable[Function]) -> Iterator[_Term]:
+    for function in functions:
+        if not function.kept:
+            continue
+        name = f"function({function.class_name})"
+        yield name, function.first, function.last
+        yield f"{name} here", function.last, function.last
+        if function.subtype not in ("plain", ""):
+            yield f"function({function.class_name}.{function.subtype})", function.first, function.last
+        if function.given:
+            yield f"given({function.class_name})", function.first, function.last
+
+
+def _of_sentences(utterance: Utterance) -> Iterator[_Term]:
+    """The mood of the sentence, as its punctuation tells, and whether the line is one of many sentences."""
+    words = utterance.words
+    ends = [word.index for word in words if word.text.rstrip("\"'”’)").endswith(_ENDS_SENTENCE)]
+    bounds = [-1, *ends] if ends and ends[-1] == len(words) - 1 else [-1, *ends, len(words) - 1]
+    for before, last in pairwise(bounds):
+        mark = words[last].text.rstrip("\"'”’)")[-1:]
+        mood = {"?": "question", "!": "exclamation", "…": "trailing off"}.get(mark, "statement")
+        yield f"sentence({mood})", before + 1, last
+        if last - before <= 3:
+            yield "sentence(short)", before + 1, last
+
+
+def _of_syntax(utterance: Utterance) -> Iterator[_Term]:
+    tokens = utterance.parse.tokens
+    for token in tokens:
+        if token.part_of_speech == "PUNCT":
+            continue
+        yield f"part_of_speech({token.part_of_speech})", token.word, token.word
+        yield f"dependency({token.dependency})", token.word, token.word
+        governor = tokens[token.head]
+        if governor.index != token.index:
+            yield f"under({governor.part_of_speech})", token.word, token.word
+    yield from _of_persons(tokens)
+
+
+def _of_persons(tokens: tuple[Token, ...]) -> Iterator[_Term]:
+    """Whose doing a verb tells, by its subject's person."""
+    for token in tokens:
+        if token.dependency.startswith("nsubj"):
+            person = next((name for name, words in _PERSONS.items() if token.text.lower() in words), "third")
+            yield f"subject({person} person)", tokens[token.head].word, tokens[token.head].word
+
+
+def _of_places(utterance: Utterance) -> Iterator[_Term]:
+    count = len(utterance.words)
+    if count:
+        yield "line(first word)", 0, 0
+        yield "line(last word)", count - 1, count - 1
+        yield "line(short)" if count <= 6 else "line(long)" if count > 18 else "line(usual)", 0, count - 1
+    for phrase in utterance.parse.phrases:
+        yield f"phrase({phrase.kind}) head", phrase.head, phrase.head
+        yield f"phrase({phrase.kind}) end", phrase.last, phrase.last
+    for clause in utterance.parse.clauses:
+        yield f"clause({clause.label}) end", clause.last, clause.last
+
+
+def _of_voice(utterance: Utterance) -> Iterator[_Term]:
+    for word in utterance.words:
+        if word.is_emphasised:
+            yield "voice(stressed)", word.index, word.index

@@ -1,0 +1,46 @@
+"""Words as the pieces that a BERT vocabulary has: lower case, without accents, each piece the longest that fits.
+
+Source: Devlin et al. 2019 (uncased WordPiece). A piece that continues a word begins with "##".
+"""
+
+import unicodedata
+from collections.abc import Iterator, Mapping
+from itertools import groupby
+
+UNKNOWN, FIRST, LAST = "[UNK]", "[CLS]", "[SEP]"
+
+LONGEST_WORD = 40
+"""Characters of a word between punctuation that are looked at; the rest is as if it were not there."""
+
+
+def pieces_of(word: str, numbers: Mapping[str, int]) -> list[int]:
+    """The numbers of a word's pieces, at least one; what the vocabulary cannot spell is `UNKNOWN`."""
+    pieces = [number for part in _parts(word) for number in _longest_matches(part[:LONGEST_WORD], numbers)]
+    return pieces or [numbers[UNKNOWN]]
+
+
+def _parts(word: str) -> Iterator[str]:
+    """Runs of letters and digits; every other character stands alone."""
+    decomposed = unicodedata.normalize("NFD", word.lower())
+    letters = [character for character in decomposed if unicodedata.category(character) != "Mn"]
+    for is_word, run in groupby(letters, str.isalnum):
+        if is_word:
+            yield "".join(run)
+        else:
+            yield from (character for character in run if not character.isspace())
+
+
+def _longest_matches(part: str, numbers: Mapping[str, int]) -> list[int]:
+    found: list[int] = []
+    start = 0
+    while start < len(part):
+        prefix = "##" if start else ""
+        for end in range(len(part), start, -1):
+            number = numbers.get(prefix + part[start:end])
+            if number is not None:
+                found.append(number)
+                start = end
+                break
+        else:
+            return [numbers[UNKNOWN]]
+    return found
