@@ -250,7 +250,7 @@ class BehaviorModels:
             characters=characters,
             rules=MappingRules.load(RULES, characters.behavior_names),
             families=families,
-            planner=Planner.load(resource_folder("models") / "acting", families),
+            planner=Planner.load(resource_folder("models") / "acting", lexicon / "acting", families),
         )
 
 

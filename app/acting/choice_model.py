@@ -18,6 +18,8 @@ import numpy as np
 from ..errors import ServiceError
 from ..model import SingleArray, Term
 
+VOICE_TERMS = frozenset(("voice(stressed)",))
+
 READING = "reading in context"
 BIAS = "how common it is"
 
@@ -63,6 +65,11 @@ class ChoiceModel:
             )
         except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
             raise ServiceError("model_unreadable", f"{path} is no model of gesture choice: {error}") from error
+
+    @property
+    def terms(self) -> frozenset[str]:
+        """The terms that can be weighed: the fitted ones, and those of the voice, which directed lines do not have."""
+        return frozenset(self.rows) | VOICE_TERMS
 
     def with_weights(self, added: Mapping[str, Mapping[str, float]]) -> "ChoiceModel":
         """The model with weights by term and family added to its own; new terms are new rows."""

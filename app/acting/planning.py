@@ -16,6 +16,7 @@ from types import MappingProxyType
 import numpy as np
 
 from ..model import Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
+from .authored_weights import load_weights
 from .choice_model import READING, ChoiceModel, log_odds_of, worth_of
 from .decoding import NEAR, gains, spans_of, spread, stretches_of, strokes
 from .encoder import Encoder, Reading
@@ -51,12 +52,14 @@ class Planner:
     needed_lemmas: Mapping[str, frozenset[str]]
 
     @classmethod
-    def load(cls, models: Path, families: Families) -> "Planner":
-        """From the folder models/acting; raises ServiceError `model_unreadable`."""
+    def load(cls, models: Path, lexicon: Path, families: Families) -> "Planner":
+        """From the folders models/acting and lexicon/acting; raises ServiceError `model_unreadable`, and AuthoringError
+        for the weights of authors."""
         choice = ChoiceModel.load(models / "weights.json")
+        authored = load_weights(lexicon / "weights.yaml", choice.families, choice.terms)
         return cls(
             encoder=Encoder.load(models / "encoder.npz"),
-            choice=choice,
+            choice=choice.with_weights(authored),
             shown=shown_by_lexemes(families, choice.families),
             needed_lemmas=MappingProxyType(dict(_needed_lemmas(families))),
         )

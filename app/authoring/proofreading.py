@@ -6,6 +6,8 @@ from pathlib import Path
 from types import MappingProxyType
 
 from ..acoustic.pronunciation.normalisation import Normaliser
+from ..acting.authored_weights import load_weights
+from ..acting.choice_model import ChoiceModel
 from ..acting.families import load_families
 from ..bml.choice.characters import Characters
 from ..bml.choice.table import BehaviorEntry, load_table
@@ -32,6 +34,12 @@ VOCABULARY = RULES / "vocabulary.rules"
 Check = Callable[[], object]
 """Loads something, and raises AuthoringError if it has mistakes."""
 
+
+def _check_weights(file: Path) -> None:
+    choice = ChoiceModel.load(resource_folder("models") / "acting" / "weights.json")
+    load_weights(file, choice.families, choice.terms)
+
+
 NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
     {
         "conflicts.yaml": lambda file: Source(file).validated(Conflicts),
@@ -42,6 +50,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "families.yaml": lambda file: load_families(
             file, load_table(resource_folder("lexicon") / "behaviors.yaml").lines
         ),
+        "weights.yaml": _check_weights,
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
@@ -63,6 +72,7 @@ def check_files_in_use() -> None:
         load_gestures,
         partial(FaceTables.load, lexicon / "face.yaml"),
         lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),
+        lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     ) or _mistakes_of(lambda: check_coverage(lexicon, load_gestures()))
     if mistakes:

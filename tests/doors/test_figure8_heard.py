@@ -1,6 +1,7 @@
 """The paper's Figure 8 the whole way, on audio of our own in which "guess" and "those" are said louder.
 
-As in the paper, the stressed ratio emphasises. Prominence heeds length and pitch as well, which flite varies little.
+As in the paper, the stressed ratio emphasises, and functions choose by priority alone. Prominence heeds length and
+pitch as well, which flite varies little.
 """
 
 from dataclasses import replace
@@ -17,7 +18,12 @@ AUDIO = Path(__file__).parents[1] / "audio" / "figure8.flac"
 
 @pytest.fixture(scope="module")
 def performance(understudy: Understudy) -> Performance:
-    paper = replace(understudy, acoustic=replace(understudy.acoustic, settings=Settings(emphasis="ratio")))
+    settings = Settings(emphasis="ratio", choice="priority")
+    paper = replace(
+        understudy,
+        acoustic=replace(understudy.acoustic, settings=settings),
+        behavior=replace(understudy.behavior, settings=settings),
+    )
     return perform(paper, Line(AUDIO.read_bytes(), AUDIO.with_suffix(".txt").read_text()), Options())
 
 

@@ -198,7 +198,7 @@ def _loss(reader: Reader, batch: Sequence[Encoded]) -> Tensor:
     return (entropy * weights).sum() / sum(len(line.ends) for line in batch)
 
 
-def _mean(paths: Sequence[Path]) -> dict[str, Tensor]:
+def mean_weights(paths: Sequence[Path]) -> dict[str, Tensor]:
     """The mean of the weights of trained models."""
     states = [torch.load(path, weights_only=True) for path in paths]
     return {
@@ -227,7 +227,7 @@ def main() -> None:
     if arguments.task == "fit":
         kept = [line for line in lines if arguments.fold is None or fold[line.name] != arguments.fold]
         taught = dict(np.load(arguments.taught)) if arguments.taught else {}
-        start = _mean(arguments.start) if arguments.start else None
+        start = mean_weights(arguments.start) if arguments.start else None
         reader = trained(encoded(kept, taught), seed=arguments.seed, epochs=arguments.epochs, start=start)
         torch.save(reader.state_dict(), arguments.files[0])
         return

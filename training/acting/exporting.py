@@ -1,5 +1,4 @@
-"""Writes a trained reader for numpy: `python -m training.acting.exporting MODEL.pt models/acting/encoder.npz [--pieces
-N]`
+"""Writes trained readers for numpy: `python -m training.acting.exporting MODEL.pt … encoder.npz [--pieces N]`
 
 Matrices become int8 with a float16 scale for each row. Of the vocabulary those pieces stay that directed lines and
 treebanks use, single characters, and then the commonest by their place in the vocabulary: what is left out is spelt
@@ -13,13 +12,12 @@ from pathlib import Path
 from typing import TypeAlias
 
 import numpy as np
-import torch
 from torch import Tensor
 
 from understudy.model import SingleArray
 
 from .directed import FACE, FAMILIES, HEAD, read_lines
-from .encoder import pretrained
+from .encoder import mean_weights, pretrained
 
 AnyArray: TypeAlias = "np.ndarray[tuple[int, ...], np.dtype[np.generic]]"
 
@@ -111,9 +109,9 @@ def main() -> None:
     from transformers import AutoTokenizer
 
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("model", type=Path)
+    parser.add_argument("models", nargs="+", type=Path, help="their weights are averaged")
     parser.add_argument("output", type=Path)
-    parser.add_argument("--pieces", type=int, default=12_000)
+    parser.add_argument("--pieces", type=int, default=20_000)
     parser.add_argument("--shared", type=Path, default=Path("../shared"))
     arguments = parser.parse_args()
     tokenizer = AutoTokenizer.from_pretrained(pretrained())
@@ -123,7 +121,7 @@ def main() -> None:
     vocabulary = tokenizer.get_vocab()
     by_number = {number: piece for piece, number in vocabulary.items()}
     pieces = [(by_number[number], number) for number in kept_pieces(vocabulary, used, arguments.pieces)]
-    state = torch.load(arguments.model, weights_only=True)
+    state = mean_weights(arguments.models)
     np.savez_compressed(arguments.output, allow_pickle=False, **exported(state, pieces))
     print(f"{arguments.output}: {arguments.output.stat().st_size / 1e6:.1f} MB, {len(pieces)} pieces")
 

@@ -1,6 +1,6 @@
 """Fits the weights of the log-linear choice to directed lines that the readers had not seen.
 
-    python -m training.acting.weights READINGS.npz TERMS.pkl models/acting/weights.json [--directing FOLDER]
+    python -m training.acting.weights READINGS.npz … --terms TERMS.pkl --output models/acting/weights.json
 
 READINGS are those of `training.acting.encoder read`, each line by a reader trained on other folds, so that the reading
 is trusted as far as it can be on new lines. The worth of a family with its stroke on a word, for the one director there
@@ -33,11 +33,12 @@ from understudy.resources import resource_folder
 from .directed import FACE, FAMILIES, HEAD, DirectedLine, read_lines, targets_of
 
 FEWEST = 60
-PENALTY = 20.0
+PENALTY = 100.0
 """What a squared weight costs, in words."""
 
 GESTURES_A_LINE = 2.1
-TONED = frozenset({"shake", "smile", "frown", "sad", "disgust"})
+TONED = frozenset({"shake", "smile", "frown", "sad", "disgust", "squint"})
+"""Movements that say something of their own (narrowed eyes are read as a frown)."""
 BETA_TONED, BETA_PLAIN = 0.5, 1.5
 
 
@@ -144,7 +145,7 @@ def card(lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], exa
         "families": list(FAMILIES),
         "reading": round(model.reading, 4),
         "bias": {family: round(float(bias), 3) for family, bias in zip(FAMILIES, model.bias, strict=True)},
-        "price": price_of(lines, list(_gains(lines, readings, model.worth(examples)))),
+        "price": price_of(lines, [gain for gain, _ in lexeme_gains(lines, readings, model.worth(examples))]),
         "head": _thresholds(lines, readings, HEAD, 0, [targets_of(line).head for line in lines]),
         "face": _thresholds(lines, readings, FACE, len(HEAD), [targets_of(line).face for line in lines]),
         "terms": {
@@ -158,10 +159,10 @@ def card(lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], exa
     }
 
 
-def _gains(
+def lexeme_gains(
     lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], worth: FloatArray
-) -> Iterator[SingleArray]:
-    """What each lexeme on each word of each line gains (W, L)."""
+) -> Iterator[tuple[SingleArray, SingleArray]]:
+    """What each lexeme on each word of each line gains (W, L), and how much each shows each family (L, F)."""
     lexicon = resource_folder("lexicon")
     families = load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines)
     shown = shown_by_lexemes(families, FAMILIES)
@@ -169,7 +170,7 @@ def _gains(
     count = len(FAMILIES)
     for line, own in zip(lines, np.split(worth.astype(np.float32), ends), strict=True):
         reading = readings[line.name]
-        yield gains(lexeme_worth(own, shown), reading[:, :count] @ shown.T, reading[:, 2 * count])
+        yield gains(lexeme_worth(own, shown), reading[:, :count] @ shown.T, reading[:, 2 * count]), shown
 
 
 def _thresholds(
@@ -197,12 +198,13 @@ def read_readings(path: Path) -> dict[str, SingleArray]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("readings", type=Path)
-    parser.add_argument("terms", type=Path)
-    parser.add_argument("output", type=Path)
+    parser.add_argument("readings", nargs="+", type=Path)
+    parser.add_argument("--terms", type=Path, required=True)
+    parser.add_argument("--output", type=Path, required=True)
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     arguments = parser.parse_args()
-    readings, terms = read_readings(arguments.readings), pickle.loads(arguments.terms.read_bytes())
+    readings = {name: row for path in arguments.readings for name, row in read_readings(path).items()}
+    terms = pickle.loads(arguments.terms.read_bytes())
     lines = [line for line in read_lines(arguments.directing) if line.name in readings]
     written = card(lines, readings, examples_of(lines, readings, terms))
     arguments.output.write_text(json.dumps(written, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
