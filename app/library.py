@@ -12,8 +12,9 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import Any, Literal, TypedDict, Unpack
 
+from .bml.choice.lead_in import with_lead_in
 from .errors import InputError
-from .model import GivenFunction, Level, Mode, Performance
+from .model import Direction, GivenFunction, Level, Mode, Performance
 from .performance import (
     AcousticModels,
     AlignedLine,
@@ -66,7 +67,8 @@ class PerformKeywords(TypedDict, total=False):
 
     `character` names the performer (lexicon/characters), `agitation` overrides what the voice says, `seed` chooses
     among movements that serve equally, `mode` says where gestures come from, `listener` has the names of those who
-    listen, and `reference` is how the speaker usually sounds (`make_reference`).
+    listen, and `reference` is how the speaker usually sounds (`make_reference`). The performance begins `lead_in_s` (0
+    to 3) before the recording; `stillness` (0 to 1) is how much less than usual moves.
     """
 
     character: str
@@ -75,16 +77,19 @@ class PerformKeywords(TypedDict, total=False):
     mode: Mode | Literal["semantic", "prosody", "random"]
     listener: Sequence[str]
     reference: SpeakerReference | None
+    lead_in_s: float
+    stillness: float
 
 
 class RealizeKeywords(TypedDict, total=False):
     """How BML is to be played: `agitation` overrides what the voice says, `character` who is named in the file;
-    `fps` is 30 or 60, `seed` varies what the body does by itself."""
+    `fps` is 30 or 60, `seed` varies what the body does by itself, `stillness` (0 to 1) is how much less of it all."""
 
     agitation: LevelName | None
     character: str | None
     fps: Literal[30, 60]
     seed: int
+    stillness: float
 
 
 def load(settings: Settings | None = None) -> Understudy:
@@ -104,17 +109,19 @@ def perform(
     *,
     words: FileSource | Timings | None = None,
     functions: Sequence[GivenFunction] = (),
+    direction: Direction | None = None,
     **options: Unpack[PerformKeywords],
 ) -> Performance:
     """The performance of a recorded line, with the reason for each movement (Marsella et al. 2013, §3).
 
     `audio` is a WAV, FLAC or OGG file, `text` what is said in it. `words` are timings made elsewhere (the name of a
     .json, .TextGrid or .ctm file, or `Timings`); then nothing is aligned. `functions` are communicative functions that
-    the caller knows already. Raises InputError for what cannot be used.
+    the caller knows already, `direction` is a director's notes (docs/directing.md). Raises InputError for what cannot
+    be used.
     """
     fields: dict[str, Any] = {**options}
     reference = fields.pop("reference", None)
-    line = _line(audio, text, words, functions)
+    line = replace(_line(audio, text, words, functions), direction=direction)
     return _perform(models, line, replace(check_options(fields), reference=reference))
 
 
@@ -187,6 +194,7 @@ def realize_bml(
         BmlInput(_content(bml), name, heard),
         agitation=checked.agitation,
         character=checked.character,
+        stillness=checked.stillness,
     )
     return _played(models, prepared, fps=checked.fps, seed=checked.seed)
 
@@ -298,10 +306,10 @@ def _realizer(models: Understudy | Realizer) -> Realizer:
 
 
 def _aligned(found: Performance | Analysis | AlignedLine) -> AlignedLine:
-    """The words in time; raises InputError `value_wrong` where nothing was heard."""
+    """The words in the time of the recording; raises InputError `value_wrong` where nothing was heard."""
     if isinstance(found, AlignedLine):
         return found
-    utterance = found.utterance
+    utterance = with_lead_in(found.utterance, 0.0)
     if utterance.duration_s is None:
         raise InputError("value_wrong", "nothing was heard, so no word has a time; align or analyze the recording")
     return AlignedLine(utterance.words, utterance.duration_s, found.notices, utterance.fillers)

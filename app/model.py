@@ -213,7 +213,10 @@ class Parse:
 @dataclass(frozen=True, slots=True)
 class Utterance:
     """All that is known of a line before its meaning is sought; `agitation` is None when nothing was heard. `fillers`
-    are in order of time, each between two words or at an end of the line."""
+    are in order of time, each between two words or at an end of the line.
+
+    Where a performance begins `lead_in_s` before the recording, all times are on its clock and `duration_s` is both.
+    """
 
     words: tuple[Word, ...]
     parse: Parse
@@ -221,6 +224,7 @@ class Utterance:
     thresholds: StressThresholds | None = None
     duration_s: float | None = None
     fillers: tuple[Filler, ...] = ()
+    lead_in_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -479,6 +483,7 @@ class Performance:
     visemes: tuple[Viseme, ...] = ()
     listeners: tuple[Listening, ...] = ()
     moments: tuple[Moment, ...] = ()
+    stillness: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -487,7 +492,8 @@ class Schedule:
     with, so far as it is known.
 
     `phrases` are stretches of speech between pauses, `emphases_s` the moments of stress in it, `agitation` the level at
-    which clips are chosen, `character` who moves.
+    which clips are chosen, `character` who moves. The recording starts at `lead_in_s`. `stillness` (0 to 1) is how much
+    less than usual the body does by itself: at 1 it only breathes.
     """
 
     behaviors: tuple[Behavior, ...]
@@ -498,3 +504,5 @@ class Schedule:
     emphases_s: tuple[float, ...] = ()
     agitation: Level = Level.MEDIUM
     character: str = "default"
+    lead_in_s: float = 0.0
+    stillness: float = 0.0

@@ -23,17 +23,23 @@ from .acoustic.stress.prominence import prominence
 from .acoustic.stress.stress import stress
 from .acting.candidates import Stage, candidates_of
 from .acting.families import Families, load_families
+from .acting.notes import check_direction, conflicts
 from .acting.planning import Planner, plan
 from .bml.choice.characters import Character, Characters
+from .bml.choice.lead_in import LONGEST_LEAD_IN_S, with_lead_in
 from .bml.choice.listening import listen
 from .bml.choice.scheduling import schedule
+from .bml.choice.stillness import check_stillness, with_stillness
 from .bml.choice.visemes import visemes
 from .bml.markup.documents import DialectName, TimeForm
 from .bml.writing.writer import CORE_FORM, BmlForm, write_bml, write_bml_json
+from .errors import InputError
 from .model import (
     Agitation,
     Audio,
+    BehaviorCandidates,
     Contours,
+    Direction,
     Filler,
     Function,
     GivenFunction,
@@ -109,19 +115,24 @@ class Timings:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """What is sent in: the audio file's bytes, the transcript, the words' timings when they are known already, and the
-    functions that the caller knows."""
+    """What is sent in: the audio file's bytes, the transcript, the words' timings when they are known already, the
+    functions that the caller knows, and a director's notes."""
 
     audio: bytes
     text: str
     timings: Timings | None = None
     functions: tuple[GivenFunction, ...] = ()
+    direction: Direction | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Options:
     """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
-    it usually sounds."""
+    it usually sounds. `lead_in_s` is how long before the recording the performance begins,
+    `stillness` (0 to 1) how much less than usual moves.
+
+    Raises InputError `value_wrong`.
+    """
 
     character: str = DEFAULT_CHARACTER
     agitation: Level | None = None
@@ -130,6 +141,14 @@ class Options:
     listeners: tuple[str, ...] = ()
     form: BmlForm = CORE_FORM
     reference: SpeakerReference | None = None
+    lead_in_s: float = 0.0
+    stillness: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:
+            message = f"lead_in_s: {self.lead_in_s:g}; give 0 to {LONGEST_LEAD_IN_S:g} seconds"
+            raise InputError("value_wrong", message, field="lead_in_s")
+        check_stillness(self.stillness)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -267,31 +286,52 @@ class Understudy:
 def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress) -> Performance:
     """The performance of a recorded line (paper §3, Figure 2).
 
-    Raises InputError for audio, text, timings, functions or options that cannot be used.
+    Raises InputError for audio, text, timings, functions, notes or options that cannot be used.
     """
     character = understudy.behavior.characters.named(options.character)
+    direction_notices = _checked_direction(understudy, line)
     analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
     progress("plan")
     moments = plan_moments(understudy.behavior, analysis, character)
+    utterance = with_lead_in(analysis.utterance, options.lead_in_s)
     progress("mapping")
-    candidates = offer_movements(understudy.behavior.rules, analysis.utterance, analysis.functions, seed=options.seed)
-    if understudy.behavior.settings.choice == "terms":
-        stage = Stage(understudy.behavior.families, character.lexemes, options.seed)
-        candidates = candidates_of(stage, analysis.utterance, moments, candidates)
+    candidates = _candidates(
+        understudy.behavior, replace(analysis, utterance=utterance), moments, character, seed=options.seed
+    )
     progress("schedule")
-    behaviors = schedule(candidates, analysis.utterance, character, seed=options.seed, mode=options.mode)
-    lips, lip_notices = visemes(analysis.utterance.words, analysis.utterance.duration_s or 0.0)
+    behaviors = schedule(candidates, utterance, character, seed=options.seed, mode=options.mode)
+    lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
     performance = Performance(
-        utterance=analysis.utterance,
+        utterance=utterance,
         functions=analysis.functions,
         behaviors=behaviors,
         character=character.name,
         seed=options.seed,
-        notices=analysis.notices + lip_notices,
+        notices=direction_notices + analysis.notices + lip_notices,
         visemes=lips,
         moments=moments,
     )
-    return reduce(partial(_heard_by, understudy.behavior.characters), options.listeners, performance)
+    performance = reduce(partial(_heard_by, understudy.behavior.characters), options.listeners, performance)
+    return with_stillness(performance, options.stillness)
+
+
+def _candidates(
+    behavior: BehaviorModels, analysis: Analysis, moments: tuple[Moment, ...], character: Character, *, seed: int
+) -> tuple[BehaviorCandidates, ...]:
+    """What could show the functions, or the moments of a line that is planned."""
+    candidates = offer_movements(behavior.rules, analysis.utterance, analysis.functions, seed=seed)
+    if behavior.settings.choice != "terms":
+        return candidates
+    return candidates_of(Stage(behavior.families, character.lexemes, seed), analysis.utterance, moments, candidates)
+
+
+def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:
+    """What a director's notes say against each other; raises InputError where they do not fit the words."""
+    if line.direction is None:
+        return ()
+    limit = understudy.language.settings.max_text_characters
+    check_direction(line.direction, words=len(read_transcript(line.text, max_characters=limit)))
+    return conflicts(line.direction)
 
 
 def plan_moments(behavior: BehaviorModels, analysis: Analysis, character: Character) -> tuple[Moment, ...]:

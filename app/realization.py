@@ -11,6 +11,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from .bml.choice.delivery import emphases_s, phrases
+from .bml.choice.stillness import check_stillness, stilled
 from .bml.choice.visemes import visemes
 from .bml.markup.speech import speech_of
 from .bml.reading.reader import read_bml
@@ -122,6 +123,8 @@ def schedule_of(performance: Performance) -> Schedule:
         emphases_s=emphases_s(utterance.words),
         agitation=utterance.agitation.level if utterance.agitation else Level.MEDIUM,
         character=performance.character,
+        lead_in_s=utterance.lead_in_s,
+        stillness=performance.stillness,
     )
 
 
@@ -131,13 +134,16 @@ def prepare_schedule(
     *,
     agitation: Level | None = None,
     character: str | None = None,
+    stillness: float = 0.0,
     progress: Progress = no_progress,
 ) -> PreparedSchedule:
     """What a BML file has the body do, in the time of its recording.
 
-    `agitation` overrides what the voice says, and `character` who is named in the file. Raises WrongBmlError,
-    TooLargeError, and InputError for audio or words that cannot be used.
+    `agitation` overrides what the voice says, and `character` who is named in the file; `stillness` (0 to 1) is how
+    much less than it says moves. Raises WrongBmlError, TooLargeError, and InputError for audio, words or a stillness
+    that cannot be used.
     """
+    check_stillness(stillness)
     document, notices = read_bml(sheet.bml, sheet.name)
     speech = speech_of(document)
     heard = None if sheet.audio is None else analyze_signal(acoustic, sheet.audio, progress)
@@ -146,7 +152,12 @@ def prepare_schedule(
     resolved = resolve(document, words)
     level = agitation or resolved.agitation or (heard.agitation.level if heard else Level.MEDIUM)
     schedule, lip_notices = _schedule(resolved, heard, level)
-    named = replace(schedule, character=character or resolved.character or DEFAULT_CHARACTER)
+    named = replace(
+        schedule,
+        behaviors=stilled(schedule.behaviors, stillness),
+        character=character or resolved.character or DEFAULT_CHARACTER,
+        stillness=stillness,
+    )
     unheard_lips = _lips_unheard() if speech and not heard and not schedule.visemes else ()
     heard_notices = heard.notices if heard else ()
     return PreparedSchedule(
@@ -170,7 +181,7 @@ def _words(
 
 def _schedule(resolved: Resolved, heard: SignalAnalysis | None, level: Level) -> tuple[Schedule, tuple[Notice, ...]]:
     spoken_s = [word.interval.end_s for word in resolved.words if word.interval]
-    heard_s = heard.audio.duration_s if heard else 0.0
+    heard_s = resolved.speech_start_s + heard.audio.duration_s if heard else 0.0
     lips, notices = visemes(resolved.words, heard_s) if heard else ((), ())
     schedule = Schedule(
         behaviors=resolved.behaviors,
@@ -180,6 +191,7 @@ def _schedule(resolved: Resolved, heard: SignalAnalysis | None, level: Level) ->
         phrases=phrases(resolved.words),
         emphases_s=emphases_s(resolved.words),
         agitation=level,
+        lead_in_s=resolved.speech_start_s,
     )
     return schedule, notices
 

@@ -156,3 +156,21 @@ def test_other_mistakes_are_told_too(understudy: Understudy, performance: Perfor
     assert (caught.value.code, caught.value.field) == ("value_wrong", "fps")
     with pytest.raises(library.InputError, match="one at least"):
         library.make_reference(understudy, [])
+
+
+def test_words_are_written_in_the_time_of_the_recording_whatever_the_lead_in(
+    understudy: Understudy, performance: Performance
+) -> None:
+    later = library.perform(understudy, AUDIO, TEXT, words=TIMINGS, lead_in_s=1.5)
+    assert library.write_ctm(later) == library.write_ctm(performance)
+    assert library.write_textgrid(later) == library.write_textgrid(performance)
+
+
+def test_directors_notes_are_checked_and_their_conflicts_told(understudy: Understudy) -> None:
+    notes = tuple(library.DirectedMoment(0, 1, 1, gesture=(family,)) for family in ("self", "beat"))
+    directed = library.perform(understudy, AUDIO, TEXT, direction=library.Direction(notes))
+    assert "direction_strokes" in {notice.code for notice in directed.notices}
+    wrong = library.Direction(avoid=(library.Avoidance(0, 900, ("smile",)),))
+    with pytest.raises(library.InputError) as caught:
+        library.perform(understudy, AUDIO, TEXT, direction=wrong)
+    assert caught.value.code == "direction_span"

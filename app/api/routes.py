@@ -16,6 +16,7 @@ from ..errors import InputError, UnsupportedFormatError
 from ..model import Notice
 from ..performance import Line, Options, Progress, Understudy, find_functions, perform, write_bml, write_listener
 from ..realization import AvatarOptions, BmlInput, MotionFormat, Realized, prepare_schedule, realize, write_motion
+from ..schemas.direction import read_direction
 from ..schemas.given_functions import read_functions
 from ..schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from ..schemas.requests import (
@@ -40,7 +41,7 @@ JSON = "application/json"
 GLB = "model/gltf-binary"
 BVH = "text/x-bvh"
 REALIZE_FIELDS = ("bml", "audio", "avatar", "options")
-PERFORM_FIELDS = ("audio", "text", "options", "words", "functions", "reference")
+PERFORM_FIELDS = ("audio", "text", "options", "words", "functions", "direction", "reference")
 WARNINGS_HEADER = "Understudy-Warnings"
 
 _TEXT = {"type": "string"}
@@ -59,6 +60,7 @@ _PERFORM_BODY = {
                         "options": _TEXT,
                         "words": _FILE,
                         "functions": _FILE,
+                        "direction": _FILE,
                         "reference": _FILE,
                     },
                 }
@@ -102,8 +104,10 @@ router = APIRouter()
 @router.post("/perform", responses=_PERFORMED | _ERRORS, openapi_extra=_PERFORM_BODY)
 async def post_perform(request: Request, shared: Shared) -> Response:
     """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation,
-    seed, mode, listener (a list of names; then only JSON is answered), dialect, timing, reference (what `understudy
-    reference` writes). The file `reference` is the same as a .json, or another recording of the speaker.
+    seed, mode, listener (a list of names; then only JSON is answered), dialect, timing, lead_in_s (0 to 3), stillness
+    (0 to 1), reference (what `understudy reference` writes). The file `reference` is the same as a .json, or another
+    recording of the speaker; `functions` are functions known already, `direction` is a director's notes
+    (docs/directing.md).
     """
     media_type = _media_type(request, (XML, JSON), "a performance comes")
     shared.capacity.require_place()
@@ -120,7 +124,8 @@ async def post_perform(request: Request, shared: Shared) -> Response:
 @router.post("/realize", responses=_REALIZED | _ERRORS, openapi_extra=_REALIZE_BODY)
 async def post_realize(request: Request, shared: Shared) -> Response:
     """BML in, motion out: the BML alone as the body, or a form with `bml`, the `audio` of its speech, an `avatar`
-    (GLB or VRM) and `options` (JSON: agitation, character, fps, seed, skeleton). Answers a clip as JSON, GLB or BVH.
+    (GLB or VRM) and `options` (JSON: agitation, character, fps, seed, skeleton, stillness). Answers a clip as JSON, GLB
+    or BVH.
     """
     media_type = _media_type(request, tuple(_MOTION_FORMATS), "motion comes")
     shared.capacity.require_place()
@@ -198,7 +203,8 @@ def _line(form: dict[str, Part]) -> Line:
     words = form.get("words")
     timings = None if words is None else read_timings(words.file_name or "", words.content)
     functions = read_functions(form["functions"].content) if "functions" in form else ()
-    return Line(audio=form["audio"].content, text=form["text"].text, timings=timings, functions=functions)
+    direction = read_direction(form["direction"].content) if "direction" in form else None
+    return Line(form["audio"].content, form["text"].text, timings, functions, direction)
 
 
 def _options(form: dict[str, Part]) -> Options:
@@ -239,7 +245,12 @@ def _realized(understudy: Understudy, asked: _Asked, media_type: str, progress: 
     if question.skeleton:
         realizer.rig(question.skeleton)
     staged = prepare_schedule(
-        understudy.acoustic, asked.sheet, agitation=question.agitation, character=question.character, progress=progress
+        understudy.acoustic,
+        asked.sheet,
+        agitation=question.agitation,
+        character=question.character,
+        stillness=question.stillness,
+        progress=progress,
     )
     progress("realize")
     motion = realize(realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed)

@@ -62,6 +62,7 @@ def _add_perform(add: Adding) -> None:
     parser = add("perform", "perform one line: audio and words in, BML out")
     _add_line(parser)
     _add_functions(parser)
+    parser.add_argument("--direction", metavar="FILE", help="a director's notes: what the body should mean where, JSON")
     parser.add_argument(
         "-o", "--output", metavar="OUT.bml", help="where the BML goes, OUT.json: as JSON (default: standard output)"
     )
@@ -76,6 +77,14 @@ def _add_perform(add: Adding) -> None:
     parser.add_argument(
         "--listener", metavar="NAME", action="append", default=[], help="who listens; his BML goes to OUT.NAME.bml"
     )
+    parser.add_argument(
+        "--lead-in",
+        metavar="SECONDS",
+        type=float,
+        default=0.0,
+        help="begin that long before the recording, so that the first words' gestures have time (0 to 3, default 0)",
+    )
+    _add_stillness(parser)
     _add_form(parser)
     parser.add_argument("--trace", metavar="FILE", help="write the whole performance as JSON: every reason")
     parser.add_argument(
@@ -94,6 +103,7 @@ def _add_realize(add: Adding) -> None:
     parser.add_argument("--character", metavar="NAME", help="who moves (default: whom the BML names)")
     _add_agitation(parser)
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other variants (default 0)")
+    _add_stillness(parser)
     _add_motion(parser)
 
 
@@ -104,6 +114,16 @@ def _add_motion(parser: argparse.ArgumentParser) -> None:
         "--skeleton", metavar="NAME", help="whose names joints go by (default: mixamo in BVH, vrm in JSON)"
     )
     parser.add_argument("--avatar", metavar="FILE", help="your own GLB or VRM, to wear the motion in .glb")
+
+
+def _add_stillness(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--stillness",
+        metavar="0…1",
+        type=float,
+        default=0.0,
+        help="how much less than usual moves; at 1 only breath, blinks and lips (default 0)",
+    )
 
 
 def _add_form(parser: argparse.ArgumentParser) -> None:
@@ -148,7 +168,7 @@ def _add_line(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--words", metavar="FILE", help="the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned"
     )
-    parser.set_defaults(functions=None)
+    parser.set_defaults(functions=None, direction=None)
 
 
 def _add_functions(parser: argparse.ArgumentParser) -> None:

@@ -3,8 +3,9 @@
 import argparse
 
 from ..errors import InputError
-from ..model import GivenFunction
+from ..model import Direction, GivenFunction
 from ..performance import Line, Timings
+from ..schemas.direction import read_direction
 from ..schemas.given_functions import read_functions
 from ..schemas.requests import read_timings
 from ..settings import Settings
@@ -12,18 +13,21 @@ from .files import STANDARD, read_bytes, read_text
 
 
 def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:
-    """The line of AUDIO, `--text` or `--text-file`, `--words` and `--functions`.
+    """The line of AUDIO, `--text` or `--text-file`, `--words`, `--functions` and `--direction`.
 
     Raises InputError for what cannot be read.
     """
-    files = [arguments.audio, arguments.text_file, arguments.words, arguments.functions]
+    files = [arguments.audio, arguments.text_file, arguments.words, arguments.functions, arguments.direction]
     if files.count(STANDARD) > 1:
-        raise InputError("usage", "only one of audio, text, words and functions can come from standard input (-)")
+        raise InputError(
+            "usage", "only one of audio, text, words, functions and direction can come from standard input (-)"
+        )
     return Line(
         audio=read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio"),
         text=_text(arguments, settings),
         timings=None if arguments.words is None else _timings(arguments.words, settings),
         functions=() if arguments.functions is None else _functions(arguments.functions, settings),
+        direction=None if arguments.direction is None else _direction(arguments.direction, settings),
     )
 
 
@@ -39,3 +43,7 @@ def _timings(name: str, settings: Settings) -> Timings:
 
 def _functions(name: str, settings: Settings) -> tuple[GivenFunction, ...]:
     return read_functions(read_bytes(name, limit=settings.max_body_bytes, field="functions"))
+
+
+def _direction(name: str, settings: Settings) -> Direction:
+    return read_direction(read_bytes(name, limit=settings.max_body_bytes, field="direction"))

@@ -19,7 +19,8 @@ def _lines(performance: Performance) -> Iterator[str]:
     functions = {function.id: function for function in performance.functions}
     level = utterance.agitation.level if utterance.agitation else "unknown"
     duration_s = utterance.duration_s or 0.0
-    yield f"{performance.character} performs {duration_s:.2f} s, agitation {level}, seed {performance.seed}"
+    begins = f", the recording begins at {utterance.lead_in_s:.2f} s" if utterance.lead_in_s else ""
+    yield f"{performance.character} performs {duration_s:.2f} s{begins}, agitation {level}, seed {performance.seed}"
     for behavior in kept:
         if behavior.function is not None:
             yield _movement(performance, behavior, functions[behavior.function])

@@ -62,7 +62,7 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
     times_s = frame_times_s(max(schedule.duration_s, plan.end_s), frame_rate_hz)
     skeleton = realizer.skeleton
     body = idle_motion(skeleton, times_s, schedule, seed=seed)
-    body = apply_gestures(skeleton, body, plan, seed=seed)
+    body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=1 - schedule.stillness)
     body = apply_gaze(skeleton, body, schedule, seed=seed)
     body = apply_head_movements(skeleton, body, schedule, seed=seed)
     body, moved = resolve_collisions(skeleton, body)
@@ -78,6 +78,7 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
             *unknown_faces(realizer.face.lexemes, schedule.behaviors),
             *moved,
         ),
+        lead_in_s=schedule.lead_in_s,
     )
 
 

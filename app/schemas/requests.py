@@ -35,6 +35,8 @@ class PerformOptions(BaseModel):
     listener: Annotated[tuple[str, ...], Field(strict=False)] = ()
     dialect: Annotated[DialectName, Field(strict=False)] = DialectName.BML
     timing: Annotated[TimeForm, Field(strict=False)] = TimeForm.ABSOLUTE
+    lead_in_s: float = 0.0
+    stillness: float = 0.0
 
     def to_options(self) -> Options:
         return Options(
@@ -45,6 +47,8 @@ class PerformOptions(BaseModel):
             mode=self.mode,
             listeners=listener_names(self.listener),
             form=BmlForm(self.dialect, self.timing),
+            lead_in_s=self.lead_in_s,
+            stillness=self.stillness,
         )
 
 
@@ -58,6 +62,7 @@ class RealizeOptions(BaseModel):
     fps: Literal[30, 60] = 60
     seed: Seed = 0
     skeleton: str | None = None
+    stillness: float = 0.0
 
 
 class FunctionsRequest(BaseModel):

@@ -305,10 +305,15 @@ class ListeningResponse(ResponseModel):
 
 
 class PerformanceResponse(AnalysisResponse):
-    """The complete performance: the analysis, and the chosen behaviours with their reasons."""
+    """The complete performance: the analysis, and the chosen behaviours with their reasons.
+
+    The recording starts at `lead_in_s`; all times are from the start of the performance.
+    """
 
     character: str
     seed: int
+    lead_in_s: Number
+    stillness: Number
     behaviors: list[BehaviorResponse]
     visemes: list[VisemeResponse]
     listeners: list[ListeningResponse] | None = None
@@ -316,8 +321,11 @@ class PerformanceResponse(AnalysisResponse):
     @classmethod
     def of_performance(cls, performance: Performance) -> Self:
         understood = _understood(performance.utterance, performance.functions, performance.notices)
-        chosen = {name: getattr(performance, name) for name in ("character", "seed", "behaviors", "visemes")}
-        return cls.model_validate(understood | chosen | {"listeners": performance.listeners or None})
+        chosen = {
+            name: getattr(performance, name) for name in ("character", "seed", "stillness", "behaviors", "visemes")
+        }
+        begun = {"lead_in_s": performance.utterance.lead_in_s}
+        return cls.model_validate(understood | chosen | begun | {"listeners": performance.listeners or None})
 
 
 class PerformResponse(ResponseModel):
@@ -338,7 +346,7 @@ class PerformResponse(ResponseModel):
 def _understood(utterance: Utterance, functions: Sequence[Function], notices: Sequence[Notice]) -> dict[str, object]:
     """The fields common to analysis and performance, for an utterance with audio."""
     return {
-        "audio": {"duration_s": utterance.duration_s},
+        "audio": {"duration_s": None if utterance.duration_s is None else utterance.duration_s - utterance.lead_in_s},
         "words": utterance.words,
         "fillers": utterance.fillers,
         "stress": utterance.thresholds,

@@ -16,7 +16,9 @@ from httpx2 import Response
 
 from understudy.api.application import create_app
 from understudy.api.capacity import Deadline
+from understudy.api.routes import PERFORM_FIELDS
 from understudy.performance import Line, Understudy, align
+from understudy.schemas.requests import PerformOptions
 from understudy.schemas.responses import AlignResponse
 from understudy.settings import Settings
 
@@ -244,3 +246,10 @@ def _limited(understudy: Understudy, **settings: Any) -> Understudy:  # noqa: AN
         acoustic=replace(understudy.acoustic, settings=limits),
         language=replace(understudy.language, settings=limits),
     )
+
+
+def test_the_interface_description_names_every_part_and_option_of_a_performance(client: TestClient) -> None:
+    described = client.get("/openapi.json").json()["paths"]["/perform"]["post"]
+    form = described["requestBody"]["content"]["multipart/form-data"]["schema"]["properties"]
+    assert form.keys() == set(PERFORM_FIELDS)
+    assert [name for name in PerformOptions.model_fields if name not in described["description"]] == []

@@ -12,6 +12,7 @@ def test_options_have_the_names_and_defaults_of_the_command_line() -> None:
     assert read_options(b"{}") == Options()
     assert read_options(b'{"character": "shy", "agitation": "low", "seed": 5}') == Options("shy", Level.LOW, 5)
     assert read_options(b'{"agitation": null}') == Options()
+    assert read_options(b'{"lead_in_s": 2}') == Options(lead_in_s=2.0)
     assert read_options(f'{{"seed": {LARGEST_SEED}}}'.encode()).seed == LARGEST_SEED
 
 
@@ -26,6 +27,8 @@ def test_options_have_the_names_and_defaults_of_the_command_line() -> None:
         (f'{{"seed": {LARGEST_SEED + 1}}}'.encode(), "seed"),
         (b'{"character": null}', "character"),
         (b'{"charcter": "shy"}', "charcter"),
+        (b'{"lead_in_s": 5}', "lead_in_s"),
+        (b'{"lead_in_s": "1"}', "lead_in_s"),
         (b"[]", "options"),
         (b'"low"', "options"),
     ],

@@ -1,17 +1,17 @@
 """A movement as a behaviour on the clock, before it meets its neighbours (paper §3.5).
 
 It is timed by the word it is anchored to: the stressed vowel of that word, or the word's start where its phones are
-not known. Nothing happens before 0: a gesture or head movement for which there is no time before its word is not kept,
-and says why; faces, gazes and eyes, which have no stroke to be late, come a little later instead. Retractions may run
-past the end. Times are seconds.
+not known. Nothing happens before 0. Where there is no time before the word even for the shortest preparation, a gesture
+begins with the hand raised, and says so; all else comes a little later instead. Retractions may run past the end. Times
+are seconds.
 """
 
 from dataclasses import dataclass, replace
 from math import floor
 
-from ...model import Behavior, Interval, Movement, Phone, SyncPoints, Word
+from ...model import Behavior, Channel, Interval, Movement, Phone, SyncPoints, Word
 from .idle_behaviors import IdleBehavior
-from .phases import Placing, Window, placed
+from .phases import Placing, Window, placed, soonest, underway
 from .table import STROKED, Anchor, BehaviorEntry
 
 
@@ -44,21 +44,15 @@ def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], nam
         at_s, until_s = stressed_vowel_s(_stroke_word(movement, entry.anchor, words)), interval_of(words[-1]).end_s
     else:
         at_s = until_s = max((interval_of(word).end_s for word in timed if word.index < movement.first), default=0.0)
-    placing = _placing(entry, at_s, until_s)
-    sync = placed(placing, Window())
-    reason = None
-    if not words:
-        reason = "none of its words is spoken"
-    elif sync is None:
-        reason = f"it would have to begin before the audio to strike at {at_s:.3f} s"
+    placing, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
     behavior = replace(
-        _behavior(entry, name, sync or _late(placing), movement.first, movement.last),
+        _behavior(entry, name, _sync(placing), movement.first, movement.last),
         priority=movement.priority,
         rule=movement.rule,
         function=movement.function,
         moment=movement.moment,
-        kept=reason is None,
-        reason=reason,
+        kept=bool(words),
+        reason=hurry if words else "none of its words is spoken",
     )
     return PlacedBehavior(behavior, placing)
 
@@ -66,7 +60,8 @@ def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], nam
 def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:
     """What the body does by itself, with the least priority."""
     placing = _placing(entry, idle.at_s, idle.at_s)
-    behavior = _behavior(entry, name, placed(placing, Window()) or _late(placing), idle.word, idle.word)
+    placing, _hurry = _in_time(placing, entry.channel)
+    behavior = _behavior(entry, name, _sync(placing), idle.word, idle.word)
     return PlacedBehavior(replace(behavior, reason=idle.reason), placing)
 
 
@@ -129,12 +124,18 @@ def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> Placing:
     return Placing(entry.timing, max(floor(at_s * 1000) / 1000, earliest_s), until_s, stroked)
 
 
-def _late(placing: Placing) -> SyncPoints:
-    """How the behaviour would go if it began at 0."""
-    timing = placing.timing
-    at_s = timing.preparation.usual_s + timing.alignment * timing.stroke.usual_s
-    sync = placed(replace(placing, at_s=at_s, until_s=at_s), Window())
-    assert sync is not None, "its usual preparation has room"
+def _in_time(placing: Placing, channel: Channel) -> tuple[Placing, str | None]:
+    """The placing, or one that begins with the performance, and why."""
+    if placed(placing, Window()) is not None:
+        return placing, None
+    if channel is Channel.GESTURE:
+        return underway(placing), "the hand is raised as the performance begins, for there is no time to raise it"
+    return soonest(placing), "a little late, for there is no time before its word"
+
+
+def _sync(placing: Placing) -> SyncPoints:
+    sync = placed(placing, Window())
+    assert sync is not None, "what begins at 0 has room"
     return sync
 
 

@@ -10,10 +10,11 @@ that just misses it. What may not be at all is the same gesture again within `RE
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from math import inf
 
 from ...model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Word
-from .candidates import PlacedBehavior, asked
+from .candidates import PlacedBehavior, asked, interval_of
 from .characters import Character
 from .conflicts import Fitted, Kept, fitted
 
@@ -36,6 +37,9 @@ MISSING_THE_UNIT = 0.5
 UNIT_TOO_LONG = 0.3
 HANDS_IDLE = 0.05
 """What an alternative is worth of a perfect one: see `_suitability`."""
+
+EASILY_S = 1.0
+"""What is said this long after the performance begins leaves time for any gesture."""
 
 NEAR_UNIT_S = 1.0
 """A gesture that begins this soon after another is over could have joined it."""
@@ -63,11 +67,27 @@ def choose(candidates: Iterable[BehaviorCandidates], line: Line) -> tuple[Kept, 
     """What is done, and what was asked and is not, with the reasons; each function by one alternative at most."""
     kept: Kept = ()
     lost: list[Behavior] = []
-    for offer in sorted(candidates, key=lambda each: each.rank):
+    for offer in sorted(candidates, key=partial(_rank, line=line)):
         attempt = _best(offer, kept, line)
         kept = attempt.kept
         lost += attempt.lost
     return kept, tuple(lost)
+
+
+def _rank(offer: BehaviorCandidates, line: Line) -> tuple[float, bool, tuple[float, int, int, str]]:
+    """Of equal priority, those choose first for whose gestures there is time."""
+    return -offer.priority, _is_hurried(offer, line), offer.rank
+
+
+def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
+    """Whether a gesture of it would begin with the hand raised, for want of time."""
+    _priority, first, _last, _id = offer.rank
+    begun = [word for word in line.timed if word.index <= first]
+    if begun and interval_of(begun[-1]).start_s >= EASILY_S:
+        return False
+    movements = (movement for alternative in offer.alternatives for movement in alternative.movements)
+    placed = (asked(movement, line.character.entries[movement.name], line.timed, "") for movement in movements)
+    return any(each.behavior.kind is Channel.GESTURE and each.behavior.reason is not None for each in placed)
 
 
 def _best(offer: BehaviorCandidates, kept: Kept, line: Line) -> _Attempt:

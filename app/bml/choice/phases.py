@@ -6,7 +6,7 @@ gesture's stroke comes at or before the stressed syllable and never after (McNei
 `until_s`. A behaviour without a stroke reaches its peak at `at_s`. Times are seconds, whole milliseconds.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 from ...model import SyncPoints
@@ -66,6 +66,20 @@ def placed(placing: Placing, window: Window) -> SyncPoints | None:
         stroke_end=_rounded(stroke_end_s),
         **ends,
     )
+
+
+def underway(placing: Placing) -> Placing:
+    """A gesture whose word comes too soon to prepare for it: its hand is raised already when the performance begins.
+    A stroke for which there is no time either ends as soon after the vowel as it can."""
+    raised = replace(placing.timing, preparation=Phase(0.0, 0.0))
+    return replace(placing, timing=raised, at_s=max(placing.at_s, raised.alignment * raised.stroke.shortest_s))
+
+
+def soonest(placing: Placing) -> Placing:
+    """What comes as soon as it can after the performance begins, a little late for its word."""
+    timing = placing.timing
+    earliest_s = timing.preparation.shortest_s + timing.alignment * timing.stroke.shortest_s
+    return replace(placing, at_s=max(placing.at_s, earliest_s))
 
 
 def _taken(room_s: float, outer: Phase, inner: Phase, part: float = 1.0) -> tuple[float, float] | None:

@@ -45,7 +45,8 @@ def schedule(
     duration_s = utterance.duration_s or interval_of(timed[-1]).end_s
     candidates = tuple(candidates)
     planned = any(each.moment for each in candidates)
-    line = Line(timed, character, most_gestures(character, duration_s * (PLANNED_MORE if planned else 1.0)))
+    spoken_s = duration_s - utterance.lead_in_s
+    line = Line(timed, character, most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0)))
     kept, lost = choose(candidates, line)
     kept, lost = in_mode(mode, (kept, lost), candidates, line, seed)
     own = [

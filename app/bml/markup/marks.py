@@ -19,12 +19,14 @@ TimeFormatter = Callable[[SyncPoints], dict[str, Time]]
 """Expresses the sync points that are set, by name, in order."""
 
 
-def time_formatter(words: tuple[Word, ...], timing: TimeForm, mark: Callable[[int], str]) -> TimeFormatter:
+def time_formatter(
+    words: tuple[Word, ...], timing: TimeForm, mark: Callable[[int], str], *, speech_start_s: float = 0.0
+) -> TimeFormatter:
     """The function that expresses times in a document; `mark` gives the id of the mark before the word with an
     index."""
     if timing is TimeForm.ABSOLUTE:
         return _absolute
-    starts = [(0.0, "start")]
+    starts = [(to_milli(speech_start_s), "start")]
     starts += [(to_milli(word.interval.start_s), mark(word.index)) for word in words if word.interval]
     return partial(_from_mark, starts)
 
@@ -40,5 +42,5 @@ def _absolute(sync: SyncPoints) -> dict[str, Time]:
 
 def _from_mark(starts: list[tuple[float, str]], sync: SyncPoints) -> dict[str, Time]:
     anchor_s = to_milli(sync.start if sync.stroke is None else sync.stroke)
-    mark_s, mark = starts[bisect_right(starts, anchor_s, key=lambda start: start[0]) - 1]
+    mark_s, mark = starts[max(bisect_right(starts, anchor_s, key=lambda start: start[0]) - 1, 0)]
     return {name: Reference(SPEECH, mark, to_milli(to_milli(time_s) - mark_s)) for name, time_s in sync.in_order()}

@@ -13,6 +13,7 @@ from itertools import pairwise
 from typing import TypeGuard
 
 from ...model import Behavior, Channel, Interval, Level, Notice, SyncPoints, Viseme, Word
+from ..choice.lead_in import later_word
 from ..choice.table import GLANCE, SHIFT
 from ..choice.visemes import OPENINGS
 from ..markup.documents import DialectName, Document, Element, Reference, Time
@@ -33,8 +34,9 @@ _UNPLAYED = ("a body alone has no way to play it", "one recording has one speech
 
 @dataclass(frozen=True, slots=True)
 class Resolved:
-    """A document's behaviours in order of time, and the words of its speech at times of the block. Visemes, agitation
-    and character are set if the document states them, as SmartBody's dialect may."""
+    """A document's behaviours in order of time, and the words of its speech at times of the block, in which the speech
+    starts at `speech_start_s`. Visemes, agitation and character are set if the document states them, as SmartBody's
+    dialect may."""
 
     behaviors: tuple[Behavior, ...]
     words: tuple[Word, ...]
@@ -42,6 +44,7 @@ class Resolved:
     agitation: Level | None
     character: str | None
     notices: tuple[Notice, ...]
+    speech_start_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,11 +73,12 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
     )
     return Resolved(
         behaviors=tuple(sorted((_worded(each, words, start_s) for each in behaviors), key=_start_s)),
-        words=tuple(_shifted(word, start_s) for word in words),
+        words=tuple(later_word(word, start_s) for word in words),
         visemes=tuple(_visemes(elements, points)),
         agitation=_agitation(elements.values()),
         character=_character(document.root),
         notices=notices,
+        speech_start_s=start_s,
     )
 
 
@@ -167,18 +171,6 @@ def _worded(behavior: Behavior, words: Sequence[Word], start_s: float) -> Behavi
     at_s = behavior.sync.start if behavior.sync.stroke is None else behavior.sync.stroke
     begun = [word.index for word in words if word.interval and word.interval.start_s + start_s <= at_s]
     return replace(behavior, first=begun[-1], last=begun[-1]) if begun else behavior
-
-
-def _shifted(word: Word, delay_s: float) -> Word:
-    """The word delayed by `delay_s`."""
-    if not delay_s or word.interval is None:
-        return word
-    phones = tuple(replace(phone, interval=_later(phone.interval, delay_s)) for phone in word.phones)
-    return replace(word, interval=_later(word.interval, delay_s), phones=phones)
-
-
-def _later(interval: Interval, delay_s: float) -> Interval:
-    return Interval(interval.start_s + delay_s, interval.end_s + delay_s)
 
 
 def _visemes(elements: Mapping[str, Element], points: Mapping[str, Points]) -> Iterator[Viseme]:

@@ -33,17 +33,17 @@ def to_core(performance: Performance, timing: TimeForm) -> Document:
 
     Without words, as for a listener, there is no speech.
     """
-    words = performance.utterance.words
-    timed = time_formatter(words, timing, mark="w{}".format)
+    words, lead_in_s = performance.utterance.words, performance.utterance.lead_in_s
+    timed = time_formatter(words, timing, mark="w{}".format, speech_start_s=lead_in_s)
     behaviors = (_element(each, timed(each.sync)) for each in performance.behaviors if each.kept)
-    speech = (_speech(words),) if words else ()
+    speech = (_speech(words, lead_in_s),) if words else ()
     attributes: dict[str, Value] = {"id": "bml1", "characterId": performance.character}
     return Document(DialectName.BML, Element("bml", attributes, (*speech, *behaviors)))
 
 
-def _speech(words: tuple[Word, ...]) -> Element:
+def _speech(words: tuple[Word, ...], start_s: float) -> Element:
     text = Element("text", content=tuple(_marked(words)))
-    return Element("speech", {"id": SPEECH, "start": 0.0}, (text,))
+    return Element("speech", {"id": SPEECH, "start": to_milli(start_s)}, (text,))
 
 
 def _marked(words: tuple[Word, ...]) -> Iterator[Element | str]:

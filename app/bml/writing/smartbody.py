@@ -87,12 +87,12 @@ Times = Mapping[str, Time]
 def to_smartbody(performance: Performance, timing: TimeForm, *, audio_name: str | None = None) -> Document:
     """A document with one act; `audio_name` is the recording's file name without extension, which SmartBody needs to
     find it."""
-    words = performance.utterance.words
-    timed = time_formatter(words, timing, mark=lambda number: f"T{2 * number}")
+    words, lead_in_s = performance.utterance.words, performance.utterance.lead_in_s
+    timed = time_formatter(words, timing, mark=lambda number: f"T{2 * number}", speech_start_s=lead_in_s)
     agitation = performance.utterance.agitation
     style = _STYLES[agitation.level] if agitation else None
     block = (
-        *((_speech(words, audio_name),) if words else ()),
+        *((_speech(words, audio_name, lead_in_s),) if words else ()),
         *(_lips(shape) for shape in performance.visemes if shape.label != SILENCE),
         Element("saccade", {"mode": "talk" if words else "listen", "start": 0.0}),
         *(
@@ -106,22 +106,24 @@ def to_smartbody(performance: Performance, timing: TimeForm, *, audio_name: str 
     return Document(DialectName.SMARTBODY, Element("act", content=(actor, Element("bml", content=block))))
 
 
-def _speech(words: tuple[Word, ...], audio_name: str | None) -> Element:
-    text = Element("text", content=tuple(_marked(words)))
+def _speech(words: tuple[Word, ...], audio_name: str | None, start_s: float) -> Element:
+    text = Element("text", content=tuple(_marked(words, start_s)))
     recording = Element("file", {"ref": audio_name}) if audio_name else None
     description = Element("description", {"level": 1, "type": "audio/x-wav"}, (recording,)) if recording else None
-    return Element("speech", {"id": SPEECH, "start": 0.0}, (text, description) if description else (text,))
+    return Element(
+        "speech", {"id": SPEECH, "start": to_milli(start_s)}, (text, description) if description else (text,)
+    )
 
 
-def _marked(words: tuple[Word, ...]) -> Iterator[Element | str]:
-    """Every timed word between marks at its start and its end."""
+def _marked(words: tuple[Word, ...], start_s: float) -> Iterator[Element | str]:
+    """Every timed word between marks at its start and its end, in seconds from the start of the speech."""
     for word in words:
         if word.interval is None:
             yield f"{word.text} "
             continue
-        yield Element("sync", {"id": f"T{2 * word.index}", "time": to_milli(word.interval.start_s)})
+        yield Element("sync", {"id": f"T{2 * word.index}", "time": to_milli(word.interval.start_s - start_s)})
         yield f"{word.text} "
-        yield Element("sync", {"id": f"T{2 * word.index + 1}", "time": to_milli(word.interval.end_s)})
+        yield Element("sync", {"id": f"T{2 * word.index + 1}", "time": to_milli(word.interval.end_s - start_s)})
 
 
 def _lips(shape: Viseme) -> Element:

@@ -40,6 +40,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         mode=Mode(arguments.mode),
         listeners=listener_names(arguments.listener),
         form=_form(arguments),
+        lead_in_s=arguments.lead_in,
+        stillness=arguments.stillness,
     )
     with Understudy.load(settings) as understudy:
         options = replace(options, reference=speaker_reference(understudy.acoustic, arguments.reference, log))

@@ -27,7 +27,14 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     level = arguments.agitation and Level(arguments.agitation)
     realizer = Realizer.load(resource_folder("lexicon"))
     with AcousticModels.load(settings) as acoustic:
-        staged = prepare_schedule(acoustic, sheet, agitation=level, character=arguments.character, progress=log.stage)
+        staged = prepare_schedule(
+            acoustic,
+            sheet,
+            agitation=level,
+            character=arguments.character,
+            stillness=arguments.stillness,
+            progress=log.stage,
+        )
     log.warnings(staged.notices)
     write_motions(arguments.output, realizer, staged, arguments, log)
     return 0

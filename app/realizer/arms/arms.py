@@ -65,15 +65,17 @@ class ArmTrack:
             raise ValueError("the keys of an arm's track are at rising times")
 
 
-def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int) -> FloatArray:
-    """The arm's rotations (T, 19, 4) at `times_s` (T,), with continuous quaternion signs."""
+def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int, noise_scale: float = 1.0) -> FloatArray:
+    """The arm's rotations (T, 19, 4) at `times_s` (T,), with continuous quaternion signs. `noise_scale` (0 to 1)
+    scales the noise of the keys."""
     said = np.stack([key.pose.defined for key in track.keys])
     keys = np.stack([key.pose.parts for key in track.keys])
     shapes = np.array([(key.tension, key.continuity, key.bias) for key in track.keys])
     key_times_s = _shifted(track)
     through = [(row, said[:, row]) for row in range(len(PARTS))]
     curves = [Curve(key_times_s[keyed, row], keys[keyed, row], shapes[keyed]) for row, keyed in through]
-    return with_continuous_signs(arm_rotations(_stirred(track, splines(curves, times_s), times_s, seed)))
+    noisy = _stirred(track, splines(curves, times_s), times_s, seed, noise_scale=noise_scale)
+    return with_continuous_signs(arm_rotations(noisy))
 
 
 def _shifted(track: ArmTrack) -> FloatArray:
@@ -99,9 +101,9 @@ def _stir_deg() -> FloatArray:
     return np.array([stir.get(part, (0.0, 0.0, 0.0)) for part in PARTS])
 
 
-def _stirred(track: ArmTrack, parts: FloatArray, times_s: FloatArray, seed: int) -> FloatArray:
+def _stirred(track: ArmTrack, parts: FloatArray, times_s: FloatArray, seed: int, *, noise_scale: float) -> FloatArray:
     """Adds Perlin noise, which "removes the freezing effect during the gesture hold" (paper §3.8)."""
-    strengths = [key.noise for key in track.keys]
+    strengths = [noise_scale * key.noise for key in track.keys]
     if not any(strengths):
         return parts
     strength = np.interp(times_s, [key.time_s for key in track.keys], strengths)

@@ -1,7 +1,8 @@
 """The realizer's output: motion, frame by frame.
 
-Conventions: frame k is at `start_s + k / frame_rate_hz` seconds of the audio. Rotations are local to the joint's
-parent, quaternions in the order x y z w (`understudy.realizer.geometry.rotations`), joints in the skeleton's order.
+Conventions: frame k is at `start_s + k / frame_rate_hz` seconds of the performance, whose audio starts at `lead_in_s`.
+Rotations are local to the joint's parent, quaternions in the order x y z w (`understudy.realizer.geometry.rotations`),
+joints in the skeleton's order.
 """
 
 from collections.abc import Mapping
@@ -71,7 +72,7 @@ SHAPES: tuple[str, ...] = (
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """A realized sync point: BML id of the behaviour, name of the point (`stroke`), time in the audio."""
+    """A realized sync point: BML id of the behaviour, name of the point (`stroke`), time in the performance."""
 
     behavior: str
     point: str
@@ -82,7 +83,7 @@ class Event:
 class Decision:
     """How and why the realization of a behaviour differs from the schedule.
 
-    `action` is one word, such as `dropped`, `replaced`, `held`, `blended`, `repeated` or `shortened`.
+    `action` is one word, such as `dropped`, `replaced`, `held`, `blended`, `repeated`, `shortened` or `late`.
     """
 
     behavior: str
@@ -112,6 +113,7 @@ class Motion:
     realized: Mapping[str, SyncPoints]
     decisions: tuple[Decision, ...] = ()
     notices: tuple[Notice, ...] = ()
+    lead_in_s: float = 0.0
 
     @property
     def duration_s(self) -> float:

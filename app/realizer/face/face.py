@@ -65,7 +65,8 @@ def face_weights(
     for first in range(0, len(times_s), _FRAMES_AT_ONCE):
         frames = slice(first, first + _FRAMES_AT_ONCE)
         part = BodyMotion(times_s[frames], body.rotations[frames], body.hips_m[frames])
-        at_rest = _together(eye_look_weights(tables.eyes, part, skeleton), micro_movement(part.times_s, seed))
+        micro_movements = (1 - schedule.stillness) * micro_movement(part.times_s, seed)
+        at_rest = _together(eye_look_weights(tables.eyes, part, skeleton), micro_movements)
         shown = expressions(tables.lexemes, schedule.behaviors, part.times_s, frame_s) * _sides(part.times_s, seed)
         speech = lip_sync(tables.visemes, spoken, part.times_s)
         beside = _beside_speech(_together(shown, at_rest), speech)

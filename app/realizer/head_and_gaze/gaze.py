@@ -53,7 +53,7 @@ def apply_gaze(
         rotations[:, joint] = multiply(rotations[:, joint], share)
     carrying = chest(skeleton, rotations, body.hips_m)
     half = _half_turned(carrying, head)
-    aside = fixation_offsets(times_s, seed=seed)
+    aside = (1 - schedule.stillness) * fixation_offsets(times_s, seed=seed)
     at_m = point_in_direction(line[:, 0] + aside[:, 0], line[:, 1] + aside[:, 1], 1.0 / line[:, 2], from_m)
     rotations[:, skeleton.chain("neck", "head")] = half[:, None]
     rotations[:, skeleton.chain(*EYES)] = eye_rotations(face(skeleton, carrying, half, half), at_m)

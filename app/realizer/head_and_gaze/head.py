@@ -19,7 +19,7 @@ from ..geometry.angles import from_pitch_yaw_roll
 from ..geometry.easing import plateau, superposed_movements
 from ..geometry.noise import perlin
 from ..geometry.rotations import inverse, multiply
-from ..torso.idle_activity import IDLE_ACTIVITY
+from ..torso.idle_activity import idle_activity
 from .gaze_geometry import EYES, chest, eye_rotations, face, fixation_point_m
 from .head_movements import MOVEMENTS, limited_speed, movement_angles
 
@@ -84,12 +84,12 @@ def _calm(times_s: FloatArray, movements: Sequence[Behavior]) -> FloatArray:
 def _still_moving(times_s: FloatArray, schedule: Schedule, seed: int) -> tuple[FloatArray, FloatArray]:
     """Pitch, yaw and roll (T, 3) of idle neck and head movement: noise, and a dip at each emphasis."""
     slow = perlin(times_s, frequency_hz=_IDLE_HZ, seed=seed + 3, channels=3, in_step=False)
-    slow *= IDLE_ACTIVITY[schedule.agitation] * np.radians(_IDLE_DEGREES) / 2
+    slow *= idle_activity(schedule) * np.radians(_IDLE_DEGREES) / 2
     tremble = perlin(times_s, frequency_hz=_TREMBLE_HZ, seed=seed + 4, channels=6, in_step=False)
-    tremble *= np.radians(_TREMBLE_DEGREES)
+    tremble *= (1 - schedule.stillness) * np.radians(_TREMBLE_DEGREES)
     stressed_s = np.array(schedule.emphases_s)
     dips = np.full((len(stressed_s), 1), np.radians(_EMPHASIS_DEGREES) / 2)
     down = superposed_movements(times_s, stressed_s - _EMPHASIS_S, np.full(len(dips), _EMPHASIS_S), dips)
     back = superposed_movements(times_s, stressed_s, np.full(len(dips), 2 * _EMPHASIS_S), dips)
-    slow[:, :1] += down - back
+    slow[:, :1] += (1 - schedule.stillness) * (down - back)
     return slow + tremble[:, :3], slow + tremble[:, 3:]

@@ -22,13 +22,17 @@ from ..torso.trunk import with_trunk_following
 _MUSCLE_S = 0.03
 
 
-def apply_gestures(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int) -> BodyMotion:
-    """The body with the plan's arm motion, and the trunk following it. Deterministic for a seed."""
+def apply_gestures(
+    skeleton: Skeleton, body: BodyMotion, plan: GesturePlan, *, seed: int, noise_scale: float = 1.0
+) -> BodyMotion:
+    """The body with the plan's arm motion, and the trunk following it. Deterministic for a seed. `noise_scale` (0 to
+    1) scales the arms' noise."""
     rotations = body.rotations.copy()
     wrists_m = []
     for side in (Hand.LEFT, Hand.RIGHT):
         joints = skeleton.chain(*arm_joints(side))
-        arm = _smooth(arm_motion(arm_track(skeleton, side, plan), body.times_s, seed=seed), body.times_s)
+        arm = arm_motion(arm_track(skeleton, side, plan), body.times_s, seed=seed, noise_scale=noise_scale)
+        arm = _smooth(arm, body.times_s)
         wrists_m.append(wrist_of(skeleton, side, arm))
         arm[:, 0] = multiply(arm[:, 0], _breath(body.rotations[:, joints[0]]))
         rotations[:, joints] = arm

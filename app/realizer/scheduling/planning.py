@@ -17,25 +17,35 @@ import numpy as np
 from ...model import Hand, Schedule, SyncPoints
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..body.motion import Decision
-from ..gestures.gesture_plan import ArmGesture, GesturePlan, GestureUnit, PlacedGesture, Position, Transition
+from ..gestures.gesture_plan import (
+    ArmGesture,
+    GesturePlan,
+    GestureRequest,
+    GestureUnit,
+    PlacedGesture,
+    Position,
+    Transition,
+)
 from ..head_and_gaze.aiming import unknown_target, with_target
 from .arm_timelines import arm_timeline, rest_changes, units_of
 from .pruning import Admission, admit
 from .repetition import repeats_until_s, with_repeats
 from .rests import posture_changes
-from .selection import Clips, candidate_clips, place_clip, requests_of, shuffled
+from .selection import Clips, candidate_clips, in_time, place_clip, requests_of, shuffled
 from .transitions import TransitionContext, natural_preparation_s
 
 SIDES = (Hand.LEFT, Hand.RIGHT)
 
 _NOTICEABLE_S = 0.02
+_ON_TIME_S = 0.01
 """Differences from the schedule below this are not reported."""
 
 
 def plan_gestures(
     library: Clips, schedule: Schedule, *, seed: int, targets_m: Mapping[str, Position] = MappingProxyType({})
 ) -> GesturePlan:
-    """What the arms do during a schedule. The stroke of every gesture that is played is at its time in the BML.
+    """What the arms do during a schedule. The stroke of every gesture that is played is at its time in the BML, except
+    at the very start, where it may be late.
 
     `targets_m` has the world positions of pointing targets, as for the gaze.
     """
@@ -75,11 +85,19 @@ def chosen_clips(
         decisions += told
         if clips:
             used = next((each.clip.name for each in reversed(kept) if each.clip.category == clips[0].category), None)
-            options = [with_target(place_clip(clip, request), targets_m) for clip in shuffled(clips, used, rng)]
+            drawn = [with_target(place_clip(clip, request), targets_m) for clip in shuffled(clips, used, rng)]
+            options = [in_time(each) for each in sorted(drawn, key=lambda each: each.stroke_start_s < 0)]
             admission = admit(options, kept, setting)
             kept = admission.kept
-            decisions += admission.decisions
+            decisions += (*admission.decisions, *_late(kept, request))
     return Admission(kept, tuple(decisions))
+
+
+def _late(kept: Iterable[PlacedGesture], request: GestureRequest) -> Iterator[Decision]:
+    for gesture in kept:
+        late_s = gesture.request.stroke_s - request.stroke_s
+        if gesture.request.behavior == request.behavior and late_s > _ON_TIME_S:
+            yield Decision(request.behavior, "late", f"by {late_s:.2f} s: its stroke begins with the first frame")
 
 
 def _repeated(

@@ -21,6 +21,9 @@ from ..gestures.gesture import Clip
 from ..gestures.gesture_plan import GestureRequest, PlacedGesture
 
 TOLERANCE_S = 0.1
+LATEST_S = 0.35
+"""A gesture on the first sound of a recording may come this late, about a word, rather than not at all."""
+
 USUAL_AMOUNT = 0.5
 """The amount of a gesture of normal size. Reach grows with the square root of the amount: twice the amount is not twice
 the reach."""
@@ -75,6 +78,16 @@ def place_clip(clip: Clip, request: GestureRequest) -> PlacedGesture:
     stroke's end."""
     aligned = PlacedGesture(request, clip, request.relax_s)
     return replace(aligned, relax_s=max(request.relax_s, aligned.stroke_end_s))
+
+
+def in_time(placed: PlacedGesture) -> PlacedGesture:
+    """The gesture delayed until its stroke begins with the first frame, the hand already raised; if that would be more
+    than `LATEST_S`, unchanged, with its stroke before the first frame."""
+    late_s = -placed.stroke_start_s
+    if not 0 < late_s <= LATEST_S:
+        return placed
+    late = replace(placed, request=replace(placed.request, stroke_s=placed.request.stroke_s + late_s))
+    return replace(late, relax_s=max(late.relax_s, late.stroke_end_s))
 
 
 def candidate_clips(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:

@@ -22,7 +22,7 @@ from ..geometry.rotations import IDENTITY, multiply
 from ..gestures.arm_joints import arm_joints
 from .balance import LEG_JOINTS, hips_height_m, legs
 from .breathing import QUIET_CYCLE_S, lung_volume
-from .idle_activity import IDLE_ACTIVITY
+from .idle_activity import IDLE_ACTIVITY, idle_activity
 from .posture import TrunkPosture, trunk_postures
 
 Degrees = tuple[float, float, float]
@@ -69,9 +69,9 @@ def idle_motion(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, 
     generator = np.random.default_rng(seed)
     held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     wandering = _WANDERING_WEIGHT * perlin(times_s, frequency_hz=_WANDERING_HZ, seed=seed + 2)[:, 0]
-    held = replace(held, weight=held.weight + wandering)
-    lively = IDLE_ACTIVITY[schedule.agitation]
-    breath = lung_volume(times_s, schedule.phrases, generator, cycle_s=QUIET_CYCLE_S / lively)
+    held = replace(held, weight=held.weight + (1 - schedule.stillness) * wandering)
+    cycle_s, lively = QUIET_CYCLE_S / IDLE_ACTIVITY[schedule.agitation], idle_activity(schedule)
+    breath = lung_volume(times_s, schedule.phrases, generator, cycle_s=cycle_s)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
     sway = lively * perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14, in_step=False)
     _hold_trunk(skeleton, rotations, held, breath, sway[:, :12])

@@ -7,8 +7,8 @@ import pytest
 
 from tests.support.by_hand import function, movement, spoken
 from understudy.bml.choice.characters import Characters
-from understudy.bml.choice.choosing import Line, choose
-from understudy.model import Alternative, Behavior, BehaviorCandidates, Hand, Movement
+from understudy.bml.choice.choosing import EASILY_S, Line, choose
+from understudy.model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Movement
 
 DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
 WORDS = spoken(" ".join(["word"] * 40))
@@ -115,3 +115,20 @@ def test_hands_that_may_move_are_moved() -> None:
 def test_the_order_of_the_wishes_does_not_matter() -> None:
     candidates = [between((movement("gesture_me", word, priority=word % 3),)) for word in range(3, 30, 2)]
     assert settled(*candidates) == settled(*reversed(candidates))
+
+
+def test_of_equals_a_gesture_that_has_its_time_goes_before_one_that_has_not() -> None:
+    """The first word begins with the recording, so that its gesture could only begin with the hand raised."""
+    words = spoken("No I never", start_s=0.0, word_s=0.3)
+    first, second = between((movement("gesture_me", 0),)), between((movement("gesture_negation", 2),))
+    for asked in ((first, second), (second, first)):
+        kept, lost = choose(asked, Line(words, DEFAULT, 1))
+        assert [each.behavior.lexeme for each in kept] == ["NEGATION"]
+        assert lexemes(list(lost)) == ["ME"]
+    kept, _ = choose([first], Line(words, DEFAULT, 1))
+    assert [each.behavior.lexeme for each in kept] == ["ME"]
+
+
+def test_any_gesture_has_its_time_a_second_after_the_beginning() -> None:
+    timings = [entry.timing for entry in DEFAULT.entries.values() if entry.channel is Channel.GESTURE]
+    assert max(timing.preparation.shortest_s + timing.stroke.shortest_s for timing in timings) < EASILY_S

@@ -8,6 +8,7 @@ from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from understudy.bml.choice.candidates import stressed_vowel_s
 from understudy.bml.choice.characters import Character, Characters
 from understudy.bml.choice.conflicts import compete
+from understudy.bml.choice.lead_in import with_lead_in
 from understudy.bml.choice.scheduling import schedule
 from understudy.model import Behavior, Channel, Hand, Interval, Movement, Phone, Word
 
@@ -75,12 +76,46 @@ def test_without_stress_digits_the_longest_full_vowel_is_the_stressed_one() -> N
     assert stressed_vowel_s(Word(0, "potato", Interval(1.0, 1.7), phones)) == 1.4
 
 
-@pytest.mark.parametrize(("start_s", "kept"), [(0.0, False), (0.2, False), (0.35, True), (0.6, True)])
-def test_a_gesture_needs_time_before_its_word(start_s: float, *, kept: bool) -> None:
+@pytest.mark.parametrize("start_s", [0.25, 0.35, 0.6])
+def test_a_gesture_hurries_before_its_word_as_far_as_it_can(start_s: float) -> None:
     (gesture,) = scheduled(movement("gesture_me", 0), words=spoken("I see.", start_s=start_s))
-    assert gesture.kept is kept
+    timing = LIVELY.entries["gesture_me"].timing
+    assert gesture.kept
     assert gesture.sync.start >= 0
-    assert kept or "before the audio" in (gesture.reason or "")
+    assert gesture.sync.stroke_end == pytest.approx(start_s + 0.2)
+    assert gesture.sync.ready is not None
+    assert gesture.sync.ready - gesture.sync.start >= timing.preparation.shortest_s - 1e-9
+
+
+@pytest.mark.parametrize(("start_s", "late_s"), [(0.2, 0.0), (0.1, 0.0), (0.0, 0.03)])
+def test_where_there_is_no_time_at_all_the_hand_is_raised_already(start_s: float, late_s: float) -> None:
+    """The shortest stroke of a gesture takes .23 s, and the vowel of the first word begins .2 s after the word."""
+    (gesture,) = scheduled(movement("gesture_me", 0), words=spoken("I see.", start_s=start_s))
+    assert gesture.kept
+    assert gesture.sync.ready == gesture.sync.start
+    assert gesture.sync.stroke_end == pytest.approx(start_s + 0.2 + late_s)
+    assert "raised as the performance begins" in (gesture.reason or "")
+
+
+def test_a_movement_of_the_head_comes_a_little_later_instead() -> None:
+    (shake,) = scheduled(movement("shake", 0), words=spoken("No way.", start_s=0, word_s=0.1))
+    assert shake.kept
+    assert shake.sync.start == 0
+    assert "a little late" in (shake.reason or "")
+
+
+def test_with_a_lead_in_the_first_gesture_has_all_its_time_and_the_budget_is_the_same() -> None:
+    line = with_lead_in(utterance(spoken("I see.", start_s=0)), 1.0)
+    candidates = [offered(movement("gesture_me", 0))]
+    (gesture,) = (each for each in schedule(candidates, line, LIVELY, seed=0) if each.function)
+    timing = LIVELY.entries["gesture_me"].timing
+    assert gesture.kept
+    assert gesture.reason is None
+    assert gesture.sync.stroke_end == pytest.approx(1.2)
+    assert gesture.sync.ready == pytest.approx(1.2 - timing.stroke.usual_s)
+    assert gesture.sync.start == pytest.approx(1.2 - timing.stroke.usual_s - timing.preparation.usual_s)
+    quiet = replace(LIVELY, gestures_per_minute=0)
+    assert not any(each.kept for each in schedule(candidates, line, quiet, seed=0) if each.kind is Channel.GESTURE)
 
 
 def test_a_face_comes_a_little_later_instead() -> None:

@@ -36,6 +36,12 @@ def test_without_a_stroke_they_are_told_from_the_word_of_the_start(start_s: floa
     assert point.point == mark
 
 
+def test_what_comes_before_the_speech_is_told_from_its_start() -> None:
+    times = time_formatter(spoken("one two"), TimeForm.SYNC, "w{}".format, speech_start_s=0.8)
+    assert times(SyncPoints(start=0.3, end=1.2))["start"] == Reference("speech1", "start", -0.5)
+    assert times(SyncPoints(start=0.9, end=1.2))["end"] == Reference("speech1", "start", 0.4)
+
+
 def test_words_without_a_time_are_passed_over() -> None:
     words = (*spoken("one two"), replace(spoken("one two three")[2], interval=None))
     times = time_formatter(words, TimeForm.SYNC, "w{}".format)(SyncPoints(start=2.0, end=3.0))

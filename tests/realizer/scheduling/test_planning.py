@@ -14,6 +14,7 @@ from understudy.realizer.gestures.gesture import Expressivity, Markers
 from understudy.realizer.gestures.gesture_plan import GesturePlan
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.scheduling.rests import TOP_SPEED_M_S, rest_m
+from understudy.realizer.scheduling.selection import LATEST_S
 
 
 def planned(
@@ -219,11 +220,14 @@ def test_a_posture_says_how_the_hands_rest_from_then_on() -> None:
     assert [rest.pose for rest in plan.rests if rest.side is Hand.RIGHT] == ["clasped", "at_side", "folded", "folded"]
 
 
-def test_a_first_stroke_that_would_start_before_the_first_frame_is_dropped() -> None:
-    """At .25 s the stroke would start at -.05 s."""
-    plan = planned([gesture("g1", 0.25, 0.8)])
-    assert plan.gestures == ()
-    assert actions(plan, "g1") == ["dropped"]
+@pytest.mark.parametrize(("stroke_s", "late_s"), [(0.25, 0.05), (0.0, 0.3)])
+def test_a_first_stroke_that_would_start_before_the_first_frame_starts_with_it(stroke_s: float, late_s: float) -> None:
+    """The clip's stroke takes .3 s to its emphasis."""
+    plan = planned([gesture("g1", stroke_s, 0.8)])
+    (arm,) = plan.gestures
+    assert (arm.markers.start, arm.markers.stroke_start, arm.initial_progress) == (0.0, 0.0, 1.0)
+    assert plan.realized["g1"].stroke == pytest.approx(stroke_s + late_s)
+    assert actions(plan, "g1")[0] == "late"
 
 
 def test_a_first_preparation_is_shortened_rather_than_begun_before_the_first_frame() -> None:
@@ -324,12 +328,17 @@ def test_whatever_is_asked_for_the_plan_is_sound(schedule: Schedule, seed: int) 
     plan = plan_gestures(_random_clips(), schedule, seed=seed)
     assert plan == plan_gestures(_random_clips(), schedule, seed=seed)
     told = {decision.behavior for decision in plan.decisions if decision.action == "dropped"}
+    late = {decision.behavior for decision in plan.decisions if decision.action == "late"}
     played = {arm.behavior for arm in plan.gestures}
     assert played | told == {each.id for each in schedule.behaviors}
     assert not played & told
     for behavior in schedule.behaviors:
         if behavior.id in played:
-            assert plan.realized[behavior.id].stroke == behavior.sync.stroke
+            realized_s, asked_s = plan.realized[behavior.id].stroke, behavior.sync.stroke
+            assert realized_s is not None
+            assert asked_s is not None
+            assert asked_s <= realized_s <= asked_s + (LATEST_S if behavior.id in late else 0.02)
+            assert realized_s == asked_s or plan.realized[behavior.id].stroke_start == 0.0
             times = [time_s for _point, time_s in plan.realized[behavior.id].in_order()]
             assert times == sorted(times)
             assert times[0] >= 0.0

@@ -1,0 +1,41 @@
+"""The lead-in: a performance may begin before its recording, so that the first word's gesture has time to be prepared.
+
+With one, all times are on the clock of the performance (of its BML block), on which the recording starts at
+`lead_in_s`. Times are seconds.
+"""
+
+from dataclasses import replace
+
+from ...model import Interval, Utterance, Word
+
+LONGEST_LEAD_IN_S = 3.0
+
+_DECIMALS = 6
+"""Keeps times whole milliseconds that were, whatever is added to them."""
+
+
+def with_lead_in(utterance: Utterance, lead_in_s: float) -> Utterance:
+    """The utterance as it lies on the clock of a performance that begins `lead_in_s` before its recording, whatever
+    lead-in it has; with 0 that is the recording's own."""
+    delay_s = lead_in_s - utterance.lead_in_s
+    if not delay_s:
+        return utterance
+    return replace(
+        utterance,
+        words=tuple(later_word(word, delay_s) for word in utterance.words),
+        fillers=tuple(replace(each, interval=_later(each.interval, delay_s)) for each in utterance.fillers),
+        duration_s=None if utterance.duration_s is None else round(utterance.duration_s + delay_s, _DECIMALS),
+        lead_in_s=lead_in_s,
+    )
+
+
+def later_word(word: Word, delay_s: float) -> Word:
+    """The word as spoken `delay_s` later."""
+    if not delay_s or word.interval is None:
+        return word
+    phones = tuple(replace(phone, interval=_later(phone.interval, delay_s)) for phone in word.phones)
+    return replace(word, interval=_later(word.interval, delay_s), phones=phones)
+
+
+def _later(interval: Interval, delay_s: float) -> Interval:
+    return Interval(round(interval.start_s + delay_s, _DECIMALS), round(interval.end_s + delay_s, _DECIMALS))

@@ -1,0 +1,133 @@
+"""A director's notes that come with a line (`--direction FILE`, the part `direction` of a request), checked for their
+form; docs/directing.md explains them, docs/direction.schema.json is their JSON schema.
+
+Whether there are such families and such words is asked where the line is known (`understudy.acting.notes`).
+"""
+
+import json
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from ..acting.vocabulary import AVOIDABLE, FACES, GAZES, GESTURES, HEADS
+from ..errors import InputError
+from ..model import Avoidance, DirectedMoment, Direction
+from .requests import read_object
+
+FIELD = "direction"
+MOST_NOTES = 1000
+MOST_KINDS = 20
+LONGEST_TEXT = 1000
+NO_NEGATION = "no_negation"
+"""Another word for `negation` where it is to be avoided, as people write it."""
+
+_MOST_IN_MESSAGE = 5
+
+_Word = Annotated[int, Field(ge=0, le=1_000_000, description="The number of a word; the first is 0.")]
+_Text = Annotated[str, Field(max_length=LONGEST_TEXT)]
+
+
+_Gesture = Annotated[str, Field(json_schema_extra={"enum": list(GESTURES)})]
+_Head = Annotated[str, Field(json_schema_extra={"enum": list(HEADS)})]
+_Face = Annotated[str, Field(json_schema_extra={"enum": list(FACES)})]
+_Gaze = Annotated[str, Field(json_schema_extra={"enum": list(GAZES)})]
+_Avoided = Annotated[str, Field(json_schema_extra={"enum": sorted({*AVOIDABLE, NO_NEGATION})})]
+
+
+class _Form(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+
+
+class DirectedMomentRequest(_Form):
+    """Words over which the body should mean something. Every kind listed would be right, the best first; an empty list
+    leaves that part of the body to the rules."""
+
+    first: _Word
+    last: _Word
+    stroke: Annotated[_Word | None, Field(description="Where the hand's stroke falls; left out: on `last`.")] = None
+    importance: Annotated[
+        int, Field(ge=1, le=3, description="3: the line fails without it, 2: clearly better with it, 1: nice.")
+    ] = 2
+    idea: Annotated[_Text, Field(description="What it shows, for people.")] = ""
+    gesture: Annotated[tuple[_Gesture, ...], Field(strict=False, max_length=MOST_KINDS)] = ()
+    head: Annotated[tuple[_Head, ...], Field(strict=False, max_length=MOST_KINDS)] = ()
+    face: Annotated[tuple[_Face, ...], Field(strict=False, max_length=MOST_KINDS)] = ()
+    gaze: Annotated[tuple[_Gaze, ...], Field(strict=False, max_length=MOST_KINDS)] = ()
+
+    def to_moment(self) -> DirectedMoment:
+        return DirectedMoment(
+            first=self.first,
+            last=self.last,
+            stroke=self.last if self.stroke is None else self.stroke,
+            importance=self.importance,
+            gesture=self.gesture,
+            head=self.head,
+            face=self.face,
+            gaze=self.gaze,
+            idea=self.idea,
+        )
+
+
+class AvoidanceRequest(_Form):
+    """Words over which something would be wrong."""
+
+    first: _Word
+    last: _Word
+    what: Annotated[
+        tuple[_Avoided, ...],
+        Field(
+            strict=False,
+            min_length=1,
+            max_length=len(AVOIDABLE),
+            description="`hands` is every gesture, `any` everything; `no_negation` is the same as `negation`.",
+        ),
+    ]
+    why: Annotated[_Text, Field(description="For people.")] = ""
+
+    def to_avoidance(self) -> Avoidance:
+        return Avoidance(self.first, self.last, tuple(map(_plain, self.what)), self.why)
+
+
+class DirectionRequest(_Form):
+    """A director's notes on one line."""
+
+    id: Annotated[str | int | None, Field(description="Not read.")] = None
+    moments: Annotated[tuple[DirectedMomentRequest, ...], Field(strict=False, max_length=MOST_NOTES)] = ()
+    avoid: Annotated[tuple[AvoidanceRequest, ...], Field(strict=False, max_length=MOST_NOTES)] = ()
+    complete: Annotated[bool, Field(description="The hands do nothing but what the notes say.")] = False
+
+    def to_direction(self) -> Direction:
+        return Direction(
+            moments=tuple(moment.to_moment() for moment in self.moments),
+            avoid=tuple(avoidance.to_avoidance() for avoidance in self.avoid),
+            complete=self.complete,
+        )
+
+
+def read_direction(content: bytes) -> Direction:
+    """Raises UndecodableError `not_json`, InputError `not_an_object` and `direction_wrong` with the first mistakes, all
+    with the field "direction"."""
+    fields = read_object(content, FIELD)
+    try:
+        return DirectionRequest.model_validate(fields).to_direction()
+    except ValidationError as error:
+        found = error.errors()
+    told = "; ".join(_told(tuple(each["loc"]), each["msg"]) for each in found[:_MOST_IN_MESSAGE])
+    more = f"; and {len(found) - _MOST_IN_MESSAGE} more" if len(found) > _MOST_IN_MESSAGE else ""
+    raise InputError("direction_wrong", f"{FIELD}: {told}{more}", field=FIELD)
+
+
+def direction_schema() -> str:
+    """The JSON schema of the notes, as docs/direction.schema.json has it."""
+    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **DirectionRequest.model_json_schema()}
+    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
+
+
+def _plain(word: str) -> str:
+    return "negation" if word == NO_NEGATION else word
+
+
+def _told(location: tuple[int | str, ...], message: str) -> str:
+    """A mistake with its place, such as `moments[2].stroke`."""
+    where = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in location).removeprefix(".")
+    return f"{where}: {message[0].lower()}{message[1:]}"
