@@ -50,7 +50,8 @@ from .model import (
 )
 from .realizer.realizing import Realizer
 from .resources import RULES, resource_folder
-from .rules.derivation import FunctionRules, derive_functions
+from .rules.derivation import FunctionRules, understand
+from .rules.knowledge import Fact
 from .rules.mapping import MappingRules, offer_movements
 from .settings import Settings
 from .syntax.parser import Parser
@@ -154,12 +155,14 @@ class AlignedLine:
 
 @dataclass(frozen=True, slots=True)
 class Analysis:
-    """What a line says and does, before any movement is chosen; `heard` is what its signal says, if it has one."""
+    """What a line says and does, before any movement is chosen; `heard` is what its signal says, if it has one, `facts`
+    what the rules know of it."""
 
     utterance: Utterance
     functions: tuple[Function, ...]
     notices: tuple[Notice, ...] = ()
     heard: SignalAnalysis | None = field(default=None, repr=False, compare=False)
+    facts: tuple[Fact, ...] = field(default=(), repr=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,7 +277,9 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
     progress("plan")
     moments = plan_moments(understudy.behavior, analysis, character)
     progress("mapping")
-    candidates = offer_movements(understudy.behavior.rules, analysis.utterance, analysis.functions, seed=options.seed)
+    candidates = offer_movements(
+        understudy.behavior.rules, analysis.utterance, analysis.functions, seed=options.seed, facts=analysis.facts
+    )
     if understudy.behavior.settings.choice == "terms":
         stage = Stage(understudy.behavior.families, character.lexemes, options.seed)
         candidates = candidates_of(stage, analysis.utterance, moments, candidates)
@@ -357,8 +362,8 @@ def analyze(
         fillers=timed.fillers,
     )
     progress("functions")
-    functions = derive_functions(language.rules, utterance, given=line.functions)
-    return Analysis(utterance, functions, heard.notices + timed.notices, heard)
+    known = understand(language.rules, utterance, given=line.functions)
+    return Analysis(utterance, known.functions, heard.notices + timed.notices, heard, known.facts)
 
 
 def find_functions(language: LanguageModels, text: str) -> Analysis:
@@ -373,7 +378,8 @@ def find_functions_in_all(language: LanguageModels, lines: Sequence[tuple[Word, 
     """The same for the words of several lines, which are parsed together: that takes half the time."""
     for words, parse in zip(lines, language.parser.parse_all(lines), strict=True):
         utterance = Utterance(words=words, parse=parse)
-        yield Analysis(utterance, derive_functions(language.rules, utterance))
+        known = understand(language.rules, utterance)
+        yield Analysis(utterance, known.functions, facts=known.facts)
 
 
 def analyze_signal(
