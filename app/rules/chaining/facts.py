@@ -59,7 +59,7 @@ def _quotation_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
     """What stands between an opening quotation mark and the next closing one; one that is never closed quotes on."""
     start: int | None = None
     for word in words:
-        text = bare(word.text)
+        text = normalized_word(word.text)
         leading, trailing = _around(word.text, text)
         if '"' in leading and start is None:
             start = word.index

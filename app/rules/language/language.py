@@ -1,8 +1,8 @@
 """Parses rule files into syntax trees with positions (`tree.py`), or reports every syntax mistake with its place.
 
-A file is split into blocks at the lines that begin with `rule` or `predicate` and at names alone above `foreach`, as the
-paper prints them (Figure 3). Each block is parsed separately, so that a mistake in one does not hide those in others.
-Newlines separate statements except inside parentheses.
+A file is split into blocks at the lines that begin with `rule` or `predicate` and at names alone above `foreach`, as
+the paper prints them (Figure 3). Each block is parsed separately, so that a mistake in one does not hide those in
+others. Newlines separate statements except inside parentheses.
 """
 
 import re
