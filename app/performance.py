@@ -23,7 +23,7 @@ from .acoustic.stress.prominence import prominence
 from .acoustic.stress.stress import stress
 from .acting.candidates import Stage, candidates_of
 from .acting.families import Families, load_families
-from .acting.notes import check_direction, conflicts
+from .acting.notes import check_direction, conflicts, directed, unplayed_notes
 from .acting.planning import Planner, plan
 from .bml.choice.characters import Character, Characters
 from .bml.choice.lead_in import LONGEST_LEAD_IN_S, with_lead_in
@@ -56,7 +56,8 @@ from .model import (
 )
 from .realizer.realizing import Realizer
 from .resources import RULES, resource_folder
-from .rules.derivation import FunctionRules, derive_functions
+from .rules.derivation import FunctionRules, understand
+from .rules.knowledge import Fact
 from .rules.mapping import MappingRules, offer_movements
 from .settings import Settings
 from .syntax.parser import Parser
@@ -173,12 +174,14 @@ class AlignedLine:
 
 @dataclass(frozen=True, slots=True)
 class Analysis:
-    """What a line says and does, before any movement is chosen; `heard` is what its signal says, if it has one."""
+    """What a line says and does, before any movement is chosen; `heard` is what its signal says, if it has one, `facts`
+    what the rules know of it."""
 
     utterance: Utterance
     functions: tuple[Function, ...]
     notices: tuple[Notice, ...] = ()
     heard: SignalAnalysis | None = field(default=None, repr=False, compare=False)
+    facts: tuple[Fact, ...] = field(default=(), repr=False, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -288,16 +291,27 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
 
     Raises InputError for audio, text, timings, functions, notes or options that cannot be used.
     """
-    character = understudy.behavior.characters.named(options.character)
+    understudy.behavior.characters.named(options.character)
     direction_notices = _checked_direction(understudy, line)
     analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
+    performance = perform_analysis(understudy, analysis, options, line.direction, progress)
+    return replace(performance, notices=direction_notices + performance.notices)
+
+
+def perform_analysis(
+    understudy: Understudy,
+    analysis: Analysis,
+    options: Options,
+    direction: Direction | None = None,
+    progress: Progress = no_progress,
+) -> Performance:
+    """The performance of a line that was heard and understood (paper §3.4, §3.5), with a director's notes on it."""
+    behavior, character = understudy.behavior, understudy.behavior.characters.named(options.character)
     progress("plan")
-    moments = plan_moments(understudy.behavior, analysis, character)
+    moments = plan_moments(behavior, analysis, character, direction)
     utterance = with_lead_in(analysis.utterance, options.lead_in_s)
     progress("mapping")
-    candidates = _candidates(
-        understudy.behavior, replace(analysis, utterance=utterance), moments, character, seed=options.seed
-    )
+    candidates = _candidates(behavior, replace(analysis, utterance=utterance), moments, character, seed=options.seed)
     progress("schedule")
     behaviors = schedule(candidates, utterance, character, seed=options.seed, mode=options.mode)
     lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
@@ -307,11 +321,11 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
         behaviors=behaviors,
         character=character.name,
         seed=options.seed,
-        notices=direction_notices + analysis.notices + lip_notices,
+        notices=analysis.notices + lip_notices + unplayed_notes(moments, behaviors),
         visemes=lips,
         moments=moments,
     )
-    performance = reduce(partial(_heard_by, understudy.behavior.characters), options.listeners, performance)
+    performance = reduce(partial(_heard_by, behavior.characters), options.listeners, performance)
     return with_stillness(performance, options.stillness)
 
 
@@ -319,8 +333,10 @@ def _candidates(
     behavior: BehaviorModels, analysis: Analysis, moments: tuple[Moment, ...], character: Character, *, seed: int
 ) -> tuple[BehaviorCandidates, ...]:
     """What could show the functions, or the moments of a line that is planned."""
-    candidates = offer_movements(behavior.rules, analysis.utterance, analysis.functions, seed=seed)
-    if behavior.settings.choice != "terms":
+    candidates = offer_movements(
+        behavior.rules, analysis.utterance, analysis.functions, seed=seed, facts=analysis.facts
+    )
+    if not moments and behavior.settings.choice != "terms":
         return candidates
     return candidates_of(Stage(behavior.families, character.lexemes, seed), analysis.utterance, moments, candidates)
 
@@ -334,16 +350,20 @@ def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]
     return conflicts(line.direction)
 
 
-def plan_moments(behavior: BehaviorModels, analysis: Analysis, character: Character) -> tuple[Moment, ...]:
-    """What the line's phrases mean to the body; nothing where functions choose by priority alone, as in the paper.
+def plan_moments(
+    behavior: BehaviorModels, analysis: Analysis, character: Character, direction: Direction | None = None
+) -> tuple[Moment, ...]:
+    """What the line's phrases mean to the body, a director's notes first; nothing but these where functions choose by
+    priority alone, as in the paper.
 
     How much is done depends on the speaker's agitation (paper §1) and on who performs.
     """
-    if behavior.settings.choice != "terms":
-        return ()
-    agitation = analysis.utterance.agitation
-    quantity = QUANTITY[agitation.level if agitation else Level.MEDIUM] * character.liveliness
-    return plan(behavior.planner, analysis.utterance, analysis.functions, quantity=quantity)
+    moments: tuple[Moment, ...] = ()
+    if behavior.settings.choice == "terms":
+        agitation = analysis.utterance.agitation
+        quantity = QUANTITY[agitation.level if agitation else Level.MEDIUM] * character.liveliness
+        moments = plan(behavior.planner, analysis.utterance, analysis.functions, analysis.facts, quantity=quantity)
+    return moments if direction is None else directed(direction, moments)
 
 
 def listener_part(performance: Performance, listening: Listening) -> Performance:
@@ -397,8 +417,8 @@ def analyze(
         fillers=timed.fillers,
     )
     progress("functions")
-    functions = derive_functions(language.rules, utterance, given=line.functions)
-    return Analysis(utterance, functions, heard.notices + timed.notices, heard)
+    known = understand(language.rules, utterance, given=line.functions)
+    return Analysis(utterance, known.functions, heard.notices + timed.notices, heard, known.facts)
 
 
 def find_functions(language: LanguageModels, text: str) -> Analysis:
@@ -413,7 +433,8 @@ def find_functions_in_all(language: LanguageModels, lines: Sequence[tuple[Word, 
     """The same for the words of several lines, which are parsed together: that takes half the time."""
     for words, parse in zip(lines, language.parser.parse_all(lines), strict=True):
         utterance = Utterance(words=words, parse=parse)
-        yield Analysis(utterance, derive_functions(language.rules, utterance))
+        known = understand(language.rules, utterance)
+        yield Analysis(utterance, known.functions, facts=known.facts)
 
 
 def analyze_signal(

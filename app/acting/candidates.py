@@ -108,12 +108,20 @@ def _behaviors_of(families: Families, channel: Channel, family: str) -> tuple[Fa
 
 
 def _listed(families: Families, channel: Channel) -> Mapping[str, tuple[FamilyBehavior, ...]]:
-    return {Channel.GESTURE: families.gesture, Channel.HEAD: families.head, Channel.FACE: families.face}[channel]
+    by_channel = {
+        Channel.GESTURE: families.gesture,
+        Channel.HEAD: families.head,
+        Channel.FACE: families.face,
+        Channel.GAZE: families.gaze,
+    }
+    return by_channel[channel]
 
 
 def _worth(stage: Stage, moment: Moment, name: str) -> float:
     """What a behaviour is worth at the moment, by all that it may be read as; a head or face by its own kind alone."""
-    shares = dict(zip(moment.families, moment.shares or (1.0,) * len(moment.families), strict=True))
+    shares: dict[str, float] = {}
+    for family, share in zip(moment.families, moment.shares or (1.0,) * len(moment.families), strict=True):
+        shares[merged(family)] = max(share, shares.get(merged(family), 0.0))
     if moment.channel is not Channel.GESTURE:
         kinds = _listed(stage.families, moment.channel)
         return max(

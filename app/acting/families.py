@@ -68,6 +68,7 @@ class Families:
     gesture: Mapping[str, tuple[FamilyBehavior, ...]]
     head: Mapping[str, tuple[FamilyBehavior, ...]]
     face: Mapping[str, tuple[FamilyBehavior, ...]]
+    gaze: Mapping[str, tuple[FamilyBehavior, ...]]
     shows: Mapping[str, tuple[str, ...]]
 
 
@@ -88,6 +89,7 @@ def load_families(path: Path, behaviors: Mapping[str, Playable]) -> Families:
         gesture=_behaviors(file.gesture),
         head=_behaviors(file.head),
         face=_behaviors(file.face),
+        gaze=_behaviors(file.gaze),
         shows=MappingProxyType(file.shows),
     )
 
@@ -116,6 +118,7 @@ class _FamiliesFile(Entry):
     gesture: dict[_Name, _Lines]
     head: dict[_Name, _Lines]
     face: dict[_Name, _Lines]
+    gaze: dict[_Name, _Lines] = {}
     shows: dict[_Lexeme, Annotated[tuple[_Name, ...], Field(min_length=1)]]
 
 
@@ -124,6 +127,7 @@ _CHANNELS: Mapping[str, frozenset[Channel]] = MappingProxyType(
         "gesture": frozenset({Channel.GESTURE}),
         "head": frozenset({Channel.HEAD, Channel.POSTURE}),
         "face": frozenset({Channel.FACE}),
+        "gaze": frozenset({Channel.GAZE}),
     }
 )
 """What the behaviours of each part of the file may move: a lean of the trunk counts as a movement of the head."""

@@ -11,7 +11,7 @@ from difflib import get_close_matches
 from itertools import combinations, compress
 
 from ..errors import InputError
-from ..model import Avoidance, Channel, DirectedMoment, Direction, Moment, Notice, Rejected, Term
+from ..model import Avoidance, Behavior, Channel, DirectedMoment, Direction, Moment, Notice, Rejected, Term
 from .vocabulary import ANYTHING, AVOIDABLE, HANDS, KINDS, NEUTRAL, STILL
 
 FIELD = "direction"
@@ -73,6 +73,19 @@ def directed(direction: Direction, moments: Sequence[Moment]) -> tuple[Moment, .
     if direction.complete:
         kept = [moment for moment in kept if moment.channel is not Channel.GESTURE]
     return tuple(sorted((*kept, *own), key=lambda moment: (moment.first, moment.stroke, moment.id)))
+
+
+def unplayed_notes(moments: Iterable[Moment], behaviors: Iterable[Behavior]) -> tuple[Notice, ...]:
+    """Which notes no movement that is kept carries out."""
+    kept = {behavior.moment for behavior in behaviors if behavior.kept}
+    return tuple(
+        Notice(
+            "direction_unplayed",
+            f"note {moment.note}: no {moment.channel} for {moment.families[0]} fits on word {moment.stroke}",
+        )
+        for moment in moments
+        if moment.note is not None and moment.id not in kept
+    )
 
 
 def kinds_of(moment: DirectedMoment, channel: Channel) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ that are worth more than a gesture costs, a few words apart, and leaves the rest
 something over the stretches in which directors would likely want it.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from math import exp, log
@@ -21,7 +21,7 @@ from .choice_model import READING, ChoiceModel, log_odds_of, worth_of
 from .decoding import NEAR, gains, spans_of, spread, stretches_of, strokes
 from .encoder import Encoder, Reading
 from .families import OTHER_FAMILY, Families, merged
-from .terms import terms_of
+from .terms import Fact, TermTable, terms_of
 
 AT_WORD_SHARE = 0.5
 """How much of the reading's expected worth comes from the words' own worths, the rest from what it says of the words
@@ -50,6 +50,7 @@ class Planner:
     choice: ChoiceModel
     shown: SingleArray
     needed_lemmas: Mapping[str, frozenset[str]]
+    terms: TermTable
 
     @classmethod
     def load(cls, models: Path, lexicon: Path, families: Families) -> "Planner":
@@ -62,6 +63,7 @@ class Planner:
             choice=choice.with_weights(authored),
             shown=shown_by_lexemes(families, choice.families),
             needed_lemmas=MappingProxyType(dict(_needed_lemmas(families))),
+            terms=TermTable.load(lexicon / "terms.yaml"),
         )
 
 
@@ -80,6 +82,7 @@ def plan(
     planner: Planner,
     utterance: Utterance,
     functions: Sequence[Function],
+    facts: Iterable[Fact] = (),
     *,
     quantity: float = 1.0,
     still: Sequence[int] = (),
@@ -92,7 +95,7 @@ def plan(
         return ()
     texts = [word.text for word in utterance.words]
     reading, choice = planner.encoder.read(texts), planner.choice
-    weighed = _weighed(planner, reading, utterance, functions)
+    weighed = _weighed(planner, reading, utterance, terms_of(utterance, functions, planner.terms.of_facts(facts)))
     taken = strokes(weighed.gain, choice.price - QUANTITY_WEIGHT * log(quantity), still=still)
     stretches = stretches_of(texts)
     moments = chain(
@@ -127,8 +130,7 @@ def lexeme_worth(worth: SingleArray, shown: SingleArray) -> SingleArray:
     return np.asarray(certain + OTHER_SHARE * (worth @ others.T), np.float32)
 
 
-def _weighed(planner: Planner, reading: Reading, utterance: Utterance, functions: Sequence[Function]) -> _Weighed:
-    terms = terms_of(utterance, functions)
+def _weighed(planner: Planner, reading: Reading, utterance: Utterance, terms: tuple[frozenset[str], ...]) -> _Weighed:
     read = expected_worth(reading.at_word, reading.nearby)
     worth = worth_of(planner.choice.log_odds(read, terms)) * _possible(planner, utterance)
     at_word = reading.at_word @ planner.shown.T

@@ -5,10 +5,17 @@ kind of sentence it stands, where in its phrase and line, how it is said. Terms 
 (`lexicon/acting/weights.yaml`); their fitted weights are in models/acting/weights.json.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from itertools import pairwise
+from pathlib import Path
+from types import MappingProxyType
+from typing import Annotated, TypeAlias
+
+from pydantic import Field
 
 from ..model import Function, Token, Utterance
+from ..yaml_files import Entry, Source
 
 _ENDS_SENTENCE = (".", "!", "?", "…")
 _PERSONS = {
@@ -17,7 +24,51 @@ _PERSONS = {
 }
 
 
-def terms_of(utterance: Utterance, functions: Iterable[Function]) -> tuple[frozenset[str], ...]:
+Fact: TypeAlias = tuple[str, tuple[str | int | float, ...]]
+"""A predicate of the rules and its arguments; spans are boundaries between words."""
+
+Term: TypeAlias = tuple[str, int, int]
+"""A term's name, and the first and last word that have it."""
+
+
+class _Line(Entry):
+    name: str
+    span: Annotated[tuple[int, ...], Field(min_length=1, max_length=2)]
+
+
+class _TermsFile(Entry):
+    terms: dict[str, _Line]
+
+
+@dataclass(frozen=True, slots=True)
+class TermTable:
+    """Which facts of the rules are terms, by predicate: the term's name, and the arguments that hold the first
+    word and the one after the last, or the only word."""
+
+    names: Mapping[str, str]
+    spans: Mapping[str, tuple[int, ...]]
+
+    @classmethod
+    def load(cls, path: Path) -> "TermTable":
+        """From lexicon/acting/terms.yaml; raises AuthoringError with every mistake."""
+        file = Source(path).validated(_TermsFile)
+        return cls(
+            names=MappingProxyType({predicate: line.name for predicate, line in file.terms.items()}),
+            spans=MappingProxyType({predicate: line.span for predicate, line in file.terms.items()}),
+        )
+
+    def of_facts(self, facts: Iterable[Fact]) -> Iterator[Term]:
+        """The terms that facts give the words of their spans."""
+        for predicate, arguments in facts:
+            if predicate in self.names:
+                bounds = [int(arguments[place]) for place in self.spans[predicate]]
+                last = bounds[1] - 1 if len(bounds) > 1 else bounds[0]
+                yield self.names[predicate].format(*arguments), bounds[0], last
+
+
+def terms_of(
+    utterance: Utterance, functions: Iterable[Function], of_facts: Iterable[Term] = ()
+) -> tuple[frozenset[str], ...]:
     """The terms of each word, in the order of the words."""
     found: list[set[str]] = [set() for _ in utterance.words]
     for name, first, last in (
@@ -26,17 +77,14 @@ def terms_of(utterance: Utterance, functions: Iterable[Function]) -> tuple[froze
         *_of_syntax(utterance),
         *_of_places(utterance),
         *_of_voice(utterance),
+        *of_facts,
     ):
         for word in range(first, min(last, len(found) - 1) + 1):
             found[word].add(name)
     return tuple(map(frozenset, found))
 
 
-_Term = tuple[str, int, int]
-"""A term's name, and the first and last word that have it."""
-
-
-def _of_functions(functions: Iterable[Function]) -> Iterator[_Term]:
+def _of_functions(functions: Iterable[Function]) -> Iterator[Term]:
     for function in functions:
         if not function.kept:
             continue
@@ -49,7 +97,7 @@ def _of_functions(functions: Iterable[Function]) -> Iterator[_Term]:
             yield f"given({function.class_name})", function.first, function.last
 
 
-def _of_sentences(utterance: Utterance) -> Iterator[_Term]:
+def _of_sentences(utterance: Utterance) -> Iterator[Term]:
     """The mood of the sentence, as its punctuation tells, and whether the line is one of many sentences."""
     words = utterance.words
     ends = [word.index for word in words if word.text.rstrip("\"'”’)").endswith(_ENDS_SENTENCE)]
@@ -62,7 +110,7 @@ def _of_sentences(utterance: Utterance) -> Iterator[_Term]:
             yield "sentence(short)", before + 1, last
 
 
-def _of_syntax(utterance: Utterance) -> Iterator[_Term]:
+def _of_syntax(utterance: Utterance) -> Iterator[Term]:
     tokens = utterance.parse.tokens
     for token in tokens:
         if token.part_of_speech == "PUNCT":
@@ -75,7 +123,7 @@ def _of_syntax(utterance: Utterance) -> Iterator[_Term]:
     yield from _of_persons(tokens)
 
 
-def _of_persons(tokens: tuple[Token, ...]) -> Iterator[_Term]:
+def _of_persons(tokens: tuple[Token, ...]) -> Iterator[Term]:
     """Whose doing a verb tells, by its subject's person."""
     for token in tokens:
         if token.dependency.startswith("nsubj"):
@@ -83,7 +131,7 @@ def _of_persons(tokens: tuple[Token, ...]) -> Iterator[_Term]:
             yield f"subject({person} person)", tokens[token.head].word, tokens[token.head].word
 
 
-def _of_places(utterance: Utterance) -> Iterator[_Term]:
+def _of_places(utterance: Utterance) -> Iterator[Term]:
     count = len(utterance.words)
     if count:
         yield "line(first word)", 0, 0
@@ -96,7 +144,7 @@ def _of_places(utterance: Utterance) -> Iterator[_Term]:
         yield f"clause({clause.label}) end", clause.last, clause.last
 
 
-def _of_voice(utterance: Utterance) -> Iterator[_Term]:
+def _of_voice(utterance: Utterance) -> Iterator[Term]:
     for word in utterance.words:
         if word.is_emphasised:
             yield "voice(stressed)", word.index, word.index

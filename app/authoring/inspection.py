@@ -15,10 +15,9 @@ from ..performance import BehaviorModels, LanguageModels, Understudy
 from ..realizer.realizing import Realizer
 from ..resources import RULES, resource_folder
 from ..rules.chaining.chainer import Derivation, Fact, derive
-from ..rules.chaining.facts import utterance_facts
 from ..rules.chaining.matching import FactBase
 from ..rules.chaining.tracing import RuleTrace, fires, trace_rule, trace_rules
-from ..rules.derivation import FunctionRules, derive_facts, derive_functions
+from ..rules.derivation import FunctionRules, derive_facts, understand
 from ..rules.lexicon import LexicalEntry
 from ..rules.mapping import MappingRules
 from ..rules.program.program import Program, Rule
@@ -110,8 +109,10 @@ def _derived(language: LanguageModels, behavior: BehaviorModels, text: str) -> t
 
 def _mapped(mappings: MappingRules, utterance: Utterance, rules: FunctionRules) -> Derivation:
     """The derivation of the mapping rules from the functions that are kept."""
-    kept = {_fact(function): function.priority for function in derive_functions(rules, utterance) if function.kept}
-    given = (*utterance_facts(utterance), Fact("agitation", (Level.MEDIUM.value,)), *kept)
+    known = understand(rules, utterance)
+    kept = {_fact(function): function.priority for function in known.functions if function.kept}
+    asked = (fact for fact in known.facts if fact.predicate in mappings.asked and fact.predicate != "fcn")
+    given = (*asked, Fact("agitation", (Level.MEDIUM.value,)), *kept)
     return derive(mappings.program, given, annotations=kept)
 
 

@@ -62,13 +62,33 @@ class FunctionRules:
         return cls(program, words, conflicts, priorities, (*priorities.facts(), *conflicts.facts()))
 
 
+@dataclass(frozen=True, slots=True)
+class Understanding:
+    """What a line does, and all that is known of how it does it: `facts` are what was parsed, heard and derived, in the
+    predicates of `vocabulary.rules`, the functions' own among them."""
+
+    functions: tuple[Function, ...]
+    facts: tuple[Fact, ...]
+
+
 def derive_functions(
     rules: FunctionRules,
     utterance: Utterance,
     *,
     given: Sequence[GivenFunction] = (),
 ) -> tuple[Function, ...]:
-    """The functions of an utterance in order of first word, last word and class; those that lost a conflict too.
+    """The functions of an utterance alone; see `understand`."""
+    return understand(rules, utterance, given=given).functions
+
+
+def understand(
+    rules: FunctionRules,
+    utterance: Utterance,
+    *,
+    given: Sequence[GivenFunction] = (),
+) -> Understanding:
+    """The functions of an utterance in order of first word, last word and class, those that lost a conflict too, and
+    the facts they rest on.
 
     `given` are functions that the caller knows already. Raises InputError for one that is none, or of no words.
     """
@@ -79,7 +99,7 @@ def derive_functions(
         key=lambda function: (function.first, function.last, function.class_name, function.subtype),
     )
     named = [replace(function, id=f"f{number}") for number, function in enumerate(found, start=1)]
-    return resolved(named, rules.conflicts)
+    return Understanding(resolved(named, rules.conflicts), derivation.facts)
 
 
 def derive_facts(

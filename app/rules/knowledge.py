@@ -17,6 +17,9 @@ from .language.tree import Argument
 Environment: TypeAlias = list[Any]
 """The slots of a rule while it is matched: its constants, the values of its variables, the facts it joined."""
 
+Beginning: TypeAlias = tuple[str, Argument | None]
+"""A predicate and a first argument, or None for any: by these the facts of the last round are looked up."""
+
 Pick: TypeAlias = Callable[[Sequence[Any]], Any]
 
 
@@ -147,7 +150,7 @@ class Knowledge:
     claims: list[Claim] = field(default_factory=list)
     annotations: dict[Fact, float] = field(default_factory=dict)
     choices: list[Choice] = field(default_factory=list)
-    recent: defaultdict[tuple[str, Argument | None], list[Fact]] = field(default_factory=lambda: defaultdict(list))
+    recent: defaultdict[Beginning, list[Fact]] = field(default_factory=lambda: defaultdict(list))
     _pending: list[Fact] = field(default_factory=list)
     _filing: Mapping[str, list[tuple[Pick, Filed]]] = field(default_factory=dict)
 

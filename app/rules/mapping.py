@@ -9,7 +9,7 @@ are known (`app/bml/choice/choosing.py`).
 
 import random
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -46,15 +46,21 @@ class MappingRules:
 
 
 def offer_movements(
-    rules: MappingRules, utterance: Utterance, functions: Iterable[Function], *, seed: int
+    rules: MappingRules,
+    utterance: Utterance,
+    functions: Iterable[Function],
+    *,
+    seed: int,
+    facts: Sequence[Fact] = (),
 ) -> tuple[BehaviorCandidates, ...]:
     """What could show each kept function, in order of the functions' words (paper §3.4).
 
-    Where nothing was heard the agitation counts as medium. Raises AuthoringError for a rule that calls a behaviour on
-    anything but a span.
+    `facts` are all that the function rules know of the line (`derivation.understand`), for mapping rules to ask;
+    without them only what was heard and parsed is known. Where nothing was heard the agitation counts as medium.
+    Raises AuthoringError for a rule that calls a behaviour on anything but a span.
     """
     kept = {_fact(function): function for function in functions if function.kept}
-    pools = _pools(rules, utterance, kept)
+    pools = _pools(rules, facts or utterance_facts(utterance), kept)
     text = " ".join(word.text for word in utterance.words)
     return tuple(
         BehaviorCandidates(kept[fact], tuple(_alternatives(pool, kept[fact], f"{seed} {text}")))
@@ -71,10 +77,10 @@ class _Offer:
     calls: tuple[Call, ...]
 
 
-def _pools(rules: MappingRules, utterance: Utterance, kept: Mapping[Fact, Function]) -> dict[Fact, list[_Offer]]:
+def _pools(rules: MappingRules, known: Iterable[Fact], kept: Mapping[Fact, Function]) -> dict[Fact, list[_Offer]]:
     """The offers for each function; a rule that joins several functions shows the first it names."""
-    given = [fact for fact in utterance_facts(utterance) if fact.predicate in rules.asked]
-    if utterance.agitation is None:
+    given = [fact for fact in known if fact.predicate in rules.asked and fact.predicate != "fcn"]
+    if not any(fact.predicate == "agitation" for fact in given):
         given.append(Fact("agitation", (Level.MEDIUM.value,)))
     priorities = {fact: function.priority for fact, function in kept.items()}
     pools: defaultdict[Fact, list[_Offer]] = defaultdict(list)

@@ -38,7 +38,7 @@ from understudy.model import (
     Word,
 )
 from understudy.resources import resource_folder
-from understudy.rules.derivation import FunctionRules, derive_functions
+from understudy.rules.derivation import FunctionRules, understand
 from understudy.rules.mapping import MappingRules, offer_movements
 from understudy.syntax.parser import Parser
 from understudy.transcript import read_transcript
@@ -100,9 +100,10 @@ def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) ->
     duration_s = max(word.interval.end_s for word in words if word.interval) + 0.2
     agitation = Agitation(low=0.0, medium=1.0, high=0.0)
     utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)
-    functions = derive_functions(stages.functions, utterance)
+    known = understand(stages.functions, utterance)
+    functions = known.functions
     clock = [time.perf_counter()]
-    candidates = offer_movements(stages.mapping, utterance, functions, seed=seed)
+    candidates = offer_movements(stages.mapping, utterance, functions, seed=seed, facts=known.facts)
     clock.append(time.perf_counter())
     behaviors = schedule(candidates, utterance, stages.character, seed=seed, mode=mode)
     clock.append(time.perf_counter())
@@ -118,8 +119,9 @@ def performed(stages: Stages, text: str, seed: int) -> Performance:
     duration_s = max(word.interval.end_s for word in words if word.interval) + 0.2
     agitation = Agitation(low=0.0, medium=1.0, high=0.0)
     utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)
-    functions = derive_functions(stages.functions, utterance)
-    candidates = offer_movements(stages.mapping, utterance, functions, seed=seed)
+    known = understand(stages.functions, utterance)
+    functions = known.functions
+    candidates = offer_movements(stages.mapping, utterance, functions, seed=seed, facts=known.facts)
     behaviors = schedule(candidates, utterance, stages.character, seed=seed)
     lips, _notices = visemes(words, duration_s)
     return Performance(utterance, functions, behaviors, stages.character.name, seed, visemes=lips)

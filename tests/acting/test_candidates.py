@@ -35,6 +35,7 @@ FAMILIES = Families(
     ),
     head=MappingProxyType({"nod": (FamilyBehavior("nod"),)}),
     face=MappingProxyType({}),
+    gaze=MappingProxyType({}),
     shows=MappingProxyType(
         {
             "OPEN_HAND": ("present",),

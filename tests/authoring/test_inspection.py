@@ -21,7 +21,9 @@ def test_a_trace_has_every_rule_behind_functions_and_movements(understudy: Under
     analysis = find_functions(understudy.language, TEXT)
     fired = {firing.rule.name for firing in traced.functions.firings}
     assert {function.rule for function in analysis.functions} <= fired
-    candidates = offer_movements(understudy.behavior.rules, analysis.utterance, analysis.functions, seed=0)
+    candidates = offer_movements(
+        understudy.behavior.rules, analysis.utterance, analysis.functions, seed=0, facts=analysis.facts
+    )
     offering = {
         movement.rule
         for offer in candidates

@@ -1,14 +1,17 @@
-"""The rule of the paper's Figure 3 as it is printed there, but for the keyword `rule`: it loads, and it derives."""
+"""The rule of the paper's Figure 3 as it is printed there, with and without the keyword `rule`."""
 
 from pathlib import Path
 
+import pytest
+
+from understudy.errors import AuthoringError
 from understudy.rules.chaining.chainer import Fact, derive
 from understudy.rules.program.program import load_program
 
 PAPER = """
 predicate fcn(class, subtype, start, end, priority max)
 
-rule semantics_strong_positive_comparative
+semantics_strong_positive_comparative
 foreach
   fcn(quantifier,positive,$start1,$end1,$priority1)
   fcn(comparative,positive,$end1,$end2,$priority2)
@@ -32,6 +35,52 @@ def test_a_lot_more_important_is_a_strong_comparative_above_its_components(tmp_p
     assert reason is not None
     assert (reason.rule, reason.line) == ("semantics_strong_positive_comparative", 4)
     assert reason.supports == (A_LOT, MORE_IMPORTANT)
+
+
+def test_the_keyword_changes_nothing_but_the_column_of_the_name(tmp_path: Path) -> None:
+    (tmp_path / "paper.rules").write_text(PAPER, encoding="utf-8")
+    (tmp_path / "ours.rules").write_text(PAPER.replace("semantics_", "rule semantics_"), encoding="utf-8")
+    derived = [
+        derive(load_program([tmp_path / name]), [A_LOT, MORE_IMPORTANT], annotations={A_LOT: 3}).facts
+        for name in ("paper.rules", "ours.rules")
+    ]
+    assert derived[0] == derived[1]
+    assert STRONG in derived[0]
+
+
+def test_rules_with_and_without_the_keyword_stand_in_one_file_each_with_its_comment(tmp_path: Path) -> None:
+    other = (
+        "\n# The other way round.\nrule other\nforeach\n  fcn($c, $s, $a, $b, _)\nassert\n  fcn(seen, $s, $a, $b, 0)\n"
+    )
+    named = PAPER.replace("\nsemantics_", other + "\n# As printed.\nsemantics_")
+    (tmp_path / "paper.rules").write_text(named, encoding="utf-8")
+    rules = load_program([tmp_path / "paper.rules"]).rules
+    assert [(rule.name, rule.comment) for rule in rules] == [
+        ("other", "The other way round."),
+        ("semantics_strong_positive_comparative", "As printed."),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "told"),
+    [
+        ("lonely\n  fcn(a, b, $s, $e, _)\n", 1, "a rule's name alone above `foreach`"),
+        ("named\nforeach\n  fcn(a, b, $s, $e\nassert\n  fcn(c, b, $s, $e)\n", 4, "the parenthesis is not closed"),
+        ("named\nforeach\n  fcn(a, b, $s, $e, _)\n", 1, "named"),
+        (
+            "named\nforeach\n  fcn(a, b, $s, $e, _)\nassert\n  fcn(c, b, $s, $e)\n\nnext\n  fcn(x, y, $s, $e, _)\n",
+            7,
+            "`foreach` comes right below it",
+        ),
+    ],
+)
+def test_mistakes_in_a_rule_without_keyword_are_told_at_their_place(
+    tmp_path: Path, text: str, line: int, told: str
+) -> None:
+    (tmp_path / "paper.rules").write_text(text, encoding="utf-8")
+    with pytest.raises(AuthoringError) as error:
+        load_program([tmp_path / "paper.rules"])
+    assert any(mistake.line == line and told in mistake.message for mistake in error.value.mistakes), error.value
 
 
 def test_words_apart_are_none(tmp_path: Path) -> None:

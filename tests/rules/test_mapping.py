@@ -53,7 +53,7 @@ SUBTYPES = {
     "apology": "plain",
     "politeness": "plain",
     "quoting": "introduction words",
-    "enumeration": "first next last",
+    "enumeration": "first next last item",
     "topic_shift": "new return",
     "parenthesis": "plain",
     "hedging": "plain",

@@ -5,7 +5,8 @@ from pathlib import Path
 
 from tests.support.utterances import PARSER, words_of
 from understudy.model import Utterance
-from understudy.rules.derivation import FunctionRules, derive_functions
+from understudy.rules.chaining.chainer import Fact
+from understudy.rules.derivation import FunctionRules, derive_facts, derive_functions
 from understudy.syntax.parser import Parser
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,3 +31,31 @@ def found(text: str, class_name: str) -> list[tuple[str, str]]:
         for function in derive_functions(shipped_rules(), Utterance(words, shipped_parser().parse(words)))
         if function.class_name == class_name and function.kept
     ]
+
+
+def facts(text: str, predicate: str) -> set[tuple[str, ...]]:
+    """What the rules know by a predicate: its texts and numbers as they are, each boundary pair as the words between.
+
+    Only for predicates that end in a span; `at` is for those that end in a position.
+    """
+    spoken = text.split()
+    return {
+        (*map(str, fact.arguments[:-2]), " ".join(spoken[int(fact.arguments[-2]) : int(fact.arguments[-1])]))
+        for fact in _derived(text)
+        if fact.predicate == predicate
+    }
+
+
+def at(text: str, predicate: str) -> set[tuple[str, ...]]:
+    """What the rules know by a predicate whose last argument is the position of a word."""
+    spoken = text.split()
+    return {
+        (*map(str, fact.arguments[:-1]), spoken[int(fact.arguments[-1])])
+        for fact in _derived(text)
+        if fact.predicate == predicate
+    }
+
+
+def _derived(text: str) -> tuple[Fact, ...]:
+    words = words_of(text)
+    return derive_facts(shipped_rules(), Utterance(words, shipped_parser().parse(words))).facts

@@ -10,8 +10,9 @@ import pickle
 from collections.abc import Sequence
 from pathlib import Path
 
-from understudy.acting.terms import terms_of
+from understudy.acting.terms import TermTable, terms_of
 from understudy.performance import LanguageModels, find_functions_in_all
+from understudy.resources import resource_folder
 from understudy.settings import Settings
 from understudy.transcript import read_transcript
 
@@ -23,12 +24,13 @@ TOGETHER = 200
 
 def terms_by_line(lines: Sequence[DirectedLine]) -> dict[str, tuple[frozenset[str], ...]]:
     """The terms of each word of each line."""
-    language, found = LanguageModels.load(Settings()), {}
+    language, found = LanguageModels.load(Settings()), dict[str, tuple[frozenset[str], ...]]()
+    table = TermTable.load(resource_folder("lexicon") / "acting" / "terms.yaml")
     for first in range(0, len(lines), TOGETHER):
         batch = lines[first : first + TOGETHER]
         words = [read_transcript(" ".join(line.words), max_characters=100_000) for line in batch]
         for line, analysis in zip(batch, find_functions_in_all(language, words), strict=True):
-            found[line.name] = terms_of(analysis.utterance, analysis.functions)
+            found[line.name] = terms_of(analysis.utterance, analysis.functions, table.of_facts(analysis.facts))
     return found
 
 

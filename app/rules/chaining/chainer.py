@@ -99,6 +99,6 @@ def _close(stratum: Stratum, knowledge: Knowledge) -> None:
     while knowledge.end_round() and stratum.later:
         if rounds == knowledge.limits.rounds:
             raise knowledge.blamed().error(f"facts still follow after {rounds} rounds; does it compute ever new ones?")
-        for plan in stratum.later:
+        for plan in stratum.due(knowledge.recent):
             plan.run(knowledge)
         rounds += 1

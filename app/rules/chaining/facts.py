@@ -31,6 +31,7 @@ def utterance_facts(utterance: Utterance) -> tuple[Fact, ...]:
     """The given facts of an utterance, in the order of `vocabulary.rules`, without duplicates."""
     facts = (
         *_word_facts(utterance.words),
+        *_quotation_facts(utterance.words),
         *_token_facts(utterance.parse.tokens),
         *_phrase_facts(utterance),
         *_sentence_facts(utterance.words),
@@ -45,10 +46,34 @@ def _word_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
         leading, trailing = _around(word.text, text)
         if text:
             yield Fact("word", (text, start, end))
+        whole = _stutter(text)
+        if whole:
+            yield Fact("stutter", (whole, start, end))
         for mark in leading if text else leading + trailing:
             yield Fact("punctuation", (mark, start))
         for mark in trailing if text else leading + trailing:
             yield Fact("punctuation", (mark, end))
+
+
+def _quotation_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
+    """What stands between an opening quotation mark and the next closing one; one that is never closed quotes on."""
+    start: int | None = None
+    for word in words:
+        text = normalized_word(word.text)
+        leading, trailing = _around(word.text, text)
+        if '"' in leading and start is None:
+            start = word.index
+        if '"' in (trailing if text else leading[1:]) and start is not None:
+            yield Fact("quotation", (start, word.index + 1))
+            start = None
+    if start is not None:
+        yield Fact("quotation", (start, len(words)))
+
+
+def _stutter(text: str) -> str | None:
+    """The word that is stuttered in "i-i-i" or "th-they"; None for a whole word."""
+    *begun, whole = text.split("-")
+    return whole if begun and all(part and whole.startswith(part) for part in begun) else None
 
 
 def _around(text: str, inner: str) -> tuple[list[str], list[str]]:

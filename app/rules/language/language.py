@@ -1,7 +1,8 @@
 """Parses rule files into syntax trees with positions (`tree.py`), or reports every syntax mistake with its place.
 
-A file is split into blocks at the lines that begin with `rule` or `predicate`, and each block is parsed separately, so
-that a mistake in one does not hide those in others. Newlines separate statements except inside parentheses.
+A file is split into blocks at the lines that begin with `rule` or `predicate` and at names alone above `foreach`, as
+the paper prints them (Figure 3). Each block is parsed separately, so that a mistake in one does not hide those in
+others. Newlines separate statements except inside parentheses.
 """
 
 import re
@@ -41,6 +42,8 @@ from .tree import (
 from .wording import syntax_message
 
 _BLOCK_START = re.compile(r"[ \t]*(rule|predicate)\b(?![ \t]*\()")
+_NAME_ALONE = re.compile(r"[ \t]*(?!(?:foreach|assert|choose|unless|weight)\b)[A-Za-z][A-Za-z0-9_]*[ \t]*(#.*)?\r?$")
+_FOREACH = re.compile(r"[ \t]*foreach\b")
 _SIGNS_IN_A_LINE = 60
 
 
@@ -105,13 +108,24 @@ class _Cut:
 
 
 def _cut(lines: tuple[str, ...]) -> Iterator[_Cut]:
-    starts = [number for number, line in enumerate(lines) if _BLOCK_START.match(line)]
+    starts = [number for number in range(len(lines)) if _starts_block(lines, number)]
     for start, end in pairwise([*starts, len(lines)]):
         above = start
         while above > 0 and lines[above - 1].lstrip().startswith("#"):
             above -= 1
         comment = "\n".join(line.strip().lstrip("#").strip() for line in lines[above:start])
         yield _Cut(start + 1, _without_trailing_comments(lines[start:end]), comment)
+
+
+def _starts_block(lines: tuple[str, ...], number: int) -> bool:
+    """Whether a block begins here: with a keyword, or with a rule's name alone, `foreach` being what comes next."""
+    if _BLOCK_START.match(lines[number]):
+        return True
+    if not _NAME_ALONE.match(lines[number]):
+        return False
+    below = (line for line in lines[number + 1 :] if line.strip() and not line.lstrip().startswith("#"))
+    before = (line for line in reversed(lines[:number]) if line.strip() and not line.lstrip().startswith("#"))
+    return bool(_FOREACH.match(next(below, ""))) and next(before, "").strip() != "rule"
 
 
 def _without_trailing_comments(lines: tuple[str, ...]) -> str:
@@ -123,13 +137,12 @@ def _without_trailing_comments(lines: tuple[str, ...]) -> str:
 def _stray_lines(lines: tuple[str, ...], path: Path) -> Iterator[Mistake]:
     """A mistake at the first line before any block that is neither blank nor a comment."""
     for number, line in enumerate(lines, start=1):
-        if _BLOCK_START.match(line):
+        if _starts_block(lines, number - 1):
             return
         code = line.lstrip()
         if code and not code.startswith("#"):
-            yield Mistake(
-                path, number, len(line) - len(code) + 1, "expected `rule NAME` or `predicate NAME(...)`", line
-            )
+            expected = "expected `rule NAME` or `predicate NAME(...)`, or a rule's name alone above `foreach`"
+            yield Mistake(path, number, len(line) - len(code) + 1, expected, line)
             return
 
 
@@ -257,5 +270,7 @@ class _Builder(Transformer[Token, Any]):
     def _atom(self, expression: Expression, expected: str) -> Atom:
         if isinstance(expression, Atom):
             return expression
+        if isinstance(expression, Constant):
+            expected += "; where a rule's name stands alone, `foreach` comes right below it"
         self.mistakes.append((expression.place, f"expected {expected}"))
         return Atom("", (), expression.place)

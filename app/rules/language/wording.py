@@ -58,7 +58,7 @@ def syntax_message(error: UnexpectedInput, text: str) -> str:
         hint = _CHARACTERS.get(error.char, "no part of the language begins so")
         return f"found `{error.char}`; {hint}"
     if isinstance(error, UnexpectedToken):
-        in_rule = text.lstrip().startswith("rule")
+        in_rule = not text.lstrip().startswith("predicate")
         return f"expected {_expected(error) if in_rule else _PARAMETERS}; found {_found(error.token)}"
     return "the rule ends too early"
 

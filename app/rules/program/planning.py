@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
-from ..knowledge import Environment, Index, Knowledge, Origin, Pick, pick
+from ..knowledge import Beginning, Environment, Index, Knowledge, Origin, Pick, pick
 from ..language.arithmetic import apply_builtin, apply_operation, compare
 from ..language.tree import (
     Alternatives,
@@ -31,10 +31,14 @@ from .steps import Absent, Compute, Evaluate, Join, JoinRecent, Shape, Step, Tes
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """One way to match a rule: `template` is the initial environment."""
+    """One way to match a rule: `template` is the initial environment.
+
+    A plan that starts from new facts only needs to run if the last round added facts under one of `beginnings`.
+    """
 
     template: tuple[object, ...]
     begin: Step
+    beginnings: tuple[Beginning, ...] = ()
 
     def run(self, knowledge: Knowledge) -> None:
         """Find all matches of the rule, and draw its conclusions."""
@@ -114,9 +118,11 @@ def plans(
     planner = _Planner(layout, indexes, joins, last)
     numbers = tuple(range(len(joins)))
     from_all = planner.rest(frozenset(), numbers, tuple(conditions))
-    from_recent = tuple(planner.beginning(number, numbers, tuple(conditions)) for number in numbers)
+    from_recent = tuple(
+        (planner.beginning(number, numbers, tuple(conditions)), planner.beginnings(number)) for number in numbers
+    )
     template = tuple(layout.template)
-    return Plans(Plan(template, from_all), tuple(Plan(template, begin) for begin in from_recent))
+    return Plans(Plan(template, from_all), tuple(Plan(template, *each) for each in from_recent))
 
 
 def variables_of(expression: Expression) -> frozenset[str]:
@@ -155,6 +161,14 @@ class _Planner:
         then = self.rest(_bound_by(arguments), tuple(number for number in joins if number != chosen), conditions)
         first = arguments[0].value if arguments and isinstance(arguments[0], Constant) else None
         return JoinRecent((atom.name, first), self._shape(chosen, frozenset(), keyed=False), then)
+
+    def beginnings(self, chosen: int) -> tuple[Beginning, ...]:
+        """What a round must have brought for the pattern `chosen` to have something new."""
+        atom = self.joins[chosen].fact
+        first = next(iter(self.layout.identity(atom)), None)
+        values = first.values if isinstance(first, Alternatives) else ()
+        values = (first.value,) if isinstance(first, Constant) else values
+        return tuple((atom.name, value) for value in values) or ((atom.name, None),)
 
     def _join(
         self, chosen: int, bound: frozenset[str], joins: tuple[int, ...], conditions: tuple[Statement, ...]

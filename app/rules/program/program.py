@@ -1,12 +1,13 @@
 """Loads rule files into an immutable program: checked, stratified, with all joins planned."""
 
-from collections.abc import Collection, Iterable, Mapping
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
 from ...errors import AuthoringError
-from ..knowledge import Index
+from ..knowledge import Beginning, Index
 from ..language.language import read_rules
 from ..language.tree import Atom, Block, Choice, Pattern, PredicateTree, RuleFile, RuleTree
 from .checking import check
@@ -56,10 +57,28 @@ class Predicate:
 
 @dataclass(frozen=True, slots=True)
 class Stratum:
-    """Rules that run together: `first` once on all facts, then `later` on the facts that each round added."""
+    """Rules that run together: `first` once on all facts, then `later` on the facts that each round added.
+
+    `waiting` maps what a plan may begin from (`Plan.beginnings`) to the numbers of the plans in `later`.
+    """
 
     first: tuple[Plan, ...]
     later: tuple[Plan, ...]
+    waiting: Mapping[Beginning, tuple[int, ...]]
+
+    @classmethod
+    def of(cls, first: Iterable[Plan], later: Sequence[Plan]) -> "Stratum":
+        waiting: defaultdict[Beginning, list[int]] = defaultdict(list)
+        for number, plan in enumerate(later):
+            for beginning in plan.beginnings:
+                waiting[beginning].append(number)
+        filed = {beginning: tuple(numbers) for beginning, numbers in waiting.items()}
+        return cls(tuple(first), tuple(later), MappingProxyType(filed))
+
+    def due(self, brought: Iterable[Beginning]) -> Iterator[Plan]:
+        """The later plans that something new has come for, in the order of the rules."""
+        numbers = {number for beginning in brought for number in self.waiting.get(beginning, ())}
+        return (self.later[number] for number in sorted(numbers))
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,9 +127,9 @@ def _assembled(files: tuple[RuleFile, ...]) -> Program:
         rules=tuple(_rule(file, block, tree) for file, block, tree in rules),
         predicates=MappingProxyType(predicates),
         strata=tuple(
-            Stratum(
-                first=tuple(plans[number].from_all for number in level),
-                later=tuple(plan for number in level if fed.joined[number] for plan in plans[number].from_recent),
+            Stratum.of(
+                first=[plans[number].from_all for number in level],
+                later=[plan for number in level if fed.joined[number] for plan in plans[number].from_recent],
             )
             for level in levels
         ),

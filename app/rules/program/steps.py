@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
-from ..knowledge import Environment, Fact, Knowledge, Origin, Pick
+from ..knowledge import Beginning, Environment, Fact, Knowledge, Origin, Pick
 from ..language.arithmetic import ComputationError
 from ..language.tree import Argument
 
@@ -75,7 +75,7 @@ class JoinRecent:
     `beginning` is the predicate and, if it is a constant, the first argument.
     """
 
-    beginning: tuple[str, Argument | None]
+    beginning: Beginning
     shape: Shape
     then: Step
 

@@ -17,6 +17,10 @@ TOPIC_SHIFT = [
     ("As I was saying, he left.", [("return", "As I was saying,")]),
     ("I'll do it anyway.", []),
     ("We were talking about him.", []),
+    ("You know what? Let us go.", [("new", "You know what?")]),
+    ("Guess what, he called.", [("new", "Guess what,")]),
+    ("Do you know what he wants?", []),
+    ("You know what I mean.", []),
 ]
 PARENTHESIS = [
     ("My brother (he is older) came.", [("plain", "(he is older)")]),
@@ -31,12 +35,16 @@ QUOTING = [
     ('He said, "Never again!"', [("introduction", "said,"), ("words", '"Never again!"')]),
     ("She was like a mother to me.", []),
     ("He said hello.", []),
+    ("Truth be told, I never liked it.", []),
 ]
 GREETING = [
     ("Hello, Joey.", [("plain", "Hello,")]),
     ("Good morning!", [("plain", "Good morning!")]),
     ("I said hello to her.", []),
     ("You're welcome.", []),
+    ("Hi, how are you?", [("plain", "Hi,"), ("plain", "how are you?")]),
+    ("How do you do that so fast?", []),
+    ("How are you getting home?", []),
 ]
 PARTING = [("Okay, see you later.", [("plain", "see you later.")]), ("I see you.", [])]
 THANKS = [("Thank you so much.", [("plain", "Thank you so much.")]), ("Thanks to him we won.", [])]
@@ -45,6 +53,8 @@ APOLOGY = [
     ("Excuse me.", [("plain", "Excuse me.")]),
     ("She is sorry.", []),
     ("I feel sorry for him.", []),
+    ("I must apologise for the noise.", [("plain", "I must apologise")]),
+    ("Listen, I'm sorry about that.", [("plain", "sorry about that.")]),
 ]
 POLITENESS = [
     ("Please sit down.", [("plain", "Please")]),
@@ -63,6 +73,10 @@ OBLIGATION = [
     ("We ought to talk.", [("inclusive", "ought to")]),
     ("He should leave.", [("other", "should")]),
     ("I can go.", []),
+    ("I must apologise.", []),
+    ("I have to admit it is good.", []),
+    ("We are just going to have to wait.", [("inclusive", "have to")]),
+    ("You always have to shout.", [("addressee", "have to")]),
 ]
 INCLUSION = [
     ("All of us came together.", [("everyone", "All of us"), ("together", "together.")]),

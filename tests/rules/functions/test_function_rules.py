@@ -15,6 +15,9 @@ AFFIRMATION = [
     ("Are you okay?", []),
     ("I am not sure.", []),
     ("Turn right here.", []),
+    ("Can do.", [("plain", "Can do.")]),
+    ("Will do, thanks.", [("plain", "Will do,")]),
+    ("What they can do is small.", []),
 ]
 NEGATION = [
     ("No, I don't.", [("plain", "No,"), ("plain", "don't.")]),
@@ -22,6 +25,10 @@ NEGATION = [
     ("Not at all!", [("plain", "Not at all!")]),
     ("No wonder it broke.", []),
     ("You like it, don't you?", []),
+    ("No-no, keep it.", [("plain", "No-no,")]),
+    ("Talking there is a no-no.", []),
+    ("Are you coming or not?", [("plain", "not?")]),
+    ("It is not only old but also ugly.", []),
 ]
 INTERROGATIVE = [
     ("How many people came?", [("wh", "How many people")]),
@@ -45,12 +52,35 @@ INTERROGATIVE = [
     ("What a day!", []),
     ("So do I.", []),
     ("The man who came left again.", []),
+    ("Only when it rains does the roof leak.", []),
+    ("Never have I seen such a mess.", []),
+    ("Not once did she complain.", []),
+    ("Don't you dare open that letter!", []),
+    ("Don't you want some soup?", [("polar", "Don't you want some soup?")]),
+    ("Had we left earlier, we would have caught it.", []),
+    ("Were he here, he would laugh.", []),
+    ("Am I hungry!", []),
+    ("May she rest in peace.", []),
+    ("The woman who runs the shop moved away.", []),
+    ("We met a couple who did that for years.", []),
+    ("I have a cousin who's a pilot.", []),
+    ("How tall is he?", [("wh", "How")]),
+    ("What kind of bread does he like?", [("wh", "What kind of")]),
+    ("I forgot, what was the price?", [("wh", "what")]),
+    ("If it snows, will you stay?", [("polar", "will you stay?")]),
+    ("Could you hold this, I want to sit down.", [("polar", "Could you hold this,")]),
 ]
 CONTRAST = [
     ("I called, but nobody came.", [("plain", "but")]),
     ("Rather than wait, go.", [("plain", "Rather than")]),
     ("They want no other friends than them.", [("plain", "other friends than")]),
     ("They have nothing but trouble.", []),
+    ("The house is small, yet it is bright.", [("plain", "yet")]),
+    ("Poor and yet proud.", [("plain", "yet")]),
+    ("They haven't called yet.", []),
+    ("The worst is yet to come.", []),
+    ("It is not only small but also dark.", []),
+    ("It is not small but dark.", [("plain", "but")]),
 ]
 PROCESS = [
     ("They began to run.", [("start", "began")]),
@@ -75,6 +105,10 @@ QUANTIFICATION = [
     ("The other one left.", []),
     ("Come at six.", []),
     ("Come at six thirty.", []),
+    ("Thank you so much for coming.", []),
+    ("Take plan B.", []),
+    ("One day he will understand.", []),
+    ("He works one day a week.", [("number", "one")]),
 ]
 COMPARISON = [
     ("This is more important.", [("positive", "more important.")]),
@@ -96,6 +130,12 @@ SPATIAL = [
     ("I figured it out.", []),
     ("He stood behind me.", [("back", "behind")]),
     ("He raised his right hand.", [("right", "right")]),
+    ("He lives over by the lake.", [("plain", "over by")]),
+    ("I am so over it.", []),
+    ("Clean that mess up.", []),
+    ("Where is the remote control?", []),
+    ("Calm down.", []),
+    ("Go straight ahead.", [("front", "straight ahead.")]),
 ]
 PHYSICAL = [
     ("It is a huge problem.", [("big", "huge")]),
@@ -105,6 +145,11 @@ PHYSICAL = [
     ("The firm pays well.", []),
     ("As long as he stays, go.", []),
     ("He is a little late.", []),
+    ("They pushed very hard.", [("hard", "hard.")]),
+    ("It is hard to say.", []),
+    ("We sat at the Round Table.", []),
+    ("He bought a grand piano.", []),
+    ("A box of that size.", [("big", "size.")]),
 ]
 MENTAL = [
     ("I don't know why.", [("unsure", "don't know")]),
@@ -117,6 +162,8 @@ MENTAL = [
     ("I'm sick of this.", [("feel", "sick of")]),
     ("Make sure it works.", []),
     ("He was, you know, tall.", []),
+    ("Certain people never learn.", [("know", "learn.")]),
+    ("I am certain of it.", [("know", "certain")]),
 ]
 PERFORMANCE = [
     ("It was, um, late.", [("hesitation", "um,")]),
@@ -136,6 +183,10 @@ PERFORMANCE = [
     ("Do you know him?", []),
     ("She looks like him.", []),
     ("Very, very good.", []),
+    ("I-I forgot it.", [("repeat", "I-I")]),
+    ("Th-they left.", [("repeat", "Th-they")]),
+    ("Wait-wait, listen.", []),
+    ("Look at it! It moves.", []),
 ]
 DEIXIS = [
     ("I saw my old friend.", [("self", "I"), ("self", "my old friend.")]),
@@ -147,6 +198,7 @@ DEIXIS = [
     ("There is time.", []),
     ("He said that he left.", []),
     ("He was, you know, tall.", []),
+    ("We live there.", [("inclusive", "We"), ("place", "there.")]),
 ]
 MODAL = [
     ("He can't swim.", [("ability", "can't")]),
@@ -156,6 +208,7 @@ MODAL = [
     ("Can I go?", [("permission", "Can")]),
     ("He opened the can.", []),
     ("He will go.", []),
+    ("Can do.", []),
 ]
 INTENSIFIER = [
     ("It was so good.", [("plain", "so")]),
@@ -176,6 +229,11 @@ VALENCE = [
     ("He drives a white car.", []),
     ("Good morning.", []),
     ("I mean it.", []),
+    ("The village lies in a valley.", []),
+    ("He lies about his age.", [("negative", "lies")]),
+    ("The mean temperature rose.", []),
+    ("A mean old man.", [("negative", "mean")]),
+    ("Price wise it works.", []),
 ]
 
 TABLE = {

@@ -36,6 +36,7 @@ HEIGHT = [
     ("High expectations are bad.", [("more", "High expectations")]),
     ("He went up the stairs.", []),
     ("The glass fell.", []),
+    ("Calm down.", []),
 ]
 CONTAINER = [
     ("She is in trouble and out of luck.", [("in", "in trouble"), ("out", "out of luck.")]),
@@ -61,6 +62,14 @@ LOCUS = [
     ),
     ("I called, but she left.", []),
     ("They have tea and coffee.", []),
+    ("This offer as opposed to that offer is fair.", [("left", "This offer"), ("right", "that offer")]),
+    (
+        "The green door leads to the cellar, the white door to the attic.",
+        [("left", "The green door"), ("right", "the white door")],
+    ),
+    ("She is tall but he is short.", [("left", "She"), ("right", "he")]),
+    ("The girl fell, but she laughed.", []),
+    ("My brother stayed but she left.", [("left", "My brother"), ("right", "she")]),
 ]
 TABLE = {"time": TIME, "idea": IDEA, "height": HEIGHT, "container": CONTAINER, "path": PATH, "locus": LOCUS}
 
@@ -87,5 +96,15 @@ def test_a_mention_before_the_contrast_has_no_place() -> None:
     assert found(text, "locus") == [("left", "Dogs"), ("right", "cats.")]
 
 
-def test_one_name_on_both_sides_has_no_place() -> None:
-    assert found("Big dogs are better than small dogs.", "locus") == []
+def test_one_noun_on_both_sides_goes_by_the_mention_and_then_by_its_attribute() -> None:
+    text = "The big dog fought the small dog, and the small dog won. A dog is a dog."
+    assert found(text, "locus") == [
+        ("left", "The big dog"),
+        ("right", "the small dog,"),
+        ("right", "the small dog"),
+    ]
+
+
+def test_a_pronoun_keeps_the_place_that_its_contrast_gave_it() -> None:
+    text = "He is tall but she is short, so he sits behind."
+    assert found(text, "locus") == [("left", "He"), ("right", "she"), ("left", "he")]
