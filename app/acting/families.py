@@ -118,7 +118,7 @@ class _FamiliesFile(Entry):
     gesture: dict[_Name, _Lines]
     head: dict[_Name, _Lines]
     face: dict[_Name, _Lines]
-    gaze: dict[_Name, _Lines] = {}
+    gaze: dict[_Name, _Lines] = Field(default_factory=dict)
     shows: dict[_Lexeme, Annotated[tuple[_Name, ...], Field(min_length=1)]]
 
 
