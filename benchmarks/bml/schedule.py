@@ -20,13 +20,15 @@ from itertools import combinations, islice, pairwise
 from pathlib import Path
 
 from tests.support.bml_checker import check
-from understudy.bml.choice.characters import Character, Characters
+from understudy.acting.candidates import Stage, candidates_of
+from understudy.bml.choice.characters import Character
 from understudy.bml.choice.scheduling import schedule
 from understudy.bml.choice.visemes import visemes
 from understudy.bml.writing.writer import write_bml
 from understudy.model import (
     Agitation,
     Behavior,
+    BehaviorCandidates,
     Channel,
     Function,
     Hand,
@@ -37,9 +39,11 @@ from understudy.model import (
     Utterance,
     Word,
 )
+from understudy.performance import Analysis, BehaviorModels, plan_moments
 from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules, derive_functions
 from understudy.rules.mapping import MappingRules, offer_movements
+from understudy.settings import Settings
 from understudy.syntax.parser import Parser
 from understudy.transcript import read_transcript
 
@@ -79,19 +83,32 @@ class Stages:
 
     parser: Parser
     functions: FunctionRules
-    mapping: MappingRules
+    behavior: BehaviorModels
     character: Character
+
+    @property
+    def mapping(self) -> MappingRules:
+        return self.behavior.rules
 
     @classmethod
     def load(cls, character: str) -> "Stages":
         lexicon = resource_folder("lexicon")
-        characters = Characters.load(lexicon)
+        behavior = BehaviorModels.load(Settings())
         return cls(
             Parser.load(resource_folder("models") / "parser"),
             FunctionRules.load(RULES, lexicon / "en"),
-            MappingRules.load(RULES, characters.behavior_names),
-            characters.named(character),
+            behavior,
+            behavior.characters.named(character),
         )
+
+    def candidates(
+        self, utterance: Utterance, functions: tuple[Function, ...], seed: int
+    ) -> tuple[BehaviorCandidates, ...]:
+        """What could show the functions and the moments planned, as in `understudy.performance.perform`."""
+        offers = offer_movements(self.mapping, utterance, functions, seed=seed)
+        moments = plan_moments(self.behavior, Analysis(utterance, functions), self.character)
+        stage = Stage(self.behavior.families, self.character.lexemes, seed)
+        return candidates_of(stage, utterance, moments, offers)
 
 
 def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) -> Outcome:
@@ -102,7 +119,7 @@ def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) ->
     utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)
     functions = derive_functions(stages.functions, utterance)
     clock = [time.perf_counter()]
-    candidates = offer_movements(stages.mapping, utterance, functions, seed=seed)
+    candidates = stages.candidates(utterance, functions, seed)
     clock.append(time.perf_counter())
     behaviors = schedule(candidates, utterance, stages.character, seed=seed, mode=mode)
     clock.append(time.perf_counter())
@@ -119,7 +136,7 @@ def performed(stages: Stages, text: str, seed: int) -> Performance:
     agitation = Agitation(low=0.0, medium=1.0, high=0.0)
     utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)
     functions = derive_functions(stages.functions, utterance)
-    candidates = offer_movements(stages.mapping, utterance, functions, seed=seed)
+    candidates = stages.candidates(utterance, functions, seed)
     behaviors = schedule(candidates, utterance, stages.character, seed=seed)
     lips, _notices = visemes(words, duration_s)
     return Performance(utterance, functions, behaviors, stages.character.name, seed, visemes=lips)
