@@ -4,8 +4,8 @@
 
 FILE has on each line a "text" and its "functions" as people marked them (default: ../shared/data/functions/dev.jsonl).
 A marked function is met where a gesture on one of its words is one that the mapping rules offer for its class (Table 2
-and its extension). Head, eyes and face are the same in all modes and are not counted. Words and times are made as in
-`benchmarks.bml.schedule`.
+and its extension). The share of strokes in the first half of their line tells whether a mode spreads them. Head, eyes
+and face are the same in all modes and are not counted. Words and times are made as in `benchmarks.bml.schedule`.
 """
 
 import argparse
@@ -45,6 +45,11 @@ def kept_gestures(line: Outcome) -> list[Behavior]:
     return [behavior for behavior in line.behaviors if behavior.kept and behavior.kind is Channel.GESTURE]
 
 
+def early(line: Outcome) -> int:
+    """How many gestures strike in the first half of their line."""
+    return sum((gesture.sync.stroke or 0.0) < line.duration_s / 2 for gesture in kept_gestures(line))
+
+
 def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--texts", type=Path, default=TEXTS)
@@ -56,15 +61,20 @@ def main() -> None:
     lines = [json.loads(line) for line in options.texts.read_text(encoding="utf-8").splitlines()]
     shares = {}
     for mode in Mode:
-        found = total = strokes = 0
+        found = total = strokes = in_first_half = 0
         for seed in range(options.seeds):
             for line in lines:
-                gestures = kept_gestures(outcome(stages, line["text"], seed, mode))
+                performed = outcome(stages, line["text"], seed, mode)
+                gestures = kept_gestures(performed)
                 found += sum(met(marked, gestures, offered) for marked in line["functions"])
                 total += len(line["functions"])
                 strokes += len(gestures)
+                in_first_half += early(performed)
         shares[mode] = found / total
-        print(f"{mode:8s} {found} of {total} marked functions met ({100 * found / total:.1f} %), {strokes} gestures")
+        print(
+            f"{mode:8s} {found} of {total} marked functions met ({100 * found / total:.1f} %), {strokes} gestures, "
+            f"{100 * in_first_half / strokes:.0f} % in the first half of their line"
+        )
     least = max(min(shares.values()), 1 / total)
     print("ratio " + " : ".join(f"{share / least:.1f}" for share in shares.values()))
 

@@ -37,15 +37,15 @@ from understudy.model import (
     Utterance,
     Word,
 )
-from understudy.resources import resource_folder
+from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules, understand
 from understudy.rules.mapping import MappingRules, offer_movements
 from understudy.syntax.parser import Parser
 from understudy.transcript import read_transcript
 
-RULES = Path(__file__).resolve().parents[1] / "app" / "rules"
-TREEBANKS = Path(__file__).resolve().parents[2] / "shared" / "data" / "treebanks"
-TEXTS = Path(__file__).resolve().parents[2] / "shared" / "data" / "functions" / "dev.jsonl"
+DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
+TREEBANKS = DATA / "treebanks"
+TEXTS = DATA / "functions" / "dev.jsonl"
 
 
 @dataclass(frozen=True, slots=True)

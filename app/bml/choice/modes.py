@@ -1,13 +1,15 @@
 """The three performances of the paper's study (§5): gestures from the meaning, from the stress, or from chance.
 
-Head, eyes and face are those of the meaning in all three, so that a comparison of them compares the gestures.
+Head, eyes and face are those of the meaning in all three, so that a comparison of them compares the gestures. Neither
+rival is made worse than need be: stressed words all along the line are beaten, and chance draws anew for each text.
 """
 
 import random
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
-from ...model import Behavior, BehaviorCandidates, Channel, Mode, Movement
+from ...model import Behavior, BehaviorCandidates, Channel, Function, Mode, Movement
 from .candidates import PlacedBehavior, asked
 from .choosing import Line, with_hand
 from .conflicts import Fitted, Kept, fitted
@@ -37,21 +39,35 @@ def in_mode(
     replaced = (replace(each.behavior, kept=False, reason=f"not in the mode {mode}") for each in gestures)
     if mode is Mode.PROSODY:
         return _beaten_in(kept, candidates, line), (*lost, *replaced)
-    return _drawn(kept, gestures, line, random.Random(f"{seed} {len(line.timed)} gestures")), (*lost, *replaced)
+    text = " ".join(word.text for word in line.timed)
+    return _drawn(kept, gestures, line, random.Random(f"{seed} {text} gestures")), (*lost, *replaced)
 
 
 def _beaten_in(kept: Kept, candidates: Iterable[BehaviorCandidates], line: Line) -> Kept:
-    """Beats on the stressed words, as many as the character makes."""
-    stressed = sorted(
-        (offer.function for offer in candidates if offer.function and offer.function.class_name == STRESSED),
-        key=lambda function: (-function.priority, function.first),
-    )
-    left = line.most_gestures
-    for function in stressed:
+    """Beats on the stressed words, as many as the character makes, from the line's first to its last."""
+    stressed = [
+        offer.function for offer in candidates if offer.function and offer.function.class_name == STRESSED
+    ]
+    for part in _parts(sorted(stressed, key=lambda function: (function.first, function.last)), line.most_gestures):
+        kept = _beaten_once(kept, part, line)
+    return kept
+
+
+def _parts(stressed: Sequence[Function], most: int) -> list[Sequence[Function]]:
+    """The stressed words in order, in as many even parts as there are beats to make; one in each is beaten."""
+    count = min(most, len(stressed))
+    bounds = [place * len(stressed) // count for place in range(count + 1)] if count else []
+    return [stressed[first:last] for first, last in pairwise(bounds)]
+
+
+def _beaten_once(kept: Kept, part: Sequence[Function], line: Line) -> Kept:
+    """A beat on the most stressed word of a part on which one fits."""
+    emphases = {word.index: word.emphasis or 0.0 for word in line.timed}
+    for function in sorted(part, key=lambda function: (-function.priority, -emphases.get(function.first, 0.0))):
         movement = Movement(BEAT, function.first, function.last, function.priority, "", function.id)
         outcome = _fitted(movement, kept, line, "beats on a stressed word")
-        if left and outcome is not None:
-            kept, left = outcome.kept, left - 1
+        if outcome is not None:
+            return outcome.kept
     return kept
 
 

@@ -1,3 +1,5 @@
+import random
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -55,6 +57,31 @@ def test_chance_moves_where_meaning_does_but_shows_nothing() -> None:
     assert all([each.first for each in line] == [4, 20] for line in drawn)
     assert all(each.function is None and each.reason for line in drawn for each in line)
     assert len({line[0].lexeme for line in drawn}) > 5
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_beats_are_spread_over_the_stressed_words_of_the_whole_line(seed: int) -> None:
+    stressed = tuple(range(4, 116, 4))
+    line = utterance(spoken(" ".join(["word"] * 120), stressed=stressed))
+    offers = [
+        BehaviorCandidates(function("emphasis", "plain", word, word), offered(movement("small_nod", word)).alternatives)
+        for word in stressed
+    ]
+    random.Random(seed).shuffle(offers)
+    behaviors = schedule(offers, line, DEFAULT, seed=seed, mode=Mode.PROSODY)
+    beaten = [each.first for each in behaviors if each.kept and each.kind is Channel.GESTURE]
+    assert len(beaten) < len(stressed), "the character makes fewer gestures than there are stressed words"
+    assert 0.4 < sum(word < 60 for word in beaten) / len(beaten) < 0.6
+    assert max(later - earlier for earlier, later in pairwise(beaten)) <= 3 * 120 / len(beaten)
+
+
+def test_chance_draws_anew_for_lines_of_the_same_length() -> None:
+    drawn = set()
+    for text in ("ebb", "flow", "tide", "wave", "surf", "spray", "foam", "swell"):
+        line = utterance(spoken(" ".join([text] * 60)))
+        behaviors = schedule(candidates(), line, DEFAULT, seed=0, mode=Mode.RANDOM)
+        drawn.add(next(each.lexeme for each in behaviors if each.kept and each.kind is Channel.GESTURE))
+    assert len(drawn) >= 4
 
 
 @pytest.mark.parametrize("mode", [Mode.PROSODY, Mode.RANDOM])
