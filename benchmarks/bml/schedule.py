@@ -20,13 +20,15 @@ from itertools import combinations, islice, pairwise
 from pathlib import Path
 
 from tests.support.bml_checker import check
-from understudy.bml.choice.characters import Character, Characters
+from understudy.acting.candidates import Stage, candidates_of
+from understudy.bml.choice.characters import Character
 from understudy.bml.choice.scheduling import schedule
 from understudy.bml.choice.visemes import visemes
 from understudy.bml.writing.writer import write_bml
 from understudy.model import (
     Agitation,
     Behavior,
+    BehaviorCandidates,
     Channel,
     Function,
     Hand,
@@ -37,9 +39,11 @@ from understudy.model import (
     Utterance,
     Word,
 )
+from understudy.performance import Analysis, BehaviorModels, plan_moments
 from understudy.resources import RULES, resource_folder
-from understudy.rules.derivation import FunctionRules, understand
+from understudy.rules.derivation import FunctionRules, Understanding, understand
 from understudy.rules.mapping import MappingRules, offer_movements
+from understudy.settings import Settings
 from understudy.syntax.parser import Parser
 from understudy.transcript import read_transcript
 
@@ -79,19 +83,30 @@ class Stages:
 
     parser: Parser
     functions: FunctionRules
-    mapping: MappingRules
+    behavior: BehaviorModels
     character: Character
+
+    @property
+    def mapping(self) -> MappingRules:
+        return self.behavior.rules
 
     @classmethod
     def load(cls, character: str) -> "Stages":
         lexicon = resource_folder("lexicon")
-        characters = Characters.load(lexicon)
+        behavior = BehaviorModels.load(Settings())
         return cls(
             Parser.load(resource_folder("models") / "parser"),
             FunctionRules.load(RULES, lexicon / "en"),
-            MappingRules.load(RULES, characters.behavior_names),
-            characters.named(character),
+            behavior,
+            behavior.characters.named(character),
         )
+
+    def candidates(self, utterance: Utterance, known: Understanding, seed: int) -> tuple[BehaviorCandidates, ...]:
+        """What could show the functions and the moments planned, as in `understudy.performance.perform_analysis`."""
+        offers = offer_movements(self.mapping, utterance, known.functions, seed=seed, facts=known.facts)
+        analysis = Analysis(utterance, known.functions, facts=known.facts)
+        moments = plan_moments(self.behavior, analysis, self.character)
+        return candidates_of(Stage(self.behavior.families, self.character.lexemes, seed), utterance, moments, offers)
 
 
 def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) -> Outcome:
@@ -103,7 +118,7 @@ def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) ->
     known = understand(stages.functions, utterance)
     functions = known.functions
     clock = [time.perf_counter()]
-    candidates = offer_movements(stages.mapping, utterance, functions, seed=seed, facts=known.facts)
+    candidates = stages.candidates(utterance, known, seed)
     clock.append(time.perf_counter())
     behaviors = schedule(candidates, utterance, stages.character, seed=seed, mode=mode)
     clock.append(time.perf_counter())
@@ -121,7 +136,7 @@ def performed(stages: Stages, text: str, seed: int) -> Performance:
     utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)
     known = understand(stages.functions, utterance)
     functions = known.functions
-    candidates = offer_movements(stages.mapping, utterance, functions, seed=seed, facts=known.facts)
+    candidates = stages.candidates(utterance, known, seed)
     behaviors = schedule(candidates, utterance, stages.character, seed=seed)
     lips, _notices = visemes(words, duration_s)
     return Performance(utterance, functions, behaviors, stages.character.name, seed, visemes=lips)

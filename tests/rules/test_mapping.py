@@ -96,6 +96,16 @@ def ever_chosen(rules: MappingRules, functions: tuple[Function, ...], level: Lev
     return {movement.name for seed in range(120) for movement in chosen(rules, functions, level, seed=seed)}
 
 
+SHOWN_IN_ONE_WAY = (
+    ("deixis", "self"),
+    ("deixis", "addressee"),
+    ("initial_noun_phrase", "plain"),
+    ("initial_verb_phrase", "plain"),
+)
+"""Persons are pointed at or not shown, and a sentence is opened by the head or not: brows, blinks and glances would be
+movements that show nothing."""
+
+
 def test_there_are_130_rules_most_with_alternatives(rules: MappingRules) -> None:
     choosing = [rule for rule in rules.program.rules if rule.kind == "choose"]
     assert len(choosing) >= 130
@@ -110,7 +120,7 @@ def test_every_function_has_alternatives_on_two_channels(
     (offer,) = offered(rules, (function(class_name, subtype, 2, 3),), level)
     entries = CHARACTERS.named("default").entries
     channels = {entries[each.name].channel for alternative in offer.alternatives for each in alternative.movements}
-    assert len(channels) >= 2
+    assert len(channels) >= (1 if (class_name, subtype) in SHOWN_IN_ONE_WAY else 2)
 
 
 @pytest.mark.parametrize("class_name", TABLE_2)

@@ -1,7 +1,9 @@
 """What head and eyes do where nothing was asked of them: they are never quite still (paper §6).
 
 Between the movements that show something the head drifts by a few degrees and the eyes go aside and come back. These
-are put where their channel is free, so they never compete. A still character drifts less often and less far.
+are put where their channel is free, so they never compete. A still character drifts less often and less far. No drift
+is made twice running, and the eyes are back on the listener when the last word begins, for then the turn is his
+(Kendon 1967).
 """
 
 import random
@@ -9,14 +11,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from ...model import Channel, Interval, Utterance, Word
-from .candidates import PlacedBehavior, filler
+from .candidates import PlacedBehavior, filler, interval_of
 from .characters import Character
 from .conflicts import Kept
 from .saccades import Habit, glances
 from .table import DRIFTS, BehaviorEntry
 
-DRIFT_S = (1.0, 2.2)
+DRIFT_S = (2.5, 5.0)
 """How long a drift takes, from the first movement to rest."""
+
+SHORTEST_DRIFT_S = 1.2
+"""In less time than this the head rests."""
 
 GAZE_RANGE_DEGREES = 60.0
 """The angle of a gaze of amount 1."""
@@ -56,22 +61,31 @@ def free(kept: Kept, channel: Channel, end_s: float) -> Iterator[Interval]:
 
 
 def _drifts(kept: Kept, rest: Rest) -> Iterator[PlacedBehavior]:
-    shortest_s, _ = DRIFT_S
     activity = 1 - rest.character.stillness
+    name = ""
     for gap in free(kept, Channel.HEAD, rest.end_s):
-        start_s = gap.start_s
-        while gap.end_s - start_s >= shortest_s:
-            interval = Interval(start_s, min(start_s + rest.generator.uniform(*DRIFT_S), gap.end_s))
-            start_s = interval.end_s
-            entry = rest.character.entries[rest.generator.choice(DRIFTS)]
+        for interval in _parts(gap, rest.generator):
+            name = rest.generator.choice([other for other in DRIFTS if other != name])
+            entry = rest.character.entries[name]
             amount = (entry.amount or 0.0) * rest.generator.uniform(0.5, 1.0) * activity
             if rest.generator.random() < activity:
                 yield _filler(replace(entry, amount=amount), interval, rest, "the head is never quite still")
 
 
+def _parts(gap: Interval, generator: random.Random) -> Iterator[Interval]:
+    """The whole of a gap in drifts; what would be too short for one of its own belongs to the last."""
+    start_s = gap.start_s
+    while gap.end_s - start_s >= SHORTEST_DRIFT_S:
+        end_s = start_s + generator.uniform(*DRIFT_S)
+        if gap.end_s - end_s < SHORTEST_DRIFT_S:
+            end_s = gap.end_s
+        yield Interval(start_s, end_s)
+        start_s = end_s
+
+
 def _saccades(kept: Kept, rest: Rest, habit: Habit) -> Iterator[PlacedBehavior]:
     entry = rest.character.entries["saccade"]
-    for gap in free(kept, Channel.GAZE, rest.end_s):
+    for gap in free(kept, Channel.GAZE, interval_of(rest.words[-1]).start_s):
         for glance in glances(gap, habit, rest.generator):
             amount = glance.angle_degrees / GAZE_RANGE_DEGREES
             aside = replace(entry, direction=glance.direction, amount=amount)

@@ -1,9 +1,9 @@
 """What the body does by itself at moments of the speech: blinks, breath, a look at the listener, a change of posture.
 
-People blink about 26 times a minute while they talk (Bentivoglio et al. 1997), rather where they pause or a phrase
-ends. They look at the listener as they begin and hand over the turn (Kendon 1967), breathe in as they pause, and shift
-their weight as they turn to another matter (Cassell et al. 2001): here, where a sentence begins after a pause. These
-have no rule and no function, but a reason.
+People blink 15 to 25 times a minute, rather where they pause or a phrase ends; blinks that a function asks for count
+among these. They look at the listener as they begin, breathe in as they pause, and shift their weight as they turn to
+another matter (Cassell et al. 2001): here, where a sentence begins after a pause. These have no rule and no function,
+but a reason.
 """
 
 import random
@@ -13,13 +13,16 @@ from itertools import cycle, pairwise
 
 from ...model import Interval, Utterance, Word
 
-BLINKS_PER_MINUTE = 26.0
+BLINKS_PER_MINUTE = 20.0
 
+_FEWEST_BLINKS_PER_MINUTE = 5.0
+"""However many are asked for, the eyes have some of their own."""
 _SHORTEST_BETWEEN_BLINKS_S = 0.8
 _NEAR_S = 0.8
 """How far a blink that is due waits for a pause or phrase end, or comes before its time for one."""
 _SHORTEST_PAUSE_S = 0.2
 _SHORTEST_BREATH_S = 0.35
+_SHORTEST_BETWEEN_BREATHS_S = 4.0
 _SHORTEST_BETWEEN_SHIFTS_S = 5.0
 _SENTENCE_ENDS = (".", "?", "!", "…")
 
@@ -35,33 +38,43 @@ class IdleBehavior:
 
 
 def idle_behaviors(
-    utterance: Utterance, timed: tuple[Word, ...], seed: int, *, rest_poses: Sequence[str] = ()
+    utterance: Utterance,
+    timed: tuple[Word, ...],
+    seed: int,
+    *,
+    rest_poses: Sequence[str] = (),
+    blinks_asked_s: Sequence[float] = (),
 ) -> Iterator[IdleBehavior]:
-    """All of it until the sound or the last of the `timed` words ends; without `rest_poses` the posture stays."""
+    """All of it until the sound or the last of the `timed` words ends; without `rest_poses` the posture stays, and near
+    the moments `blinks_asked_s` there is a blink already."""
     yield IdleBehavior("gaze_opening", 0.0, timed[0].index, "looks at the listener as the line begins")
-    intervals = [(word.index, word.interval) for word in timed if word.interval is not None]
-    last, interval = intervals[-1]
-    yield IdleBehavior("gaze_return", interval.start_s, last, "looks at the listener as the turn ends")
-    yield from _breaths(intervals)
+    yield from _breaths([(word.index, word.interval) for word in timed if word.interval is not None])
     yield from _shifts(timed, rest_poses)
-    yield from blinks(utterance, timed, f"{seed}")
+    yield from blinks(utterance, timed, f"{seed}", asked_s=blinks_asked_s)
 
 
-def blinks(utterance: Utterance, timed: tuple[Word, ...], seed: str) -> Iterator[IdleBehavior]:
-    """The blinks of a line. Lines of other words blink at other times, the same line always at the same."""
+def blinks(
+    utterance: Utterance, timed: tuple[Word, ...], seed: str, *, asked_s: Sequence[float] = ()
+) -> Iterator[IdleBehavior]:
+    """The blinks of a line beside those asked for. Lines of other words blink at other times, the same line always at
+    the same."""
     intervals = [(word.index, word.interval) for word in timed if word.interval is not None]
     generator = random.Random(f"{seed} blinks {' '.join(word.text for word in utterance.words)}")
     chances = dict(_chances(utterance, timed))
     end_s = utterance.duration_s or intervals[-1][1].end_s
-    for at_s in _blinks(sorted(chances), end_s, generator):
+    for at_s in _blinks(sorted(chances), sorted(asked_s), end_s, generator):
         word = max((index for index, interval in intervals if interval.start_s <= at_s), default=intervals[0][0])
         yield IdleBehavior("blink", at_s, word, chances.get(at_s, "blinks now and then"))
 
 
 def _breaths(intervals: list[tuple[int, Interval]]) -> Iterator[IdleBehavior]:
+    last_s = -_SHORTEST_BETWEEN_BREATHS_S
     for (word, before), (_, after) in pairwise(intervals):
-        if after.start_s - before.end_s >= _SHORTEST_BREATH_S:
-            yield IdleBehavior("breath", (before.end_s + after.start_s) / 2, word, "breathes in as the voice pauses")
+        at_s = (before.end_s + after.start_s) / 2
+        pause_s = after.start_s - before.end_s
+        if pause_s >= _SHORTEST_BREATH_S and at_s >= last_s + _SHORTEST_BETWEEN_BREATHS_S:
+            yield IdleBehavior("breath", at_s, word, "breathes in as the voice pauses")
+            last_s = at_s
 
 
 def _shifts(timed: tuple[Word, ...], rest_poses: Sequence[str]) -> Iterator[IdleBehavior]:
@@ -96,16 +109,27 @@ def _chances(utterance: Utterance, timed: tuple[Word, ...]) -> Iterator[tuple[fl
             yield word.interval.end_s, "blinks in a pause"
 
 
-def _blinks(chances: list[float], end_s: float, generator: random.Random) -> Iterator[float]:
-    usual_s = 60 / BLINKS_PER_MINUTE
-    due_s, last_s = generator.uniform(0.3, usual_s), -_SHORTEST_BETWEEN_BLINKS_S
+def _blinks(chances: list[float], asked: list[float], end_s: float, generator: random.Random) -> Iterator[float]:
+    usual_s = 60 / max(BLINKS_PER_MINUTE - 60 * len(asked) / end_s, _FEWEST_BLINKS_PER_MINUTE)
+    due_s, last_s = generator.expovariate(1 / (usual_s - _SHORTEST_BETWEEN_BLINKS_S)), -_SHORTEST_BETWEEN_BLINKS_S
     while due_s < end_s:
-        near = [
-            time_s
-            for time_s in chances
-            if abs(time_s - due_s) <= _NEAR_S and time_s >= last_s + _SHORTEST_BETWEEN_BLINKS_S
-        ]
-        last_s = min(near, key=lambda time_s: abs(time_s - due_s), default=due_s)
-        yield last_s
+        at_s = min(_near(chances, asked, due_s, last_s), key=lambda time_s: abs(time_s - due_s), default=due_s)
+        before = [time_s for time_s in asked if last_s < time_s < at_s + _SHORTEST_BETWEEN_BLINKS_S]
+        if before:
+            last_s = before[0]
+        else:
+            yield at_s
+            last_s = at_s
         due_s = last_s + _SHORTEST_BETWEEN_BLINKS_S
         due_s += generator.expovariate(1 / (usual_s - _SHORTEST_BETWEEN_BLINKS_S))
+
+
+def _near(chances: list[float], asked: list[float], due_s: float, last_s: float) -> list[float]:
+    """The chances for a blink that is due about `due_s`, the last having been at `last_s`."""
+    return [
+        time_s
+        for time_s in chances
+        if abs(time_s - due_s) <= _NEAR_S
+        and time_s >= last_s + _SHORTEST_BETWEEN_BLINKS_S
+        and all(abs(time_s - other_s) >= _SHORTEST_BETWEEN_BLINKS_S for other_s in asked)
+    ]

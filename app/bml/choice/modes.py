@@ -5,18 +5,17 @@ rival is made worse than need be: stressed words all along the line are beaten, 
 """
 
 import random
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from ...model import Behavior, BehaviorCandidates, Channel, Function, Mode, Movement
+from ...model import Behavior, Channel, Mode, Movement, Word
 from .candidates import PlacedBehavior, asked
 from .choosing import Line, with_hand
 from .conflicts import Fitted, Kept, fitted
 
 BEAT = "beat_gesture"
-STRESSED = "emphasis"
-"""The class of the functions that the voice's stress makes."""
+BEAT_PRIORITY = 1.0
 
 DRAWS = 8
 """How often chance tries for a gesture that fits."""
@@ -25,7 +24,6 @@ DRAWS = 8
 def in_mode(
     mode: Mode,
     chosen: tuple[Kept, tuple[Behavior, ...]],
-    candidates: Iterable[BehaviorCandidates],
     line: Line,
     seed: int,
 ) -> tuple[Kept, tuple[Behavior, ...]]:
@@ -38,33 +36,30 @@ def in_mode(
     lost = tuple(behavior for behavior in lost if behavior.kind is not Channel.GESTURE)
     replaced = (replace(each.behavior, kept=False, reason=f"not in the mode {mode}") for each in gestures)
     if mode is Mode.PROSODY:
-        return _beaten_in(kept, candidates, line), (*lost, *replaced)
+        return _beaten_in(kept, line), (*lost, *replaced)
     text = " ".join(word.text for word in line.timed)
     return _drawn(kept, gestures, line, random.Random(f"{seed} {text} gestures")), (*lost, *replaced)
 
 
-def _beaten_in(kept: Kept, candidates: Iterable[BehaviorCandidates], line: Line) -> Kept:
+def _beaten_in(kept: Kept, line: Line) -> Kept:
     """Beats on the stressed words, as many as the character makes, from the line's first to its last."""
-    stressed = [
-        offer.function for offer in candidates if offer.function and offer.function.class_name == STRESSED
-    ]
-    for part in _parts(sorted(stressed, key=lambda function: (function.first, function.last)), line.most_gestures):
+    stressed = [word for word in line.timed if word.is_emphasised]
+    for part in _parts(stressed, line.most_gestures):
         kept = _beaten_once(kept, part, line)
     return kept
 
 
-def _parts(stressed: Sequence[Function], most: int) -> list[Sequence[Function]]:
+def _parts(stressed: Sequence[Word], most: int) -> list[Sequence[Word]]:
     """The stressed words in order, in as many even parts as there are beats to make; one in each is beaten."""
     count = min(most, len(stressed))
     bounds = [place * len(stressed) // count for place in range(count + 1)] if count else []
     return [stressed[first:last] for first, last in pairwise(bounds)]
 
 
-def _beaten_once(kept: Kept, part: Sequence[Function], line: Line) -> Kept:
+def _beaten_once(kept: Kept, part: Sequence[Word], line: Line) -> Kept:
     """A beat on the most stressed word of a part on which one fits."""
-    emphases = {word.index: word.emphasis or 0.0 for word in line.timed}
-    for function in sorted(part, key=lambda function: (-function.priority, -emphases.get(function.first, 0.0))):
-        movement = Movement(BEAT, function.first, function.last, function.priority, "", function.id)
+    for word in sorted(part, key=lambda word: -(word.emphasis or 0.0)):
+        movement = Movement(BEAT, word.index, word.index, BEAT_PRIORITY, "", None)
         outcome = _fitted(movement, kept, line, "beats on a stressed word")
         if outcome is not None:
             return outcome.kept

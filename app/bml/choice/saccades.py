@@ -1,8 +1,9 @@
-"""How eyes wander off and come back, by the statistics of "Eyes Alive" (Lee, Badler & Badler 2002).
+"""How eyes wander off and come back while nothing asks them to.
 
-A speaker's eyes are on the listener for a while, go aside for a while, and come back. How long each lasts, how far
-aside and in which direction they go was measured on people who talked and who listened. Times are seconds, angles
-degrees.
+A speaker's eyes are on the listener for a while, go aside for a while, and come back. How long each lasts is what
+Andrist, Mutlu and Gleicher (2013) measured on people who averted their gaze for no other reason than not to stare, how
+far aside and in which direction is from "Eyes Alive" (Lee, Badler & Badler 2002). No idle look lasts `LONGEST_S`: a
+longer one would seem to mean something. Times are seconds, angles degrees.
 """
 
 import random
@@ -16,16 +17,28 @@ from .table import GazeDirection
 
 @dataclass(frozen=True, slots=True)
 class Habit:
-    """Who looks where: a look at the other and one aside last `cycle_s` together, `eye_contact` of it at the other."""
+    """Who looks where: the eyes are on the other for a share `eye_contact` of the time, and aside for `aside_s` at a
+    time."""
 
     eye_contact: float
-    cycle_s: float
+    aside_s: float
     widest_degrees: float
 
+    @property
+    def contact_s(self) -> float:
+        """How long they are on the other between two looks aside."""
+        return self.aside_s * self.eye_contact / (1 - self.eye_contact)
 
-TALKING = Habit(eye_contact=0.41, cycle_s=4.06, widest_degrees=27.5)
-LISTENING = Habit(eye_contact=0.75, cycle_s=8.35, widest_degrees=22.7)
-"""The shares are mutual gaze of people talking and listening; a cycle is the mean time there and the mean time away."""
+
+TALKING = Habit(eye_contact=0.71, aside_s=1.65, widest_degrees=27.5)
+LISTENING = Habit(eye_contact=0.86, aside_s=1.14, widest_degrees=22.7)
+"""People who talked looked aside for 1.96 s at a time (shorter here, for the longest are left out) and back for 4.75 s;
+who listened, for 1.14 s and 7.21 s."""
+
+SPREAD = 0.25
+"""The standard deviation of these times in parts of their mean (0.16 to 0.29 there)."""
+
+LONGEST_S = 1.9
 
 DIRECTIONS: Mapping[GazeDirection, float] = MappingProxyType(
     {
@@ -61,16 +74,17 @@ class Glance:
 
 def glances(free: Interval, habit: Habit, generator: random.Random) -> Iterator[Glance]:
     """The looks aside in a stretch of time in which nothing else moves the eyes; each ends within it."""
-    start_s = free.start_s + _lasting(habit.eye_contact * habit.cycle_s, generator)
+    # The stretch may begin anywhere between two looks aside.
+    start_s = free.start_s + SHORTEST_S + generator.random() * _lasting(habit.contact_s, generator)
     while start_s + SHORTEST_S <= free.end_s:
-        aside_s = max(SHORTEST_S, _lasting((1 - habit.eye_contact) * habit.cycle_s, generator))
+        aside_s = min(_lasting(habit.aside_s, generator), LONGEST_S)
         interval = Interval(start_s, min(start_s + aside_s, free.end_s))
         (direction,) = generator.choices(list(DIRECTIONS), list(DIRECTIONS.values()))
         angle = NARROWEST_DEGREES + generator.expovariate(1 / MEAN_DEGREES)
         yield Glance(interval, direction, min(angle, habit.widest_degrees))
-        start_s = interval.end_s + max(SHORTEST_S, _lasting(habit.eye_contact * habit.cycle_s, generator))
+        start_s = interval.end_s + _lasting(habit.contact_s, generator)
 
 
 def _lasting(mean_s: float, generator: random.Random) -> float:
-    """Times spread as widely as they are long on average."""
-    return generator.expovariate(1 / mean_s) if mean_s else 0.0
+    """A time about as long as the mean."""
+    return max(SHORTEST_S, generator.gauss(mean_s, SPREAD * mean_s))

@@ -9,13 +9,14 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ...model import Behavior, BehaviorCandidates, Channel, Mode, Utterance
-from .candidates import interval_of, placed_idle
+from .candidates import PlacedBehavior, interval_of, placed_idle
 from .characters import Character
 from .choosing import Line, choose
-from .conflicts import resolve
+from .conflicts import Kept, resolve
 from .filling import Rest, fillers
 from .idle_behaviors import idle_behaviors
 from .modes import in_mode
+from .necessity import BLINK, needed
 from .saccades import TALKING
 
 PLANNED_MORE = 1.6
@@ -48,15 +49,25 @@ def schedule(
     spoken_s = duration_s - utterance.lead_in_s
     line = Line(timed, character, most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0)))
     kept, lost = choose(candidates, line)
-    kept, lost = in_mode(mode, (kept, lost), candidates, line, seed)
-    own = [
-        placed_idle(idle, character.entries[idle.name], f"own.{number:04d}")
-        for number, idle in enumerate(idle_behaviors(utterance, timed, seed, rest_poses=character.rest_poses))
-    ]
-    kept, own_lost = resolve(own, kept)
+    kept, needless = needed(kept, candidates)
+    usual = replace(line, most_gestures=most_gestures(character, spoken_s))
+    kept, lost = in_mode(mode, (kept, (*lost, *needless)), usual, seed)
+    kept, own_lost = resolve(_idle(kept, utterance, usual, seed), kept)
     rest = Rest.of(utterance, timed, character, f"{seed} rest")
     kept += fillers(kept, rest, replace(TALKING, eye_contact=character.eye_contact))
     return numbered([*(candidate.behavior for candidate in kept), *lost, *own_lost])
+
+
+def _idle(kept: Kept, utterance: Utterance, line: Line, seed: int) -> list[PlacedBehavior]:
+    """What the body does by itself beside the kept."""
+    character = line.character
+    blinks_asked_s = [each.placing.at_s for each in kept if each.behavior.lexeme == BLINK]
+    behaviors = idle_behaviors(
+        utterance, line.timed, seed, rest_poses=character.rest_poses, blinks_asked_s=blinks_asked_s
+    )
+    return [
+        placed_idle(each, character.entries[each.name], f"own.{number:04d}") for number, each in enumerate(behaviors)
+    ]
 
 
 def most_gestures(character: Character, duration_s: float) -> int:

@@ -51,17 +51,28 @@ def test_seeds_blink_differently_and_the_same_seed_the_same() -> None:
     assert blinks(words, seed=1) == blinks(words, seed=1) != blinks(words, seed=2)
 
 
-def test_the_turn_ends_with_a_look_at_the_listener() -> None:
-    words = spoken("Hello there.")
-    (returned,) = (each for each in idle_behaviors(utterance(words), words, 0) if each.name == "gaze_return")
-    assert (returned.at_s, returned.word) == (1.4, 1)
-
-
 def test_breath_is_taken_in_long_pauses() -> None:
     times = ((0.0, 0.5), (0.6, 1.0), (1.5, 2.0))
     words = tuple(Word(index, "word", Interval(*each)) for index, each in enumerate(times))
     (breath,) = (each for each in idle_behaviors(utterance(words), words, 0) if each.name == "breath")
     assert (breath.at_s, breath.word) == (1.25, 1)
+
+
+def test_breaths_are_not_taken_at_every_comma() -> None:
+    words = tuple(Word(index, "word,", Interval(index * 0.9, index * 0.9 + 0.5)) for index in range(100))
+    breaths = [each.at_s for each in idle_behaviors(utterance(words), words, 0) if each.name == "breath"]
+    assert min(later - earlier for earlier, later in pairwise(breaths)) >= 4
+
+
+def test_a_blink_asked_for_counts_as_one() -> None:
+    words, asked_s = spoken(LONG), tuple(6.0 * place for place in range(40))
+    line, counted = utterance(words, phrase_ends=range(0, 600, 4)), 0
+    for seed in range(20):
+        behaviors = idle_behaviors(line, words, seed, blinks_asked_s=asked_s)
+        own = [each.at_s for each in behaviors if each.name == "blink"]
+        assert min(abs(at_s - other_s) for at_s in own for other_s in asked_s) >= 0.8
+        counted += len(own) + len(asked_s)
+    assert 15 <= counted / (20 * 4) <= 25
 
 
 def test_posture_shifts_where_a_sentence_begins_after_a_pause() -> None:
@@ -79,7 +90,6 @@ def test_without_rest_poses_the_posture_stays() -> None:
     words = tuple(Word(index, "Yes.", Interval(index * 9.0, index * 9.0 + 1)) for index in range(4))
     assert {each.name for each in idle_behaviors(utterance(words), words, 0)} == {
         "gaze_opening",
-        "gaze_return",
         "breath",
         "blink",
     }
