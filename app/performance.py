@@ -26,8 +26,9 @@ from .acting.families import Families, load_families
 from .acting.notes import check_direction, conflicts, directed, unplayed_notes
 from .acting.planning import Planner, plan
 from .bml.choice.characters import Character, Characters
+from .bml.choice.head_rates import HeadRates
 from .bml.choice.lead_in import LONGEST_LEAD_IN_S, with_lead_in
-from .bml.choice.listening import listen
+from .bml.choice.listening import Listener, listen
 from .bml.choice.scheduling import schedule
 from .bml.choice.stillness import check_stillness, with_stillness
 from .bml.choice.visemes import visemes
@@ -240,6 +241,7 @@ class BehaviorModels:
     rules: MappingRules
     families: Families
     planner: Planner
+    head_rates: HeadRates
 
     @classmethod
     def load(cls, settings: Settings) -> "BehaviorModels":
@@ -254,6 +256,7 @@ class BehaviorModels:
             rules=MappingRules.load(RULES, characters.behavior_names),
             families=families,
             planner=Planner.load(resource_folder("models") / "acting", lexicon / "acting", families),
+            head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
         )
 
 
@@ -325,7 +328,7 @@ def perform_analysis(
         visemes=lips,
         moments=moments,
     )
-    performance = reduce(partial(_heard_by, behavior.characters), options.listeners, performance)
+    performance = reduce(partial(_heard_by, behavior), options.listeners, performance)
     return with_stillness(performance, options.stillness)
 
 
@@ -377,20 +380,15 @@ def write_listener(performance: Performance, listening: Listening, form: BmlForm
     return write_bml(listener_part(performance, listening), replace(form, timing=TimeForm.ABSOLUTE, audio_name=None))
 
 
-def _heard_by(characters: Characters, performance: Performance, name: str) -> Performance:
+def _heard_by(behavior: BehaviorModels, performance: Performance, name: str) -> Performance:
     """The performance with one more listener: the character of that name, or one who moves as the default does."""
-    notices = performance.notices
+    characters, notices = behavior.characters, performance.notices
     if name not in characters.by_name:
         message = f"no character is called {name!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
         notices = (*notices, Notice("listener_unknown", message))
     character = characters.by_name.get(name) or characters.named(DEFAULT_CHARACTER)
-    behaviors = listen(
-        performance.behaviors,
-        performance.utterance,
-        replace(character, name=name),
-        speaker=performance.character,
-        seed=performance.seed,
-    )
+    listener = Listener(replace(character, name=name), behavior.head_rates, performance.character)
+    behaviors = listen(performance.behaviors, performance.utterance, listener, seed=performance.seed)
     return replace(performance, listeners=(*performance.listeners, Listening(name, behaviors)), notices=notices)
 
 

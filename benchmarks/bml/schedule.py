@@ -102,12 +102,11 @@ class Stages:
         )
 
     def candidates(self, utterance: Utterance, known: Understanding, seed: int) -> tuple[BehaviorCandidates, ...]:
-        """What could show the functions and the moments planned, as in `understudy.performance.perform`."""
+        """What could show the functions and the moments planned, as in `understudy.performance.perform_analysis`."""
         offers = offer_movements(self.mapping, utterance, known.functions, seed=seed, facts=known.facts)
         analysis = Analysis(utterance, known.functions, facts=known.facts)
         moments = plan_moments(self.behavior, analysis, self.character)
-        stage = Stage(self.behavior.families, self.character.lexemes, seed)
-        return candidates_of(stage, utterance, moments, offers)
+        return candidates_of(Stage(self.behavior.families, self.character.lexemes, seed), utterance, moments, offers)
 
 
 def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) -> Outcome:

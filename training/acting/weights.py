@@ -41,10 +41,13 @@ GESTURES_A_LINE = 2.1
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
 
+LEAST_LIKELY_HEAD, LEAST_LIKELY_FACE = 0.18, 0.12
+"""No movement is made that is less likely wanted: it would be one among many that mean nothing."""
+
 BETA = 1.5
 """How much more it matters that a movement is made than that every director wants it."""
 
-TONED_PRECISION = {"shake": 0.6} | dict.fromkeys(("smile", "frown", "sad", "disgust", "squint"), 0.4)
+TONED_PRECISION = {"shake": 0.6} | dict.fromkeys(("smile", "frown", "sad", "disgust", "squint"), 0.42)
 """How often movements that say something of their own must be what the one director wanted; of three, another one wants
 most of the others. A wrong shake denies what is said."""
 
@@ -137,7 +140,7 @@ def threshold_of(kind: str, likely: FloatArray, wanted: FloatArray) -> float:
     """The level (N,) of a stretch from which a movement is made: with F_beta on stretches at its best, for a toned one
     where it is right often enough."""
     best = (0.0, 0.9)
-    for threshold in np.arange(0.1, 0.9, 0.02):
+    for threshold in np.arange(LEAST_LIKELY_HEAD if kind in HEAD else LEAST_LIKELY_FACE, 0.9, 0.02):
         made = likely >= threshold
         right = float((made * wanted).sum())
         if kind in TONED_PRECISION and right >= TONED_PRECISION[kind] * made.sum() and made.any():

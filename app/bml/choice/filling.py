@@ -20,7 +20,7 @@ from .table import DRIFTS, BehaviorEntry
 DRIFT_S = (2.5, 5.0)
 """How long a drift takes, from the first movement to rest."""
 
-SHORTEST_DRIFT_S = 1.2
+SHORTEST_DRIFT_S = 2.0
 """In less time than this the head rests."""
 
 GAZE_RANGE_DEGREES = 60.0

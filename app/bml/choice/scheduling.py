@@ -50,7 +50,7 @@ def schedule(
     line = Line(timed, character, most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0)))
     kept, lost = choose(candidates, line)
     kept, needless = needed(kept, candidates)
-    usual = replace(line, most_gestures=most_gestures(character, duration_s))
+    usual = replace(line, most_gestures=most_gestures(character, spoken_s))
     kept, lost = in_mode(mode, (kept, (*lost, *needless)), usual, seed)
     kept, own_lost = resolve(_idle(kept, utterance, usual, seed), kept)
     rest = Rest.of(utterance, timed, character, f"{seed} rest")

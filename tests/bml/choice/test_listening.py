@@ -5,19 +5,25 @@ import pytest
 
 from tests.support.by_hand import movement, offered, spoken, utterance
 from understudy.bml.choice.characters import Character, Characters
-from understudy.bml.choice.listening import listen
+from understudy.bml.choice.head_rates import HeadRates
+from understudy.bml.choice.listening import Listener, listen
 from understudy.bml.choice.scheduling import schedule
 from understudy.model import Behavior, Channel, Interval, Word
 
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
+LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
+CHARACTERS = Characters.load(LEXICON)
+RATES = HeadRates.load(LEXICON / "acting" / "head_rates.yaml")
+EAGER = HeadRates(nods_after_pause=1.0, nods_after_phrase=1.0, mirrored=1.0, delay_s=0.4, delay_spread_s=0.0)
+"""A listener who leaves nothing unanswered."""
+
 DEFAULT = CHARACTERS.named("default")
-WORDS = spoken(" ".join(["word"] * 60))
-LINE = utterance(WORDS, phrase_ends=(20,))
+WORDS = spoken(" ".join([*["word"] * 20, "word,", *["word"] * 39]))
+LINE = utterance(WORDS)
 SPOKEN = schedule([offered(movement("tilt_left", 10)), offered(movement("gesture_me", 30))], LINE, DEFAULT, seed=0)
 
 
-def heard(listener: Character = DEFAULT, seed: int = 0) -> list[Behavior]:
-    return list(listen(SPOKEN, LINE, listener, speaker="ada", seed=seed))
+def heard(listener: Character = DEFAULT, seed: int = 0, rates: HeadRates = EAGER) -> list[Behavior]:
+    return list(listen(SPOKEN, LINE, Listener(listener, rates, "ada"), seed=seed))
 
 
 def test_the_head_is_mirrored_after_half_a_second() -> None:
@@ -43,8 +49,24 @@ def test_a_listener_nods_at_phrase_ends_and_pauses() -> None:
     assert (nod.first, nod.lexeme) == (20, "NOD")
     assert nod.sync.start > (WORDS[20].interval or Interval(0, 0)).end_s
     words = tuple(Word(index, "word", Interval(index * 3.0, index * 3.0 + 1)) for index in range(5))
-    paused = listen((), utterance(words), DEFAULT, speaker="ada", seed=0)
+    paused = listen((), utterance(words), Listener(DEFAULT, EAGER, "ada"), seed=0)
     assert len([each for each in paused if each.reason == "nods as the speaker pauses"]) == 4
+
+
+def nods_at_pauses(rates: HeadRates, seed: int) -> tuple[int, int]:
+    """The nods at the pauses of a long line, and how many pauses there are."""
+    words = tuple(Word(index, f"word{seed}", Interval(index * 3.0, index * 3.0 + 1)) for index in range(101))
+    behaviors = listen((), utterance(words), Listener(DEFAULT, rates, "ada"), seed=seed)
+    return sum(each.reason == "nods as the speaker pauses" and each.kept for each in behaviors), 100
+
+
+def test_people_leave_most_pauses_and_movements_without_an_answer() -> None:
+    counts = [nods_at_pauses(RATES, seed) for seed in range(20)]
+    share = sum(nods for nods, _ in counts) / sum(pauses for _, pauses in counts)
+    assert share == pytest.approx(RATES.nods_after_pause, abs=0.04)
+    assert RATES.nods_after_phrase < RATES.nods_after_pause < 0.5
+    answered = sum("mirrors" in (each.reason or "") for seed in range(100) for each in heard(seed=seed, rates=RATES))
+    assert answered / 100 == pytest.approx(RATES.mirrored, abs=0.06)
 
 
 def test_nothing_overlaps_and_every_id_is_one() -> None:
@@ -63,4 +85,4 @@ def test_listeners_differ_and_each_is_the_same_again() -> None:
 
 
 def test_without_times_there_is_nothing_to_listen_to() -> None:
-    assert listen((), utterance((Word(0, "Yes."),)), DEFAULT, speaker="ada", seed=0) == ()
+    assert listen((), utterance((Word(0, "Yes."),)), Listener(DEFAULT, RATES, "ada"), seed=0) == ()

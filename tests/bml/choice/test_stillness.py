@@ -9,13 +9,16 @@ from hypothesis import strategies as st
 
 from tests.support.by_hand import movement, offered, spoken, utterance
 from understudy.bml.choice.characters import Characters
-from understudy.bml.choice.listening import listen
+from understudy.bml.choice.head_rates import HeadRates
+from understudy.bml.choice.listening import Listener, listen
 from understudy.bml.choice.scheduling import schedule
 from understudy.bml.choice.stillness import check_stillness, stilled, with_stillness
 from understudy.errors import InputError
 from understudy.model import Behavior, Channel, Listening, Performance, SyncPoints
 
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
+LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
+CHARACTERS = Characters.load(LEXICON)
+RATES = HeadRates.load(LEXICON / "acting" / "head_rates.yaml")
 LINE = utterance(spoken("We had it all. But you and I never said so, and now they go there again."), phrase_ends=(3, 9))
 NAMES = ("gesture_me", "gesture_negation", "shake", "tilt_left", "smile", "gesture_surround", "big_nod")
 SHARES = [number / 20 for number in range(21)]
@@ -26,7 +29,7 @@ def performed(seed: int) -> Performance:
     character = CHARACTERS.named("expansive")
     asked = [offered(movement(name, 2 * place, priority=1.0 + place)) for place, name in enumerate(NAMES)]
     behaviors = schedule(asked, LINE, character, seed=seed)
-    heard = listen(behaviors, LINE, CHARACTERS.named("default"), speaker="ada", seed=seed)
+    heard = listen(behaviors, LINE, Listener(CHARACTERS.named("default"), RATES, "ada"), seed=seed)
     return Performance(LINE, (), behaviors, "ada", seed, listeners=(Listening("bob", heard),))
 
 
