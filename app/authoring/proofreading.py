@@ -9,7 +9,9 @@ from ..acoustic.pronunciation.normalisation import Normaliser
 from ..acting.authored_weights import load_weights
 from ..acting.choice_model import ChoiceModel
 from ..acting.families import load_families
+from ..acting.terms import TermTable
 from ..bml.choice.characters import Characters
+from ..bml.choice.head_rates import HeadRates
 from ..bml.choice.table import BehaviorEntry, load_table
 from ..errors import AuthoringError, InputError, Mistake
 from ..model import Channel, Hand, Level
@@ -51,6 +53,8 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
             file, load_table(resource_folder("lexicon") / "behaviors.yaml").lines
         ),
         "weights.yaml": _check_weights,
+        "terms.yaml": TermTable.load,
+        "head_rates.yaml": HeadRates.load,
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
@@ -73,6 +77,8 @@ def check_files_in_use() -> None:
         partial(FaceTables.load, lexicon / "face.yaml"),
         lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),
         lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
+        partial(TermTable.load, lexicon / "acting" / "terms.yaml"),
+        partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     ) or _mistakes_of(lambda: check_coverage(lexicon, load_gestures()))
     if mistakes:

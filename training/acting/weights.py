@@ -41,13 +41,13 @@ GESTURES_A_LINE = 2.1
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
 
-LEAST_LIKELY_HEAD, LEAST_LIKELY_FACE = 0.18, 0.12
+LEAST_LIKELY_HEAD, LEAST_LIKELY_FACE = 0.18, 0.13
 """No movement is made that is less likely wanted: it would be one among many that mean nothing."""
 
-BETA = 1.5
+BETA = 2.0
 """How much more it matters that a movement is made than that every director wants it."""
 
-TONED_PRECISION = {"shake": 0.6} | dict.fromkeys(("smile", "frown", "sad", "disgust", "squint"), 0.42)
+TONED_PRECISION = {"shake": 0.6} | dict.fromkeys(("smile", "frown", "sad", "disgust", "squint"), 0.45)
 """How often movements that say something of their own must be what the one director wanted; of three, another one wants
 most of the others. A wrong shake denies what is said."""
 
