@@ -13,7 +13,7 @@ from itertools import cycle, pairwise
 
 from ...model import Interval, Utterance, Word
 
-BLINKS_PER_MINUTE = 20.0
+BLINKS_PER_MINUTE = 19.0
 
 _FEWEST_BLINKS_PER_MINUTE = 5.0
 """However many are asked for, the eyes have some of their own."""

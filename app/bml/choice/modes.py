@@ -57,8 +57,9 @@ def _parts(stressed: Sequence[Word], most: int) -> list[Sequence[Word]]:
 
 
 def _beaten_once(kept: Kept, part: Sequence[Word], line: Line) -> Kept:
-    """A beat on the most stressed word of a part on which one fits."""
-    for word in sorted(part, key=lambda word: -(word.emphasis or 0.0)):
+    """A beat on the most stressed word of a part on which one fits; of equally stressed ones the last, as English has
+    its main stress late."""
+    for word in sorted(part, key=lambda word: (-(word.emphasis or 0.0), -word.index)):
         movement = Movement(BEAT, word.index, word.index, BEAT_PRIORITY, "", None)
         outcome = _fitted(movement, kept, line, "beats on a stressed word")
         if outcome is not None:
