@@ -59,15 +59,15 @@ def candidates_of(
 
 
 def _ruled(stage: Stage, offer: BehaviorCandidates) -> BehaviorCandidates | None:
-    """What a rule's offer does on the channels that nobody plans."""
+    """What a rule offers on the channels that nobody plans; a look that goes with a gesture goes without it as well."""
     if offer.function and offer.function.given:
         return offer
-    alternatives = []
-    for alternative in offer.alternatives:
-        movements = tuple(each for each in alternative.movements if stage.lexemes[each.name][0] in RULED)
-        if movements:
-            alternatives.append(replace(alternative, movements=movements))
-    return replace(offer, alternatives=tuple(alternatives)) if alternatives else None
+    alternatives = tuple(
+        alternative
+        for alternative in offer.alternatives
+        if all(stage.lexemes[movement.name][0] in RULED for movement in alternative.movements)
+    )
+    return replace(offer, alternatives=alternatives) if alternatives else None
 
 
 def _of_moment(

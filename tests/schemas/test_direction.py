@@ -88,7 +88,8 @@ def test_the_documented_schema_is_that_of_the_notes() -> None:
 
 @needs(DIRECTING)
 def test_every_reading_of_the_directed_lines_is_a_direction() -> None:
-    lines = [*(DIRECTING / "dev-lines.jsonl").open(), *(DIRECTING / "directed-lines.jsonl").open()]
+    names = ("dev-lines.jsonl", "directed-lines.jsonl")
+    lines = [line for name in names for line in (DIRECTING / name).read_text(encoding="utf-8").splitlines()]
     lengths = {line["id"]: len(line["words"]) for line in map(json.loads, lines)}
     readings = [path for path in DIRECTING.glob("*.jsonl") if not path.name.endswith("lines.jsonl")]
     read = [line for path in readings for line in path.read_text(encoding="utf-8").splitlines() if line]
