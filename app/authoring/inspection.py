@@ -10,8 +10,15 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from ..errors import InputError
-from ..model import Function, Level, Utterance
-from ..performance import BehaviorModels, LanguageModels, Understudy
+from ..model import Function, Level, Moment, Utterance
+from ..performance import (
+    DEFAULT_CHARACTER,
+    BehaviorModels,
+    LanguageModels,
+    Understudy,
+    find_functions,
+    plan_moments,
+)
 from ..realizer.realizing import Realizer
 from ..resources import RULES, resource_folder
 from ..rules.chaining.chainer import Derivation, Fact, derive
@@ -26,11 +33,12 @@ from ..transcript import read_transcript
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """A text, and the traces of the function rules and mapping rules on it."""
+    """A text, the traces of the function rules and mapping rules on it, and the moments that are planned."""
 
     utterance: Utterance
     functions: RuleTrace
     mappings: RuleTrace
+    moments: tuple[Moment, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,8 +52,12 @@ class Unused:
 def trace(language: LanguageModels, behavior: BehaviorModels, text: str) -> Trace:
     """The rules that fired, and those that nearly did. Raises InputError for an unusable text."""
     utterance, found, mapped = _derived(language, behavior, text)
+    analysis = find_functions(language, text)
     return Trace(
-        utterance, trace_rules(language.rules.program, found.facts), trace_rules(behavior.rules.program, mapped.facts)
+        utterance,
+        trace_rules(language.rules.program, found.facts),
+        trace_rules(behavior.rules.program, mapped.facts),
+        plan_moments(behavior, analysis, behavior.characters.named(DEFAULT_CHARACTER)),
     )
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from ..authoring.catalogue import shown_path
 from ..authoring.inspection import Trace, Unused
-from ..model import Word
+from ..model import Moment, Word
 from ..rules.chaining.tracing import Firing, NearMiss, Said
 from ..rules.program.program import Rule
 
@@ -13,7 +13,8 @@ WORDS_COLUMN = 64
 
 
 def trace_lines(trace: Trace) -> Iterator[str]:
-    """What fired, with the facts and words joined, then what nearly did, as much of it as anybody reads."""
+    """What fired, with the facts and words joined, then what nearly did, as much of it as anybody reads; and for each
+    phrase what was chosen, by which terms, and what lost."""
     words = trace.utterance.words
     for title, part in (("function rules", trace.functions), ("mapping rules", trace.mappings)):
         if part.firings:
@@ -26,6 +27,10 @@ def trace_lines(trace: Trace) -> Iterator[str]:
             yield from _near_miss(miss, words)
         if len(part.near_misses) > MOST_NEAR_MISSES:
             yield f"  and {len(part.near_misses) - MOST_NEAR_MISSES} that found less (--rule NAME tells of one rule)"
+    if trace.moments:
+        yield "what the body means, phrase by phrase"
+    for moment in trace.moments:
+        yield from _moment(moment, words)
 
 
 def unused_lines(unused: Unused) -> Iterator[str]:
@@ -35,6 +40,16 @@ def unused_lines(unused: Unused) -> Iterator[str]:
     yield f"{len(unused.words)} words and phrases are never found"
     for entry in unused.words:
         yield f"  {shown_path(entry.path)}:{entry.line}  {entry.class_name} {entry.subtype}  {entry.phrase}"
+
+
+def _moment(moment: Moment, words: Sequence[Word]) -> Iterator[str]:
+    spoken = " ".join(word.text for word in words[moment.first : moment.last + 1])
+    told = f"  {moment.channel} {moment.families[0]} on {words[moment.stroke].text!r} (word {moment.stroke})"
+    yield f"{told:<{WORDS_COLUMN}} {spoken}"
+    for term in moment.terms:
+        yield f"    {term.weight:+.2f}  {term.name}"
+    for rejected in moment.rejected:
+        yield f"    not {', '.join(rejected.families)}, worth {rejected.worth:.2f}: {rejected.reason}"
 
 
 def _firing(firing: Firing, words: Sequence[Word]) -> Iterator[str]:

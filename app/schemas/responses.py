@@ -209,9 +209,42 @@ class BehaviorResponse(ResponseModel):
     priority: Number
     rule: str | None = None
     function: str | None = None
+    moment: str | None = None
     kept: bool
     lost_to: str | None = None
     reason: str | None = None
+
+
+class TermResponse(ResponseModel):
+    """A reason for a choice, and its weight in log-odds."""
+
+    name: str
+    weight: Number
+
+
+class RejectedResponse(ResponseModel):
+    """Families that a moment does not show, their expected worth, and why they lost."""
+
+    families: list[str]
+    worth: Number
+    reason: str
+
+
+class MomentResponse(ResponseModel):
+    """A stretch of words that means something to hands, head or face: the families that would be right, the likeliest
+    first, the terms that made the first one win, and what lost. `note` is the number of the director's note."""
+
+    id: str
+    channel: str
+    first: int
+    last: int
+    stroke: int
+    families: list[str]
+    shares: list[Number]
+    importance: Number
+    terms: list[TermResponse]
+    rejected: list[RejectedResponse]
+    note: int | None = None
 
 
 class VisemeResponse(ResponseModel):
@@ -314,6 +347,7 @@ class PerformanceResponse(AnalysisResponse):
     seed: int
     lead_in_s: Number
     stillness: Number
+    moments: list[MomentResponse]
     behaviors: list[BehaviorResponse]
     visemes: list[VisemeResponse]
     listeners: list[ListeningResponse] | None = None
@@ -321,9 +355,8 @@ class PerformanceResponse(AnalysisResponse):
     @classmethod
     def of_performance(cls, performance: Performance) -> Self:
         understood = _understood(performance.utterance, performance.functions, performance.notices)
-        chosen = {
-            name: getattr(performance, name) for name in ("character", "seed", "stillness", "behaviors", "visemes")
-        }
+        names = ("character", "seed", "stillness", "moments", "behaviors", "visemes")
+        chosen = {name: getattr(performance, name) for name in names}
         begun = {"lead_in_s": performance.utterance.lead_in_s}
         return cls.model_validate(understood | chosen | begun | {"listeners": performance.listeners or None})
 
