@@ -1,5 +1,5 @@
 # The service in a container: `docker build -t understudy .`, `docker run --read-only -p 8000:8000 understudy`.
-# Nothing is written but a cache of compiled code in /dev/shm, which is memory. Settings: docs/settings.md.
+# Nothing is written but caches of compiled code and rules in /dev/shm, which is memory. Settings: docs/settings.md.
 
 FROM python:3.11-slim-bookworm AS build
 RUN python -m venv /opt/understudy
@@ -25,6 +25,7 @@ ENV PATH=/opt/understudy/bin:$PATH \
     PYTHONUNBUFFERED=1 \
     NUMBA_CACHE_DIR=/dev/shm/numba \
     OMP_NUM_THREADS=1 \
+    UNDERSTUDY_CACHE=/dev/shm/understudy \
     UNDERSTUDY_HOST=0.0.0.0 \
     UNDERSTUDY_PORT=8000
 USER 10001

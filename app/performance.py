@@ -5,64 +5,63 @@ loaded once into an `Understudy` and never changes. The doors (`understudy.cli`,
 know nothing of the stages; the forms in which results leave (BML, TextGrid, CTM) are passed on from here.
 """
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
 from functools import partial, reduce
 from types import MappingProxyType
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
-from .acoustic.agitation.agitation import AgitationModel
 from .acoustic.agitation.speaker import SpeakerReference
-from .acoustic.alignment.alignment import Aligner, Alignment
-from .acoustic.alignment.timings import read_timings, to_ctm, to_textgrid
-from .acoustic.contours import contours_of
-from .acoustic.signal.background import doubts
-from .acoustic.signal.decoding import AudioLimits, decode
-from .acoustic.stress.emphasis import Measure, with_emphasis
-from .acoustic.stress.prominence import prominence
-from .acoustic.stress.stress import stress
+from .acoustic.alignment.timings import to_ctm, to_textgrid
 from .acting.candidates import Stage, candidates_of
 from .acting.families import Families, load_families
 from .acting.notes import check_direction, conflicts, directed, unplayed_notes
 from .acting.planning import Planner, plan
+from .analysis import (
+    DEFAULT_CHARACTER,
+    AlignedLine,
+    Analysis,
+    Line,
+    Options,
+    Progress,
+    SignalAnalysis,
+    Timings,
+    no_progress,
+)
 from .bml.choice.characters import Character, Characters
 from .bml.choice.head_rates import HeadRates
-from .bml.choice.lead_in import LONGEST_LEAD_IN_S, with_lead_in
+from .bml.choice.lead_in import with_lead_in
 from .bml.choice.listening import Listener, listen
 from .bml.choice.scheduling import schedule
-from .bml.choice.stillness import check_stillness, with_stillness
+from .bml.choice.stillness import with_stillness
 from .bml.choice.visemes import visemes
 from .bml.markup.documents import DialectName, TimeForm
-from .bml.writing.writer import CORE_FORM, BmlForm, write_bml, write_bml_json
-from .errors import InputError
+from .bml.writing.writer import BmlForm, write_bml, write_bml_json
+from .hearing import AcousticModels, align, align_words, analyze_signal, make_reference
+from .loading import load_characters, load_mapping_rules, load_realizer
 from .model import (
     Agitation,
-    Audio,
     BehaviorCandidates,
-    Contours,
     Direction,
-    Filler,
-    Function,
-    GivenFunction,
     Level,
     Listening,
-    Mode,
     Moment,
     Notice,
     Parse,
     Performance,
-    StressThresholds,
     Utterance,
-    Word,
 )
-from .realizer.realizing import Realizer
-from .resources import RULES, resource_folder
-from .rules.derivation import FunctionRules, understand
-from .rules.knowledge import Fact
+from .on_demand import OnDemand
+from .resources import resource_folder
+from .rules.derivation import understand
 from .rules.mapping import MappingRules, offer_movements
 from .settings import Settings
-from .syntax.parser import Parser
 from .transcript import read_transcript
+from .understanding import LanguageModels, find_functions, find_functions_in_all
+
+if TYPE_CHECKING:
+    from .realizer.realizing import Realizer
 
 __all__ = [
     "AcousticModels",
@@ -94,143 +93,6 @@ __all__ = [
     "write_listener",
 ]
 
-Progress = Callable[[str], None]
-"""Told the name of each stage as it begins."""
-
-DEFAULT_CHARACTER = "default"
-
-QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
-"""How much the body does at each level of agitation (paper §1), beside how much it does by itself."""
-
-
-def no_progress(_stage: str) -> None:
-    """The progress of a performance that nobody watches."""
-
-
-@dataclass(frozen=True, slots=True)
-class Timings:
-    """Words timed elsewhere: the file's content and its format, "json", "textgrid" or "ctm"."""
-
-    content: bytes
-    format: str
-
-
-@dataclass(frozen=True, slots=True)
-class Line:
-    """What is sent in: the audio file's bytes, the transcript, the words' timings when they are known already, the
-    functions that the caller knows, and a director's notes."""
-
-    audio: bytes
-    text: str
-    timings: Timings | None = None
-    functions: tuple[GivenFunction, ...] = ()
-    direction: Direction | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Options:
-    """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
-    it usually sounds. `lead_in_s` is how long before the recording the performance begins,
-    `stillness` (0 to 1) how much less than usual moves.
-
-    Raises InputError `value_wrong`.
-    """
-
-    character: str = DEFAULT_CHARACTER
-    agitation: Level | None = None
-    seed: int = 0
-    mode: Mode = Mode.SEMANTIC
-    listeners: tuple[str, ...] = ()
-    form: BmlForm = CORE_FORM
-    reference: SpeakerReference | None = None
-    lead_in_s: float = 0.0
-    stillness: float = 0.0
-
-    def __post_init__(self) -> None:
-        if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:
-            message = f"lead_in_s: {self.lead_in_s:g}; give 0 to {LONGEST_LEAD_IN_S:g} seconds"
-            raise InputError("value_wrong", message, field="lead_in_s")
-        check_stillness(self.stillness)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class SignalAnalysis:
-    """What the signal alone says."""
-
-    audio: Audio
-    contours: Contours
-    agitation: Agitation
-    notices: tuple[Notice, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class AlignedLine:
-    """The words in time, and the fillers heard between them; `duration_s` is the audio's."""
-
-    words: tuple[Word, ...]
-    duration_s: float
-    notices: tuple[Notice, ...]
-    fillers: tuple[Filler, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Analysis:
-    """What a line says and does, before any movement is chosen; `heard` is what its signal says, if it has one, `facts`
-    what the rules know of it."""
-
-    utterance: Utterance
-    functions: tuple[Function, ...]
-    notices: tuple[Notice, ...] = ()
-    heard: SignalAnalysis | None = field(default=None, repr=False, compare=False)
-    facts: tuple[Fact, ...] = field(default=(), repr=False, compare=False)
-
-
-@dataclass(frozen=True, slots=True)
-class AcousticModels:
-    """What hearing needs (paper §3.1). The aligner runs in a process of its own, started by the first line and ended by
-    `close` (or a `with` block)."""
-
-    settings: Settings
-    aligner: Aligner
-    agitation: AgitationModel
-
-    @classmethod
-    def load(cls, settings: Settings) -> "AcousticModels":
-        """Raises ServiceError when a model is missing or broken."""
-        models, lexicon = resource_folder("models"), resource_folder("lexicon")
-        return cls(
-            settings=settings,
-            aligner=Aligner(models, lexicon / "en"),
-            agitation=AgitationModel.load(models / "agitation", settings.agitation_features),
-        )
-
-    def close(self) -> None:
-        self.aligner.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_exception: object) -> None:
-        self.close()
-
-
-@dataclass(frozen=True, slots=True)
-class LanguageModels:
-    """What understanding needs (paper §3.2, §3.3)."""
-
-    settings: Settings
-    parser: Parser
-    rules: FunctionRules
-
-    @classmethod
-    def load(cls, settings: Settings) -> "LanguageModels":
-        """Raises AuthoringError with every mistake in words and rules, ServiceError when the parser does not load."""
-        return cls(
-            settings=settings,
-            parser=Parser.load(settings.parser or resource_folder("models") / "parser"),
-            rules=FunctionRules.load(RULES, resource_folder("lexicon") / "en"),
-        )
-
 
 @dataclass(frozen=True, slots=True)
 class BehaviorModels:
@@ -244,40 +106,57 @@ class BehaviorModels:
     head_rates: HeadRates
 
     @classmethod
-    def load(cls, settings: Settings) -> "BehaviorModels":
+    def load(cls, settings: Settings) -> Self:
         """Raises AuthoringError with every mistake in characters, behaviour table, families and mapping rules,
         ServiceError when a model is missing or broken."""
         lexicon = resource_folder("lexicon")
-        characters = Characters.load(lexicon)
+        characters = load_characters()
         families = load_families(lexicon / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
         return cls(
             settings=settings,
             characters=characters,
-            rules=MappingRules.load(RULES, characters.behavior_names),
+            rules=load_mapping_rules(characters.behavior_names),
             families=families,
             planner=Planner.load(resource_folder("models") / "acting", lexicon / "acting", families),
             head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
         )
 
 
+QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
+"""How much the body does at each level of agitation (paper §1), beside how much it does by itself."""
+
+
 @dataclass(frozen=True, slots=True)
 class Understudy:
-    """The whole of it, loaded once and shared by threads. `close` (or a `with` block) ends the aligner's process."""
+    """The whole of it, loaded once and shared by threads. `close` (or a `with` block) ends the aligner's process.
+
+    The realizer is loaded when it is first asked for: most performances are never realized.
+    """
 
     acoustic: AcousticModels
     language: LanguageModels
     behavior: BehaviorModels
-    realizer: Realizer
+    when_realizing: OnDemand[Realizer]
 
     @classmethod
-    def load(cls, settings: Settings) -> "Understudy":
-        realizer = Realizer.load(resource_folder("lexicon"))
+    def load(cls, settings: Settings) -> Self:
+        """All but the realizer, what may be wrong with authored files first. Raises as the loading of each does."""
         return cls(
-            acoustic=AcousticModels.load(settings),
-            language=LanguageModels.load(settings),
             behavior=BehaviorModels.load(settings),
-            realizer=realizer,
+            language=LanguageModels.load(settings),
+            acoustic=AcousticModels.load(settings),
+            when_realizing=OnDemand(load_realizer),
         )
+
+    @property
+    def realizer(self) -> Realizer:
+        """Raises AuthoringError, when it is first asked for, with the mistakes of gestures, face and rigs."""
+        return self.when_realizing.get()
+
+    def load_rest(self) -> None:
+        """Loads what is otherwise loaded when it is first asked for; raises as `realizer` and `acoustic.aligner` do."""
+        self.when_realizing.get()
+        self.acoustic.when_aligning.get()
 
     def close(self) -> None:
         self.acoustic.close()
@@ -417,87 +296,6 @@ def analyze(
     progress("functions")
     known = understand(language.rules, utterance, given=line.functions)
     return Analysis(utterance, known.functions, heard.notices + timed.notices, heard, known.facts)
-
-
-def find_functions(language: LanguageModels, text: str) -> Analysis:
-    """What the words alone say and mean: nothing is heard, so nothing has a time (paper §3.2, §3.3)."""
-    [analysis] = find_functions_in_all(
-        language, [read_transcript(text, max_characters=language.settings.max_text_characters)]
-    )
-    return analysis
-
-
-def find_functions_in_all(language: LanguageModels, lines: Sequence[tuple[Word, ...]]) -> Iterator[Analysis]:
-    """The same for the words of several lines, which are parsed together: that takes half the time."""
-    for words, parse in zip(lines, language.parser.parse_all(lines), strict=True):
-        utterance = Utterance(words=words, parse=parse)
-        known = understand(language.rules, utterance)
-        yield Analysis(utterance, known.functions, facts=known.facts)
-
-
-def analyze_signal(
-    acoustic: AcousticModels,
-    audio: bytes,
-    progress: Progress = no_progress,
-    *,
-    reference: SpeakerReference | None = None,
-) -> SignalAnalysis:
-    """What the signal alone says: its contours and the speaker's agitation (paper §3.1.1 to §3.1.4)."""
-    progress("decode")
-    signal, notices = decode(audio, _limits(acoustic.settings))
-    progress("contours")
-    contours = contours_of(signal)
-    progress("agitation")
-    agitation = acoustic.agitation.agitation(signal, contours, reference)
-    return SignalAnalysis(signal, contours, agitation, notices + doubts(contours.energy_db))
-
-
-def align_words(
-    acoustic: AcousticModels,
-    heard: SignalAnalysis,
-    transcript: tuple[Word, ...],
-    timings: Timings | None = None,
-    progress: Progress = no_progress,
-) -> tuple[Alignment, StressThresholds]:
-    """The words in time with how they stand out, and the utterance's own thresholds (paper §3.1.5)."""
-    progress("align")
-    timed = _timed(acoustic, heard.audio, transcript, timings)
-    progress("stress")
-    words, thresholds = stress(prominence(timed.words, heard.contours), heard.contours)
-    settings = acoustic.settings
-    measure = Measure(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
-    return replace(timed, words=with_emphasis(words, measure)), thresholds
-
-
-def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis]) -> SpeakerReference:
-    """How the speaker of these recordings, one or more, usually sounds."""
-    features = [acoustic.agitation.describe(heard.audio, heard.contours) for heard in recordings]
-    return SpeakerReference.of(acoustic.agitation.feature_set, features)
-
-
-def align(acoustic: AcousticModels, line: Line) -> AlignedLine:
-    """The words and phones of a line in time."""
-    transcript = read_transcript(line.text, max_characters=acoustic.settings.max_text_characters)
-    signal, notices = decode(line.audio, _limits(acoustic.settings))
-    timed = _timed(acoustic, signal, transcript, line.timings)
-    return AlignedLine(timed.words, signal.duration_s, notices + timed.notices, timed.fillers)
-
-
-def _timed(acoustic: AcousticModels, audio: Audio, transcript: tuple[Word, ...], timings: Timings | None) -> Alignment:
-    """The words in time: as the caller timed them, else as the aligner hears them."""
-    if timings is None:
-        return acoustic.aligner.listen(audio, transcript)
-    return Alignment(read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s), ())
-
-
-def _limits(settings: Settings) -> AudioLimits:
-    return AudioLimits(
-        max_duration_s=settings.max_audio_s,
-        max_bytes=settings.max_audio_bytes,
-        min_sample_rate_hz=settings.min_sample_rate_hz,
-        max_sample_rate_hz=settings.max_sample_rate_hz,
-        max_channels=settings.max_channels,
-    )
 
 
 def _certain(level: Level) -> Agitation:

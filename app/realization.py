@@ -6,19 +6,19 @@ lips stay shut, and a Notice says so.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from pathlib import Path
 from types import MappingProxyType
 
+from .analysis import Progress, SignalAnalysis, no_progress
 from .bml.choice.delivery import emphases_s, phrases
 from .bml.choice.stillness import check_stillness, stilled
 from .bml.choice.visemes import visemes
 from .bml.markup.speech import speech_of
 from .bml.reading.reader import read_bml
 from .bml.reading.resolving import Resolved, resolve
-from .errors import InputError
+from .hearing import AcousticModels, align_words, analyze_signal
 from .model import Behavior, FloatArray, Level, Notice, Performance, Schedule, Word
-from .performance import AcousticModels, Progress, SignalAnalysis, align_words, analyze_signal, no_progress
+from .motion_formats import MotionFormat, format_of
 from .realizer.body.motion import Motion
 from .realizer.exporting.arkit_csv import to_arkit_csv
 from .realizer.exporting.avatar import to_avatar_glb
@@ -49,23 +49,6 @@ __all__ = [
 ]
 
 DEFAULT_CHARACTER = "default"
-
-
-class MotionFormat(StrEnum):
-    """What motion is written as, by what the names of its files end in."""
-
-    BVH = ".bvh"
-    GLB = ".glb"
-    VRMA = ".vrma"
-    JSON = ".json"
-    CSV = ".csv"
-    VISEMES = ".visemes.txt"
-    SHEET = ".png"
-    SPEEDS = ".speed.png"
-
-
-PICTURES = frozenset({MotionFormat.SHEET, MotionFormat.SPEEDS})
-"""Formats that matplotlib draws."""
 
 
 VRM, MIXAMO = "vrm", "mixamo"
@@ -129,7 +112,7 @@ def schedule_of(performance: Performance) -> Schedule:
 
 
 def prepare_schedule(
-    acoustic: AcousticModels,
+    acoustic: AcousticModels | None,
     sheet: BmlInput,
     *,
     agitation: Level | None = None,
@@ -140,14 +123,13 @@ def prepare_schedule(
     """What a BML file has the body do, in the time of its recording.
 
     `agitation` overrides what the voice says, and `character` who is named in the file; `stillness` (0 to 1) is how
-    much less than it says moves. Raises WrongBmlError, TooLargeError, and InputError for audio, words or a stillness
-    that cannot be used.
+    much less than it says moves; `acoustic` may be None where there is no recording to hear. Raises WrongBmlError,
+    TooLargeError, and InputError for audio, words or a stillness that cannot be used.
     """
     check_stillness(stillness)
     document, notices = read_bml(sheet.bml, sheet.name)
     speech = speech_of(document)
-    heard = None if sheet.audio is None else analyze_signal(acoustic, sheet.audio, progress)
-    words, word_notices = _words(acoustic, heard, speech.text if speech else "", progress)
+    heard, words, word_notices = _heard(acoustic, sheet.audio, speech.text if speech else "", progress)
     progress("resolve")
     resolved = resolve(document, words)
     level = agitation or resolved.agitation or (heard.agitation.level if heard else Level.MEDIUM)
@@ -165,18 +147,19 @@ def prepare_schedule(
     )
 
 
-def _words(
-    acoustic: AcousticModels, heard: SignalAnalysis | None, text: str, progress: Progress
-) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
-    """The words of the speech where the recording has them."""
-    if heard is None:
-        return (), ()
+def _heard(
+    acoustic: AcousticModels | None, audio: bytes | None, text: str, progress: Progress
+) -> tuple[SignalAnalysis | None, tuple[Word, ...], tuple[Notice, ...]]:
+    """What the recording says, and the words of the speech where it has them."""
+    if audio is None or acoustic is None:
+        return None, (), ()
+    heard = analyze_signal(acoustic, audio, progress)
     if not text:
         message = "the BML says no words to look for in the recording; give its <speech> a <text>"
-        return (), (Notice("speech_missing", message),)
+        return heard, (), (Notice("speech_missing", message),)
     transcript = read_transcript(text, max_characters=acoustic.settings.max_text_characters)
     timed, _thresholds = align_words(acoustic, heard, transcript, None, progress)
-    return timed.words, timed.notices
+    return heard, timed.words, timed.notices
 
 
 def _schedule(resolved: Resolved, heard: SignalAnalysis | None, level: Level) -> tuple[Schedule, tuple[Notice, ...]]:
@@ -202,16 +185,6 @@ def _last_s(behaviors: tuple[Behavior, ...]) -> float:
 
 def _lips_unheard() -> tuple[Notice, ...]:
     return (Notice("lips_unheard", "there is no recording to take the lips from; send the audio with the BML"),)
-
-
-def format_of(name: str) -> MotionFormat:
-    """The format of a file's name; raises InputError `motion_format`."""
-    lower = name.lower()
-    fitting = [each for each in MotionFormat if lower.endswith(each.value)]
-    if not fitting:
-        known = ", ".join(each.value for each in MotionFormat)
-        raise InputError("motion_format", f"{name}: motion is written as {known}; end the name in one of them")
-    return max(fitting, key=lambda each: len(each.value))
 
 
 def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, wearer: AvatarOptions = OURS) -> bytes:

@@ -44,6 +44,9 @@ class Settings(BaseSettings):
     choice: Literal["terms", "priority"] = Field(
         default="terms", description="what is shown: what a director would choose, or the paper's functions by priority"
     )
+    cache: str | None = Field(
+        default=None, description='where compiled rules are kept between processes, "off" for nowhere'
+    )
     host: str = Field(default="127.0.0.1", description="address the service listens on")
     port: int = Field(default=8000, ge=0, le=65535, description="port the service listens on; 0 picks a free one")
     max_concurrent: int = Field(default=4, gt=0, description="lines performed at the same time; more are answered 503")

@@ -1,5 +1,6 @@
 """What several test modules need: the whole understudy, loaded once by each process that runs tests."""
 
+import os
 from collections.abc import Iterator
 
 import hypothesis
@@ -11,6 +12,11 @@ from understudy.settings import Settings
 # How long an example takes says more of what else runs on the machine than of what is tested.
 hypothesis.settings.register_profile("understudy", deadline=None)
 hypothesis.settings.load_profile("understudy")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Compiled rules are kept between runs, and shared by the processes of one, but not in the user's own cache."""
+    os.environ["UNDERSTUDY_CACHE"] = str(config.rootpath / ".pytest_cache" / "understudy")
 
 
 @pytest.fixture(scope="session")

@@ -13,8 +13,8 @@ from threading import Event, Thread
 from starlette.datastructures import State
 
 from ..authoring.catalogue import Catalogue
-from ..authoring.inspection import files_in_use, read_again
-from ..authoring.watching import LOOK_EVERY_S, saves
+from ..authoring.inspection import read_again
+from ..authoring.watching import files_in_use, saves
 from ..errors import UnderstudyError
 from .service import Service
 
@@ -47,5 +47,5 @@ def reloaded(service: Service) -> Service:
 
 
 def _follow(state: State, stop: Event) -> None:
-    for _ in saves(files_in_use(), wait=lambda: not stop.wait(LOOK_EVERY_S)):
+    for _ in saves(files_in_use(), stop):
         state.service = reloaded(state.service)

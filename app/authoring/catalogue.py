@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..bml.choice.characters import Character, Characters
 from ..errors import InputError
-from ..realizer.gestures.library import Library
+from ..loading import load_characters, load_function_rules, load_gestures, load_mapping_rules
 from ..resources import RULES, resource_folder
 from ..rules.derivation import FunctionRules
 from ..rules.lexicon import SLOT, LexicalEntry
@@ -59,10 +59,8 @@ class Catalogue:
     @classmethod
     def load(cls) -> "Catalogue":
         """Load all files. Raises AuthoringError with all mistakes of the first kind of file that has any."""
-        lexicon = resource_folder("lexicon")
-        functions = FunctionRules.load(RULES, lexicon / "en")
         characters = load_characters()
-        return cls.of(functions, characters, MappingRules.load(RULES, characters.behavior_names))
+        return cls.of(load_function_rules(), characters, load_mapping_rules(characters.behavior_names))
 
     @classmethod
     def of(cls, functions: FunctionRules, characters: Characters, mappings: MappingRules) -> "Catalogue":
@@ -91,16 +89,6 @@ class Catalogue:
     def that_follow(self, item: Item) -> tuple[Item, ...]:
         """The items with a condition that `item` can satisfy, except those for functions of any class."""
         return tuple(other for other in self.items if _feeds(item, other))
-
-
-def load_characters() -> Characters:
-    """The behaviour table and the characters. Raises AuthoringError with all their mistakes."""
-    return Characters.load(resource_folder("lexicon"))
-
-
-def load_gestures() -> Library:
-    """The gesture library. Raises AuthoringError with all its mistakes."""
-    return Library.load(resource_folder("lexicon") / "gestures")
 
 
 def shown_path(path: Path) -> str:

@@ -7,10 +7,11 @@ Traces have no audio, so conditions on stress, pauses or agitation do not hold (
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from pathlib import Path
 
 from ..errors import InputError
+from ..loading import load_function_rules, load_realizer
 from ..model import Function, Level, Moment, Utterance
+from ..on_demand import OnDemand
 from ..performance import (
     DEFAULT_CHARACTER,
     BehaviorModels,
@@ -19,8 +20,6 @@ from ..performance import (
     find_functions,
     plan_moments,
 )
-from ..realizer.realizing import Realizer
-from ..resources import RULES, resource_folder
 from ..rules.chaining.chainer import Derivation, Fact, derive
 from ..rules.chaining.matching import FactBase
 from ..rules.chaining.tracing import RuleTrace, fires, trace_rule, trace_rules
@@ -85,23 +84,17 @@ def find_unused(language: LanguageModels, behavior: BehaviorModels, texts: Itera
     return Unused(tuple(rule for rules in waiting for rule in rules), tuple(words.values()))
 
 
-def files_in_use() -> tuple[Path, ...]:
-    """The folders of authored files."""
-    return RULES, resource_folder("lexicon")
-
-
 def read_again(understudy: Understudy) -> Understudy:
     """The same models with rules, words, tables, characters and gestures reloaded from their files.
 
     The aligner keeps its abbreviations. Raises AuthoringError if a file has mistakes.
     """
-    rules, lexicon = files_in_use()
-    language = replace(understudy.language, rules=FunctionRules.load(rules, lexicon / "en"))
+    realizer = load_realizer()
     return replace(
         understudy,
-        language=language,
+        language=replace(understudy.language, rules=load_function_rules()),
         behavior=BehaviorModels.load(understudy.behavior.settings),
-        realizer=Realizer.load(lexicon),
+        when_realizing=OnDemand(lambda: realizer),
     )
 
 

@@ -14,6 +14,7 @@ from ..bml.choice.characters import Characters
 from ..bml.choice.head_rates import HeadRates
 from ..bml.choice.table import BehaviorEntry, load_table
 from ..errors import AuthoringError, InputError, Mistake
+from ..loading import AUTHORED, load_characters, load_function_rules, load_gestures, load_mapping_rules
 from ..model import Channel, Hand, Level
 from ..realizer.body.skeleton import Skeleton
 from ..realizer.exporting.retargeting import load_rigs
@@ -23,14 +24,10 @@ from ..realizer.gestures.gesture import Definition
 from ..realizer.gestures.library import SUFFIX, Library, gesture_files, read_definitions
 from ..resources import RULES, resource_folder
 from ..rules.conflicts import Conflicts
-from ..rules.derivation import FunctionRules
 from ..rules.lexicon import Lexicon
-from ..rules.mapping import MappingRules
 from ..rules.priorities import Priorities
 from ..rules.program.program import load_program
 from ..yaml_files import Source
-from .catalogue import load_characters, load_gestures
-from .watching import AUTHORED
 
 VOCABULARY = RULES / "vocabulary.rules"
 Check = Callable[[], object]
@@ -70,9 +67,9 @@ def check_files_in_use() -> None:
     """
     lexicon = resource_folder("lexicon")
     mistakes = _mistakes_of(
-        partial(FunctionRules.load, RULES, lexicon / "en"),
+        load_function_rules,
         partial(Normaliser.load, lexicon / "en" / "abbreviations.yaml", ()),
-        lambda: MappingRules.load(RULES, load_characters().behavior_names),
+        lambda: load_mapping_rules(load_characters().behavior_names),
         load_gestures,
         partial(FaceTables.load, lexicon / "face.yaml"),
         lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),

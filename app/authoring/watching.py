@@ -1,46 +1,45 @@
-"""Detects changes of authored files by polling their modification times.
+"""Notices that authored files were saved; watchfiles tells, by the system's own notifications.
 
-Polling needs no library and no system service, and also works in containers and on network folders; checking some
-eighty files takes a millisecond.
+Where there are none, as on network folders and in some containers, WATCHFILES_FORCE_POLLING=true has it look instead.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import TypeAlias
+from threading import Event
 
-LOOK_EVERY_S = 0.5
-AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
+from watchfiles import watch
 
-Stamps: TypeAlias = Mapping[Path, tuple[int, int]]
-"""The modification time of each file in nanoseconds, and its size in bytes."""
+from ..loading import AUTHORED
+from ..resources import RULES, resource_folder
+
+QUIET_MS = 200
+"""A save is over when nothing has changed for so long: editors write in steps."""
+
+LONGEST_SAVE_MS = 5_000
 
 
-def saves(paths: Sequence[Path], wait: Callable[[], bool]) -> Iterator[None]:
-    """Yield whenever authored files among or in `paths` have changed, appeared or disappeared, and writing has stopped.
+def files_in_use() -> tuple[Path, ...]:
+    """The folders of what authors edit."""
+    return RULES, resource_folder("lexicon")
 
-    `wait` waits until the next poll; it returns False to stop.
+
+def saves(paths: Iterable[Path], stop: Event | None = None) -> Iterator[None]:
+    """Yields whenever authored files among or in `paths` have changed, come or gone, and nobody is writing any more,
+    until `stop` is set.
+
+    A file is watched by way of its folder, for many editors save by putting another in its place; nothing tells of a
+    path whose folder is not there.
     """
-    known = _stamps(paths)
-    while wait():
-        found = _stamps(paths)
-        if found == known:
-            continue
-        while found != known:
-            known = found
-            if not wait():
-                return
-            found = _stamps(paths)
+    watched = [path.resolve() for path in paths]
+    folders = {path if path.is_dir() else path.parent for path in watched}
+
+    def is_ours(_change: object, name: str) -> bool:
+        changed = Path(name)
+        inside = any(changed == path or path in changed.parents for path in watched)
+        return inside and changed.suffix in AUTHORED
+
+    existing = [folder for folder in folders if folder.is_dir()]
+    if not existing:
+        return
+    for _ in watch(*existing, watch_filter=is_ours, step=QUIET_MS, debounce=LONGEST_SAVE_MS, stop_event=stop):
         yield
-
-
-def _stamps(paths: Sequence[Path]) -> Stamps:
-    stamps: dict[Path, tuple[int, int]] = {}
-    for path in paths:
-        for file in path.rglob("*") if path.is_dir() else (path,):
-            if file.suffix in AUTHORED:
-                try:
-                    state = file.stat()
-                except OSError:  # deleted since it was listed
-                    continue
-                stamps[file] = state.st_mtime_ns, state.st_size
-    return stamps

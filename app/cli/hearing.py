@@ -4,10 +4,13 @@ import os
 from collections.abc import Sequence
 from pathlib import PurePath
 
+from ..acoustic.agitation.speaker import SpeakerReference
+from ..analysis import SignalAnalysis
 from ..errors import InputError
-from ..performance import AcousticModels, SignalAnalysis, SpeakerReference, analyze_signal, make_reference
+from ..hearing import AcousticModels, analyze_signal, make_reference
 from ..schemas.references import read_reference
-from .files import read_bytes
+from ..settings import Settings
+from .files import STANDARD, read_bytes
 from .log import Log
 
 LARGEST_REFERENCE_BYTES = 1 << 20
@@ -27,6 +30,20 @@ def hear_file(
     return heard
 
 
+def require_reference(paths: Sequence[str] | None, settings: Settings) -> None:
+    """Raises InputError as `speaker_reference` does for files that are missing, too large, or hold no reference."""
+    if paths and _stored(paths) is None:
+        require_files(paths, settings)
+
+
+def require_files(paths: Sequence[str], settings: Settings) -> None:
+    """Raises InputError `file_unreadable`, TooLargeError `file_too_large` for the first recording that cannot be read;
+    one from standard input is read when its turn comes."""
+    for path in paths:
+        if path != STANDARD:
+            read_bytes(path, limit=settings.max_audio_bytes, field="audio")
+
+
 def speaker_reference(acoustic: AcousticModels, paths: Sequence[str] | None, log: Log) -> SpeakerReference | None:
     """The reference that `--reference` names: recordings, or one .json of `understudy reference`.
 
@@ -34,9 +51,14 @@ def speaker_reference(acoustic: AcousticModels, paths: Sequence[str] | None, log
     """
     if not paths:
         return None
+    return _stored(paths) or make_reference(acoustic, [hear_file(acoustic, path, log) for path in paths])
+
+
+def _stored(paths: Sequence[str]) -> SpeakerReference | None:
+    """The reference in the one .json among the paths; None when there is none."""
     stored = [path for path in paths if PurePath(path).suffix.lower() == ".json"]
     if not stored:
-        return make_reference(acoustic, [hear_file(acoustic, path, log) for path in paths])
+        return None
     if len(paths) > 1:
         raise InputError("usage", f"{stored[0]}: --reference takes recordings, or one .json alone", field="reference")
     content = read_bytes(stored[0], limit=LARGEST_REFERENCE_BYTES, field="reference")

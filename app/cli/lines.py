@@ -2,9 +2,9 @@
 
 import argparse
 
+from ..analysis import Line, Timings
 from ..errors import InputError
 from ..model import Direction, GivenFunction
-from ..performance import Line, Timings
 from ..schemas.direction import read_direction
 from ..schemas.given_functions import read_functions
 from ..schemas.requests import read_timings

@@ -1,24 +1,23 @@
 """Motion as files, in the format that each name ends in."""
 
+from __future__ import annotations
+
 import argparse
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from ..errors import InputError
-from ..realization import (
-    PICTURES,
-    AvatarOptions,
-    PreparedSchedule,
-    Realized,
-    Realizer,
-    format_of,
-    realize,
-    write_motion,
-)
+from ..loading import load_realizer
+from ..motion_formats import PICTURES, format_of
 from ..realizer.body.motion import Decision
+from .early import require_skeleton
 from .files import read_bytes, require_writable, write
 from .log import Log
 from .plot import require_plot
+
+if TYPE_CHECKING:
+    from ..realization import PreparedSchedule
 
 LARGEST_AVATAR_BYTES = 256 << 20
 
@@ -34,29 +33,38 @@ def require_motions(names: Sequence[str], *, field: str) -> None:
         raise InputError("usage", "the same file is named twice", field=field)
 
 
-def write_motions(
-    names: Sequence[str], realizer: Realizer, staged: PreparedSchedule, arguments: argparse.Namespace, log: Log
-) -> None:
+@dataclass(frozen=True, slots=True)
+class MotionOptions:
+    """How motion is written: frames a second, the seed, the skeleton's name, and the content of the avatar's file."""
+
+    frame_rate_hz: int
+    seed: int
+    skeleton: str | None
+    avatar: bytes | None
+
+    @classmethod
+    def of(cls, arguments: argparse.Namespace) -> MotionOptions:
+        """Raises InputError `unknown_skeleton` and `file_unreadable`."""
+        require_skeleton(arguments.skeleton)
+        name = arguments.avatar
+        avatar = read_bytes(name, limit=LARGEST_AVATAR_BYTES, field="avatar") if name else None
+        return cls(arguments.fps, arguments.seed, arguments.skeleton, avatar)
+
+
+def write_motions(names: Sequence[str], staged: PreparedSchedule, options: MotionOptions, log: Log) -> None:
     """Realizes the schedule once and writes it to every name; decisions are told."""
-    if not names:
-        return
-    wearer = _wearer(arguments, realizer)
+    from ..realization import AvatarOptions, Realized, realize, write_motion
+
+    realizer = load_realizer()
     log.stage("realize")
-    motion = realize(realizer, staged.schedule, frame_rate_hz=arguments.fps, seed=arguments.seed)
+    motion = realize(realizer, staged.schedule, frame_rate_hz=options.frame_rate_hz, seed=options.seed)
     realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
     log.stage("export")
+    wearer = AvatarOptions(options.skeleton, options.avatar)
     for name in names:
         write(name, write_motion(realized, realizer, format_of(name), wearer))
     if motion.decisions:
         log.note("\n".join(_told(decision) for decision in motion.decisions))
-
-
-def _wearer(arguments: argparse.Namespace, realizer: Realizer) -> AvatarOptions:
-    """Raises InputError `unknown_skeleton` and `file_unreadable` before anything is realized."""
-    if arguments.skeleton:
-        realizer.rig(arguments.skeleton)
-    avatar = read_bytes(arguments.avatar, limit=LARGEST_AVATAR_BYTES, field="avatar") if arguments.avatar else None
-    return AvatarOptions(arguments.skeleton, avatar)
 
 
 def _told(decision: Decision) -> str:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..analysis import Analysis, SignalAnalysis
 from ..errors import InputError, ServiceError
 from ..model import (
     EMPHASISED,
@@ -26,7 +27,6 @@ from ..model import (
     StressThresholds,
     Word,
 )
-from ..performance import Analysis, SignalAnalysis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

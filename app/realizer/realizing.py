@@ -43,10 +43,15 @@ class Realizer:
 
         Raises AuthoringError with all mistakes of the first kind of file that has any.
         """
+        return cls.with_library(Library.load(lexicon / "gestures"), lexicon)
+
+    @classmethod
+    def with_library(cls, library: Library, lexicon: Path) -> "Realizer":
+        """The same with gestures that are loaded already."""
         skeleton = Skeleton.standing()
         return cls(
             skeleton=skeleton,
-            library=Library.load(lexicon / "gestures"),
+            library=library,
             face=FaceTables.load(lexicon / "face.yaml"),
             rigs=load_rigs(lexicon / "retarget", skeleton),
         )

@@ -8,9 +8,11 @@ from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from ..analysis import Options, Timings
+from ..bml.markup.documents import DialectName, TimeForm
+from ..bml.writing.writer import BmlForm
 from ..errors import InputError, UndecodableError, UnsupportedFormatError
 from ..model import Level, Mode
-from ..performance import BmlForm, DialectName, Options, TimeForm, Timings
 from .references import ReferenceForm
 
 MOST_LISTENERS = 16

@@ -11,9 +11,9 @@ from typing import Annotated, Self
 
 from pydantic import AfterValidator, AliasPath, BaseModel, BeforeValidator, ConfigDict, Field
 
+from ..analysis import AlignedLine, Analysis
 from ..errors import UnderstudyError
 from ..model import PLAIN, Agitation, Function, Level, Notice, Performance, SyncPoints, Utterance, Word
-from ..performance import AlignedLine, Analysis
 
 DECIMALS = 6
 

@@ -2,7 +2,7 @@
 
 The paper used Charniak's constituent parser and notes its problems with spoken language. We use a dependency parser
 trained on speech (training/parser), and derive noun phrases, verb groups and clauses from the dependencies. spaCy is
-imported with the first pipeline, to save memory and time where nothing is parsed (60 MB, two thirds of a second).
+imported with the first pipeline, to save memory and time where nothing is parsed (60 MB, half a second).
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from ..model import Parse, Token, Word
 from ..transcript import with_short_runs
 from .clauses import find_clauses
 from .phrases import find_phrases
+from .pipelines import load_pipeline
 from .sentences import sentence_starts
 from .tokens import Scheme, read_tokens, scheme_of
 from .tree import Tree
@@ -99,10 +100,8 @@ def _with_structure(tokens: tuple[Token, ...]) -> Parse:
 
 def _load_pipeline(where: Path | str) -> tuple[Language, Doc]:
     """The pipeline, and its parse of a test sentence, since some defects show only there."""
-    import spacy
-
     try:
-        pipeline = spacy.load(where, exclude=_UNUSED_PIPES)
+        pipeline = load_pipeline(where, without=_UNUSED_PIPES)
         return pipeline, pipeline(_PROBE)
     except (OSError, ValueError, ImportError, LookupError) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__

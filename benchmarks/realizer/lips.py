@@ -24,8 +24,9 @@ from pathlib import Path
 import numpy as np
 
 from understudy.bml.choice.visemes import visemes
+from understudy.hearing import align_words, analyze_signal
 from understudy.model import FRAME_SHIFT_S, FloatArray, Schedule, Viseme, Word
-from understudy.performance import Line, Understudy, align_words, analyze_signal
+from understudy.performance import Line, Understudy
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.face.face import face_weights

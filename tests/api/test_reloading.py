@@ -11,6 +11,7 @@ from starlette.datastructures import State
 
 from understudy.api.application import create_app
 from understudy.api.reloading import reloaded
+from understudy.authoring.watching import QUIET_MS
 from understudy.performance import Understudy
 from understudy.settings import Settings
 
@@ -24,8 +25,8 @@ def rules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A copy of the rules, which the service reads again instead of our own."""
     copy = tmp_path / "rules"
     shutil.copytree(RULES, copy, ignore=shutil.ignore_patterns("*.py", "__pycache__"))
-    monkeypatch.setattr("understudy.authoring.inspection.RULES", copy)
-    monkeypatch.setattr("understudy.api.reloading.LOOK_EVERY_S", 0.02)
+    for reader in ("understudy.loading", "understudy.authoring.watching"):
+        monkeypatch.setattr(f"{reader}.RULES", copy)
     return copy
 
 
@@ -85,5 +86,5 @@ def test_what_is_under_way_keeps_its_rules(client: TestClient, rules: Path) -> N
 def test_without_the_option_nothing_is_read_again(understudy: Understudy, rules: Path) -> None:
     with TestClient(create_app(Settings(), understudy)) as client:
         (rules / "functions" / "comparison.rules").write_text("rule", encoding="utf-8")
-        time.sleep(0.2)
+        time.sleep(5 * QUIET_MS / 1000)
         assert client.get("/readyz").json() == {"status": "ready"}

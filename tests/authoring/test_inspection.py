@@ -1,6 +1,10 @@
 """Why a text came out so, and what no line of a corpus uses: the tools, and their commands."""
 
 import json
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -113,24 +117,19 @@ def test_the_commands(tmp_path: Path, capfdbinary: pytest.CaptureFixture[bytes])
         assert json.loads(capfdbinary.readouterr().err)["code"] == code
 
 
-def test_watching_checks_at_each_save(
-    tmp_path: Path, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_watching_checks_at_each_save(tmp_path: Path) -> None:
     file = tmp_path / "some.rules"
     right = "rule some\nforeach\n  word(spoon, $s, $e)\nassert\n  fcn(negation, plain, $s, $e)\n"
     file.write_text(right)
-    written = iter([right.replace("fcn", "fnc"), None, right + "\n", None])
-
-    def write_instead(_duration_s: float) -> None:
-        try:
-            content = next(written)
-        except StopIteration:
-            raise KeyboardInterrupt from None
-        if content:
-            file.write_text(content)
-
-    monkeypatch.setattr("understudy.cli.commands.rules.time.sleep", write_instead)
-    assert main(["rules", "check", "--watch", str(file)]) == 130
-    first, mistake, *_, last = capfdbinary.readouterr().err.decode().splitlines()
-    assert first == last == "no mistake in 1 files"
-    assert mistake.startswith(f"{file}:5:3: ")
+    command = [sys.executable, "-m", "understudy.cli", "rules", "check", "--watch", str(file)]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as watcher:
+        assert watcher.stderr is not None
+        assert watcher.stderr.readline() == "no mistake in 1 files\n"
+        time.sleep(1.0)  # until it watches
+        file.write_text(right.replace("fcn", "fnc"))
+        assert watcher.stderr.readline().startswith(f"{file}:5:3: ")
+        file.write_text(right)
+        while (line := watcher.stderr.readline()) != "no mistake in 1 files\n":
+            assert line, "it ended"
+        watcher.send_signal(signal.SIGINT)
+        assert watcher.wait(timeout=20) == 130

@@ -3,27 +3,21 @@
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from queue import Empty, Queue
+from threading import Event, Thread
+from time import sleep
 
 import pytest
 
-from understudy.authoring.watching import saves
+from understudy.authoring.watching import QUIET_MS, saves
 
+SOON_S = 10.0
+"""No save is told later, however busy the machine."""
 
-def looks(*between: Callable[[], object]) -> Callable[[], bool]:
-    """Waits that do something instead; the last one ends."""
-    waiting: Iterator[Callable[[], object]] = iter(between)
+NEVER_S = 1.0
+"""What is not told by then never is: five times as long as a save lasts."""
 
-    def wait() -> bool:
-        for do in waiting:
-            do()
-            return True
-        return False
-
-    return wait
-
-
-def nothing() -> None:
-    """Nobody saves."""
+Told = Queue[str]
 
 
 @pytest.fixture
@@ -34,25 +28,74 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_changed_new_and_removed_files_are_saves(folder: Path) -> None:
-    words, new = folder / "words" / "some.yaml", folder / "new.rules"
-    for save in (
-        lambda: words.write_text("a: longer"),
-        lambda: os.utime(words, ns=(1, 1)),
-        lambda: new.write_text("# new"),
-        new.unlink,
-    ):
-        assert len(list(saves([folder], looks(nothing, save, nothing, nothing)))) == 1
-    assert len(list(saves([words], looks(lambda: words.write_text(""), nothing)))) == 1
+@pytest.fixture
+def watching() -> Iterator[Callable[[Path, Path], Told]]:
+    """Follows the saves in a path, telling what the file `shown` holds at each."""
+    stop = Event()
+    threads: list[Thread] = []
+
+    def follow(path: Path, shown: Path) -> Told:
+        told: Told = Queue()
+
+        def run() -> None:
+            for _ in saves([path], stop):
+                told.put(shown.read_text() if shown.exists() else "gone")
+
+        threads.append(Thread(target=run))
+        threads[-1].start()
+        sleep(NEVER_S)  # until it watches
+        return told
+
+    yield follow
+    stop.set()
+    for thread in threads:
+        thread.join(SOON_S)
+        assert not thread.is_alive()
 
 
-def test_other_files_and_no_change_are_none(folder: Path) -> None:
-    assert list(saves([folder], looks(lambda: (folder / "notes.txt").write_text("x"), nothing, nothing))) == []
-    assert list(saves([folder / "nowhere"], looks(nothing))) == []
+def _nothing_more(told: Told) -> bool:
+    with pytest.raises(Empty):
+        told.get(timeout=NEVER_S)
+    return True
 
 
-def test_a_file_is_told_when_it_is_whole(folder: Path) -> None:
+def test_changed_new_and_removed_files_are_saves(folder: Path, watching: Callable[[Path, Path], Told]) -> None:
+    new = folder / "words" / "new.rules"
+    told = watching(folder, new)
+    (folder / "words" / "some.yaml").write_text("a: longer")
+    assert told.get(timeout=SOON_S) == "gone"
+    new.write_text("# new")
+    assert told.get(timeout=SOON_S) == "# new"
+    new.unlink()
+    assert told.get(timeout=SOON_S) == "gone"
+
+
+def test_a_file_that_another_takes_the_place_of_is_saved(folder: Path, watching: Callable[[Path, Path], Told]) -> None:
     words = folder / "words" / "some.yaml"
-    writing = [lambda text="x" * size: words.write_text(text) for size in (10, 20, 30)]
-    found = saves([folder], looks(*writing, nothing, lambda: words.write_text("again"), nothing, nothing))
-    assert [words.read_text() for _ in found] == ["x" * 30, "again"]
+    told = watching(words, words)
+    for text in ("a: second", "a: third"):
+        beside = folder / "words" / ".some.yaml.swap"
+        beside.write_text(text)
+        os.replace(beside, words)
+        assert told.get(timeout=SOON_S) == text
+
+
+def test_other_files_are_none(folder: Path, watching: Callable[[Path, Path], Told]) -> None:
+    told = watching(folder / "words" / "some.yaml", folder / "some.rules")
+    (folder / "words" / "notes.txt").write_text("x")
+    (folder / "words" / "other.yaml").write_text("x: y")
+    assert _nothing_more(told)
+
+
+def test_nothing_is_told_of_what_is_not_there(folder: Path) -> None:
+    assert list(saves([folder / "nowhere" / "some.yaml"])) == []
+
+
+def test_a_file_is_told_when_it_is_whole(folder: Path, watching: Callable[[Path, Path], Told]) -> None:
+    words = folder / "words" / "some.yaml"
+    told = watching(folder, words)
+    for size in (10, 20, 30):
+        words.write_text("x" * size)
+        sleep(QUIET_MS / 1000 / 4)
+    assert told.get(timeout=SOON_S) == "x" * 30
+    assert _nothing_more(told)

@@ -10,7 +10,7 @@ whole number of frame shifts long, so that maxima per shift need no loop over fr
 from collections.abc import Iterator
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from ...model import FloatArray, SingleArray
 from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, frame_count
@@ -58,11 +58,11 @@ def _greatest(samples: FloatArray) -> Iterator[SingleArray]:
     stretches = 1 + (frame_count(len(samples)) + _SHIFTS // 2) // _SHIFTS
     blocks = blocks_of_frames(samples, _STRETCH + 2 * _REACH, stretches, shift=_STRETCH)
     for block, signals in blocks:
-        spectra = fft.rfft(signals, _FFT)
+        spectra = scipy.fft.rfft(signals, _FFT)
         greatest = np.empty((len(signals) * _SHIFTS, _OCTAVES), dtype=np.float32)
         first = block.start * _STRETCH - _STRETCH // 2
         for octave, response in enumerate(responses):
-            band = np.abs(fft.irfft(spectra * response, _FFT)[:, _REACH : _REACH + _STRETCH]).ravel()
+            band = np.abs(scipy.fft.irfft(spectra * response, _FFT)[:, _REACH : _REACH + _STRETCH]).ravel()
             band[: max(-first, 0)] = 0  # ignore the filters' ringing outside the signal
             band[max(len(samples) - first, 0) :] = 0
             greatest[:, octave] = band.reshape(-1, SHIFT_SAMPLES).max(axis=1)
@@ -71,9 +71,9 @@ def _greatest(samples: FloatArray) -> Iterator[SingleArray]:
 
 def _wavelet_responses() -> SingleArray:
     """The frequency responses of the wavelets centred on 8 kHz, 4 kHz … (octaves × frequencies)."""
-    time = fft.fftfreq(_FFT, 1 / _FFT)
+    time = scipy.fft.fftfreq(_FFT, 1 / _FFT)
     half_periods = 2.0 ** np.arange(_OCTAVES)[:, None]
     wavelets = -np.cos(np.pi * time / half_periods) * np.exp(-((time / half_periods) ** 2) / 2)
     wavelets[np.abs(time) > 5 * half_periods] = 0
-    responses: SingleArray = fft.rfft(wavelets).real.astype(np.float32)
+    responses: SingleArray = scipy.fft.rfft(wavelets).real.astype(np.float32)
     return responses

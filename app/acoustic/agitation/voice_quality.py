@@ -9,7 +9,7 @@ spread between recordings.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
 from ..signal.frames import blocks_of_frames
@@ -67,7 +67,7 @@ def voice_quality(audio: Audio, f0_hz: FloatArray) -> VoiceQuality:
 
 def _power(frames: SingleArray) -> SingleArray:
     """The power spectrum of each frame (frames × frequencies)."""
-    power: SingleArray = np.abs(fft.rfft(frames * _HANN, _FFT))
+    power: SingleArray = np.abs(scipy.fft.rfft(frames * _HANN, _FFT))
     np.square(power, out=power)
     power += LEAST_RANGE * np.maximum(power.max(axis=1, keepdims=True), _LEAST_POWER)
     return power
@@ -76,7 +76,7 @@ def _power(frames: SingleArray) -> SingleArray:
 def _harmonicity_db(power: SingleArray, f0_hz: FloatArray) -> FloatArray:
     voiced = f0_hz > 0
     near = np.rint(SAMPLE_RATE_HZ / np.maximum(f0_hz[voiced, None], _LOWEST_F0_HZ)).astype(int) + _LAGS_ASIDE
-    autocorrelation = fft.dct(power[voiced], type=1)
+    autocorrelation = scipy.fft.dct(power[voiced], type=1)
     likeness = np.take_along_axis(autocorrelation, near, axis=1) / autocorrelation[:, :1] / _WINDOW_LIKENESS[near]
     periodic = np.full(len(f0_hz), _LEAST_PERIODIC)
     periodic[voiced] = np.clip(likeness.max(axis=1), _LEAST_PERIODIC, _MOST_PERIODIC)
@@ -87,7 +87,7 @@ def _harmonicity_db(power: SingleArray, f0_hz: FloatArray) -> FloatArray:
 def _cepstral_peak_db(power: SingleArray) -> FloatArray:
     decibels = np.log10(power[:, ::2])
     decibels *= 10 / (_FFT // 2)
-    cepstrum = fft.dct(decibels, type=1, overwrite_x=True)[:, _SHORTEST_PERIOD : _LONGEST_PERIOD + 1]
+    cepstrum = scipy.fft.dct(decibels, type=1, overwrite_x=True)[:, _SHORTEST_PERIOD : _LONGEST_PERIOD + 1]
     level_db = 20 * np.log10(np.maximum(np.abs(cepstrum), 1e-6))
     centred = np.arange(level_db.shape[1]) - (level_db.shape[1] - 1) / 2
     slope = np.sum(level_db * centred, axis=1) / np.sum(centred**2)

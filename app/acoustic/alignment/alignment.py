@@ -9,8 +9,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Self
 
-from pocketsphinx import get_model_path
-
 from ...errors import InputError
 from ...model import Audio, Filler, FloatArray, Interval, Notice, Phone, Word
 from ..pronunciation.normalisation import Normaliser
@@ -53,6 +51,8 @@ class Aligner:
         Without `refined` the times are the decoder's own, as needed for training the refinement. Raises ServiceError if
         a model is missing or broken, AuthoringError for the abbreviations.
         """
+        from pocketsphinx import get_model_path  # is loaded with the aligner, not with whoever names it
+
         dictionary = Path(get_model_path()) / "en-us" / "cmudict-en-us.dict"
         self._pronouncer = Pronouncer.load(dictionary, models / "pronunciation" / "graphones.npz")
         self._normaliser = Normaliser.load(lexicon / "abbreviations.yaml", self._pronouncer.dictionary.keys())

@@ -6,12 +6,13 @@ nor its equalization matters. Levels are kept in half precision: half an hour of
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Self
 
 import numpy as np
+import scipy
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
-from scipy import fft
 
 from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
 from ..signal.mel import mel_filters
@@ -50,9 +51,6 @@ _KIND_NUMBERS = {name: number for number, kind in enumerate(_KINDS) for name in 
 
 _WINDOW = np.hanning(WINDOW_SAMPLES).astype(np.float32)
 _NOISE_POWER = np.float32(NOISE_AMPLITUDE**2 * np.sum(_WINDOW**2))
-_MEL_FILTERS = np.ascontiguousarray(
-    mel_filters(WINDOW_SAMPLES, bands=BANDS, lowest_hz=LOWEST_HZ, highest_hz=HIGHEST_HZ).T, dtype=np.float32
-)
 
 Levels = NDArray[np.float16]
 Points = NDArray[np.float32]
@@ -139,7 +137,14 @@ def _frames(samples: FloatArray, first: int, end: int) -> FloatArray:
 
 def _log_mel(frames: FloatArray) -> SingleArray:
     """Log Mel energies in single precision, at half the cost."""
-    power = np.abs(fft.rfft(frames.astype(np.float32, copy=False) * _WINDOW))
+    power = np.abs(scipy.fft.rfft(frames.astype(np.float32, copy=False) * _WINDOW))
     np.square(power, out=power)
     power += _NOISE_POWER
-    return np.log(product(power, _MEL_FILTERS))
+    return np.log(product(power, _filters()))
+
+
+@cache
+def _filters() -> SingleArray:
+    """The Mel filters (bins, bands)."""
+    filters = mel_filters(WINDOW_SAMPLES, bands=BANDS, lowest_hz=LOWEST_HZ, highest_hz=HIGHEST_HZ)
+    return np.ascontiguousarray(filters.T, dtype=np.float32)

@@ -16,8 +16,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from praatio.utilities import textgrid_io  # type: ignore[import-untyped]
-from praatio.utilities.errors import PraatioException  # type: ignore[import-untyped]
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from ...errors import InputError, UndecodableError, UnsupportedFormatError
@@ -90,6 +88,8 @@ def read_timings(content: bytes, format: str, words: tuple[Word, ...], *, durati
 
 def to_textgrid(words: tuple[Word, ...], duration_s: float) -> str:
     """A Praat TextGrid (long format) with the tiers "words" and "phones"."""
+    from praatio.utilities import textgrid_io  # type: ignore[import-untyped]
+
     end_s = max([duration_s, *(word.interval.end_s for word in words if word.interval)])
     tiers = {
         "words": [(*_span(word.interval), word.text) for word in words if word.interval],
@@ -160,6 +160,9 @@ def _from_textgrid(text: str) -> Iterator[_Timed]:
 
 def _interval_tiers(text: str) -> dict[str, list[tuple[float, float, str]]]:
     """The entries of each tier of intervals."""
+    from praatio.utilities import textgrid_io
+    from praatio.utilities.errors import PraatioException  # type: ignore[import-untyped]
+
     if _NEGATIVE_TIME.search(text):  # praatio would drop the sign
         raise _unreadable("textgrid", "it has a time below 0")
     try:

@@ -12,7 +12,7 @@ five corpora the same frames were voiced, and of 10,504 voiced ones a single f0 
 from collections.abc import Iterator
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
 from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, frame_count
@@ -49,7 +49,7 @@ def summed_harmonics(samples: FloatArray, band_hz: int) -> Iterator[tuple[slice,
         for first in range(0, len(frames), _AT_ONCE):
             some = frames[first : first + _AT_ONCE]
             np.multiply(some, window, out=padded[: len(some), : len(window)])
-            spectra = fft.rfft(padded[: len(some)])[:, : amplitudes.shape[1]]
+            spectra = scipy.fft.rfft(padded[: len(some)])[:, : amplitudes.shape[1]]
             np.abs(spectra, out=amplitudes[first : first + _AT_ONCE])
         yield block, _eq_3(amplitudes)
 

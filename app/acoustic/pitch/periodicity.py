@@ -10,7 +10,7 @@ Frames are those of `understudy.acoustic.signal.frames`.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
 from ..signal.frames import BLOCK, blocks_of_frames, frame_count
@@ -63,7 +63,7 @@ def band_power(samples: FloatArray) -> SingleArray:
     """The power spectrum of each frame within the band (frames × frequencies)."""
     power = np.empty((frame_count(len(samples)), _LAST_BIN + 1 - _FIRST_BIN), dtype=np.float32)
     for block, frames in blocks_of_frames(samples, _WINDOW, len(power)):
-        spectra = fft.rfft(frames * _HANN, _FFT)[:, _FIRST_BIN : _LAST_BIN + 1]
+        spectra = scipy.fft.rfft(frames * _HANN, _FFT)[:, _FIRST_BIN : _LAST_BIN + 1]
         power[block] = np.square(np.abs(spectra))
     return power
 

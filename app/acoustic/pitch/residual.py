@@ -10,8 +10,8 @@ the four transforms have few inputs or outputs and are computed as matrix produc
 """
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
 
 from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
 from ..signal.frames import blocks_of_frames
@@ -44,12 +44,12 @@ def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleAr
 
 def _inversely_filtered(frames: SingleArray, length: int) -> SingleArray:
     """Each frame windowed and filtered by its own prediction error filter, in `length` samples (frames × length)."""
-    spectra = fft.rfft(frames * _HANN, _FFT)
+    spectra = scipy.fft.rfft(frames * _HANN, _FFT)
     filters = _prediction_error_filters(product(_power(spectra), _CORRELATING).T.copy())
     kept = length // 2 + 1
     responses = product(filters.T, _TURNS.view(np.float64)[:, : 2 * kept]).view(np.complex128)
     responses *= spectra[:, :kept]
-    filtered: SingleArray = fft.irfft(responses.astype(np.complex64), length)
+    filtered: SingleArray = scipy.fft.irfft(responses.astype(np.complex64), length)
     filtered *= length / _FFT
     return filtered
 

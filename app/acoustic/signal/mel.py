@@ -1,40 +1,58 @@
-"""Mel filter banks over the bins of a power spectrum.
+"""librosa's Mel filters and cepstral coefficients, as matrices to multiply a spectrum with.
 
-The scale is Slaney's (Auditory Toolbox, 1998): 3 / 200 Mel per Hz up to 1 kHz, and 27 Mel per factor of 6.4 above.
-Filters are triangles between the centres of their neighbours, normalized to area 1 over Hz.
+The scale is Slaney's (Auditory Toolbox, 1998), linear up to 1 kHz and logarithmic beyond; filters are triangles of area
+1 over hertz. Both are constants of librosa's, and to import librosa takes longer than to hear a line, and 180 MB
+(docs/measurements.md): so it is imported where a matrix is not kept from an earlier process (`understudy.cache`).
 """
+
+from collections.abc import Callable
+from functools import cache
+from importlib.metadata import version
 
 import numpy as np
 
+from ...cache import Cache
 from ...model import SAMPLE_RATE_HZ, FloatArray
 
-_LINEAR_UP_TO_HZ = 1000.0
-_HZ_PER_MEL = 200 / 3
-_LINEAR_UP_TO_MEL = _LINEAR_UP_TO_HZ / _HZ_PER_MEL
-_LOG_STEP = np.log(6.4) / 27
-"""Log frequency per Mel above `_LINEAR_UP_TO_HZ`."""
 
-
+@cache
 def mel_filters(transform_samples: int, *, bands: int, lowest_hz: float, highest_hz: float) -> FloatArray:
-    """The filters (bands, 1 + transform_samples // 2) of bands from `lowest_hz` to `highest_hz`."""
-    bins_hz = np.fft.rfftfreq(transform_samples, 1 / SAMPLE_RATE_HZ)
-    lowest, highest = _mel(np.array([lowest_hz, highest_hz]))
-    edges_hz = _hz(np.linspace(lowest, highest, bands + 2))
-    widths_hz = np.diff(edges_hz)[:, None]
-    from_edges_hz = bins_hz - edges_hz[:, None]
-    rising, falling = from_edges_hz[:-2] / widths_hz[:-1], -from_edges_hz[2:] / widths_hz[1:]
-    heights = 2 / (edges_hz[2:] - edges_hz[:-2])[:, None]
-    filters: FloatArray = heights * np.maximum(np.minimum(rising, falling), 0.0)
-    return filters
+    """The filters (bands, 1 + transform_samples // 2) over the bins of a power spectrum, of bands of even width on the
+    Mel scale from `lowest_hz` to `highest_hz`; read-only."""
+
+    def make() -> FloatArray:
+        from librosa.filters import mel
+
+        filters: FloatArray = mel(
+            sr=SAMPLE_RATE_HZ,
+            n_fft=transform_samples,
+            n_mels=bands,
+            fmin=lowest_hz,
+            fmax=highest_hz,
+            dtype=np.float64,
+        )
+        return filters
+
+    return _kept(f"mel_filters_{transform_samples}_{bands}_{lowest_hz:g}_{highest_hz:g}", make)
 
 
-def _mel(hz: FloatArray) -> FloatArray:
-    above = np.log(np.maximum(hz, _LINEAR_UP_TO_HZ) / _LINEAR_UP_TO_HZ) / _LOG_STEP
-    mel: FloatArray = np.minimum(hz, _LINEAR_UP_TO_HZ) / _HZ_PER_MEL + above
-    return mel
+@cache
+def cepstral_basis(bands: int, coefficients: int) -> FloatArray:
+    """What turns levels (…, bands) into MFCC 0 to `coefficients` - 1, shape (bands, coefficients); read-only.
+
+    MFCC are linear in the levels, so these are the MFCC of each band alone.
+    """
+
+    def make() -> FloatArray:
+        from librosa.feature import mfcc
+
+        basis: FloatArray = mfcc(S=np.eye(bands), n_mfcc=coefficients, dct_type=2, norm="ortho").T
+        return np.ascontiguousarray(basis)
+
+    return _kept(f"cepstral_basis_{bands}_{coefficients}", make)
 
 
-def _hz(mel: FloatArray) -> FloatArray:
-    linear = np.minimum(mel, _LINEAR_UP_TO_MEL) * _HZ_PER_MEL
-    hz: FloatArray = linear * np.exp(_LOG_STEP * np.maximum(mel - _LINEAR_UP_TO_MEL, 0.0))
-    return hz
+def _kept(name: str, make: Callable[[], FloatArray]) -> FloatArray:
+    matrix = Cache.of_environment().kept(name, (), make, made_with=f"librosa {version('librosa')}")
+    matrix.setflags(write=False)
+    return matrix

@@ -5,11 +5,11 @@ that energy is 0 dB where the windowed samples' squares sum to 1.
 """
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
 from .frames import blocks_of_frames, frame_count
-from .mel import mel_filters
+from .mel import cepstral_basis, mel_filters
 from .products import product
 
 FRAME_SAMPLES = round(0.032 * SAMPLE_RATE_HZ)
@@ -54,9 +54,8 @@ def mfcc(levels_db: SingleArray, *, range_db: float = MEL_RANGE_DB) -> SingleArr
     relative to the loudest (`python -m benchmarks.acoustic.agitation --ablation` shows the effect of this and of the
     lower band edge).
     """
-    cepstrum = fft.dct(np.maximum(levels_db, levels_db.max() - range_db), norm="ortho", overwrite_x=True)
-    coefficients: SingleArray = cepstrum[:, 1 : 1 + COEFFICIENTS].copy()
-    return coefficients
+    basis = cepstral_basis(levels_db.shape[1], 1 + COEFFICIENTS)[:, 1:].astype(np.float32, order="C")
+    return product(np.maximum(levels_db - levels_db.max(), -range_db), basis)
 
 
 def mel_db(audio: Audio, *, min_hz: float = MEL_MIN_HZ) -> SingleArray:
@@ -65,6 +64,6 @@ def mel_db(audio: Audio, *, min_hz: float = MEL_MIN_HZ) -> SingleArray:
     bands = filters.T.astype(np.float32, order="C")
     levels_db = np.empty((frame_count(len(audio.samples)), MEL_BANDS), dtype=np.float32)
     for block, frames in blocks_of_frames(audio.samples, FRAME_SAMPLES, len(levels_db)):
-        power = np.square(np.abs(fft.rfft(frames * _HANN)))
+        power = np.square(np.abs(scipy.fft.rfft(frames * _HANN)))
         levels_db[block] = 10 * np.log10(np.maximum(product(power, bands), _LEAST_POWER))
     return levels_db

@@ -2,16 +2,19 @@
 
 import argparse
 
-from ...performance import AcousticModels
+from ...hearing import AcousticModels
 from ...schemas.responses import AgitationResponse
 from ...settings import read_settings
 from ..files import write_standard
-from ..hearing import hear_file, shown, speaker_reference
+from ..hearing import hear_file, require_files, require_reference, shown, speaker_reference
 from ..log import Log
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
-    acoustic = AcousticModels.load(read_settings())
+    settings = read_settings()
+    require_files(arguments.audio, settings)
+    require_reference(arguments.reference, settings)
+    acoustic = AcousticModels.load(settings)
     reference = speaker_reference(acoustic, arguments.reference, log)
     for path in arguments.audio:
         heard = hear_file(acoustic, path, log, reference)

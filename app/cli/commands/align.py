@@ -3,9 +3,12 @@
 import argparse
 from pathlib import PurePath
 
-from ...performance import AcousticModels, AlignedLine, align, to_ctm, to_textgrid
+from ...acoustic.alignment.timings import to_ctm, to_textgrid
+from ...analysis import AlignedLine
+from ...hearing import AcousticModels, align
 from ...schemas.responses import AlignResponse
 from ...settings import read_settings
+from ..early import require_usable
 from ..files import write_standard
 from ..lines import read_line
 from ..log import Log
@@ -14,6 +17,7 @@ from ..log import Log
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     line = read_line(arguments, settings)
+    require_usable(line, settings)
     with AcousticModels.load(settings) as acoustic:
         aligned = align(acoustic, line)
     write_standard(_formatted(aligned, arguments))

@@ -3,11 +3,10 @@
 import argparse
 
 from ...model import Level
-from ...performance import Understudy, analyze
-from ...schemas.responses import AnalysisResponse
 from ...settings import read_settings
+from ..early import require_usable
 from ..files import require_writable, write, write_standard
-from ..hearing import speaker_reference
+from ..hearing import require_reference, speaker_reference
 from ..lines import read_line
 from ..log import Log
 from ..plot import plot, require_plot
@@ -19,6 +18,11 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     if arguments.plot:
         require_plot(arguments.plot)
         require_writable(arguments.plot, field="plot")
+    require_reference(arguments.reference, settings)
+    require_usable(line, settings)
+    from ...performance import Understudy, analyze  # now that all is told which can be told without it
+    from ...schemas.responses import AnalysisResponse
+
     level = arguments.agitation and Level(arguments.agitation)
     with Understudy.load(settings) as understudy:
         reference = speaker_reference(understudy.acoustic, arguments.reference, log)

@@ -1,85 +1,32 @@
-"""`understudy functions`: what words alone do, nothing heard.
-
-Without `--text`, every line of standard input, `{"id", "text"}`, gets one line out, in order and at once; a wrong one
-gets `{"id", "error": {"code", "message"}}`, the others are answered all the same, and the exit code is 2. Lines that
-have come already are parsed together, which is faster; no line waits for one that has not.
-"""
+"""`understudy functions`: what words alone do, nothing heard; without `--text`, line by line, and the exit code is 2 if
+one was wrong."""
 
 import argparse
 import gc
 import sys
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from io import BufferedIOBase
 from typing import cast
 
-from ...errors import InputError
-from ...model import Word
-from ...performance import LanguageModels, find_functions, find_functions_in_all
-from ...schemas.requests import line_id, read_object, read_request
-from ...schemas.responses import FunctionsResponse, MistakeResponse
 from ...settings import read_settings
 from ...transcript import read_transcript
 from ..files import write_standard
 from ..log import Log
 
-MOST_TOGETHER = 32
-READ_BYTES = 65_536
-
 
 def run(arguments: argparse.Namespace, _log: Log) -> int:
-    language = LanguageModels.load(read_settings())
-    if arguments.text is None:
-        gc.freeze()  # what is loaded stays; looking through it again and again takes a tenth of the time
-        _answer_lines(language, cast(BufferedIOBase, sys.stdin.buffer))
-    else:
-        analysis = find_functions(language, arguments.text)
-        write_standard(FunctionsResponse.of(analysis).to_json() + b"\n")
+    settings = read_settings()
+    if arguments.text is not None:
+        read_transcript(arguments.text, max_characters=settings.max_text_characters)  # a wrong one is told at once
+    from ...understanding import LanguageModels, find_functions
+
+    language = LanguageModels.load(settings)
+    if arguments.text is not None:
+        from ...schemas.responses import FunctionsResponse
+
+        write_standard(FunctionsResponse.of(find_functions(language, arguments.text)).to_json() + b"\n")
+        return 0
+    from ..function_lines import answer_lines
+
+    gc.freeze()  # what is loaded stays; looking through it again and again takes a tenth of the time
+    answer_lines(language, cast(BufferedIOBase, sys.stdin.buffer))
     return 0
-
-
-def _answer_lines(language: LanguageModels, stream: BufferedIOBase) -> None:
-    """Raises InputError `lines_wrong` after the last line when some were wrong."""
-    wrong: list[int] = []
-    before = 0
-    for lines in waiting_lines(stream):
-        spoken = [_read(line, language.settings.max_text_characters) if line.strip() else None for line in lines]
-        analyses = find_functions_in_all(language, [asked.words for asked in spoken if isinstance(asked, _Asked)])
-        for number, asked in enumerate(spoken, start=before + 1):
-            if isinstance(asked, MistakeResponse):
-                wrong.append(number)
-                write_standard(asked.to_json() + b"\n")
-            elif asked is not None:
-                write_standard(FunctionsResponse.of(next(analyses), asked.id).to_json() + b"\n")
-        before += len(lines)
-    if wrong:
-        raise InputError("lines_wrong", f"standard input: {len(wrong)} lines are wrong, the first is line {wrong[0]}")
-
-
-def waiting_lines(stream: BufferedIOBase) -> Iterator[Sequence[bytes]]:
-    """The lines of a stream, as many together as can be read without waiting for more, `MOST_TOGETHER` at most."""
-    begun: list[bytes] = []
-    while chunk := stream.read1(READ_BYTES):
-        begun.append(chunk)
-        if b"\n" in chunk:
-            *whole, rest = b"".join(begun).split(b"\n")
-            begun = [rest]
-            for start in range(0, len(whole), MOST_TOGETHER):
-                yield whole[start : start + MOST_TOGETHER]
-    yield [b"".join(begun)]
-
-
-@dataclass(frozen=True, slots=True)
-class _Asked:
-    id: str | int | None
-    words: tuple[Word, ...]
-
-
-def _read(line: bytes, max_characters: int) -> _Asked | MistakeResponse:
-    fields: dict[str, object] = {}
-    try:
-        fields = read_object(line, "line")
-        question = read_request(fields)
-        return _Asked(question.id, read_transcript(question.text, max_characters=max_characters))
-    except InputError as error:
-        return MistakeResponse.of(error, line_id(fields))

@@ -1,39 +1,47 @@
 """`understudy perform`: one line in, BML out, and what the character does and why."""
 
 import argparse
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
+from ...analysis import Line, Options
+from ...bml.markup.documents import DialectName, TimeForm
+from ...bml.writing.writer import BmlForm, write_bml, write_bml_json
 from ...errors import InputError
-from ...model import Level, Mode
-from ...performance import (
-    BmlForm,
-    DialectName,
-    Options,
-    TimeForm,
-    Understudy,
-    perform,
-    write_bml,
-    write_bml_json,
-    write_listener,
-)
-from ...realization import PreparedSchedule, schedule_of
+from ...model import Level, Mode, Performance
 from ...schemas.requests import listener_names
-from ...schemas.responses import PerformanceResponse
-from ...settings import read_settings
+from ...settings import Settings, read_settings
+from ..early import require_character, require_usable
 from ..files import STANDARD, require_writable, write
-from ..hearing import speaker_reference
+from ..hearing import require_reference, speaker_reference
 from ..lines import read_line
 from ..log import Log
-from ..motions import require_motions, write_motions
+from ..motions import MotionOptions, require_motions, write_motions
 from ..summary import summary
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     _check_targets(arguments)
+    motion = MotionOptions.of(arguments)
     line = read_line(arguments, settings)
-    options = Options(
+    options = _options(arguments)
+    require_character(options.character)
+    require_reference(arguments.reference, settings)
+    require_usable(line, settings)
+    performance = _performed(line, options, arguments.reference, settings, log)
+    if arguments.realize:
+        _realize(performance, arguments.realize, motion, log)
+    _write(performance, options.form, arguments)
+    log.warnings(performance.notices)
+    if arguments.output:
+        log.note(summary(performance))
+    return 0
+
+
+def _options(arguments: argparse.Namespace) -> Options:
+    return Options(
         character=arguments.character,
         agitation=arguments.agitation and Level(arguments.agitation),
         seed=arguments.seed,
@@ -43,22 +51,35 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         lead_in_s=arguments.lead_in,
         stillness=arguments.stillness,
     )
+
+
+def _performed(
+    line: Line, options: Options, reference: Sequence[str] | None, settings: Settings, log: Log
+) -> Performance:
+    from ...performance import Understudy, perform  # now that all is told which can be told without it
+
     with Understudy.load(settings) as understudy:
-        options = replace(options, reference=speaker_reference(understudy.acoustic, arguments.reference, log))
-        performance = perform(understudy, line, options, log.stage)
-        if arguments.realize:
-            staged = PreparedSchedule(schedule_of(performance), performance.notices)
-            write_motions(arguments.realize, understudy.realizer, staged, arguments, log)
+        options = replace(options, reference=speaker_reference(understudy.acoustic, reference, log))
+        return perform(understudy, line, options, log.stage)
+
+
+def _realize(performance: Performance, names: Sequence[str], motion: MotionOptions, log: Log) -> None:
+    from ...realization import PreparedSchedule, schedule_of
+
+    write_motions(names, PreparedSchedule(schedule_of(performance), performance.notices), motion, log)
+
+
+def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespace) -> None:
+    """The trace, the BML, and the listeners' beside it."""
+    from ...performance import write_listener
+    from ...schemas.responses import PerformanceResponse
+
     if arguments.trace:
         write(arguments.trace, PerformanceResponse.of_performance(performance).to_json(indent=2) + b"\n")
     written = write_bml_json if (arguments.output or "").lower().endswith(".json") else write_bml
-    write(arguments.output or STANDARD, written(performance, options.form))
+    write(arguments.output or STANDARD, written(performance, form))
     for listening in performance.listeners:
-        write(_beside(arguments.output, listening.name), write_listener(performance, listening, options.form))
-    log.warnings(performance.notices)
-    if arguments.output:
-        log.note(summary(performance))
-    return 0
+        write(_beside(arguments.output, listening.name), write_listener(performance, listening, form))
 
 
 def _form(arguments: argparse.Namespace) -> BmlForm:

@@ -2,8 +2,8 @@
 
 import argparse
 
+from ...hearing import AcousticModels, analyze_signal
 from ...model import FRAME_SHIFT_S, Contours
-from ...performance import AcousticModels, analyze_signal
 from ...settings import read_settings
 from ..files import read_bytes, write_standard
 from ..log import Log

@@ -1,17 +1,22 @@
 """`understudy realize`: BML in, motion out, in the format that each output's name ends in."""
 
-import argparse
-from pathlib import Path
+from __future__ import annotations
 
+import argparse
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ...bml.choice.stillness import check_stillness
 from ...errors import InputError
 from ...model import Level
-from ...performance import AcousticModels
-from ...realization import BmlInput, Realizer, prepare_schedule
-from ...resources import resource_folder
-from ...settings import read_settings
+from ...settings import Settings, read_settings
 from ..files import STANDARD, read_bytes
 from ..log import Log
-from ..motions import require_motions, write_motions
+from ..motions import MotionOptions, require_motions, write_motions
+
+if TYPE_CHECKING:
+    from ...realization import PreparedSchedule
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -19,15 +24,30 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     require_motions(arguments.output, field="output")
     if arguments.bml == STANDARD and arguments.audio == STANDARD:
         raise InputError("usage", "only one of BML and audio can come from standard input (-)")
+    options = MotionOptions.of(arguments)
+    check_stillness(arguments.stillness)
     audio = None
     if arguments.audio:
         audio = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
     bml = read_bytes(arguments.bml, limit=settings.max_body_bytes, field="bml")
+    staged = _prepared(bml, audio, arguments, settings, log)
+    log.warnings(staged.notices)
+    write_motions(arguments.output, staged, options, log)
+    return 0
+
+
+def _prepared(
+    bml: bytes, audio: bytes | None, arguments: argparse.Namespace, settings: Settings, log: Log
+) -> PreparedSchedule:
+    """The schedule; what hears is loaded only where there is something to hear."""
+    from ...hearing import AcousticModels
+    from ...realization import BmlInput, prepare_schedule
+
     sheet = BmlInput(bml, Path("standard input" if arguments.bml == STANDARD else arguments.bml), audio)
     level = arguments.agitation and Level(arguments.agitation)
-    realizer = Realizer.load(resource_folder("lexicon"))
-    with AcousticModels.load(settings) as acoustic:
-        staged = prepare_schedule(
+    with ExitStack() as stack:
+        acoustic = None if audio is None else stack.enter_context(AcousticModels.load(settings))
+        return prepare_schedule(
             acoustic,
             sheet,
             agitation=level,
@@ -35,6 +55,3 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
             stillness=arguments.stillness,
             progress=log.stage,
         )
-    log.warnings(staged.notices)
-    write_motions(arguments.output, realizer, staged, arguments, log)
-    return 0

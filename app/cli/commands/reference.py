@@ -2,18 +2,20 @@
 
 import argparse
 
-from ...performance import AcousticModels, make_reference
+from ...hearing import AcousticModels, make_reference
 from ...schemas.references import to_json
 from ...settings import read_settings
 from ..files import STANDARD, require_writable, write
-from ..hearing import hear_file
+from ..hearing import hear_file, require_files
 from ..log import Log
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     output = arguments.output or STANDARD
     require_writable(output, field="output")
-    acoustic = AcousticModels.load(read_settings())
+    settings = read_settings()
+    require_files(arguments.audio, settings)
+    acoustic = AcousticModels.load(settings)
     reference = make_reference(acoustic, [hear_file(acoustic, path, log) for path in arguments.audio])
     write(output, to_json(reference))
     return 0

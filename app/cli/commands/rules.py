@@ -1,24 +1,17 @@
-"""`understudy rules`: check, list, explain and trace what authors edit."""
+"""`understudy rules`: check, list, explain and trace what authors edit.
+
+Each action imports what it needs: to check rules nothing is parsed or heard.
+"""
 
 import argparse
-import time
 from collections.abc import Iterable, Sequence
 from itertools import chain
 from pathlib import Path
 
-from ...authoring.catalogue import Catalogue
-from ...authoring.inspection import files_in_use, find_unused, trace, trace_one
 from ...authoring.proofreading import check_files, check_files_in_use
-from ...authoring.watching import LOOK_EVERY_S, saves
 from ...errors import AuthoringError
-from ...performance import BehaviorModels, LanguageModels
-from ...schemas.library import RulesResponse
-from ...settings import read_settings
-from ..corpus import read_corpus
 from ..files import write_standard
-from ..listings import counts, explanation, headline
 from ..log import Log
-from ..traces import trace_lines, unused_lines
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -46,19 +39,20 @@ def _check_once(paths: Sequence[Path], log: Log) -> None:
 
 def _watch(paths: Sequence[Path], log: Log) -> None:
     """Checks now and at each save, until interrupted: mistakes are told, not raised."""
-    for _ in chain([None], saves(paths or files_in_use(), wait=_until_the_next_look)):
+    from ...authoring.watching import files_in_use, saves
+
+    for _ in chain([None], saves(paths or files_in_use())):
         try:
             _check_once(paths, log)
         except AuthoringError as error:
             log.error(error)
 
 
-def _until_the_next_look() -> bool:
-    time.sleep(LOOK_EVERY_S)
-    return True
-
-
 def _list(arguments: argparse.Namespace, _log: Log) -> None:
+    from ...authoring.catalogue import Catalogue
+    from ...schemas.library import RulesResponse
+    from ..listings import counts, headline
+
     items = Catalogue.load().items
     if arguments.json:
         write_standard(RulesResponse.of(items).to_json(indent=2) + b"\n")
@@ -67,11 +61,19 @@ def _list(arguments: argparse.Namespace, _log: Log) -> None:
 
 
 def _explain(arguments: argparse.Namespace, _log: Log) -> None:
+    from ...authoring.catalogue import Catalogue
+    from ..listings import explanation
+
     catalogue = Catalogue.load()
     _print(line for item in catalogue.named(arguments.name) for line in explanation(catalogue, item))
 
 
 def _trace(arguments: argparse.Namespace, _log: Log) -> None:
+    from ...authoring.inspection import trace, trace_one
+    from ...performance import BehaviorModels, LanguageModels
+    from ...settings import read_settings
+    from ..traces import trace_lines
+
     settings = read_settings()
     language, behavior = LanguageModels.load(settings), BehaviorModels.load(settings)
     if arguments.rule is None:
@@ -82,6 +84,12 @@ def _trace(arguments: argparse.Namespace, _log: Log) -> None:
 
 
 def _unused(arguments: argparse.Namespace, _log: Log) -> None:
+    from ...authoring.inspection import find_unused
+    from ...performance import BehaviorModels, LanguageModels
+    from ...settings import read_settings
+    from ..corpus import read_corpus
+    from ..traces import unused_lines
+
     settings = read_settings()
     texts = read_corpus(arguments.corpus, max_characters=settings.max_text_characters)
     _print(unused_lines(find_unused(LanguageModels.load(settings), BehaviorModels.load(settings), texts)))

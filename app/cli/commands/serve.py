@@ -23,6 +23,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     chosen = {"host": arguments.host, "port": arguments.port}
     settings = settings.model_copy(update={key: value for key, value in chosen.items() if value is not None})
     with Understudy.load(settings) as understudy:
+        understudy.load_rest()
         perform(understudy, _example(), Options(), log.stage)
         server = uvicorn.Config(
             create_app(settings, understudy, reload=arguments.reload),

@@ -9,8 +9,7 @@ from itertools import pairwise
 
 from ...errors import Mistake
 from .gesture import ArmKey, FrameType
-from .language import mistake_in
-from .statements import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word
+from .statements import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word, mistake_in
 
 IN_ORDER: tuple[FrameType, ...] = tuple(FrameType)
 """The phases in order."""

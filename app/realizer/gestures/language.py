@@ -15,7 +15,7 @@ from types import MappingProxyType
 from lark import Lark, Token, Tree, UnexpectedInput, UnexpectedToken
 
 from ...errors import Mistake
-from .statements import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word
+from .statements import OTHER, FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word, mistake_in
 
 HEADER: Mapping[str, str] = MappingProxyType(
     {
@@ -47,7 +47,6 @@ FRAME: Mapping[str, str] = MappingProxyType(
 )
 """The statements of frames, each with an example."""
 
-OTHER = "OTHER"
 OF_AN_ARM = frozenset({"ARM", "HAND", "FINGER", "WRIST", "SHOULDER", "JOINT"})
 """The statements that may follow OTHER."""
 
@@ -70,12 +69,6 @@ def parse_gestures(text: str, path: Path) -> tuple[GestureFile, tuple[Mistake, .
     gestures = _Assembly(wrong).of(_statements(lines, wrong))
     file = GestureFile(path, lines, gestures)
     return file, tuple(mistake_in(file, found) for found in wrong)
-
-
-def mistake_in(file: GestureFile, found: LocatedMistake) -> Mistake:
-    """A located mistake with its file and source line."""
-    at = found.at
-    return Mistake(file.path, at.line, at.column, found.message, file.lines[at.line - 1].rstrip("\r"))
 
 
 @cache

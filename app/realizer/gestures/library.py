@@ -18,8 +18,7 @@ from .checking import duplicate_names
 from .clips import clip
 from .definitions import definition
 from .gesture import Clip, Definition
-from .language import mistake_in, read_gestures
-from .statements import GestureFile, LocatedMistake
+from .statements import GestureFile, LocatedMistake, mistake_in
 
 SUFFIX = ".gesture"
 LAST_RESORT = "BEAT"
@@ -98,6 +97,8 @@ def gesture_files(paths: Iterable[Path]) -> tuple[Path, ...]:
 
 def read_definitions(paths: Sequence[Path]) -> tuple[Definition, ...]:
     """The definitions in these files. Raises AuthoringError with all mistakes, by file and line."""
+    from .language import read_gestures  # brings lark, which gestures that are kept do without
+
     definitions: list[Definition] = []
     files: list[GestureFile] = []
     mistakes: list[Mistake] = []

@@ -8,6 +8,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from ...errors import Mistake
+
+OTHER = "OTHER"
+"""The keyword before a statement that speaks of the other arm."""
+
 
 @dataclass(frozen=True, slots=True)
 class Word:
@@ -74,3 +79,9 @@ class LocatedMistake:
 
     at: Word
     message: str
+
+
+def mistake_in(file: GestureFile, found: LocatedMistake) -> Mistake:
+    """A located mistake with its file and source line."""
+    at = found.at
+    return Mistake(file.path, at.line, at.column, found.message, file.lines[at.line - 1].rstrip("\r"))

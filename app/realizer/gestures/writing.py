@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from ...model import Level
 from .definitions import RANGES, completed_by_mirroring
 from .gesture import ArmKey, Definition, Direction, Expressivity, Frame, HandShape, Place, Thumb, Wrist
-from .language import OTHER
 from .specifiers import AS_THE_FOREARM, FINGER_BASE, PALM
+from .statements import OTHER
 
 
 def write_gesture(definition: Definition) -> str:

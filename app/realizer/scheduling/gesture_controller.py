@@ -6,7 +6,7 @@ Only the breathing of the collarbones is kept from the idle arms.
 from dataclasses import replace
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
+import scipy
 
 from ...model import FloatArray, Hand
 from ..arms.arm_keys import arm_track
@@ -44,7 +44,7 @@ def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
     if len(times_s) < 2:
         return rotations
     width = _MUSCLE_S / float(times_s[1] - times_s[0])
-    return normalized(gaussian_filter1d(rotations, width, axis=0, mode="nearest"))
+    return normalized(scipy.ndimage.gaussian_filter1d(rotations, width, axis=0, mode="nearest"))
 
 
 def _breath(collarbone: FloatArray) -> FloatArray:

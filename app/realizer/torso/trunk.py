@@ -12,7 +12,7 @@ from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
+import scipy
 
 from ...model import FloatArray
 from ..body.motion import BodyMotion
@@ -70,5 +70,5 @@ def _followed(times_s: FloatArray, course: FloatArray, width_s: float) -> FloatA
     """A curve (T, C), smoothed and shifted slightly ahead."""
     if len(times_s) < 2:
         return course
-    smooth = gaussian_filter1d(course, width_s / float(times_s[1] - times_s[0]), axis=0, mode="nearest")
+    smooth = scipy.ndimage.gaussian_filter1d(course, width_s / float(times_s[1] - times_s[0]), axis=0, mode="nearest")
     return np.stack([np.interp(times_s + _AHEAD_S, times_s, column) for column in smooth.T], axis=-1)

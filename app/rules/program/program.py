@@ -8,7 +8,6 @@ from types import MappingProxyType
 
 from ...errors import AuthoringError
 from ..knowledge import Beginning, Index
-from ..language.language import read_rules
 from ..language.tree import Atom, Block, Choice, Pattern, PredicateTree, RuleFile, RuleTree
 from .checking import check
 from .compiling import compiled
@@ -97,6 +96,8 @@ def load_program(paths: Iterable[Path], *, behaviors: Collection[str] | None = N
 
     Raises AuthoringError with all mistakes of all files, in the order of the files and their lines.
     """
+    from ..language.language import read_rules  # brings lark, which compiled rules do without
+
     readings = [read_rules(path) for path in paths]
     files = with_annotations([file for file, _ in readings])
     found = [mistake for _, mistakes in readings for mistake in mistakes]

@@ -1,9 +1,15 @@
-"""Mel bands: where they lie, how they share the spectrum out, and that librosa, which has the same, agrees."""
+"""Mel bands: where they lie, how they share the spectrum out; and librosa's matrices, kept between processes."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
+from librosa.feature import mfcc
 
-from understudy.acoustic.signal.mel import mel_filters
+from understudy.acoustic.signal.mel import cepstral_basis, mel_filters
 
 
 def test_each_band_weighs_a_flat_spectrum_the_same() -> None:
@@ -26,10 +32,32 @@ def test_nothing_outside_is_heard() -> None:
     assert heard[(bins_hz > 320) & (bins_hz < 3380)].all()
 
 
-@pytest.mark.parametrize(("bands", "lowest_hz", "highest_hz"), [(40, 80, 8000), (10, 60, 7600)])
-def test_librosa_has_the_same(bands: int, lowest_hz: float, highest_hz: float) -> None:
-    from librosa.filters import mel
+def test_the_basis_makes_librosas_coefficients() -> None:
+    levels_db = np.random.default_rng(1).normal(-40, 20, (50, 40))
+    theirs = mfcc(S=levels_db.T, n_mfcc=13, norm="ortho").T
+    assert levels_db @ cepstral_basis(40, 13) == pytest.approx(theirs, abs=1e-9)
 
-    theirs = mel(sr=16_000, n_fft=512, n_mels=bands, fmin=lowest_hz, fmax=highest_hz, dtype=np.float64)
-    ours = mel_filters(512, bands=bands, lowest_hz=lowest_hz, highest_hz=highest_hz)
-    assert ours == pytest.approx(theirs, abs=1e-15)
+
+def test_coefficients_but_the_first_do_not_follow_the_level() -> None:
+    assert cepstral_basis(40, 13)[:, 1:].sum(axis=0) == pytest.approx(0, abs=1e-12)
+
+
+def test_nobody_can_change_what_all_share() -> None:
+    with pytest.raises(ValueError, match="read-only"):
+        mel_filters(512, bands=40, lowest_hz=80, highest_hz=8000)[0, 0] = 1
+
+
+def test_librosa_is_imported_once_for_all_processes(tmp_path: Path) -> None:
+    """The second process finds what the first one kept, and gets the very same."""
+    code = (
+        "import sys; from understudy.acoustic.signal.mel import cepstral_basis, mel_filters\n"
+        "kept = mel_filters(512, bands=40, lowest_hz=80, highest_hz=8000), cepstral_basis(40, 13)\n"
+        "print('librosa' in sys.modules, *(matrix.tobytes().hex() for matrix in kept))"
+    )
+    environment = os.environ | {"UNDERSTUDY_CACHE": str(tmp_path / "cache")}
+    first, second = (
+        subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, check=True).stdout.split()
+        for _ in range(2)
+    )
+    assert (first[0], second[0]) == (b"True", b"False")
+    assert first[1:] == second[1:]

@@ -1,0 +1,112 @@
+"""What a performance is asked for, and what comes of its analysis, before any movement is chosen: values alone."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from .acoustic.agitation.speaker import SpeakerReference
+from .bml.choice.lead_in import LONGEST_LEAD_IN_S
+from .bml.choice.stillness import check_stillness
+from .bml.writing.writer import CORE_FORM, BmlForm
+from .errors import InputError
+from .model import (
+    Agitation,
+    Audio,
+    Contours,
+    Direction,
+    Filler,
+    Function,
+    GivenFunction,
+    Level,
+    Mode,
+    Notice,
+    Utterance,
+    Word,
+)
+from .rules.knowledge import Fact
+
+DEFAULT_CHARACTER = "default"
+
+Progress = Callable[[str], None]
+"""Told the name of each stage as it begins."""
+
+
+def no_progress(_stage: str) -> None:
+    """The progress of a performance that nobody watches."""
+
+
+@dataclass(frozen=True, slots=True)
+class Timings:
+    """Words timed elsewhere: the file's content and its format, "json", "textgrid" or "ctm"."""
+
+    content: bytes
+    format: str
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """What is sent in: the audio file's bytes, the transcript, the words' timings when they are known already, the
+    functions that the caller knows, and a director's notes."""
+
+    audio: bytes
+    text: str
+    timings: Timings | None = None
+    functions: tuple[GivenFunction, ...] = ()
+    direction: Direction | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
+    it usually sounds. `lead_in_s` is how long before the recording the performance begins,
+    `stillness` (0 to 1) how much less than usual moves.
+
+    Raises InputError `value_wrong`.
+    """
+
+    character: str = DEFAULT_CHARACTER
+    agitation: Level | None = None
+    seed: int = 0
+    mode: Mode = Mode.SEMANTIC
+    listeners: tuple[str, ...] = ()
+    form: BmlForm = CORE_FORM
+    reference: SpeakerReference | None = None
+    lead_in_s: float = 0.0
+    stillness: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:
+            message = f"lead_in_s: {self.lead_in_s:g}; give 0 to {LONGEST_LEAD_IN_S:g} seconds"
+            raise InputError("value_wrong", message, field="lead_in_s")
+        check_stillness(self.stillness)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SignalAnalysis:
+    """What the signal alone says."""
+
+    audio: Audio
+    contours: Contours
+    agitation: Agitation
+    notices: tuple[Notice, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AlignedLine:
+    """The words in time, and the fillers heard between them; `duration_s` is the audio's."""
+
+    words: tuple[Word, ...]
+    duration_s: float
+    notices: tuple[Notice, ...]
+    fillers: tuple[Filler, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Analysis:
+    """What a line says and does, before any movement is chosen; `heard` is what its signal says, if it has one, `facts`
+    what the rules know of it."""
+
+    utterance: Utterance
+    functions: tuple[Function, ...]
+    notices: tuple[Notice, ...] = ()
+    heard: SignalAnalysis | None = field(default=None, repr=False, compare=False)
+    facts: tuple[Fact, ...] = field(default=(), repr=False, compare=False)

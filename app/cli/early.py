@@ -1,0 +1,46 @@
+"""What the arguments and files of a command have wrong, told before anything large is loaded.
+
+To load spaCy, the aligner and their models takes most of the time of a short line; nothing here needs them.
+"""
+
+from ..acoustic.alignment.timings import read_timings
+from ..acoustic.signal.decoding import decode
+from ..acting.notes import check_direction
+from ..analysis import Line
+from ..hearing import audio_limits
+from ..loading import load_characters
+from ..model import GivenFunction
+from ..realizer.body.skeleton import Skeleton
+from ..realizer.exporting.retargeting import find_rig, load_rigs
+from ..resources import RULES, resource_folder
+from ..rules.given import given_facts
+from ..rules.priorities import Priorities
+from ..settings import Settings
+from ..transcript import read_transcript
+
+
+def require_usable(line: Line, settings: Settings) -> None:
+    """Raises InputError as the line's performance would, for its audio, text, words' times, functions and notes."""
+    transcript = read_transcript(line.text, max_characters=settings.max_text_characters)
+    audio, _notices = decode(line.audio, audio_limits(settings))
+    if line.timings is not None:
+        read_timings(line.timings.content, line.timings.format, transcript, duration_s=audio.duration_s)
+    _require_functions(line.functions, len(transcript))
+    if line.direction is not None:
+        check_direction(line.direction, words=len(transcript))
+
+
+def require_character(name: str) -> None:
+    """Raises InputError `unknown_character`."""
+    load_characters().named(name)
+
+
+def require_skeleton(name: str | None) -> None:
+    """Raises InputError `unknown_skeleton`."""
+    if name is not None:
+        find_rig(load_rigs(resource_folder("lexicon") / "retarget", Skeleton.standing()), name)
+
+
+def _require_functions(given: tuple[GivenFunction, ...], words: int) -> None:
+    if given:
+        given_facts(given, Priorities.load(RULES / "functions" / "priorities.yaml"), words=words)

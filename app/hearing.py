@@ -1,0 +1,125 @@
+"""What is heard: from a recording and its words to contours, agitation, and words in time (paper §3.1)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Self
+
+from .acoustic.agitation.agitation import AgitationModel
+from .acoustic.agitation.speaker import SpeakerReference
+from .acoustic.alignment.alignment import Aligner, Alignment
+from .acoustic.alignment.timings import read_timings
+from .acoustic.contours import contours_of
+from .acoustic.signal.background import doubts
+from .acoustic.signal.decoding import AudioLimits, decode
+from .acoustic.stress.emphasis import Measure, with_emphasis
+from .acoustic.stress.prominence import prominence
+from .acoustic.stress.stress import stress
+from .analysis import AlignedLine, Line, Progress, SignalAnalysis, Timings, no_progress
+from .model import Audio, StressThresholds, Word
+from .on_demand import OnDemand
+from .resources import resource_folder
+from .settings import Settings
+from .transcript import read_transcript
+
+
+@dataclass(frozen=True, slots=True)
+class AcousticModels:
+    """What hearing needs (paper §3.1). The aligner is loaded by the first line whose words nobody timed; it runs in a
+    process of its own, ended by `close` (or a `with` block)."""
+
+    settings: Settings
+    when_aligning: OnDemand[Aligner]
+    agitation: AgitationModel
+
+    @classmethod
+    def load(cls, settings: Settings) -> "AcousticModels":
+        """Raises ServiceError when the agitation model is missing or broken."""
+        models, lexicon = resource_folder("models"), resource_folder("lexicon")
+        return cls(
+            settings=settings,
+            when_aligning=OnDemand(lambda: Aligner(models, lexicon / "en")),
+            agitation=AgitationModel.load(models / "agitation", settings.agitation_features),
+        )
+
+    @property
+    def aligner(self) -> Aligner:
+        """Raises ServiceError, when it is first asked for, when a model of its is missing or broken."""
+        return self.when_aligning.get()
+
+    def close(self) -> None:
+        """Ends the aligner's process; the next line starts another."""
+        aligner = self.when_aligning.made()
+        if aligner is not None:
+            aligner.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self.close()
+
+
+def analyze_signal(
+    acoustic: AcousticModels,
+    audio: bytes,
+    progress: Progress = no_progress,
+    *,
+    reference: SpeakerReference | None = None,
+) -> SignalAnalysis:
+    """What the signal alone says: its contours and the speaker's agitation (paper §3.1.1 to §3.1.4)."""
+    progress("decode")
+    signal, notices = decode(audio, audio_limits(acoustic.settings))
+    progress("contours")
+    contours = contours_of(signal)
+    progress("agitation")
+    agitation = acoustic.agitation.agitation(signal, contours, reference)
+    return SignalAnalysis(signal, contours, agitation, notices + doubts(contours.energy_db))
+
+
+def align_words(
+    acoustic: AcousticModels,
+    heard: SignalAnalysis,
+    transcript: tuple[Word, ...],
+    timings: Timings | None = None,
+    progress: Progress = no_progress,
+) -> tuple[Alignment, StressThresholds]:
+    """The words in time with how they stand out, and the utterance's own thresholds (paper §3.1.5)."""
+    progress("align")
+    timed = _timed(acoustic, heard.audio, transcript, timings)
+    progress("stress")
+    words, thresholds = stress(prominence(timed.words, heard.contours), heard.contours)
+    settings = acoustic.settings
+    measure = Measure(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
+    return replace(timed, words=with_emphasis(words, measure)), thresholds
+
+
+def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis]) -> SpeakerReference:
+    """How the speaker of these recordings, one or more, usually sounds."""
+    features = [acoustic.agitation.describe(heard.audio, heard.contours) for heard in recordings]
+    return SpeakerReference.of(acoustic.agitation.feature_set, features)
+
+
+def align(acoustic: AcousticModels, line: Line) -> AlignedLine:
+    """The words and phones of a line in time."""
+    transcript = read_transcript(line.text, max_characters=acoustic.settings.max_text_characters)
+    signal, notices = decode(line.audio, audio_limits(acoustic.settings))
+    timed = _timed(acoustic, signal, transcript, line.timings)
+    return AlignedLine(timed.words, signal.duration_s, notices + timed.notices, timed.fillers)
+
+
+def _timed(acoustic: AcousticModels, audio: Audio, transcript: tuple[Word, ...], timings: Timings | None) -> Alignment:
+    """The words in time: as the caller timed them, else as the aligner hears them."""
+    if timings is None:
+        return acoustic.aligner.listen(audio, transcript)
+    return Alignment(read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s), ())
+
+
+def audio_limits(settings: Settings) -> AudioLimits:
+    """What audio the settings accept."""
+    return AudioLimits(
+        max_duration_s=settings.max_audio_s,
+        max_bytes=settings.max_audio_bytes,
+        min_sample_rate_hz=settings.min_sample_rate_hz,
+        max_sample_rate_hz=settings.max_sample_rate_hz,
+        max_channels=settings.max_channels,
+    )

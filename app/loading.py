@@ -1,0 +1,74 @@
+"""Loads what authors edit and all performances share: rules, words, characters, gestures, as their files say now.
+
+Compiled, they are kept from one process to the next (`understudy.cache`). What a file says wrong is never kept, so it
+is told each time. Each function imports what it loads, for no command needs all of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .cache import Cache
+from .resources import RULES, resource_folder
+
+AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
+"""What the names of the files end in that authors edit."""
+
+if TYPE_CHECKING:
+    from .bml.choice.characters import Characters
+    from .realizer.gestures.library import Library
+    from .realizer.realizing import Realizer
+    from .rules.derivation import FunctionRules
+    from .rules.mapping import MappingRules
+
+
+def load_function_rules() -> FunctionRules:
+    """The function rules and words in use; raises AuthoringError with every mistake in them."""
+    from .rules.derivation import FunctionRules
+
+    words = resource_folder("lexicon") / "en"
+    files = [*_authored(RULES), *_authored(words)]
+    return Cache.of_environment().kept("function_rules", files, lambda: FunctionRules.load(RULES, words))
+
+
+def load_characters() -> Characters:
+    """The behaviour table and characters in use; raises AuthoringError with every mistake in them."""
+    from .bml.choice.characters import Characters
+
+    lexicon = resource_folder("lexicon")
+    files = [lexicon / "behaviors.yaml", *_authored(lexicon / "characters")]
+    return Cache.of_environment().kept("characters", files, lambda: Characters.load(lexicon))
+
+
+def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:
+    """The mapping rules in use, which may choose `behavior_names`; raises AuthoringError with every mistake in them."""
+    from .rules.mapping import MappingRules
+
+    names = " ".join(sorted(behavior_names))
+    cache = Cache.of_environment()
+    return cache.kept(
+        "mapping_rules", _authored(RULES), lambda: MappingRules.load(RULES, behavior_names), made_with=names
+    )
+
+
+def load_gestures() -> Library:
+    """The gesture library in use; raises AuthoringError with every mistake in it."""
+    from .realizer.gestures.library import Library
+
+    folder = resource_folder("lexicon") / "gestures"
+    return Cache.of_environment().kept("gestures", _authored(folder), lambda: Library.load(folder))
+
+
+def load_realizer() -> Realizer:
+    """The body, gestures, face and rigs in use; raises AuthoringError with the mistakes of the first kind of file that
+    has any."""
+    from .realizer.realizing import Realizer
+
+    return Realizer.with_library(load_gestures(), resource_folder("lexicon"))
+
+
+def _authored(folder: Path) -> list[Path]:
+    """What authors edit in a folder and its folders, in order."""
+    return sorted(path for path in folder.rglob("*.*") if path.suffix in AUTHORED)

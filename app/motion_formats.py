@@ -1,0 +1,32 @@
+"""What motion is written as, told by the name of its file."""
+
+from enum import StrEnum
+
+from .errors import InputError
+
+
+class MotionFormat(StrEnum):
+    """What motion is written as, by what the names of its files end in."""
+
+    BVH = ".bvh"
+    GLB = ".glb"
+    VRMA = ".vrma"
+    JSON = ".json"
+    CSV = ".csv"
+    VISEMES = ".visemes.txt"
+    SHEET = ".png"
+    SPEEDS = ".speed.png"
+
+
+PICTURES = frozenset({MotionFormat.SHEET, MotionFormat.SPEEDS})
+"""Formats that matplotlib draws."""
+
+
+def format_of(name: str) -> MotionFormat:
+    """The format of a file's name; raises InputError `motion_format`."""
+    lower = name.lower()
+    fitting = [each for each in MotionFormat if lower.endswith(each.value)]
+    if not fitting:
+        known = ", ".join(each.value for each in MotionFormat)
+        raise InputError("motion_format", f"{name}: motion is written as {known}; end the name in one of them")
+    return max(fitting, key=lambda each: len(each.value))

@@ -1,0 +1,30 @@
+"""What is loaded only when somebody asks for it."""
+
+from collections.abc import Callable
+from threading import Lock
+from typing import Generic, TypeVar
+
+Value = TypeVar("Value")
+
+
+class OnDemand(Generic[Value]):
+    """A value that is made when it is first asked for, once, whichever threads ask. If making it raises, the next who
+    asks has it made again."""
+
+    __slots__ = ("_lock", "_made", "_make")
+
+    def __init__(self, make: Callable[[], Value]) -> None:
+        self._make = make
+        self._made: tuple[Value] | None = None
+        self._lock = Lock()
+
+    def get(self) -> Value:
+        """The value; raises what making it raises."""
+        with self._lock:
+            if self._made is None:
+                self._made = (self._make(),)
+            return self._made[0]
+
+    def made(self) -> Value | None:
+        """The value if it is made already, else None."""
+        return self._made[0] if self._made else None

@@ -1,0 +1,103 @@
+"""What is wrong with arguments and files is told before spaCy, the aligner or librosa is loaded; and no command loads
+what it does not use."""
+
+import json
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
+AUDIO = str(AUDIO_FOLDER / "figure8.flac")
+TEXT_FILE = str(AUDIO_FOLDER / "figure8.txt")
+LINE = (AUDIO, "--text-file", TEXT_FILE)
+BML = '<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b"><head id="h" lexeme="NOD" stroke="1.0"/></bml>'
+
+WATCHED = ("spacy", "pocketsphinx", "librosa", "numba", "sklearn", "scipy.fft", "scipy.ndimage", "matplotlib", "lark")
+LARGE = {"spacy", "pocketsphinx", "librosa", "numba", "sklearn", "scipy.fft", "scipy.ndimage", "matplotlib"}
+REALIZER = "understudy.realizer.realizing"
+
+
+def loaded_by(*argv: str, cwd: Path) -> tuple[int, str, set[str]]:
+    """The exit code in a process of its own, the error's code, and what of `WATCHED` is loaded when it ends."""
+    code = (
+        "import json, sys; from understudy.cli.main import main\n"
+        "ended = main(['--json-log', *sys.argv[1:]])\n"
+        f"print('LOADED', json.dumps([ended, sorted({{*{(*WATCHED, REALIZER)!r}}} & {{*sys.modules}})]))"
+    )
+    done = subprocess.run([sys.executable, "-c", code, *argv], cwd=cwd, capture_output=True, text=True, check=False)
+    assert "LOADED" in done.stdout, done.stderr
+    ended, loaded = json.loads(done.stdout.rpartition("LOADED")[2])
+    errors = [json.loads(line) for line in done.stderr.splitlines() if '"error"' in line]
+    return ended, errors[0]["code"] if errors else "", {*loaded}
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "line.bml").write_text(BML)
+    (tmp_path / "words.json").write_text('{"words": [{"text": "other", "start_s": 0, "end_s": 1}]}')
+    (tmp_path / "functions.json").write_text('[{"class": "negotiation", "subtype": "plain", "first": 0, "last": 0}]')
+    (tmp_path / "outside.json").write_text('[{"class": "negation", "subtype": "plain", "first": 90, "last": 99}]')
+    (tmp_path / "broken.json").write_text("{")
+    (tmp_path / "no.flac").write_bytes(Path(AUDIO).read_bytes()[:60])
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("argv", "code"),
+    [
+        (("perform", *LINE, "--character", "nobody"), "unknown_character"),
+        (("perform", *LINE, "--realize", "a.bvh", "--skeleton", "nobody"), "unknown_skeleton"),
+        (("perform", *LINE, "--realize", "a.glb", "--avatar", "nowhere.vrm"), "file_unreadable"),
+        (("perform", *LINE, "--realize", "a.xyz"), "motion_format"),
+        (("perform", *LINE, "--words", "nowhere.json"), "file_unreadable"),
+        (("perform", *LINE, "--words", "words.json"), "timings_words_differ"),
+        (("perform", *LINE, "--functions", "nowhere.json"), "file_unreadable"),
+        (("perform", *LINE, "--functions", "broken.json"), "not_json"),
+        (("perform", *LINE, "--functions", "functions.json"), "functions_class"),
+        (("perform", *LINE, "--functions", "outside.json"), "functions_span"),
+        (("perform", *LINE, "--reference", "nowhere.flac"), "file_unreadable"),
+        (("perform", *LINE, "--reference", "broken.json"), "reference_unreadable"),
+        (("perform", *LINE, "-o", "nowhere/a.bml"), "file_unwritable"),
+        (("perform", *LINE, "--direction", "nowhere.json"), "file_unreadable"),
+        (("perform", *LINE, "--direction", "broken.json"), "not_json"),
+        (("perform", *LINE, "--lead-in", "9"), "value_wrong"),
+        (("realize", "line.bml", "-o", "a.bvh", "--stillness", "2"), "value_wrong"),
+        (("perform", "no.flac", "--text", "No."), "audio_undecodable"),
+        (("perform", AUDIO, "--text", " "), "text_empty"),
+        (("analyze", *LINE, "--functions", "functions.json"), "functions_class"),
+        (("align", *LINE, "--words", "words.json"), "timings_words_differ"),
+        (("functions", "--text", ""), "text_empty"),
+        (("agitation", AUDIO, "nowhere.flac"), "file_unreadable"),
+        (("realize", "line.bml", "-o", "a.bvh", "--skeleton", "nobody"), "unknown_skeleton"),
+        (("realize", "line.bml", "-o", "a.glb", "--avatar", "nowhere.vrm"), "file_unreadable"),
+        (("realize", "nowhere.bml", "-o", "a.glb"), "file_unreadable"),
+    ],
+)
+def test_what_is_wrong_is_told_before_anything_large_is_loaded(argv: Sequence[str], code: str, folder: Path) -> None:
+    ended, told, loaded = loaded_by(*argv, cwd=folder)
+    assert (ended, told) == (2, code)
+    assert loaded & LARGE == set()
+    assert REALIZER not in loaded
+
+
+@pytest.mark.parametrize(
+    ("argv", "used"),
+    [
+        (("functions", "--text", "No, never."), {"spacy"}),
+        (("rules", "check"), set()),
+        (("gestures", "list"), set()),
+        (("characters", "list"), set()),
+        (("realize", "line.bml", "-o", "a.bvh"), {"scipy.ndimage", REALIZER}),
+        (("pitch", AUDIO), {"scipy.fft"}),
+        (("perform", *LINE), {"spacy", "pocketsphinx", "scipy.fft"}),
+    ],
+)
+def test_a_command_loads_what_it_uses(argv: Sequence[str], used: set[str], folder: Path) -> None:
+    """The first run may make what is then kept, for which lark and librosa are loaded."""
+    loaded_by(*argv, cwd=folder)
+    ended, told, loaded = loaded_by(*argv, cwd=folder)
+    assert (ended, told) == (0, "")
+    assert loaded == used
