@@ -64,6 +64,7 @@ if TYPE_CHECKING:
     from .realizer.realizing import Realizer
 
 __all__ = [
+    "DEFAULT_CHARACTER",
     "AcousticModels",
     "AlignedLine",
     "Analysis",
