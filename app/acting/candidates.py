@@ -22,6 +22,9 @@ from ..model import (
 )
 from .families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyBehavior, fitting, merged
 
+LATER_CHOICE = 0.4
+"""What each choice of a director's note is worth beside the one before it."""
+
 OFFERED = 1.2
 ASKED_BY_LEMMA = 1.3
 MOST_ALTERNATIVES = 6
@@ -120,7 +123,8 @@ def _listed(families: Families, channel: Channel) -> Mapping[str, tuple[FamilyBe
 def _worth(stage: Stage, moment: Moment, name: str) -> float:
     """What a behaviour is worth at the moment, by all that it may be read as; a head or face by its own kind alone."""
     shares: dict[str, float] = {}
-    for family, share in zip(moment.families, moment.shares or (1.0,) * len(moment.families), strict=True):
+    unsaid = tuple(LATER_CHOICE**place for place in range(len(moment.families)))
+    for family, share in zip(moment.families, moment.shares or unsaid, strict=True):
         shares[merged(family)] = max(share, shares.get(merged(family), 0.0))
     if moment.channel is not Channel.GESTURE:
         kinds = _listed(stage.families, moment.channel)

@@ -1,13 +1,17 @@
 """How far the performer does what directors would: the bars of the choice of gestures, head movements and faces.
 
     python -m benchmarks.acting.directing [--directing FOLDER] [--choice terms|priority] [--character NAME]
+    python -m benchmarks.acting.directing --notes [--directing FOLDER]
     python -m benchmarks.acting.directing --held-out READINGS.npz … --terms TERMS.pkl
 
 The first performs the 78 lines that three directors read, from their recordings, and scores them with score.py of that
 folder; lexemes that its table does not know stand for what lexicon/acting/families.yaml says. It prints the movements a
 second over all channels and the processor time of planning, mapping, scheduling and writing for lines of 15 words.
 
-The second scores plans, without clock and hands, on the lines of directed.jsonl, each read by an encoder trained
+With --notes each line is performed with each reader's own notes (`perform --direction`) and scored against that reader
+alone; beside it what is possible, a gesture of his first choice on the word of each of his strokes.
+
+The last scores plans, without clock and hands, on the lines of directed.jsonl, each read by an encoder trained
 without its dialogue (`training.acting.encoder read --fold K`) and weighed by weights fitted to the other folds; by
 source too.
 """
@@ -20,6 +24,7 @@ import pickle
 import time
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +34,8 @@ from training.acting.directed import FAMILIES, DirectedLine, folds_of, gesture_c
 from training.acting.weights import examples_of, fitted, lexeme_gains, price_of, read_readings
 from understudy.acting.decoding import strokes
 from understudy.model import Channel, Performance, SingleArray, Word
-from understudy.performance import Line, Options, Understudy, analyze, perform_analysis, write_bml
+from understudy.performance import Analysis, Line, Options, Understudy, analyze, perform_analysis, write_bml
+from understudy.schemas.direction import read_direction
 from understudy.settings import Settings
 
 READERS = ("dev-a.jsonl", "dev-b.jsonl", "dev-c.jsonl")
@@ -82,8 +88,7 @@ def on_recordings(folder: Path, character: str) -> None:
         score = load_score(folder, understudy.behavior.families.shows)
         records = [score.read(folder / name) for name in READERS]
         for line in map(json.loads, (folder / "dev-lines.jsonl").read_text().splitlines()):
-            text = " ".join(word.split(":", 1)[1] for word in line["words"])
-            analysis = analyze(understudy, Line((folder / "audio" / f"{line['id']}.flac").read_bytes(), text))
+            analysis = _analyzed(understudy, folder, line)
             began_s = time.process_time()
             performance = perform_analysis(understudy, analysis, Options(character=character))
             write_bml(performance)
@@ -96,6 +101,32 @@ def on_recordings(folder: Path, character: str) -> None:
     score.show(f"{len(records[0])} lines", total, len(records[0]))
     print(f"movements a second, all channels: {movements / seconds:.2f}")
     print(f"planning, mapping, scheduling, writing: {1000 * 15 * spent_s / words:.1f} ms for 15 words")
+
+
+def with_notes(folder: Path, character: str) -> None:
+    """Performs the lines as each reader directs them, and scores them against him alone."""
+    with Understudy.load(Settings()) as understudy:
+        score = load_score(folder, understudy.behavior.families.shows)
+        lines = [json.loads(line) for line in (folder / "dev-lines.jsonl").read_text().splitlines()]
+        analyses = {line["id"]: _analyzed(understudy, folder, line) for line in lines}
+        for name in READERS:
+            records, played, possible = score.read(folder / name), Counter[str](), Counter[str]()
+            for row in (folder / name).read_text(encoding="utf-8").splitlines():
+                line_id = json.loads(row)["id"]
+                direction = replace(read_direction(row.encode()), complete=True)
+                options = Options(character=character)
+                performance = perform_analysis(understudy, analyses[line_id], options, direction)
+                record = [records[line_id]]
+                played += score.judge(record, gestures_of(score, performance))
+                ideal = [(each["stroke"], each["gesture"][:1]) for each in score.gestural(record[0])]
+                possible += score.judge(record, ideal)
+            score.show(f"{name}, as directed", played, len(records))
+            score.show(f"{name}, possible", possible, len(records))
+
+
+def _analyzed(understudy: Understudy, folder: Path, line: Mapping[str, Any]) -> Analysis:
+    text = " ".join(word.split(":", 1)[1] for word in line["words"])
+    return analyze(understudy, Line((folder / "audio" / f"{line['id']}.flac").read_bytes(), text))
 
 
 def held_out(folder: Path, paths: Iterable[Path], terms_path: Path, folds: int) -> None:
@@ -159,12 +190,16 @@ def main() -> None:
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     parser.add_argument("--choice", choices=("terms", "priority"), default="terms")
     parser.add_argument("--character", default="default")
+    parser.add_argument("--notes", action="store_true")
     parser.add_argument("--held-out", nargs="+", type=Path)
     parser.add_argument("--terms", type=Path)
     parser.add_argument("--folds", type=int, default=2)
     arguments = parser.parse_args()
     if arguments.held_out:
         held_out(arguments.directing, arguments.held_out, arguments.terms, arguments.folds)
+        return
+    if arguments.notes:
+        with_notes(arguments.directing, arguments.character)
         return
     os.environ["UNDERSTUDY_CHOICE"] = arguments.choice
     on_recordings(arguments.directing, arguments.character)
