@@ -1,7 +1,7 @@
 """Fine-tunes a small pretrained encoder to read lines as directors do (MiniLM, 22.7 million weights, Apache-2.0).
 
     python -m training.acting.encoder fit OUT.pt [--directing FOLDER] [--seed N] [--fold K] [--taught FILE.npz]
-                                                 [--from FILE.pt …]
+                                                 [--from FILE.pt …] [--source NAME]
     python -m training.acting.encoder read MODEL.pt … OUT.npz [--directing FOLDER] [--fold K]
 
 `fit` trains on all directed lines, with `--fold K` on all but the lines of fold K; `--taught` blends the readings of
@@ -218,21 +218,23 @@ def main() -> None:
     parser.add_argument("--epochs", type=int, default=EPOCHS)
     parser.add_argument("--folds", type=int, default=2, help="into how many folds the lines are parted")
     parser.add_argument("--fold", type=int, help="the fold that is held out, or read")
+    parser.add_argument("--source", help="the source (such as swb) that is held out, or read, instead of a fold")
     parser.add_argument("--taught", type=Path)
     parser.add_argument("--from", dest="start", nargs="+", type=Path)
     arguments = parser.parse_args()
     torch.set_num_threads(1)
     lines = read_lines(arguments.directing)
     fold = folds_of(lines, arguments.folds)
+    held_out = {line.name for line in lines if fold[line.name] == arguments.fold or line.source == arguments.source}
     if arguments.task == "fit":
-        kept = [line for line in lines if arguments.fold is None or fold[line.name] != arguments.fold]
+        kept = [line for line in lines if line.name not in held_out]
         taught = dict(np.load(arguments.taught)) if arguments.taught else {}
         start = mean_weights(arguments.start) if arguments.start else None
         reader = trained(encoded(kept, taught), seed=arguments.seed, epochs=arguments.epochs, start=start)
         torch.save(reader.state_dict(), arguments.files[0])
         return
     *models, output = arguments.files
-    asked = encoded([line for line in lines if arguments.fold is None or fold[line.name] == arguments.fold], {})
+    asked = encoded([line for line in lines if line.name in held_out or not held_out], {})
     found: list[dict[str, SingleArray]] = []
     for path in models:
         reader = Reader()
