@@ -12,6 +12,8 @@ from functools import partial, reduce
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Self
 
+from threadpoolctl import threadpool_limits
+
 from .acoustic.agitation.speaker import SpeakerReference
 from .acoustic.alignment.timings import to_ctm, to_textgrid
 from .acting.candidates import Stage, candidates_of
@@ -141,7 +143,11 @@ class Understudy:
 
     @classmethod
     def load(cls, settings: Settings) -> Self:
-        """All but the realizer, what may be wrong with authored files first. Raises as the loading of each does."""
+        """All but the realizer, what may be wrong with authored files first. Raises as the loading of each does.
+
+        Products of matrices stay on one processor from then on, in the whole process: a line is too short to share.
+        """
+        threadpool_limits(limits=1, user_api="blas")
         return cls(
             behavior=BehaviorModels.load(settings),
             language=LanguageModels.load(settings),

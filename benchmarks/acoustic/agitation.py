@@ -41,7 +41,7 @@ from understudy.acoustic.contours import contours_of
 from understudy.acoustic.signal.spectrum import mel_db, mfcc
 from understudy.model import Audio, Contours, FloatArray
 
-SPEECH = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech"
+SPEECH = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech"
 RAVDESS_FOLDS = 4
 UNHEARD = "mbrola"
 """Synthetic voices at three vocal efforts: measured, never trained on."""

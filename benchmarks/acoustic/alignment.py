@@ -25,7 +25,7 @@ from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, Audio, Word
 from understudy.transcript import read_transcript
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 TIMIT = ROOT.parent / "shared" / "data" / "speech" / "timit"
 RAVDESS = TIMIT.with_name("ravdess")
 RAVDESS_TEXTS = {"01": "Kids are talking by the door", "02": "Dogs are sitting by the door"}

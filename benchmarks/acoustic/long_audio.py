@@ -25,7 +25,7 @@ from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word
 from understudy.settings import Settings
 from understudy.transcript import read_transcript
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 LINES = ROOT.parent / "shared" / "data" / "speech" / "lines"
 PAUSE_S = 1 / 3
 ANY_LENGTH = Settings(max_audio_s=1e6, max_audio_bytes=2**40)

@@ -31,7 +31,7 @@ from understudy.acoustic.pitch import pitch
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray
 
-FDA = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech" / "fda"
+FDA = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech" / "fda"
 REFERENCE_SHIFT_S = 0.015
 GROSS = 0.20
 

@@ -22,7 +22,7 @@ from understudy.settings import Settings
 
 ROUNDS = 50
 BROKEN = 20_000
-EXAMPLE = Path(__file__).resolve().parents[1] / "examples" / "example.flac"
+EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "example.flac"
 WRITTEN = Path("written.bml")
 
 

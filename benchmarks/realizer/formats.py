@@ -34,7 +34,7 @@ from understudy.realizer.exporting.retargeting import Rig, load_rigs
 from understudy.realizer.exporting.vrma import to_vrma
 from understudy.realizer.geometry.rotations import normalized
 
-RETARGET = Path(__file__).parents[1] / "lexicon" / "retarget"
+RETARGET = Path(__file__).parents[2] / "lexicon" / "retarget"
 SHORT_S, LONG_S = 4.0, 600.0
 RATE_HZ = 60
 STEP = 7

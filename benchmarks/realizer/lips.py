@@ -37,7 +37,7 @@ from understudy.resources import resource_folder
 from understudy.settings import Settings
 from understudy.transcript import read_transcript
 
-SHARED_LINES = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech" / "lines"
+SHARED_LINES = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech" / "lines"
 VOWELS = frozenset({"aa", "E", "I", "O", "U"})
 BARS_S = (0.020, 0.040)
 MORE_OPEN = 0.1

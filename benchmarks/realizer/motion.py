@@ -48,7 +48,7 @@ from understudy.realizer.torso.idle import idle_motion
 from understudy.resources import resource_folder
 from understudy.settings import Settings
 
-SHARED = Path(__file__).resolve().parents[2] / "shared" / "data"
+SHARED = Path(__file__).resolve().parents[3] / "shared" / "data"
 LINES = SHARED / "speech" / "lines"
 PEOPLE = SHARED / "motion" / "gesture-phases"
 WRISTS = ("leftHand", "rightHand")

@@ -22,7 +22,7 @@ from pathlib import Path
 
 from training.parser.treebank import Sentence, read_treebank
 
-TREEBANKS = Path(__file__).resolve().parents[2] / "shared" / "data" / "treebanks"
+TREEBANKS = Path(__file__).resolve().parents[3] / "shared" / "data" / "treebanks"
 
 
 def main() -> None:

@@ -25,7 +25,7 @@ from understudy.rules import derivation
 from understudy.rules.derivation import FunctionRules, derive_functions
 from understudy.syntax.parser import Parser
 
-SAMPLE = Path(__file__).resolve().parents[2] / "shared" / "data" / "functions" / "dev.jsonl"
+SAMPLE = Path(__file__).resolve().parents[3] / "shared" / "data" / "functions" / "dev.jsonl"
 CLASSES = (
     "affirmation",
     "negation",

@@ -30,7 +30,7 @@ from understudy.syntax.phrases import find_phrases
 from understudy.syntax.tokens import Scheme, read_tokens
 from understudy.syntax.tree import Tree
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 SCORES = {"UPOS": "pos_acc", "XPOS": "tag_acc", "lemma": "lemma_acc", "UAS": "dep_uas", "LAS": "dep_las"}
 UTTERANCE_WORDS = 15
 UTTERANCES = 300
