@@ -20,6 +20,7 @@ WORDS_NEAR = 1
 """What is wrong on some words is wrong on the words next to them: a stroke is seen that long."""
 
 IMPORTANCE = (1, 3)
+LISTENER = "listener"
 DIRECTOR = "director"
 """The term that makes a note's moment win."""
 
@@ -76,7 +77,7 @@ def directed(direction: Direction, moments: Sequence[Moment]) -> tuple[Moment, .
 
 
 def unplayed_notes(moments: Iterable[Moment], behaviors: Iterable[Behavior]) -> tuple[Notice, ...]:
-    """Which notes no movement that is kept carries out."""
+    """Which notes no movement that is kept carries out; a look at one who is looked at already needs none."""
     kept = {behavior.moment for behavior in behaviors if behavior.kept}
     return tuple(
         Notice(
@@ -84,7 +85,7 @@ def unplayed_notes(moments: Iterable[Moment], behaviors: Iterable[Behavior]) -> 
             f"note {moment.note}: no {moment.channel} for {moment.families[0]} fits on word {moment.stroke}",
         )
         for moment in moments
-        if moment.note is not None and moment.id not in kept
+        if moment.note is not None and moment.id not in kept and moment.families[0] != LISTENER
     )
 
 
