@@ -115,12 +115,13 @@ class BehaviorModels:
         lexicon = resource_folder("lexicon")
         characters = load_characters()
         families = load_families(lexicon / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
+        rules, models = load_mapping_rules(characters.behavior_names), resource_folder("models")
         return cls(
             settings=settings,
             characters=characters,
-            rules=load_mapping_rules(characters.behavior_names),
+            rules=rules,
             families=families,
-            planner=Planner.load(resource_folder("models") / "acting", lexicon / "acting", families),
+            planner=Planner.load(models / "acting", lexicon / "acting", families, rules.program.argument_counts),
             head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
         )
 

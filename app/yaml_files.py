@@ -4,7 +4,8 @@ Scalars stay the strings the author typed ("no" and "yes" are words, not boolean
 turns them into numbers where it wants numbers. No tags, no anchors, no aliases: a file says what it shows.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Protocol, TypeAlias, TypeVar
 
@@ -16,6 +17,12 @@ from .errors import AuthoringError, Mistake
 Plain: TypeAlias = "str | list[Plain] | dict[str, Plain]"
 Schema = TypeVar("Schema", bound=BaseModel)
 Value = TypeVar("Value")
+
+
+def did_you_mean(name: str, known: Collection[str]) -> str:
+    """A hint at the nearest known name, or nothing."""
+    close = get_close_matches(name, sorted(known), n=1)
+    return f"; did you mean {close[0]!r}?" if close else ""
 
 
 class _Place(Protocol):

@@ -5,7 +5,6 @@ for every family. Every mistake of the file is reported at once, with its place.
 """
 
 from collections.abc import Collection, Mapping
-from difflib import get_close_matches
 from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated
@@ -13,7 +12,7 @@ from typing import Annotated
 from pydantic import Field
 
 from ..errors import AuthoringError
-from ..yaml_files import Entry, Source
+from ..yaml_files import Entry, Source, did_you_mean
 
 ANY = "any"
 HEAVIEST = 10.0
@@ -33,10 +32,10 @@ def load_weights(path: Path, families: Collection[str], terms: Collection[str]) 
     mistakes = []
     for term, by_family in file.terms.items():
         if term not in terms:
-            mistakes.append(source.mistake(("terms", term), f"{term!r} is no term{_did_you_mean(term, terms)}"))
+            mistakes.append(source.mistake(("terms", term), f"{term!r} is no term{did_you_mean(term, terms)}"))
         for family in by_family:
             if family != ANY and family not in families:
-                told = f"{family!r} is no family of gestures{_did_you_mean(family, families)}"
+                told = f"{family!r} is no family of gestures{did_you_mean(family, families)}"
                 mistakes.append(source.mistake(("terms", term, family), told))
     if mistakes:
         raise AuthoringError(tuple(mistakes))
@@ -47,8 +46,3 @@ def _of_all(by_family: Mapping[str, float], families: Collection[str]) -> Mappin
     """The weights of each family: its own where it has one, besides that of all."""
     of_any = by_family.get(ANY, 0.0)
     return MappingProxyType({family: of_any + by_family.get(family, 0.0) for family in families})
-
-
-def _did_you_mean(name: str, names: Collection[str]) -> str:
-    near = get_close_matches(name, names, n=1)
-    return f"; did you mean {near[0]!r}?" if near else ""

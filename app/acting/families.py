@@ -8,7 +8,6 @@ once, with its place.
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated, Protocol
@@ -17,7 +16,7 @@ from pydantic import BeforeValidator, Field
 
 from ..errors import AuthoringError, Mistake
 from ..model import Channel, Level
-from ..yaml_files import Entry, Source
+from ..yaml_files import Entry, Source, did_you_mean
 
 OTHER_FAMILY = 0.5
 """What a lexeme is worth for a family that it shows beside its first (shared/directing/score.py)."""
@@ -153,14 +152,14 @@ def _mistakes(source: Source, file: _FamiliesFile, behaviors: Mapping[str, Playa
     for lexeme, families in file.shows.items():
         for position, family in enumerate(families):
             if family not in file.gesture:
-                told = f"{family!r} is no family of gestures{_did_you_mean(family, file.gesture)}"
+                told = f"{family!r} is no family of gestures{did_you_mean(family, file.gesture)}"
                 yield source.mistake(("shows", lexeme, position), told)
     yield from (source.mistake(("shows",), message) for message in _unlisted(file, behaviors))
 
 
 def _line_mistakes(part: str, line: _Line, behaviors: Mapping[str, Playable]) -> Iterator[str]:
     if line.behavior not in behaviors:
-        yield f"no behaviour is called {line.behavior!r}{_did_you_mean(line.behavior, behaviors)}"
+        yield f"no behaviour is called {line.behavior!r}{did_you_mean(line.behavior, behaviors)}"
     elif behaviors[line.behavior].channel not in _CHANNELS[part]:
         allowed = " or ".join(sorted(_CHANNELS[part]))
         yield f"{line.behavior} is a behaviour of {behaviors[line.behavior].channel}; {part} wants one of {allowed}"
@@ -181,8 +180,3 @@ def _unlisted(file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterato
     lexemes = {each.lexeme for each in behaviors.values() if each.channel is Channel.GESTURE}
     for lexeme in sorted(lexemes - file.shows.keys()):
         yield f"{lexeme} is missing: say which families an audience may read in it, the likeliest first"
-
-
-def _did_you_mean(name: str, known: Collection[str]) -> str:
-    close = get_close_matches(name, sorted(known), n=1)
-    return f"; did you mean {close[0]!r}?" if close else ""

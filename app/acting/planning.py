@@ -53,9 +53,11 @@ class Planner:
     terms: TermTable
 
     @classmethod
-    def load(cls, models: Path, lexicon: Path, families: Families) -> "Planner":
-        """From the folders models/acting and lexicon/acting; raises ServiceError `model_unreadable`, and AuthoringError
-        for the weights of authors."""
+    def load(cls, models: Path, lexicon: Path, families: Families, predicates: Mapping[str, int]) -> "Planner":
+        """From the folders models/acting and lexicon/acting; `predicates` of the rules with their numbers of arguments.
+
+        Raises ServiceError `model_unreadable`, and AuthoringError for the weights and terms of authors.
+        """
         choice = ChoiceModel.load(models / "weights.json")
         authored = load_weights(lexicon / "weights.yaml", choice.families, choice.terms)
         return cls(
@@ -63,7 +65,7 @@ class Planner:
             choice=choice.with_weights(authored),
             shown=shown_by_lexemes(families, choice.families),
             needed_lemmas=MappingProxyType(dict(_needed_lemmas(families))),
-            terms=TermTable.load(lexicon / "terms.yaml"),
+            terms=TermTable.load(lexicon / "terms.yaml", predicates),
         )
 
 

@@ -5,6 +5,7 @@ kind of sentence it stands, where in its phrase and line, how it is said. Terms 
 (`lexicon/acting/weights.yaml`); their fitted weights are in models/acting/weights.json.
 """
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
@@ -14,8 +15,9 @@ from typing import Annotated, TypeAlias
 
 from pydantic import Field
 
+from ..errors import AuthoringError
 from ..model import Function, Token, Utterance
-from ..yaml_files import Entry, Source
+from ..yaml_files import Entry, Source, did_you_mean
 
 _ENDS_SENTENCE = (".", "!", "?", "…")
 _PERSONS = {
@@ -40,6 +42,17 @@ class _TermsFile(Entry):
     terms: dict[str, _Line]
 
 
+def _mistakes(predicate: str, line: _Line, predicates: Mapping[str, int]) -> Iterator[str]:
+    if predicate not in predicates:
+        yield f"{predicate!r} is no predicate of the rules{did_you_mean(predicate, predicates)}"
+        return
+    count = predicates[predicate]
+    named = re.findall(r"\{(.*?)\}", line.name)
+    for place in (*named, *map(str, line.span)):
+        if not (place.isdecimal() and int(place) < count):
+            yield f"{predicate} has the arguments 0 to {count - 1}, none called {place!r}"
+
+
 @dataclass(frozen=True, slots=True)
 class TermTable:
     """Which facts of the rules are terms, by predicate: the term's name, and the arguments that hold the first
@@ -49,9 +62,18 @@ class TermTable:
     spans: Mapping[str, tuple[int, ...]]
 
     @classmethod
-    def load(cls, path: Path) -> "TermTable":
-        """From lexicon/acting/terms.yaml; raises AuthoringError with every mistake."""
-        file = Source(path).validated(_TermsFile)
+    def load(cls, path: Path, predicates: Mapping[str, int]) -> "TermTable":
+        """From lexicon/acting/terms.yaml, for rules that have these predicates with so many arguments; raises
+        AuthoringError with every mistake."""
+        source = Source(path)
+        file = source.validated(_TermsFile)
+        mistakes = tuple(
+            source.mistake(("terms", predicate), message)
+            for predicate, line in file.terms.items()
+            for message in _mistakes(predicate, line, predicates)
+        )
+        if mistakes:
+            raise AuthoringError(mistakes)
         return cls(
             names=MappingProxyType({predicate: line.name for predicate, line in file.terms.items()}),
             spans=MappingProxyType({predicate: line.span for predicate, line in file.terms.items()}),

@@ -39,6 +39,10 @@ def _check_weights(file: Path) -> None:
     load_weights(file, choice.families, choice.terms)
 
 
+def _check_terms(file: Path) -> None:
+    TermTable.load(file, load_function_rules().program.argument_counts)
+
+
 NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
     {
         "conflicts.yaml": lambda file: Source(file).validated(Conflicts),
@@ -50,7 +54,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
             file, load_table(resource_folder("lexicon") / "behaviors.yaml").lines
         ),
         "weights.yaml": _check_weights,
-        "terms.yaml": TermTable.load,
+        "terms.yaml": _check_terms,
         "head_rates.yaml": HeadRates.load,
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
@@ -63,7 +67,7 @@ def check_files_in_use() -> None:
     """Check all files in use. Raises AuthoringError with all mistakes.
 
     Mapping rules are checked against the behaviour table, so mistakes in the table hide theirs; missing gestures for
-    the table are reported only if there are no other mistakes.
+    the table, and terms of no predicate, are reported only if there are no other mistakes.
     """
     lexicon = resource_folder("lexicon")
     mistakes = _mistakes_of(
@@ -74,10 +78,12 @@ def check_files_in_use() -> None:
         partial(FaceTables.load, lexicon / "face.yaml"),
         lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),
         lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
-        partial(TermTable.load, lexicon / "acting" / "terms.yaml"),
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
-    ) or _mistakes_of(lambda: check_coverage(lexicon, load_gestures()))
+    ) or _mistakes_of(
+        lambda: check_coverage(lexicon, load_gestures()),
+        lambda: _check_terms(lexicon / "acting" / "terms.yaml"),
+    )
     if mistakes:
         raise AuthoringError(tuple(mistakes))
 

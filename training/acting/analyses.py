@@ -25,7 +25,7 @@ TOGETHER = 200
 def terms_by_line(lines: Sequence[DirectedLine]) -> dict[str, tuple[frozenset[str], ...]]:
     """The terms of each word of each line."""
     language, found = LanguageModels.load(Settings()), dict[str, tuple[frozenset[str], ...]]()
-    table = TermTable.load(resource_folder("lexicon") / "acting" / "terms.yaml")
+    table = TermTable.load(resource_folder("lexicon") / "acting" / "terms.yaml", language.rules.program.argument_counts)
     for first in range(0, len(lines), TOGETHER):
         batch = lines[first : first + TOGETHER]
         words = [read_transcript(" ".join(line.words), max_characters=100_000) for line in batch]

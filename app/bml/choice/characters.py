@@ -17,9 +17,9 @@ from pydantic import Field
 
 from ...errors import AuthoringError, InputError, Mistake
 from ...model import Channel, Hand
-from ...yaml_files import Entry, Source, all_or_every_mistake
+from ...yaml_files import Entry, Source, all_or_every_mistake, did_you_mean
 from .saccades import TALKING
-from .table import BehaviorChange, BehaviorEntry, BehaviorTable, changed, did_you_mean, load_table, mistakes_of
+from .table import BehaviorChange, BehaviorEntry, BehaviorTable, changed, load_table, mistakes_of
 
 Value = TypeVar("Value")
 

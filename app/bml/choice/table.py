@@ -4,9 +4,8 @@ An entry says which channel a behaviour takes, its BML word, and how long its ph
 mistake of the file is reported at once, with its place.
 """
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from enum import StrEnum
 from pathlib import Path
 from types import MappingProxyType
@@ -16,7 +15,7 @@ from pydantic import AfterValidator, Field
 
 from ...errors import AuthoringError
 from ...model import Channel, Hand
-from ...yaml_files import Entry, Source
+from ...yaml_files import Entry, Source, did_you_mean
 from .faces import ACTION_UNITS, CORE_LEXEMES
 
 STROKED = frozenset({Channel.GESTURE, Channel.HEAD})
@@ -208,12 +207,6 @@ def mistakes_of(line: BehaviorLine, timings: Mapping[str, TimingEntry]) -> Itera
         yield "lexeme", f"no face is called {line.lexeme!r}{did_you_mean(line.lexeme, _FACES)}"
     if channel is Channel.GAZE:
         yield from _gaze_mistakes(line)
-
-
-def did_you_mean(name: str, known: Collection[str]) -> str:
-    """A hint at the nearest known name, or nothing."""
-    close = get_close_matches(name, sorted(known), n=1)
-    return f"; did you mean {close[0]!r}?" if close else ""
 
 
 _FACES = CORE_LEXEMES | ACTION_UNITS.keys()

@@ -6,7 +6,6 @@ file are reported at once, with their place.
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from enum import StrEnum
 from pathlib import Path
 from types import MappingProxyType
@@ -17,7 +16,7 @@ from pydantic import Field, model_validator
 
 from ...errors import AuthoringError, Mistake
 from ...model import FloatArray
-from ...yaml_files import Entry, Source
+from ...yaml_files import Entry, Source, did_you_mean
 from ..body.motion import SHAPES
 
 INDEX: Mapping[str, int] = MappingProxyType({name: number for number, name in enumerate(SHAPES)})
@@ -191,11 +190,11 @@ def _mistakes(source: Source, file: _FaceFile) -> Iterator[Mistake]:
     spoken = [name for entry in file.articulators.values() for name in entry.shapes if name != "jawOpen"]
     for label, viseme in file.visemes.items():
         if label not in VISEMES:
-            yield source.mistake(("visemes", label), f"no viseme is called {label!r}{_did_you_mean(label, VISEMES)}")
+            yield source.mistake(("visemes", label), f"no viseme is called {label!r}{did_you_mean(label, VISEMES)}")
         for name, weight in viseme.shapes.items():
             place = ("visemes", label, "shapes", name)
             if name not in spoken:
-                yield source.mistake(place, f"no articulator moves {name!r}{_did_you_mean(name, spoken)}")
+                yield source.mistake(place, f"no articulator moves {name!r}{did_you_mean(name, spoken)}")
             elif weight > 1 and name != "mouthClose":
                 yield source.mistake(place, "only `mouthClose` may be more than 1")
 
@@ -210,7 +209,7 @@ def _unknown_parts(source: Source, file: _FaceFile, section: str, known: Collect
             if word not in known:
                 place = (section, name, word) if section == "units" else (section, name, "units", word)
                 kind = "shape" if section == "units" else "action unit"
-                yield source.mistake(place, f"no {kind} is called {word!r}{_did_you_mean(word, known)}")
+                yield source.mistake(place, f"no {kind} is called {word!r}{did_you_mean(word, known)}")
 
 
 def _missing(source: Source, section: str, wanted: Collection[str], found: Collection[str]) -> Iterator[Mistake]:
@@ -226,15 +225,10 @@ def _articulator_mistakes(source: Source, file: _FaceFile) -> Iterator[Mistake]:
         for number, name in enumerate(entry.shapes):
             place = ("articulators", articulator.value, "shapes", number)
             if name not in COLUMNS:
-                yield source.mistake(place, f"no shape is called {name!r}{_did_you_mean(name, COLUMNS)}")
+                yield source.mistake(place, f"no shape is called {name!r}{did_you_mean(name, COLUMNS)}")
             elif name in moved:
                 yield source.mistake(place, f"{name!r} is moved by another articulator already")
             moved.add(name)
-
-
-def _did_you_mean(name: str, known: Collection[str]) -> str:
-    close = get_close_matches(name, sorted(known), n=1)
-    return f"; did you mean {close[0]!r}?" if close else ""
 
 
 def _weights(shapes: Mapping[str, float]) -> FloatArray:

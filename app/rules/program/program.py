@@ -90,6 +90,11 @@ class Program:
     choosers: tuple[Plan, ...]
     indexes: tuple[Index, ...]
 
+    @property
+    def argument_counts(self) -> Mapping[str, int]:
+        """How many arguments the facts of each predicate have."""
+        return {name: len(predicate.parameters) for name, predicate in self.predicates.items()}
+
 
 def load_program(paths: Iterable[Path], *, behaviors: Collection[str] | None = None) -> Program:
     """The program of these files; `behaviors` are the names that choose-rules may call (None: any).
