@@ -16,6 +16,7 @@ from ..geometry.rotations import (
     IDENTITY,
     from_axis_angle,
     inverse,
+    length,
     multiply,
     normalized,
     rotate,
@@ -23,9 +24,9 @@ from ..geometry.rotations import (
     with_continuous_signs,
 )
 from ..mannequin.body import t_pose_m
-from .avatar_reading import Avatar, local_matrix, read_avatar, target_names
+from .avatar_reading import Avatar, read_avatar, turn_and_scale
 from .events import events_json
-from .gltf import Accessors, Tracks, to_glb_bytes
+from .gltf import Accessors, Json, Tracks, to_glb_bytes
 from .retargeting import Rig
 
 _POINTED: tuple[tuple[str, str], ...] = (
@@ -39,6 +40,9 @@ _POINTED: tuple[tuple[str, str], ...] = (
 )
 """Joints that are rotated to point to the second joint as in our T-pose."""
 
+_NO_LENGTH_M = 1e-9
+"""A bone this short points nowhere, and stays as it rests."""
+
 
 def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mapping[str, Rig]) -> bytes:
     """The avatar's file with the motion as its only animation.
@@ -46,7 +50,7 @@ def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mappi
     Raises UndecodableError if it is not binary glTF, and InputError `unknown_avatar` if its joints are not found.
     """
     found = read_avatar(avatar, rigs)
-    tree = dict(found.tree)
+    tree = found.tree | {"nodes": _nodes(found)}
     accessors = Accessors(tree.pop("bufferViews", []), tree.pop("accessors", []), found.content)
     tree.pop("buffers")
     tracks = Tracks(accessors, np.arange(len(motion.body.times_s)) / motion.frame_rate_hz)
@@ -56,34 +60,55 @@ def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mappi
     return to_glb_bytes(tree, accessors)
 
 
+def _nodes(avatar: Avatar) -> list[Json]:
+    """The file's nodes. A node that is animated has no matrix (glTF 2.0 §5.25), but its parts."""
+    nodes: list[Json] = list(avatar.tree["nodes"])
+    for number in avatar.nodes.values():
+        matrix = avatar.file.nodes[number].matrix
+        if matrix is not None:
+            turn, sizes = turn_and_scale(np.array(matrix).reshape(4, 4).T)
+            kept = {key: value for key, value in avatar.tree["nodes"][number].items() if key != "matrix"}
+            nodes[number] = kept | {
+                "translation": list(matrix[12:15]),
+                "rotation": turn.tolist(),
+                "scale": sizes.tolist(),
+            }
+    return nodes
+
+
 def _add_body(tracks: Tracks, avatar: Avatar, motion: Motion, skeleton: Skeleton) -> None:
     """The joints' local rotations, and the hips' position scaled to the length of the avatar's legs."""
-    turned = _turned(avatar, motion, skeleton)
-    for joint, node in avatar.nodes.items():
-        if joint in skeleton.index:
-            parent = avatar.parents[node]
-            above = turned[parent] if parent >= 0 else IDENTITY
-            tracks.add(node, "rotation", with_continuous_signs(normalized(multiply(inverse(above), turned[node]))))
+    joints = {node: joint for joint, node in avatar.nodes.items() if joint in skeleton.index}
+    for node, turned in _turned(avatar, joints, motion, skeleton).items():
+        tracks.add(node, "rotation", with_continuous_signs(normalized(turned)))
     tracks.add(avatar.nodes["hips"], "translation", _hips_m(avatar, motion, skeleton))
 
 
-def _turned(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> dict[int, FloatArray]:
-    """The rotation of each node in the world in each frame (T, 4): that of our joint, or else its parent's."""
-    front = _front(avatar)
+def _turned(avatar: Avatar, joints: Mapping[int, str], motion: Motion, skeleton: Skeleton) -> dict[int, FloatArray]:
+    """The rotation of each joint's node in its parent in each frame (T, 4), such that in the world it is turned as our
+    joint is. Nodes between joints stay as they rest."""
+    front, rest = _front(avatar), avatar.orientations
     _places, ours = forward(skeleton, motion.body.rotations, motion.body.hips_m)
     to_t_pose = _to_t_pose(avatar, skeleton)
-    joints = {node: joint for joint, node in avatar.nodes.items() if joint in skeleton.index}
-    turned: dict[int, FloatArray] = {}
-    for node in avatar.in_order():
-        parent, rest = avatar.parents[node], avatar.orientations[node]
-        if node in joints:
-            here = multiply(multiply(front, ours[:, skeleton.index[joints[node]]]), inverse(front))
-            turned[node] = multiply(here, multiply(to_t_pose[joints[node]], rest))
-        elif parent >= 0:
-            turned[node] = multiply(turned[parent], multiply(inverse(avatar.orientations[parent]), rest))
-        else:
-            turned[node] = rest
-    return turned
+    world: dict[int, FloatArray] = {}
+    found: dict[int, FloatArray] = {}
+    for node in (number for number in avatar.in_order() if number in joints):
+        here = multiply(multiply(front, ours[:, skeleton.index[joints[node]]]), inverse(front))
+        world[node] = multiply(here, multiply(to_t_pose[joints[node]], rest[node]))
+        parent = avatar.parents[node]
+        moved = _joint_above(avatar, parent, world)
+        above = rest[parent] if parent >= 0 else IDENTITY
+        if moved >= 0:
+            above = multiply(world[moved], multiply(inverse(rest[moved]), above))
+        found[node] = multiply(inverse(above), world[node])
+    return found
+
+
+def _joint_above(avatar: Avatar, node: int, joints: Mapping[int, FloatArray]) -> int:
+    """The node, or the nearest one above it, that is a joint; -1 if there is none."""
+    while node >= 0 and node not in joints:
+        node = avatar.parents[node]
+    return node
 
 
 def _front(avatar: Avatar) -> FloatArray:
@@ -103,7 +128,8 @@ def _to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
         if towards is not None and joint in avatar.nodes and towards in avatar.nodes:
             there = avatar.positions_m[avatar.nodes[towards]] - avatar.positions_m[avatar.nodes[joint]]
             wanted = rotate(front, ours_m[skeleton.index[towards]] - ours_m[skeleton.index[joint]])
-            turn = multiply(shortest_rotation(rotate(turn, there), wanted), turn)
+            if length(there)[0] > _NO_LENGTH_M:
+                turn = multiply(shortest_rotation(rotate(turn, there), wanted), turn)
         turns[joint] = turn
     return turns
 
@@ -114,11 +140,8 @@ def _hips_m(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> FloatArray:
     rest_m = skeleton.offsets_m[0]
     size = avatar.positions_m[node, 1] / rest_m[1]
     world = avatar.positions_m[node] + size * rotate(_front(avatar), motion.body.hips_m - rest_m)
-    above = np.eye(4)
     parent = avatar.parents[node]
-    while parent >= 0:
-        above = local_matrix(avatar.tree["nodes"][parent]) @ above
-        parent = avatar.parents[parent]
+    above = avatar.matrices[parent] if parent >= 0 else np.eye(4)
     local = np.linalg.inv(above) @ np.concatenate([world, np.ones((len(world), 1))], axis=1).T
     return np.asarray(local[:3].T)
 
@@ -128,8 +151,8 @@ def _add_faces(tracks: Tracks, avatar: Avatar, motion: Motion) -> None:
     well."""
     eyes_turn = all(f"{side}Eye" in avatar.nodes for side in SIDES)
     weights = np.clip(motion.shapes, 0.0, 1.0)
-    for number, node in enumerate(avatar.tree["nodes"]):
-        names = target_names(avatar.tree, node)
+    for number, node in enumerate(avatar.file.nodes):
+        names = avatar.file.meshes[node.mesh].target_names() if node.mesh is not None else []
         only_looks = all(name.startswith("eyeLook") for name in names)
         if not set(names) & set(SHAPES) or (only_looks and eyes_turn):
             continue

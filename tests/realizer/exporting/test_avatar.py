@@ -1,5 +1,6 @@
 """The motion on other avatars: however they rest and whatever their joints are called, they stand as ours does."""
 
+import json
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from benchmarks.realizer.avatar_mutants import mutants, outcome, short_motion, small_avatar
 from tests.support.gltf_reading import Gltf, read
 from tests.support.hand_made_motion import BODY, waving
 from tests.support.shared_data import AVATAR, needs
@@ -200,3 +202,90 @@ def test_a_real_avatar_in_an_a_pose_points_where_ours_does() -> None:
     found = read(to_avatar_glb(MOTION, BODY, AVATAR.read_bytes(), RIGS))
     names = (RIGS["ready_player_me"].names[FOREARM[0]], RIGS["ready_player_me"].names[FOREARM[1]])
     assert directions(found, names) == pytest.approx(ours(FOREARM), abs=1e-4)
+
+
+def with_matrices() -> list[Any]:
+    """Every joint is placed by a matrix, as some exporters write nodes."""
+    nodes = along_bones()
+    for node in nodes:
+        matrix = np.eye(4)
+        matrix[:3, :3] = Rotation.from_quat(node.pop("rotation")).as_matrix()
+        matrix[:3, 3] = node.pop("translation")
+        node["matrix"] = matrix.T.reshape(-1).tolist()
+    return nodes
+
+
+def test_joints_placed_by_matrices_get_their_parts_since_what_is_animated_has_no_matrix() -> None:
+    found = read(to_avatar_glb(MOTION, BODY, avatar(with_matrices()), RIGS))
+    assert directions(found, FOREARM) == pytest.approx(ours(FOREARM), abs=1e-5)
+    assert all("matrix" not in node for node in found.tree["nodes"])
+
+
+def test_nodes_between_joints_stay_as_they_rest() -> None:
+    nodes = t_posed()
+    twist = len(nodes)
+    nodes[BODY.index["rightLowerArm"]]["children"] = [twist]
+    nodes.append({"name": "twist", "rotation": [0, 0.6, 0, 0.8], "children": [BODY.index["rightHand"]]})
+    offset = Rotation.from_quat([0, 0.6, 0, 0.8]).inv().apply(nodes[BODY.index["rightHand"]]["translation"])
+    nodes[BODY.index["rightHand"]]["translation"] = offset.tolist()
+    found = read(to_avatar_glb(MOTION, BODY, avatar(nodes), RIGS))
+    assert directions(found, FOREARM) == pytest.approx(ours(FOREARM), abs=1e-5)
+
+
+def of(change: Callable[[dict[str, Any]], object]) -> bytes:
+    """The avatar, after a change to its JSON."""
+    content = avatar(t_posed())
+    size = int.from_bytes(content[12:16], "little")
+    tree = json.loads(content[20 : 20 + size])
+    change(tree)
+    text = json.dumps(tree).encode()
+    return content[:12] + len(text).to_bytes(4, "little") + content[16:20] + text + content[20 + size :]
+
+
+SHEAR = [1, 0, 0, 0, 0.5, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+
+
+@pytest.mark.parametrize(
+    ("change", "where"),
+    [
+        (lambda tree: tree.update(buffers={}), "buffers"),
+        (lambda tree: tree.update(buffers=None), "buffers"),
+        (lambda tree: tree.update(buffers=[None]), "buffers.0"),
+        (lambda tree: tree.update(buffers=[{"byteLength": 3, "uri": "hair.bin"}]), "buffers.0.uri"),
+        (lambda tree: tree["buffers"][0].update(byteLength=10**9), "buffers.0.byteLength"),
+        (lambda tree: tree["bufferViews"][0].update(byteOffset=10**6), "bufferViews.0"),
+        (lambda tree: tree["accessors"][0].update(bufferView=99), "accessors.0.bufferView"),
+        (lambda tree: tree.update(nodes={}), "nodes"),
+        (lambda tree: tree["nodes"][0].update(children=[2.7]), "nodes.0.children.0"),
+        (lambda tree: tree["nodes"][0].update(children=[-1]), "nodes.0.children.0"),
+        (lambda tree: tree["nodes"][0].update(children=[10**30]), "nodes.0.children.0"),
+        (lambda tree: tree["nodes"][0].update(children=[999]), "nodes.0.children"),
+        (lambda tree: tree["nodes"][4].update(rotation=[float("nan"), 0, 0, 1]), "NaN"),
+        (lambda tree: tree["nodes"][4].update(rotation=[0, 0, 0, 0]), "nodes.4.rotation"),
+        (lambda tree: tree["nodes"][4].update(translation=[0, 1e30, 0]), "nodes.4.translation.1"),
+        (lambda tree: tree["nodes"][4].update(translation=[0, True, 0]), "nodes.4.translation.1"),
+        (
+            lambda tree: tree["nodes"][4].update(matrix=SHEAR),
+            "nodes.4.matrix",
+        ),
+        (lambda tree: tree["nodes"][-1].update(mesh=1), "there is no mesh 1"),
+        (lambda tree: tree["nodes"].append({"children": [0], "scale": [0, 0, 0]}), "scaled to nothing"),
+        (lambda tree: tree.update(extensions={"VRM": {"humanoid": {"humanBones": [{}]}}}), "humanBones.0"),
+        (
+            lambda tree: tree.update(
+                extensions={"VRMC_vrm": {"humanoid": {"humanBones": {"hips": {"node": 0}, "spine": {"node": 0}}}}}
+            ),
+            "node 0 is both 'hips' and 'spine'",
+        ),
+    ],
+)
+def test_what_cannot_be_right_is_refused_with_its_place(change: Callable[[dict[str, Any]], object], where: str) -> None:
+    with pytest.raises(UndecodableError, match=re.escape(where)) as caught:
+        to_avatar_glb(MOTION, BODY, of(change), RIGS)
+    assert caught.value.code == "avatar_undecodable"
+
+
+def test_whatever_is_broken_is_refused_by_a_code_or_worn_with_finite_numbers() -> None:
+    motion = short_motion(BODY)
+    found = [outcome(each, motion, BODY, RIGS) for each in mutants(small_avatar(), 150, seed=14)]
+    assert set(found) <= {"worn", "avatar_undecodable", "unknown_avatar"}
