@@ -1,26 +1,38 @@
 """Reads a line in context: what each gesture family, head movement and face would be worth at each word to a director.
 
 A small transformer encoder (BERT architecture, Devlin et al. 2019), fine-tuned on directed lines (`training/acting`,
-models/acting/README.md) and run with numpy alone. Matrices are stored as int8 with a scale for each row and made
-float32 on loading. Shapes: W words, P pieces, D the width, F gesture families, H head movements, K faces.
+models/acting/README.md) and run by ONNX Runtime in eight-bit integers. The vocabulary and the names of the outputs are
+metadata of the file. Shapes: W words, P pieces, F gesture families, H head movements, K faces.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
-from zipfile import BadZipFile
+from typing import Protocol, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..errors import ServiceError
 from ..model import SingleArray
 from .wordpieces import FIRST, LAST, pieces_of
 
+Integers: TypeAlias = NDArray[np.int64]
+
 MOST_PIECES = 126
 """Pieces between the two marks that frame them; words beyond are worth nothing."""
 
-_EPSILON = np.float32(1e-12)
+_ONLY_ERRORS = 3
+"""Of what the runtime would write to standard error: errors, no warnings about the machine."""
+
+
+class Session(Protocol):
+    """What we use of ONNX Runtime's `InferenceSession`, which has no types."""
+
+    def run(
+        self, output_names: Sequence[str], input_feed: Mapping[str, "NDArray[np.int64]"]
+    ) -> Sequence[SingleArray]: ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,48 +49,41 @@ class Reading:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Encoder:
-    """The trained network: its matrices by name in `weights`, and the names of its outputs.
-
-    A line is too short for its products to be shared among processors: on two they took up to six times the processor
-    time (`Understudy.load` keeps them on one).
-    """
+    """The trained network, its vocabulary of pieces, and the names of its outputs."""
 
     pieces: Mapping[str, int]
     families: tuple[str, ...]
     head: tuple[str, ...]
     face: tuple[str, ...]
-    attention_heads: int
-    weights: Mapping[str, SingleArray]
+    session: Session
 
     @classmethod
     def load(cls, path: Path) -> "Encoder":
         """Raises ServiceError `model_unreadable` where the file is missing or is none of ours."""
-        try:
-            with path.open("rb") as file, np.load(file, allow_pickle=False) as stored:
-                return cls(
-                    pieces=MappingProxyType({piece: number for number, piece in enumerate(_names(stored["pieces"]))}),
-                    families=_names(stored["families"]),
-                    head=_names(stored["heads"]),
-                    face=_names(stored["faces"]),
-                    attention_heads=int(stored["heads_each_layer"]),
-                    weights=MappingProxyType(_with_joined_attention(dict(_matrices(stored)))),
-                )
-        except (OSError, EOFError, ValueError, KeyError, BadZipFile) as error:
-            raise ServiceError("model_unreadable", f"{path} is no model for directing lines: {error}") from error
+        import onnxruntime
 
-    @property
-    def layers(self) -> int:
-        return sum(name.endswith(".attention") for name in self.weights)
+        options = onnxruntime.SessionOptions()
+        # A line is too short to be shared among processors, and threads of its own would not survive a fork.
+        options.intra_op_num_threads = options.inter_op_num_threads = 1
+        options.log_severity_level = _ONLY_ERRORS
+        try:
+            session = onnxruntime.InferenceSession(path.read_bytes(), options, providers=["CPUExecutionProvider"])
+            named = session.get_modelmeta().custom_metadata_map
+            return cls(
+                pieces=MappingProxyType({piece: number for number, piece in enumerate(named["pieces"].split("\n"))}),
+                families=tuple(named["families"].split("\n")),
+                head=tuple(named["head"].split("\n")),
+                face=tuple(named["face"].split("\n")),
+                session=session,
+            )
+        except _load_errors() as error:
+            raise ServiceError("model_unreadable", f"{path} is no model for directing lines: {error}") from error
 
     def read(self, words: Sequence[str]) -> Reading:
         """The words as they are written, with their punctuation."""
-        if not words:
-            return self._outputs(np.zeros((0, len(self.weights["out.bias"])), np.float32))
         numbers, spans = self._numbered(words)
-        states = self._encoded(np.array(numbers))
-        ends = np.array([span or (0, 0) for span in spans])
-        logits = np.concatenate([states[ends[:, 0]], states[ends[:, 1]]], axis=1) @ self.weights["out"]
-        likely = _sigmoid(logits + self.weights["out.bias"])
+        ends = np.array([span or (0, 0) for span in spans], np.int64).reshape(-1, 2)
+        (likely,) = self.session.run(["likely"], {"pieces": np.array(numbers, np.int64), "words": ends})
         likely[[span is None for span in spans]] = 0.0
         return self._outputs(likely)
 
@@ -94,31 +99,6 @@ class Encoder:
             numbers += own
         return [*numbers, self.pieces[LAST]], spans
 
-    def _encoded(self, numbers: "np.ndarray[tuple[int], np.dtype[np.int_]]") -> SingleArray:
-        """The pieces in context (P, D)."""
-        weights = self.weights
-        states = weights["pieces.table"][numbers] + weights["positions"][: len(numbers)]
-        states = _normalized(states, weights["start.norm"])
-        for layer in range(self.layers):
-            attended = self._attended(states, layer)
-            states = _normalized(states + attended, weights[f"{layer}.attended.norm"])
-            widened = _gelu(self._linear(states, f"{layer}.wide"))
-            states = _normalized(states + self._linear(widened, f"{layer}.narrow"), weights[f"{layer}.narrow.norm"])
-        return states
-
-    def _attended(self, states: SingleArray, layer: int) -> SingleArray:
-        """Self-attention over the pieces (P, D)."""
-        count = len(states)
-        joined = self._linear(states, f"{layer}.attention").reshape(count, 3, self.attention_heads, -1)
-        query, key, value = joined.transpose(1, 2, 0, 3)
-        scores = query @ key.transpose(0, 2, 1) / np.float32(np.sqrt(query.shape[-1]))
-        weights = np.exp(scores - scores.max(axis=-1, keepdims=True))
-        weights /= weights.sum(axis=-1, keepdims=True)
-        return self._linear((weights @ value).transpose(1, 0, 2).reshape(count, -1), f"{layer}.attended")
-
-    def _linear(self, states: SingleArray, name: str) -> SingleArray:
-        return states @ self.weights[name] + self.weights[f"{name}.bias"]
-
     def _outputs(self, likely: SingleArray) -> Reading:
         families = len(self.families)
         heads_from = 2 * families + 1
@@ -132,48 +112,16 @@ class Encoder:
         )
 
 
-def _names(stored: "np.ndarray[tuple[int], np.dtype[np.uint8]]") -> tuple[str, ...]:
-    return tuple(bytes(stored).decode().split("\n"))
+def _load_errors() -> tuple[type[Exception], ...]:
+    """What ONNX Runtime raises for a file that is no model, or one that it cannot run, and we for one not ours."""
+    from onnxruntime.capi import onnxruntime_pybind11_state as state
 
-
-def _matrices(stored: "np.lib.npyio.NpzFile") -> "list[tuple[str, SingleArray]]":
-    """Every array as float32; a matrix (out, in) with a scale a row is turned for products from the left."""
-    matrices: list[tuple[str, SingleArray]] = []
-    for name in stored.files:
-        if f"{name}.scale" in stored.files:
-            matrix = stored[name].astype(np.float32) * stored[f"{name}.scale"].astype(np.float32)[:, None]
-            matrices.append((name, matrix if name == "pieces.table" else np.ascontiguousarray(matrix.T)))
-        elif stored[name].dtype == np.float16 and not name.endswith(".scale"):
-            matrices.append((name, stored[name].astype(np.float32)))
-    return matrices
-
-
-def _with_joined_attention(weights: dict[str, SingleArray]) -> dict[str, SingleArray]:
-    """Query, key and value of each layer side by side: one product takes less time than three."""
-    names = ("query", "key", "value")
-    for layer in range(sum(name.endswith(".query") for name in weights)):
-        for suffix in ("", ".bias"):
-            parts = [weights.pop(f"{layer}.{name}{suffix}") for name in names]
-            weights[f"{layer}.attention{suffix}"] = np.concatenate(parts, axis=-1)
-    return weights
-
-
-def _normalized(states: SingleArray, scale_and_shift: SingleArray) -> SingleArray:
-    centred = states - states.mean(axis=-1, keepdims=True)
-    spread = np.sqrt((centred * centred).mean(axis=-1, keepdims=True) + _EPSILON)
-    return np.asarray(centred / spread * scale_and_shift[0] + scale_and_shift[1], np.float32)
-
-
-def _gelu(states: SingleArray) -> SingleArray:
-    """x Φ(x), with the error function after Abramowitz and Stegun 7.1.26 (off by 1.5e-7 at most): numpy has none."""
-    scaled = np.abs(states) * np.float32(0.7071067811865476)
-    t = 1 / (1 + np.float32(0.3275911) * scaled)
-    series = np.float32(-1.453152027) + t * np.float32(1.061405429)
-    for coefficient in (1.421413741, -0.284496736, 0.254829592):
-        series = np.float32(coefficient) + t * series
-    error = np.copysign(1 - t * series * np.exp(-scaled * scaled), states)
-    return np.asarray(states * np.float32(0.5) * (1 + error), np.float32)
-
-
-def _sigmoid(logits: SingleArray) -> SingleArray:
-    return (1 / (1 + np.exp(-np.clip(logits, -30, 30)))).astype(np.float32)
+    return (
+        OSError,
+        KeyError,
+        state.Fail,
+        state.InvalidProtobuf,
+        state.InvalidGraph,
+        state.InvalidArgument,
+        state.NotImplemented,
+    )

@@ -61,7 +61,7 @@ class Planner:
         choice = ChoiceModel.load(models / "weights.json")
         authored = load_weights(lexicon / "weights.yaml", choice.families, choice.terms)
         return cls(
-            encoder=Encoder.load(models / "encoder.npz"),
+            encoder=Encoder.load(models / "encoder.onnx"),
             choice=choice.with_weights(authored),
             shown=shown_by_lexemes(families, choice.families),
             needed_lemmas=MappingProxyType(dict(_needed_lemmas(families))),

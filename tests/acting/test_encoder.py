@@ -1,16 +1,14 @@
 """The shipped reader, by what any director would say of plain sentences."""
 
-import math
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from understudy.acting import encoder as module
 from understudy.acting.encoder import MOST_PIECES, Encoder
 from understudy.errors import ServiceError
 
-MODEL = Path(__file__).resolve().parents[2] / "models" / "acting" / "encoder.npz"
+MODEL = Path(__file__).resolve().parents[2] / "models" / "acting" / "encoder.onnx"
 
 
 @pytest.fixture(scope="module")
@@ -56,15 +54,9 @@ def test_no_words_and_words_beyond_the_longest_line(encoder: Encoder) -> None:
     assert (reading.nearby[MOST_PIECES:] == 0).all()
 
 
-def test_the_error_function_is_right() -> None:
-    values = np.linspace(-5, 5, 101, dtype=np.float32)
-    exact = [value * 0.5 * (1 + math.erf(value / math.sqrt(2))) for value in values.tolist()]
-    assert module._gelu(values) == pytest.approx(np.array(exact), abs=2e-6)
-
-
 @pytest.mark.parametrize("content", [b"", b"PK\x03\x04 broken", b"not numpy"])
 def test_a_broken_file_is_told(tmp_path: Path, content: bytes) -> None:
-    path = tmp_path / "encoder.npz"
+    path = tmp_path / "encoder.onnx"
     path.write_bytes(content)
-    with pytest.raises(ServiceError, match=r"encoder\.npz is no model"):
+    with pytest.raises(ServiceError, match=r"encoder\.onnx is no model"):
         Encoder.load(path)

@@ -1,0 +1,138 @@
+"""The trained reader as an ONNX graph whose matrix products are of eight-bit integers.
+
+`weights` are float32 matrices (out, in) and vectors by the names of `exporting.py`. In products both weights and states
+are eight-bit integers with a scale for every 128 (`MatMulNBits` of ONNX Runtime). With one scale a product
+(`quantize_dynamic`) a line takes half the time, but the log-odds are off by .12 on average instead of .04.
+"""
+
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import onnx
+from numpy.typing import NDArray
+from onnx import TensorProto, helper, numpy_helper
+from onnxruntime.quantization import QuantType, quantize_dynamic
+from onnxruntime.quantization.matmul_nbits_quantizer import DefaultWeightOnlyQuantConfig, MatMulNBitsQuantizer
+
+from understudy.model import SingleArray
+
+OPERATORS = 20
+"""The version of ONNX' operators: the first with Gelu."""
+
+FORMAT = 10
+ATTENTION_HEADS = 12
+EPSILON = 1e-12
+
+BITS, BLOCK = 8, 128
+INTEGER_PRODUCTS = 4
+"""What ONNX Runtime calls accuracy level 4: states are quantized too, by block."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Graph:
+    """Nodes and constants so far; every method adds some and returns the name of what they yield."""
+
+    weights: Mapping[str, SingleArray]
+    nodes: list[Any] = field(default_factory=list)
+    constants: list[Any] = field(default_factory=list)
+
+    def constant(self, name: str, values: NDArray[np.generic]) -> str:
+        self.constants.append(numpy_helper.from_array(np.asarray(values, order="C"), name))
+        return name
+
+    def node(self, kind: str, inputs: Sequence[str], result: str = "", **attributes: Any) -> str:  # noqa: ANN401
+        result = result or f"{kind}_{len(self.nodes)}"
+        self.nodes.append(helper.make_node(kind, list(inputs), [result], name=result, **attributes))
+        return result
+
+    def linear(self, states: str, name: str) -> str:
+        product = self.node("MatMul", [states, self.constant(name, self.weights[name].T)])
+        return self.node("Add", [product, self.constant(f"{name}.bias", self.weights[f"{name}.bias"])])
+
+    def normalized(self, states: str, name: str) -> str:
+        scale, shift = self.weights[name]
+        parts = [self.constant(f"{name}.scale", scale), self.constant(f"{name}.shift", shift)]
+        return self.node("LayerNormalization", [states, *parts], axis=-1, epsilon=EPSILON)
+
+    def by_head(self, states: str, name: str, permutation: Sequence[int]) -> str:
+        split = self.node("Reshape", [self.linear(states, name), "split"])
+        return self.node("Transpose", [split], perm=list(permutation))
+
+    def attended(self, states: str, layer: int) -> str:
+        """Self-attention over the pieces."""
+        query = self.by_head(states, f"{layer}.query", (1, 0, 2))
+        key = self.by_head(states, f"{layer}.key", (1, 2, 0))
+        value = self.by_head(states, f"{layer}.value", (1, 0, 2))
+        scores = self.node("Mul", [self.node("MatMul", [query, key]), "scale"])
+        mixed = self.node("MatMul", [self.node("Softmax", [scores], axis=-1), value])
+        joined = self.node("Reshape", [self.node("Transpose", [mixed], perm=[1, 0, 2]), "joined"])
+        return self.linear(joined, f"{layer}.attended")
+
+    def layer(self, states: str, layer: int) -> str:
+        attended = self.node("Add", [states, self.attended(states, layer)])
+        states = self.normalized(attended, f"{layer}.attended.norm")
+        widened = self.node("Gelu", [self.linear(states, f"{layer}.wide")])
+        narrowed = self.node("Add", [states, self.linear(widened, f"{layer}.narrow")])
+        return self.normalized(narrowed, f"{layer}.narrow.norm")
+
+
+def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[str]]) -> Any:  # noqa: ANN401 - untyped
+    """The model, in float32: `pieces` (P,), and `words` (W, 2), the first and last piece of each word, to `likely`
+    (W, outputs), in [0, 1]. `named` are lists that go with it as metadata."""
+    graph = _Graph(weights)
+    width = weights["positions"].shape[1]
+    graph.constant("split", np.array([-1, ATTENTION_HEADS, width // ATTENTION_HEADS], np.int64))
+    graph.constant("joined", np.array([-1, width], np.int64))
+    graph.constant("word", np.array([-1, 2 * width], np.int64))
+    graph.constant("scale", np.array((width // ATTENTION_HEADS) ** -0.5, np.float32))
+    states = graph.normalized(_placed(graph), "start.norm")
+    for layer in range(sum(name.endswith(".query") for name in weights)):
+        states = graph.layer(states, layer)
+    words = graph.node("Reshape", [graph.node("Gather", [states, "words"]), "word"])
+    graph.node("Sigmoid", [graph.linear(words, "out")], "likely")
+    model = helper.make_model(
+        helper.make_graph(
+            graph.nodes,
+            "reader",
+            [
+                helper.make_tensor_value_info("pieces", TensorProto.INT64, ["P"]),
+                helper.make_tensor_value_info("words", TensorProto.INT64, ["W", 2]),
+            ],
+            [helper.make_tensor_value_info("likely", TensorProto.FLOAT, ["W", len(weights["out"])])],
+            graph.constants,
+        ),
+        opset_imports=[helper.make_opsetid("", OPERATORS)],
+        ir_version=FORMAT,
+    )
+    helper.set_model_props(model, {name: "\n".join(values) for name, values in named.items()})
+    onnx.checker.check_model(model)
+    return model
+
+
+def _placed(graph: _Graph) -> str:
+    """The table's row of each piece, and that of its place."""
+    table = graph.constant("pieces.table", graph.weights["pieces.table"])
+    places = graph.constant("positions", graph.weights["positions"])
+    start, step = graph.constant("start", np.array([0], np.int64)), graph.constant("step", np.array([1], np.int64))
+    count = graph.node("Shape", ["pieces"])
+    return graph.node(
+        "Add", [graph.node("Gather", [table, "pieces"]), graph.node("Slice", [places, start, count, start, step])]
+    )
+
+
+def write_quantized(model: Any, path: Path) -> None:  # noqa: ANN401 - untyped
+    """Writes the model with its matrices, the table of pieces too, as eight-bit integers."""
+    with tempfile.TemporaryDirectory() as folder:
+        whole, tabled = Path(folder) / "whole.onnx", Path(folder) / "tabled.onnx"
+        onnx.save(model, whole)
+        quantize_dynamic(whole, tabled, weight_type=QuantType.QInt8, op_types_to_quantize=["Gather"])
+        configuration = DefaultWeightOnlyQuantConfig(
+            block_size=BLOCK, is_symmetric=True, accuracy_level=INTEGER_PRODUCTS, bits=BITS
+        )
+        quantizer = MatMulNBitsQuantizer(onnx.load(tabled), algo_config=configuration)
+        quantizer.process()
+        quantizer.model.save_model_to_file(str(path))
