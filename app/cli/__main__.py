@@ -1,7 +1,5 @@
 """`python -m understudy.cli`: the same as the installed command `understudy`."""
 
-import sys
+from .interruption import start
 
-from .main import main
-
-sys.exit(main())
+start()

@@ -10,11 +10,14 @@ from ..errors import InputError
 from ..model import Hand, Level, Mode
 from ..realizer.body.motion import FRAME_RATES_HZ
 from ..version import __version__
+from .distinct_files import InputFile, OutputFile
+from .files import STANDARD
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
 """Adds a command, given its name and what it does."""
 
 MOTION_HELP = ".bvh, .glb, .vrma, .json, .csv (ARKit), .visemes.txt, .png (contact sheet) or .speed.png (wrist speeds)"
+LARGEST_PORT = 65535
 AUDIO_HELP = "WAV, FLAC or OGG file; - for standard input"
 
 
@@ -62,9 +65,16 @@ def _add_perform(add: Adding) -> None:
     parser = add("perform", "perform one line: audio and words in, BML out")
     _add_line(parser)
     _add_functions(parser)
-    parser.add_argument("--direction", metavar="FILE", help="a director's notes: what the body should mean where, JSON")
     parser.add_argument(
-        "-o", "--output", metavar="OUT.bml", help="where the BML goes, OUT.json: as JSON (default: standard output)"
+        "--direction", metavar="FILE", type=InputFile, help="a director's notes: what the body should mean where, JSON"
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="OUT.bml",
+        type=OutputFile,
+        default=STANDARD,
+        help="where the BML goes, OUT.json: as JSON (default: standard output)",
     )
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     _add_agitation(parser)
@@ -86,19 +96,36 @@ def _add_perform(add: Adding) -> None:
     )
     _add_stillness(parser)
     _add_form(parser)
-    parser.add_argument("--trace", metavar="FILE", help="write the whole performance as JSON: every reason")
     parser.add_argument(
-        "--realize", metavar="FILE", action="append", default=[], help=f"the motion itself: {MOTION_HELP}; repeatable"
+        "--trace", metavar="FILE", type=OutputFile, help="write the whole performance as JSON: every reason"
+    )
+    parser.add_argument(
+        "--realize",
+        metavar="FILE",
+        type=OutputFile,
+        action="append",
+        default=[],
+        help=f"the motion itself: {MOTION_HELP}; repeatable",
     )
     _add_motion(parser)
 
 
 def _add_realize(add: Adding) -> None:
     parser = add("realize", "BML in, motion out")
-    parser.add_argument("bml", metavar="FILE.bml", help="BML 1.0 core or SmartBody's; - for standard input")
-    parser.add_argument("--audio", metavar="AUDIO", help="the recording of its speech, for lips and words")
     parser.add_argument(
-        "-o", "--output", metavar="OUT", action="append", required=True, help=f"{MOTION_HELP}; repeatable"
+        "bml", metavar="FILE.bml", type=InputFile, help="BML 1.0 core or SmartBody's; - for standard input"
+    )
+    parser.add_argument(
+        "--audio", metavar="AUDIO", type=InputFile, help="the recording of its speech, for lips and words"
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="OUT",
+        type=OutputFile,
+        action="append",
+        required=True,
+        help=f"{MOTION_HELP}; repeatable",
     )
     parser.add_argument("--character", metavar="NAME", help="who moves (default: whom the BML names)")
     _add_agitation(parser)
@@ -113,7 +140,9 @@ def _add_motion(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--skeleton", metavar="NAME", help="whose names joints go by (default: mixamo in BVH, vrm in JSON)"
     )
-    parser.add_argument("--avatar", metavar="FILE", help="your own GLB or VRM, to wear the motion in .glb")
+    parser.add_argument(
+        "--avatar", metavar="FILE", type=InputFile, help="your own GLB or VRM, to wear the motion in .glb"
+    )
 
 
 def _add_stillness(parser: argparse.ArgumentParser) -> None:
@@ -143,36 +172,44 @@ def _add_analyses(add: Adding) -> None:
     _add_functions(analyze)
     _add_agitation(analyze)
     _add_reference(analyze)
-    analyze.add_argument("--plot", metavar="FILE", help="draw it too, as PNG (needs the extra `plot`)")
+    analyze.add_argument("--plot", metavar="FILE", type=OutputFile, help="draw it too, as PNG (needs the extra `plot`)")
     align = add("align", "words and phones in time")
     _add_line(align)
     align.add_argument("--format", choices=("json", "textgrid", "ctm"), default="json")
     pitch = add("pitch", "pitch and energy every 10 ms")
-    pitch.add_argument("audio", metavar="AUDIO", help=AUDIO_HELP)
+    pitch.add_argument("audio", metavar="AUDIO", type=InputFile, help=AUDIO_HELP)
     pitch.add_argument("--format", choices=("csv",), default="csv")
     agitation = add("agitation", "the speaker's agitation, one JSON line a file")
-    agitation.add_argument("audio", metavar="AUDIO", nargs="+", help=AUDIO_HELP)
+    agitation.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="+", help=AUDIO_HELP)
     _add_reference(agitation)
     reference = add("reference", "how a speaker usually sounds, for --reference")
-    reference.add_argument("audio", metavar="AUDIO", nargs="+", help="recordings of one speaker in his various moods")
-    reference.add_argument("-o", "--output", metavar="REF.json", help="where it goes (default: standard output)")
+    spoken = "recordings of one speaker in his various moods"
+    reference.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="+", help=spoken)
+    target = "where it goes (default: standard output)"
+    reference.add_argument("-o", "--output", metavar="REF.json", type=OutputFile, default=STANDARD, help=target)
     functions = add("functions", "what the words alone do; without --text, JSON lines in and out")
     functions.add_argument("--text", help='the words; without it, lines of {"id", "text"} from standard input')
 
 
 def _add_line(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("audio", metavar="AUDIO", help=AUDIO_HELP)
+    parser.add_argument("audio", metavar="AUDIO", type=InputFile, help=AUDIO_HELP)
     text = parser.add_mutually_exclusive_group(required=True)
     text.add_argument("--text", help="the words that are spoken")
-    text.add_argument("--text-file", metavar="FILE", help="a file that holds them; - for standard input")
+    text.add_argument(
+        "--text-file", metavar="FILE", type=InputFile, help="a file that holds them; - for standard input"
+    )
     parser.add_argument(
-        "--words", metavar="FILE", help="the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned"
+        "--words",
+        metavar="FILE",
+        type=InputFile,
+        help="the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned",
     )
     parser.set_defaults(functions=None, direction=None)
 
 
 def _add_functions(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--functions", metavar="FILE", help="what words do that you know already: a JSON list")
+    told = "what words do that you know already: a JSON list"
+    parser.add_argument("--functions", metavar="FILE", type=InputFile, help=told)
 
 
 def _add_agitation(parser: argparse.ArgumentParser) -> None:
@@ -184,7 +221,7 @@ def _add_agitation(parser: argparse.ArgumentParser) -> None:
 
 def _add_reference(parser: argparse.ArgumentParser) -> None:
     told = "other recordings of the speaker in various moods, or the REF.json that understudy reference made of them"
-    parser.add_argument("--reference", metavar="FILE", nargs="+", action="extend", help=told)
+    parser.add_argument("--reference", metavar="FILE", type=InputFile, nargs="+", action="extend", help=told)
 
 
 def _add_rules(add: Adding) -> None:
@@ -214,8 +251,9 @@ def _add_gestures(add: Adding) -> None:
     show = _add(actions.add_parser, "show", "how one of them is written, and its times at each level of agitation")
     show.add_argument("name", metavar="NAME", help="a gesture, a category, or a .gesture file")
     render = _add(actions.add_parser, "render", "draw the key poses of one of them")
-    render.add_argument("name", metavar="NAME", help="a gesture, a category, or a .gesture file")
-    render.add_argument("-o", "--output", metavar="SHEET.png", required=True, help="where the picture goes")
+    render.add_argument("name", metavar="NAME", type=InputFile, help="a gesture, a category, or a .gesture file")
+    target = "where the picture goes"
+    render.add_argument("-o", "--output", metavar="SHEET.png", type=OutputFile, required=True, help=target)
     render.add_argument("--level", choices=[level.value for level in Level], default="medium", help="of agitation")
     render.add_argument("--hand", choices=[hand.value for hand in Hand], help="which makes it (default: as written)")
 
@@ -230,5 +268,11 @@ def _add_characters(add: Adding) -> None:
 def _add_serve(add: Adding) -> None:
     parser = add("serve", "answer over HTTP")
     parser.add_argument("--host", help="address to listen on (default: UNDERSTUDY_HOST, else 127.0.0.1)")
-    parser.add_argument("--port", type=int, help="port to listen on (default: UNDERSTUDY_PORT, else 8000)")
+    parser.add_argument("--port", type=_port, help="port to listen on (default: UNDERSTUDY_PORT, else 8000)")
     parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")
+
+
+def _port(text: str) -> int:
+    if not text.isdecimal() or int(text) > LARGEST_PORT:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a port, which is a number from 0 to {LARGEST_PORT}")
+    return int(text)

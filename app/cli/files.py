@@ -4,6 +4,7 @@
 """
 
 import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -46,12 +47,15 @@ def require_writable(name: str, *, field: str) -> None:
     target = Path(name).resolve()
     if target.is_dir():
         raise InputError("file_unwritable", f"{name}: is a folder; give the name of a file", field=field)
+    if target.exists() and not os.access(target, os.W_OK):
+        raise InputError("file_unwritable", f"{name}: is protected against writing", field=field)
     if not os.access(target.parent, os.W_OK):
         raise InputError("file_unwritable", f"{name}: there is no folder {target.parent} to write to", field=field)
 
 
 def write(name: str, content: bytes) -> None:
-    """Writes a file by way of a temporary neighbour: readers see the old content or the new, never a part.
+    """Writes a file by way of a temporary neighbour: readers see the old content or the new, never a part. A file that
+    is replaced keeps its mode.
 
     Raises InputError `file_unwritable`.
     """
@@ -78,6 +82,8 @@ def _replace(target: Path, content: bytes) -> None:
     neighbour = target.with_name(f".{target.name}.{os.getpid()}")
     try:
         neighbour.write_bytes(content)
+        if target.exists():
+            shutil.copymode(target, neighbour)
         os.replace(neighbour, target)
     finally:
         neighbour.unlink(missing_ok=True)

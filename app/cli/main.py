@@ -14,6 +14,7 @@ from typing import cast
 
 from ..errors import UnderstudyError
 from .arguments import make_parser
+from .distinct_files import require_distinct
 from .log import Log
 
 WRONG_INPUT = 2
@@ -31,6 +32,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     log = Log.for_arguments(argv)
     try:
         arguments = make_parser().parse_args(argv)
+        require_distinct(arguments)
         command = importlib.import_module(f".commands.{arguments.command}", __package__)
         code = cast(int, command.run(arguments, log))
         sys.stdout.flush()

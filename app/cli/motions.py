@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from ..errors import InputError
 from ..loading import load_realizer
 from ..motion_formats import PICTURES, format_of
 from ..realizer.body.motion import Decision
@@ -29,8 +28,6 @@ def require_motions(names: Sequence[str], *, field: str) -> None:
         if format_of(name) in PICTURES:
             require_plot(name)
         require_writable(name, field=field)
-    if len(set(names)) < len(names):
-        raise InputError("usage", "the same file is named twice", field=field)
 
 
 @dataclass(frozen=True, slots=True)

@@ -189,7 +189,7 @@ MISTAKES: list[tuple[list[str], str]] = [
     (["perform", *LINE, "--seed", "many"], "usage"),
     (["perform", *LINE, "--see", "1"], "usage"),
     (["perform", "-", "--text-file", "-"], "usage"),
-    (["perform", *LINE, "-o", "same.json", "--trace", "same.json"], "usage"),
+    (["perform", *LINE, "-o", "same.json", "--trace", "same.json"], "files_same"),
     (["perform", *LINE, "-o", "/nowhere/out.bml"], "file_unwritable"),
     (["perform", *LINE, "-o", "/"], "file_unwritable"),
     (["perform", "/nowhere/a.wav", "--text", "No."], "file_unreadable"),

@@ -12,6 +12,7 @@ from ...errors import InputError
 from ...model import Level, Mode, Performance
 from ...schemas.requests import listener_names
 from ...settings import Settings, read_settings
+from ..distinct_files import OutputFile, require_distinct
 from ..early import require_character, require_usable
 from ..files import STANDARD, require_writable, write
 from ..hearing import require_reference, speaker_reference
@@ -35,7 +36,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         _realize(performance, arguments.realize, motion, log)
     _write(performance, options.form, arguments)
     log.warnings(performance.notices)
-    if arguments.output:
+    if arguments.output != STANDARD:
         log.note(summary(performance))
     return 0
 
@@ -76,8 +77,8 @@ def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespac
 
     if arguments.trace:
         write(arguments.trace, PerformanceResponse.of_performance(performance).to_json(indent=2) + b"\n")
-    written = write_bml_json if (arguments.output or "").lower().endswith(".json") else write_bml
-    write(arguments.output or STANDARD, written(performance, form))
+    written = write_bml_json if arguments.output.lower().endswith(".json") else write_bml
+    write(arguments.output, written(performance, form))
     for listening in performance.listeners:
         write(_beside(arguments.output, listening.name), write_listener(performance, listening, form))
 
@@ -87,19 +88,19 @@ def _form(arguments: argparse.Namespace) -> BmlForm:
     return BmlForm(DialectName(arguments.dialect), TimeForm(arguments.timing), audio_name)
 
 
-def _beside(output: str, name: str) -> str:
+def _beside(output: str, name: str) -> OutputFile:
     """OUT.NAME.bml for OUT.bml."""
-    return str(PurePath(output).with_suffix(f".{name}.bml"))
+    return OutputFile(PurePath(output).with_suffix(f".{name}.bml"))
 
 
 def _check_targets(arguments: argparse.Namespace) -> None:
     """Raises InputError before the work when its result could not be written."""
-    output = arguments.output or STANDARD
-    if arguments.trace == output:
-        raise InputError("usage", f"the BML and the trace cannot both go to {output}; give --trace another file")
-    if arguments.listener and output == STANDARD:
+    if arguments.listener and arguments.output == STANDARD:
         raise InputError("usage", "a listener's BML goes beside the speaker's; say where with -o OUT.bml")
-    require_writable(output, field="output")
+    beside = [_beside(arguments.output, name) for name in listener_names(arguments.listener)]
+    require_distinct(arguments, beside)
+    for output in (arguments.output, *beside):
+        require_writable(output, field="output")
     require_motions(arguments.realize, field="realize")
     if arguments.trace:
         require_writable(arguments.trace, field="trace")

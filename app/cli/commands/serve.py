@@ -5,6 +5,7 @@ settings is told like any other, and no caller waits for what only the first lin
 """
 
 import argparse
+from contextlib import ExitStack
 
 import uvicorn
 
@@ -12,6 +13,7 @@ from ...api.application import create_app
 from ...performance import Line, Options, Understudy, perform
 from ...resources import resource_folder
 from ...settings import read_settings
+from ..listening import bind, listen
 from ..log import Log
 
 GRACE_S = 10
@@ -22,17 +24,21 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     chosen = {"host": arguments.host, "port": arguments.port}
     settings = settings.model_copy(update={key: value for key, value in chosen.items() if value is not None})
-    with Understudy.load(settings) as understudy:
+    with ExitStack() as stack:
+        sockets = [stack.enter_context(each) for each in bind(settings.host, settings.port)]
+        understudy = stack.enter_context(Understudy.load(settings))
         understudy.load_rest()
         perform(understudy, _example(), Options(), log.stage)
         server = uvicorn.Config(
             create_app(settings, understudy, reload=arguments.reload),
             host=settings.host,
             port=settings.port,
+            server_header=False,
             log_config=log.service_logging(),
             timeout_graceful_shutdown=GRACE_S,
         )
-        uvicorn.Server(server).run()
+        listen(sockets)
+        uvicorn.Server(server).run(sockets)
     return 0
 
 

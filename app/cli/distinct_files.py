@@ -1,0 +1,76 @@
+"""No command writes a file over one that it reads, or two results into one file.
+
+Arguments that name files are of the types `InputFile` and `OutputFile`, so that every command is checked alike. Two
+names are the same file if their inode is the same or they resolve to the same path; `-` is whatever the standard stream
+was redirected to. What is no regular file (a terminal, /dev/null) may be named as often as one likes.
+"""
+
+import argparse
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from stat import S_ISREG
+
+from ..errors import InputError
+from .files import STANDARD
+
+
+class InputFile(str):
+    """The name of a file that is read; `-` is standard input."""
+
+    __slots__ = ()
+
+
+class OutputFile(str):
+    """The name of a file that is written; `-` is standard output."""
+
+    __slots__ = ()
+
+
+Identity = tuple[int, int] | Path | str
+"""Device and inode; the resolved path of what does not exist yet; `STANDARD` for standard output that is no file."""
+
+
+def require_distinct(arguments: argparse.Namespace, beside: Iterable[OutputFile] = ()) -> None:
+    """Raises InputError `files_same` where an output is an input, or another output; `beside` are outputs whose names
+    are made of those in `arguments`."""
+    named = [*_named(arguments), *(("output", name) for name in beside)]
+    taken: dict[Identity, tuple[str, str]] = {
+        identity: (field, name)
+        for field, name in named
+        if isinstance(name, InputFile) and (identity := _identity(name)) is not None
+    }
+    for field, name in named:
+        if not isinstance(name, OutputFile):
+            continue
+        identity = _identity(name)
+        if identity in taken:
+            raise InputError("files_same", _message(name, *taken[identity]), field=field)
+        if identity is not None:
+            taken[identity] = (field, name)
+
+
+def _named(arguments: argparse.Namespace) -> Iterator[tuple[str, str]]:
+    for field, value in vars(arguments).items():
+        for name in value if isinstance(value, list) else [value]:
+            if isinstance(name, InputFile | OutputFile):
+                yield field, name
+
+
+def _message(name: str, field: str, other: str) -> str:
+    shown = "standard output" if name == STANDARD else name
+    return f"{shown}: is the same file as {other} ({field}); give one of them another name, nothing was written"
+
+
+def _identity(name: str) -> Identity | None:
+    """None for what is no regular file."""
+    is_output = isinstance(name, OutputFile)
+    try:
+        found = os.fstat(int(is_output)) if name == STANDARD else Path(name).stat()
+    except FileNotFoundError:
+        return Path(name).resolve()
+    except (OSError, ValueError):
+        return None  # whoever opens it will tell
+    if S_ISREG(found.st_mode):
+        return found.st_dev, found.st_ino
+    return STANDARD if is_output and name == STANDARD else None

@@ -1,0 +1,42 @@
+"""Where the process begins: Ctrl-C ends it without a traceback whenever it comes, while modules are imported too.
+
+The first Ctrl-C raises KeyboardInterrupt, so that a command can leave nothing half done. An import of a C extension may
+turn that into another error, and a destructor may swallow it; whatever is uncaught after it is its consequence, and
+ends the process as Ctrl-C does by default. A second Ctrl-C ends it at once.
+"""
+
+import os
+import signal
+import sys
+from types import FrameType, TracebackType
+from typing import NoReturn
+
+
+def start() -> NoReturn:
+    """Runs the command line of this process."""
+    signal.signal(signal.SIGINT, _interrupt)
+    sys.excepthook = _tell
+    sys.unraisablehook = _tell_unraisable
+    from .main import main
+
+    sys.exit(main())
+
+
+def _interrupt(_signal: int, _frame: FrameType | None) -> NoReturn:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    raise KeyboardInterrupt
+
+
+def _tell(kind: type[BaseException], error: BaseException, traceback: TracebackType | None) -> None:
+    _end_if_interrupted()
+    sys.__excepthook__(kind, error, traceback)
+
+
+def _tell_unraisable(unraisable: "sys.UnraisableHookArgs") -> None:
+    _end_if_interrupted()
+    sys.__unraisablehook__(unraisable)
+
+
+def _end_if_interrupted() -> None:
+    if signal.getsignal(signal.SIGINT) is signal.SIG_DFL:
+        os.kill(os.getpid(), signal.SIGINT)

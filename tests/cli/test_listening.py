@@ -1,0 +1,71 @@
+"""An address that cannot be listened on is told before anything is loaded."""
+
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import ExitStack
+
+import pytest
+
+from understudy.cli.listening import bind, listen
+from understudy.errors import InputError
+
+SERVE = "import sys; from understudy.cli.main import main; ended = main(['serve', *sys.argv[1:]]); "
+
+
+@pytest.fixture
+def taken() -> Iterator[int]:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        yield server.getsockname()[1]
+
+
+def test_nobody_connects_before_it_listens() -> None:
+    with ExitStack() as stack:
+        bound = [stack.enter_context(each) for each in bind("127.0.0.1", 0)]
+        address = bound[0].getsockname()
+        with pytest.raises(ConnectionRefusedError):
+            socket.create_connection(address)
+        listen(bound)
+        socket.create_connection(address).close()
+
+
+def test_every_address_of_a_name_has_the_same_port() -> None:
+    with ExitStack() as stack:
+        bound = [stack.enter_context(each) for each in bind("localhost", 0)]
+        assert len({each.getsockname()[1] for each in bound}) == 1
+        assert "127.0.0.1" in {each.getsockname()[0] for each in bound}
+
+
+@pytest.mark.parametrize("host", ["203.0.113.1", "no-such-host.invalid", "a" * 70, "256.1.1.1"])
+def test_an_address_of_others_is_the_callers_mistake(host: str) -> None:
+    with pytest.raises(InputError) as caught:
+        bind(host, 0)
+    assert caught.value.code == "address_unusable"
+
+
+def test_two_that_are_bound_to_one_port_cannot_both_listen() -> None:
+    with ExitStack() as stack:
+        first = [stack.enter_context(each) for each in bind("127.0.0.1", 0)]
+        second = [stack.enter_context(each) for each in bind("127.0.0.1", first[0].getsockname()[1])]
+        listen(first)
+        with pytest.raises(InputError) as caught:
+            listen(second)
+    assert caught.value.code == "address_unusable"
+
+
+def test_serve_on_a_taken_port_ends_before_loading(taken: int) -> None:
+    code = SERVE + "print(ended, 'spacy' in sys.modules, 'pocketsphinx' in sys.modules)"
+    command = [sys.executable, "-c", code, "--port", str(taken)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["2", "False", "False"]
+    [told] = done.stderr.splitlines()
+    assert f"127.0.0.1:{taken}" in told
+
+
+@pytest.mark.parametrize("port", ["-1", "65536", "http", "9" * 5000])
+def test_serve_with_what_is_no_port_ends_before_loading(port: str) -> None:
+    code = SERVE + "print(ended, 'spacy' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code, "--port", port], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["2", "False"]
+    assert len(done.stderr.splitlines()) == 1
