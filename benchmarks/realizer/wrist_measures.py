@@ -26,17 +26,17 @@ class WristMeasures:
     jerk_m_s3: FloatArray
 
 
-def measured(positions_m: FloatArray, rate_hz: float) -> WristMeasures:
-    """Of one wrist's path; empty when it is shorter than half a second."""
-    edge = round(EDGE_S * rate_hz)
-    if len(positions_m) < 5 * edge:
+def measured(positions_m: FloatArray, rate_hz: float, *, edge_s: float = EDGE_S) -> WristMeasures:
+    """Of one wrist's path without `edge_s` at either end; empty when it is shorter than half a second."""
+    edge = round(edge_s * rate_hz)
+    if len(positions_m) < 5 * round(EDGE_S * rate_hz):
         return WristMeasures(*(np.empty(0),) * 3)
     smooth = sosfiltfilt(butter(2, LOW_PASS_HZ, fs=rate_hz, output="sos"), positions_m, axis=0)
     lengths = []
     derived = smooth
     for _order in range(3):
         derived = np.gradient(derived, 1 / rate_hz, axis=0)
-        lengths.append(np.linalg.norm(derived, axis=-1)[edge:-edge])
+        lengths.append(np.linalg.norm(derived, axis=-1)[edge : len(derived) - edge])
     return WristMeasures(*lengths)
 
 
