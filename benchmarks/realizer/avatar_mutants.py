@@ -91,11 +91,11 @@ def _change(tree: Tree, rng: random.Random) -> None:
     inside, key = _place(tree, rng)
     action = rng.random()
     if action < 0.7:
-        inside[key] = rng.choice(VALUES)
+        inside[key] = deepcopy(rng.choice(VALUES))
     elif action < 0.8:
         del inside[key]
     elif action < 0.9 and isinstance(inside, list):
-        inside.insert(key, inside[key])
+        inside.insert(key, deepcopy(inside[key]))
     else:
         other, there = _place(tree, rng)
         inside[key] = deepcopy(other[there])

@@ -89,7 +89,7 @@ def test_a_gesture_is_drawn(capfdbinary: Captured, tmp_path: Path) -> None:
     sheet = tmp_path / "sheet.png"
     code, _, err = _run(capfdbinary, "gestures", "render", "small", "-o", str(sheet), "--level", "high")
     assert code == 0
-    assert err == f"3 key poses of 1 gestures in {sheet}\n"
+    assert err == f"3 key poses and the speeds of 1 gestures in {sheet}\n"
     assert sheet.read_bytes().startswith(b"\x89PNG")
 
 

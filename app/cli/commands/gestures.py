@@ -8,13 +8,12 @@ from ...authoring.catalogue import load_gestures
 from ...authoring.proofreading import check_files
 from ...errors import InputError
 from ...model import Hand, Level, Notice
-from ...realizer.arms.key_poses import key_poses
 from ...realizer.arms.plausibility import doubts
 from ...realizer.body.skeleton import Skeleton
 from ...realizer.gestures.clips import clip as clip_of
 from ...realizer.gestures.gesture import Clip, Definition
 from ...realizer.gestures.library import SUFFIX, gesture_files, read_definitions
-from ...realizer.pictures.contact_sheet import Still, draw_stills
+from ...realizer.pictures.gesture_sheet import draw_gestures
 from ...schemas.library import GesturesResponse
 from ..files import require_writable, write, write_standard
 from ..gesture_listings import counts, explanation, headline, place
@@ -69,14 +68,9 @@ def _render(arguments: argparse.Namespace, log: Log) -> None:
     clips = [clip for one in named for clip in _fitting(one, Level(arguments.level), hand)]
     if not clips:
         raise InputError("unfit_gesture", f"{arguments.name} is not for {arguments.level} agitation", field="level")
-    skeleton = Skeleton.standing()
-    stills = [
-        Still(f"{clip.name}\n{pose.key.time_s:.2f} s {pose.key.type}", pose.rotations)
-        for clip in clips
-        for pose in key_poses(skeleton, clip)
-    ]
-    write(arguments.output, draw_stills(stills, skeleton, faces=False))
-    log.note(f"{len(stills)} key poses of {len(clips)} gestures in {arguments.output}")
+    picture, poses = draw_gestures(Skeleton.standing(), clips)
+    write(arguments.output, picture)
+    log.note(f"{poses} key poses and the speeds of {len(clips)} gestures in {arguments.output}")
 
 
 def _fitting(definition: Definition, level: Level, hand: Hand | None) -> Sequence[Clip]:

@@ -3,7 +3,8 @@
 A clip's keys are mapped to absolute time by their phases: preparation and retraction may be longer or shorter than in
 the clip, the stroke never is. A hold has the same pose at both ends, with noise between them (paper §3.8); a repeated
 stroke moves back by its amplitude and forth again. Expressivity shapes the spline at the keys: fluidity makes it flow
-through them, power makes it stop abruptly and overshoot (Hartmann, Mancini & Pelachaud 2005).
+through them, power makes it stop abruptly and overshoot (Hartmann, Mancini & Pelachaud 2005); tension, continuity and
+bias that a frame sets itself take the place of that.
 """
 
 from collections.abc import Iterable, Iterator
@@ -15,7 +16,7 @@ import numpy as np
 from ...model import Hand
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import slerp
-from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType
+from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType, KeyCurve
 from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, Repeat
 from .arms import ArmTrack, TimedPose
 from .posing import PartialPose, pose_arms
@@ -88,7 +89,8 @@ def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose
     end = _together(each.pose for each in posed if each.key.time_s <= markers.relax)
     for repeat in gesture.placed.repeats:
         yield from _repeat_keys(repeat, start, end)
-    yield TimedPose(gesture.markers.relax, end, noise=HOLD_NOISE)
+    held = next((each.key.curve for each in posed if each.key.time_s == markers.relax), KeyCurve())
+    yield _shaped(TimedPose(gesture.markers.relax, end, noise=HOLD_NOISE), held)
 
 
 def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
@@ -145,7 +147,14 @@ def _timed(gesture: ArmGesture, posed: _Posed) -> TimedPose:
     holds = kind in {FrameType.HOLD, FrameType.RELAX, FrameType.STROKE_END}
     tension, bias = _curve(expressivity, kind)
     noise = HOLD_NOISE if holds else ADDED_NOISE if posed.key.noise else STROKE_NOISE
-    return TimedPose(posed.time_s, posed.pose, tension=tension, bias=bias, noise=noise, marked=in_stroke)
+    timed = TimedPose(posed.time_s, posed.pose, tension=tension, bias=bias, noise=noise, marked=in_stroke)
+    return _shaped(timed, posed.key.curve)
+
+
+def _shaped(timed: TimedPose, curve: KeyCurve) -> TimedPose:
+    """The key with what its frame itself says of the curve."""
+    said = {name: getattr(curve, name) for name in KeyCurve.__slots__}
+    return replace(timed, **{name: value for name, value in said.items() if value is not None})
 
 
 def _curve(expressivity: Expressivity, kind: FrameType) -> tuple[float, float]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from ...errors import Mistake
-from .gesture import ArmKey, FrameType
+from .gesture import ArmKey, FrameType, KeyCurve
 from .statements import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word, mistake_in
 
 IN_ORDER: tuple[FrameType, ...] = tuple(FrameType)
@@ -32,6 +32,7 @@ class TimedFrame:
     leading: ArmKey
     other: ArmKey | None
     noise: bool
+    curve: KeyCurve
 
 
 def frame_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[LocatedMistake]:

@@ -72,7 +72,9 @@ def _key(frame: Frame, hand: Hand, scale_s: float) -> ClipKey:
     arms: dict[Hand, ArmKey] = {LEADING: frame.leading, Hand.LEFT: frame.other or frame.leading}
     if hand is not Hand.BOTH:
         arms = {hand: frame.leading}
-    return ClipKey(frame.time * scale_s, frame.type, arms.get(Hand.LEFT), arms.get(Hand.RIGHT), frame.noise)
+    return ClipKey(
+        frame.time * scale_s, frame.type, arms.get(Hand.LEFT), arms.get(Hand.RIGHT), frame.noise, frame.curve
+    )
 
 
 def _stroke_speed_m_s(frames: Sequence[Frame], markers: Markers, expressivity: Expressivity, scale_s: float) -> float:

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from ...model import Hand, Level
 from .checking import TimedFrame, frame_mistakes, repeated_statements
 from .gesture import ArmKey, Definition, Expressivity, Frame, FrameType
-from .specifiers import arm_key, number, one_of
+from .specifiers import arm_key, key_curve, number, one_of
 from .statements import FrameTree, GestureTree, LocatedMistake, Statement, Word
 
 MEDIUM = Expressivity(repetition=0.35)
@@ -200,6 +200,7 @@ def _timed(tree: FrameTree, wrong: list[LocatedMistake], *, both: bool) -> Timed
         leading=leading,
         other=completed_by_mirroring(arm_key(others, wrong), leading) if others else None,
         noise=any(statement.keyword.text == "ADDNOISE" for statement in readable),
+        curve=key_curve(own, wrong),
     )
 
 
@@ -217,4 +218,4 @@ def completed_by_mirroring(other: ArmKey, leading: ArmKey) -> ArmKey:
 def _frame(timed: TimedFrame) -> Frame | None:
     if timed.time is None or timed.type is None:
         return None
-    return Frame(timed.time, timed.type, timed.leading, timed.other, timed.noise)
+    return Frame(timed.time, timed.type, timed.leading, timed.other, timed.noise, timed.curve)

@@ -154,6 +154,17 @@ class ArmKey:
 
 
 @dataclass(frozen=True, slots=True)
+class KeyCurve:
+    """How the path runs through a key (Gesture Engine §5.2; Kochanek & Bartels 1984), each in [-1, 1]; None leaves it
+    to the gesture's expressivity. Positive `tension` slows down at the key, negative speeds up; `continuity` other than
+    0 makes a corner; positive `bias` overshoots the key, negative turns to the next one before it."""
+
+    tension: float | None = None
+    continuity: float | None = None
+    bias: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Frame:
     """A key pose at `time` in [0, 1] of the gesture. `other` is the other arm in two-handed gestures: None means the
     mirror image of `leading`. `noise` adds Perlin noise at this key."""
@@ -163,6 +174,7 @@ class Frame:
     leading: ArmKey
     other: ArmKey | None = None
     noise: bool = False
+    curve: KeyCurve = KeyCurve()
 
 
 @dataclass(frozen=True, slots=True)
@@ -217,6 +229,7 @@ class ClipKey:
     left: ArmKey | None
     right: ArmKey | None
     noise: bool = False
+    curve: KeyCurve = KeyCurve()
 
 
 @dataclass(frozen=True, slots=True)

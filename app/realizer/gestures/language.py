@@ -41,6 +41,9 @@ FRAME: Mapping[str, str] = MappingProxyType(
         "WRIST": "WRIST FBUp PalmInwards",
         "SHOULDER": "SHOULDER 0.5",
         "JOINT": "JOINT LowerArm 0 -80 0",
+        "TENSION": "TENSION 0.5",
+        "CONTINUITY": "CONTINUITY -0.5",
+        "BIAS": "BIAS 0.3",
         "ADDNOISE": "ADDNOISE",
         "ENDFRAME": "ENDFRAME",
     }

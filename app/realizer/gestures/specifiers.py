@@ -21,6 +21,7 @@ from .gesture import (
     HandForm,
     HandShape,
     Height,
+    KeyCurve,
     Place,
     Sideways,
     Thumb,
@@ -64,6 +65,13 @@ def arm_key(statements: Iterable[Statement], wrong: list[LocatedMistake]) -> Arm
         shoulder=number(one["SHOULDER"].numbers[0], -1, 1, wrong) if "SHOULDER" in one else None,
         joints=tuple(found for found in joints if found),
     )
+
+
+def key_curve(statements: Iterable[Statement], wrong: list[LocatedMistake]) -> KeyCurve:
+    """`TENSION`, `CONTINUITY` and `BIAS` among a frame's statements."""
+    numbers = {statement.keyword.text.lower(): statement.numbers[0] for statement in statements if statement.numbers}
+    said = {name: numbers[name] for name in KeyCurve.__slots__ if name in numbers}
+    return KeyCurve(**{name: number(word, -1, 1, wrong) for name, word in said.items()})
 
 
 def place(statement: Statement, wrong: list[LocatedMistake]) -> Place | None:

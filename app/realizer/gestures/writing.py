@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from ...model import Level
 from .definitions import RANGES, completed_by_mirroring
-from .gesture import ArmKey, Definition, Direction, Expressivity, Frame, HandShape, Place, Thumb, Wrist
+from .gesture import ArmKey, Definition, Direction, Expressivity, Frame, HandShape, KeyCurve, Place, Thumb, Wrist
 from .specifiers import AS_THE_FOREARM, FINGER_BASE, PALM
 from .statements import OTHER
 
@@ -43,9 +43,17 @@ def _frames(definition: Definition) -> Iterator[str]:
         yield f"  FRAMETYPE {frame.type}"
         yield from (f"  {line}" for line in _key(frame.leading))
         yield from (f"  {OTHER} {line}" for line in _other(frame))
+        yield from (f"  {line}" for line in _curve(frame.curve))
         if frame.noise:
             yield "  ADDNOISE"
         yield "ENDFRAME"
+
+
+def _curve(curve: KeyCurve) -> Iterator[str]:
+    for name in KeyCurve.__slots__:
+        value = getattr(curve, name)
+        if value is not None:
+            yield f"{name.upper()} {_number(value)}"
 
 
 def _other(frame: Frame) -> Iterator[str]:

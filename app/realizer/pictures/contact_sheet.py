@@ -3,9 +3,12 @@
 Needs matplotlib, the extra `understudy[plot]`; command line and HTTP API check for it.
 """
 
+from __future__ import annotations
+
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,10 +19,14 @@ from ..geometry.rotations import rotate
 from ..mannequin.mannequin import COLOURS, Mannequin, posed
 from .rasterizer import Camera, ColouredMesh, draw
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 BACKGROUND = np.array([0.80, 0.81, 0.82])
 FRONT = Camera((0.0, 1.14, 0.0), 1.62)
 THREE_QUARTERS = Camera((0.0, 1.14, 0.0), 1.62, azimuth=np.radians(48), elevation=np.radians(8))
 BODY_HEIGHT, FACE_HEIGHT, CELL_WIDTH, CAPTION_HEIGHT = 300, 200, 260, 44
+CHART_HEIGHT, CHART_MARGIN, NARROWEST_CHART = 240, 45, 640
 COLUMNS = 8
 AT_MOST = 24
 TOGETHER_S = 0.1
@@ -79,15 +86,22 @@ def _word_at(words: Sequence[Word], time_s: float) -> str:
     return next((f"“{word.text}”" for word in said), "")
 
 
-def draw_stills(stills: Sequence[Still], skeleton: Skeleton, *, faces: bool = True, columns: int = COLUMNS) -> bytes:
-    """The poses side by side, at most `columns` per row, as PNG."""
+def draw_stills(
+    stills: Sequence[Still],
+    skeleton: Skeleton,
+    *,
+    faces: bool = True,
+    columns: int = COLUMNS,
+    charts: Sequence[Callable[[Axes], None]] = (),
+) -> bytes:
+    """The poses side by side, at most `columns` per row, and below them a row for each chart, as PNG."""
     mannequin = Mannequin.around(skeleton)
     columns = min(columns, len(stills))
     cells = [_cell(mannequin, still, faces=faces) for still in stills]
     blank = np.broadcast_to(BACKGROUND, cells[0].shape)
     cells += [blank] * (-len(cells) % columns)
     rows = [np.concatenate(cells[k : k + columns], axis=1) for k in range(0, len(cells), columns)]
-    return _lettered(np.concatenate(rows), stills, columns, cells[0].shape[0])
+    return _lettered(np.concatenate(rows), stills, columns, charts)
 
 
 def _cell(mannequin: Mannequin, still: Still, *, faces: bool) -> FloatArray:
@@ -117,19 +131,25 @@ def _face_camera(skeleton: Skeleton, still: Still, hips_m: FloatArray) -> Camera
     return Camera((float(middle[0]), float(middle[1]), float(middle[2])), 0.30)
 
 
-def _lettered(picture: FloatArray, stills: Sequence[Still], columns: int, cell_height: int) -> bytes:
-    """The picture with its captions, as PNG."""
+def _lettered(
+    picture: FloatArray, stills: Sequence[Still], columns: int, charts: Sequence[Callable[[Axes], None]]
+) -> bytes:
+    """The picture with its captions, above the charts, as PNG."""
     from matplotlib.figure import Figure
 
-    height, width = picture.shape[:2]
-    figure = Figure(figsize=(width / DOTS_PER_INCH, height / DOTS_PER_INCH), dpi=DOTS_PER_INCH)
-    axes = figure.add_axes((0, 0, 1, 1))
+    (height, width), rows = picture.shape[:2], -(-len(stills) // columns)
+    wide, high = max(width, NARROWEST_CHART * bool(charts)), height + CHART_HEIGHT * len(charts)
+    figure = Figure(figsize=(wide / DOTS_PER_INCH, high / DOTS_PER_INCH), dpi=DOTS_PER_INCH)
+    axes = figure.add_axes((0, 1 - height / high, width / wide, height / high))
     axes.set_axis_off()
     axes.imshow(_display(picture), interpolation="none", aspect="auto", extent=(0, width, height, 0))
     for number, still in enumerate(stills):
         row, column = divmod(number, columns)
-        left, bottom = column * CELL_WIDTH, (row + 1) * cell_height
+        left, bottom = column * CELL_WIDTH, (row + 1) * height / rows
         axes.text(left + CELL_WIDTH / 2, bottom - 4, still.caption, ha="center", va="bottom", fontsize=7.5)
+    for number, chart in enumerate(charts):
+        bottom = high - height - (number + 1) * CHART_HEIGHT + CHART_MARGIN
+        chart(figure.add_axes((0.1, bottom / high, 0.88, (CHART_HEIGHT - CHART_MARGIN - 10) / high)))
     content = io.BytesIO()
     figure.savefig(content, format="png", dpi=DOTS_PER_INCH)
     return content.getvalue()

@@ -13,7 +13,7 @@ from understudy.realizer.arms.posing import pose_arm
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.geometry.rotations import angle_between
-from understudy.realizer.gestures.gesture import ArmKey, Clip, ClipKey, Expressivity, FrameType
+from understudy.realizer.gestures.gesture import ArmKey, Clip, ClipKey, Expressivity, FrameType, KeyCurve
 from understudy.realizer.scheduling.planning import plan_gestures
 
 SKELETON = Skeleton.standing()
@@ -92,3 +92,12 @@ def test_fluidity_and_power_shape_the_curve(
     start, end = [key for key in keys_of(clip(expressivity=expressivity), gesture("g1", 2.0, 3.2)) if key.marked]
     assert (start.tension, end.tension) == tension
     assert end.bias == bias
+
+
+def test_what_a_frame_says_of_the_curve_takes_the_place_of_expressivity() -> None:
+    usual = clip(expressivity=Expressivity(fluidity=0.0, power=1.0))
+    start, end = usual.keys
+    said = replace(usual, keys=(start, replace(end, curve=KeyCurve(tension=-0.2, continuity=0.4))))
+    first, last = [key for key in keys_of(said, gesture("g1", 2.0, 3.2)) if key.marked]
+    assert (first.tension, first.continuity, first.bias) == (0.5, 0.0, 0.0)
+    assert (last.tension, last.continuity, last.bias) == (-0.2, 0.4, 0.25)

@@ -110,3 +110,20 @@ def test_curves_of_different_keys_do_not_touch_each_other() -> None:
     together = splines([one, other, alone, one], times_s)
     for column, curve in enumerate((one, other, alone, one)):
         assert np.all(angle_between(together[:, column], splines([curve], times_s)[:, 0]) < 1e-6)
+
+
+@pytest.mark.parametrize("tension", [-0.5, 0.0, 1.0])
+@pytest.mark.parametrize("continuity", [-1.0, 0.0, 0.6])
+@pytest.mark.parametrize("bias", [-1.0, 0.0, 0.4])
+def test_a_key_is_reached_and_left_as_kochanek_and_bartels_say(tension: float, continuity: float, bias: float) -> None:
+    """Their equations 8 and 9, about one axis: a step of .5 radians to the key, one of .3 from it, a second each."""
+    turning = from_axis_angle((0.0, 0.0, 1.0), np.array([0.0, 0.5, 0.8]))[:, None]
+    shaped = np.array([[0.0, 0.0, 0.0], [tension, continuity, bias], [0.0, 0.0, 0.0]])
+    step_s = 1e-5
+    around = spline(np.arange(3.0), turning, shaped, 1.0 + step_s * np.array([-1.0, 0.0, 1.0]))
+    more, less = (1 - tension) * (1 + bias) / 2, (1 - tension) * (1 - bias) / 2
+    arriving = more * (1 - continuity) * 0.5 + less * (1 + continuity) * 0.3
+    leaving = more * (1 + continuity) * 0.5 + less * (1 - continuity) * 0.3
+    most = 3 * 0.3  # of the flatter side's slope, so that nothing overshoots
+    expected = [min(arriving, most), min(leaving, most)]
+    assert speeds(around, step_s)[:, 0, 2] == pytest.approx(expected, abs=1e-3)

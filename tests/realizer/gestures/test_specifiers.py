@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.gesture_files import FIRST, gesture, mistakes_in, read_one
+from tests.support.gesture_files import FIRST, LAST, gesture, mistakes_in, read_one
 from understudy.realizer.gestures.gesture import (
     ArmKey,
     Bend,
@@ -15,6 +15,7 @@ from understudy.realizer.gestures.gesture import (
     HandForm,
     HandShape,
     Height,
+    KeyCurve,
     Place,
     Sideways,
     Thumb,
@@ -141,3 +142,27 @@ def test_the_other_arm_mirrors_what_is_not_said_of_it(tmp_path: Path) -> None:
         place=first.leading.place, hand=HandShape(HandForm.FIST), wrist=first.leading.wrist, shoulder=1.0
     )
     assert last.other is None
+
+
+def test_a_frame_sets_the_curve_at_its_pose(tmp_path: Path) -> None:
+    lines = f"{LAST}\n  TENSION 0.5\n  BIAS -1"
+    first, last = read_one(tmp_path, gesture(last=lines)).frames
+    assert first.curve == KeyCurve()
+    assert last.curve == KeyCurve(tension=0.5, bias=-1.0)
+
+
+@pytest.mark.parametrize(
+    ("line", "column", "told"),
+    [
+        ("TENSION 1.5", 11, "1.5 is outside -1 … 1"),
+        ("CONTINUITY -2", 14, "-2 is outside -1 … 1"),
+        ("BIAS much", 8, "found 'much'; BIAS is written as in: BIAS 0.3"),
+        ("TENSON 0.5", 3, "no line begins with 'TENSON'; did you mean TENSION?"),
+        ("OTHER BIAS 0.5", 9, "OTHER speaks of the other arm's"),
+        ("BIAS 0\n  BIAS 1", 3, "BIAS stands here a second time"),
+    ],
+)
+def test_a_curve_that_is_none_of_the_language(tmp_path: Path, line: str, column: int, told: str) -> None:
+    (mistake,) = mistakes_in(tmp_path, gesture(last=f"{LAST}\n  {line}"))
+    assert (mistake.line, mistake.column) == (12 + line.count("\n"), column)
+    assert mistake.message.startswith(told)

@@ -25,6 +25,7 @@ from understudy.realizer.gestures.gesture import (
     HandForm,
     HandShape,
     Height,
+    KeyCurve,
     Place,
     Sideways,
     Thumb,
@@ -81,6 +82,7 @@ KEYS = st.builds(
         lambda d: (*d.items(),)
     ),
 )
+CURVES = st.builds(KeyCurve, *[st.none() | number(-1, 1)] * 3)
 LEVELS = st.dictionaries(
     st.sampled_from(Level),
     st.builds(Expressivity, **{name: number(*limits) for name, limits in RANGES.items()}),
@@ -103,7 +105,7 @@ def definitions(draw: st.DrawFn) -> Definition:
             leading = replace(leading, place=draw(PLACES))
         said = hand is Hand.BOTH and draw(st.booleans()) and other != ArmKey()
         other = completed_by_mirroring(other, leading)
-        frames.append(Frame(time / 1000, type_, leading, other if said else None, draw(st.booleans())))
+        frames.append(Frame(time / 1000, type_, leading, other if said else None, draw(st.booleans()), draw(CURVES)))
     return Definition(
         gesture_class=draw(st.sampled_from(["beat", "iconic", "OTHER", "HAND"])),
         name=draw(st.from_regex(r"[A-Za-z][A-Za-z0-9_]{0,8}", fullmatch=True)),
