@@ -6,6 +6,8 @@ They are raised where the mistake is found and caught only at the doors (`unders
 from dataclasses import dataclass
 from pathlib import Path
 
+LONGEST_SHOWN = 200
+
 
 class UnderstudyError(Exception):
     """Root of the tree. `code` is stable and machine-readable; the message is one line for people."""
@@ -38,6 +40,13 @@ class TooLargeError(InputError):
 
 class ServiceError(UnderstudyError):
     """Our own trouble, not the caller's: the aligner died, the deadline passed."""
+
+
+def shown(value: object) -> str:
+    """What a caller sent, as a message quotes it: as Python writes it, and no more than `LONGEST_SHOWN` characters of
+    it, so that no message is as long as what was sent."""
+    text = value if isinstance(value, str) else str(value)
+    return repr(text) if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]!r}…"
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from typing import Protocol, TypeAlias, TypeVar
 import yaml
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from .errors import AuthoringError, Mistake
+from .errors import LONGEST_SHOWN, AuthoringError, Mistake
 
 Plain: TypeAlias = "str | list[Plain] | dict[str, Plain]"
 Schema = TypeVar("Schema", bound=BaseModel)
@@ -21,7 +21,7 @@ Value = TypeVar("Value")
 
 def did_you_mean(name: str, known: Collection[str]) -> str:
     """A hint at the nearest known name, or nothing."""
-    close = get_close_matches(name, sorted(known), n=1)
+    close = get_close_matches(name[:LONGEST_SHOWN], sorted(known), n=1)
     return f"; did you mean {close[0]!r}?" if close else ""
 
 

@@ -11,6 +11,7 @@ from ..settings import Settings
 from ..version import __version__
 from .body_limit import BodyLimit
 from .capacity import Capacity
+from .description.document import describe
 from .metrics import Measured, Metrics
 from .problems import answer_errors_as_problems
 from .reloading import reloading
@@ -50,4 +51,5 @@ def create_app(settings: Settings, understudy: Understudy | None = None, *, relo
     app.add_middleware(Measured, metrics=metrics)
     app.include_router(router)
     answer_errors_as_problems(app)
+    describe(app)
     return app

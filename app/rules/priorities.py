@@ -10,7 +10,7 @@ from typing import Annotated
 
 from pydantic import ConfigDict, Field, RootModel
 
-from ..errors import Mistake
+from ..errors import LONGEST_SHOWN, Mistake
 from ..yaml_files import Source
 from .chaining.chainer import Fact
 from .lexicon import LexicalEntry
@@ -38,10 +38,10 @@ class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
     def unknown(self, class_name: str, subtype: str) -> str | None:
         """Why there is no function of this class and subtype, with what there is; None when there is one."""
         if class_name not in self.root:
-            return f"no function has the class {class_name}{_meant(class_name, self.root)}"
+            return f"no function has the class {class_name[:LONGEST_SHOWN]}{_meant(class_name, self.root)}"
         known = self.root[class_name]
         if subtype not in known:
-            return f"{class_name} has no subtype {subtype}; its subtypes are {', '.join(known)}"
+            return f"{class_name} has no subtype {subtype[:LONGEST_SHOWN]}; its subtypes are {', '.join(known)}"
         return None
 
     def mistakes_in_rules(self, rules: Iterable[Rule]) -> Iterator[Mistake]:
@@ -61,5 +61,5 @@ class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
 
 
 def _meant(name: str, known: Iterable[str]) -> str:
-    close = get_close_matches(name, known, n=1)
+    close = get_close_matches(name[:LONGEST_SHOWN], known, n=1)
     return f"; did you mean {close[0]}?" if close else f"; the classes are {', '.join(known)}"

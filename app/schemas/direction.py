@@ -10,7 +10,7 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from ..acting.vocabulary import AVOIDABLE, FACES, GAZES, GESTURES, HEADS
-from ..errors import InputError
+from ..errors import LONGEST_SHOWN, InputError
 from ..model import Avoidance, DirectedMoment, Direction
 from .requests import read_object
 
@@ -129,5 +129,6 @@ def _plain(word: str) -> str:
 
 def _told(location: tuple[int | str, ...], message: str) -> str:
     """A mistake with its place, such as `moments[2].stroke`."""
-    where = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in location).removeprefix(".")
+    parts = (f"[{part}]" if isinstance(part, int) else f".{part[:LONGEST_SHOWN]}" for part in location)
+    where = "".join(parts).removeprefix(".")
     return f"{where}: {message[0].lower()}{message[1:]}"

@@ -9,7 +9,7 @@ from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from ..errors import InputError
+from ..errors import LONGEST_SHOWN, InputError
 from ..model import PLAIN, GivenFunction
 from .requests import read_json
 
@@ -50,6 +50,6 @@ def _function(number: int, item: object) -> GivenFunction:
         return GivenFunctionRequest.model_validate(item).to_function()
     except ValidationError as error:
         found = error.errors()[0]
-    where = ".".join((f"functions[{number}]", *map(str, found["loc"])))
+    where = ".".join((f"functions[{number}]", *(str(part)[:LONGEST_SHOWN] for part in found["loc"])))
     reason = f"{found['msg'][0].lower()}{found['msg'][1:]}"
     raise InputError("functions_wrong", f"{where}: {reason}", field=FIELD)

@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from ..acoustic.agitation.speaker import SpeakerReference
-from ..errors import InputError
+from ..errors import LONGEST_SHOWN, InputError
 
 Numbers = Annotated[list[Annotated[float, Field(allow_inf_nan=False)]], Field(min_length=1, max_length=1000)]
 
@@ -48,8 +48,10 @@ def read_reference(content: bytes, name: str) -> SpeakerReference:
         return ReferenceForm.model_validate_json(content).to_reference()
     except ValidationError as error:
         found = error.errors()[0]
-    where = ".".join(str(part) for part in found["loc"]) or "file"
-    message = f"{name}: no speaker's reference ({where}: {found['msg']}); make one with understudy reference"
+    where = ".".join(str(part)[:LONGEST_SHOWN] for part in found["loc"]) or "file"
+    message = (
+        f"{name[:LONGEST_SHOWN]}: no speaker's reference ({where}: {found['msg']}); make one with understudy reference"
+    )
     raise InputError("reference_unreadable", message, field="reference")
 
 

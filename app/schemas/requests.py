@@ -7,38 +7,75 @@ from pathlib import PurePath
 from typing import Annotated, Any, Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic_core import ErrorDetails
 
 from ..analysis import Options, Timings
+from ..bml.choice.lead_in import LONGEST_LEAD_IN_S
 from ..bml.markup.documents import DialectName, TimeForm
 from ..bml.writing.writer import BmlForm
-from ..errors import InputError, UndecodableError, UnsupportedFormatError
+from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
 from ..model import Level, Mode
+from ..yaml_files import did_you_mean
 from .references import ReferenceForm
 
 MOST_LISTENERS = 16
 _LISTENER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}", re.ASCII)
+_ALLOWED = re.compile(r"'([^']*)'")
 
 LARGEST_SEED = 2**63 - 1
 
-Seed = Annotated[int, Field(ge=-LARGEST_SEED, le=LARGEST_SEED)]
+Seed = Annotated[
+    int, Field(ge=-LARGEST_SEED, le=LARGEST_SEED, description="Another number chooses other movements.", examples=[7])
+]
+Stillness = Annotated[
+    float,
+    Field(
+        description="How much less than usual moves; at 1 only breath, blinks and lips.",
+        json_schema_extra={"minimum": 0, "maximum": 1},
+    ),
+]
+AgitationName = Annotated[
+    Annotated[Level, Field(strict=False)] | None, Field(description="Left out or null: as the voice sounds.")
+]
+ListenerNames = Annotated[
+    tuple[str, ...],
+    Field(
+        strict=False,
+        description="Who listens, each with BML of his own; answered as JSON only.",
+        json_schema_extra={
+            "maxItems": MOST_LISTENERS,
+            "items": {"type": "string", "pattern": f"^{_LISTENER.pattern}$"},
+        },
+    ),
+]
 Checked = TypeVar("Checked", bound=BaseModel)
 
 
 class PerformOptions(BaseModel):
-    """The part `options` of a request, with the names of the command line's options."""
+    """How a line is performed, with the names of the command line's options."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
 
-    character: str = "default"
-    agitation: Level | None = None
+    character: Annotated[str, Field(description="One of `GET /characters`.", examples=["reserved"])] = "default"
+    agitation: AgitationName = None
     seed: Seed = 0
-    reference: ReferenceForm | None = None
-    mode: Annotated[Mode, Field(strict=False)] = Mode.SEMANTIC
-    listener: Annotated[tuple[str, ...], Field(strict=False)] = ()
-    dialect: Annotated[DialectName, Field(strict=False)] = DialectName.BML
-    timing: Annotated[TimeForm, Field(strict=False)] = TimeForm.ABSOLUTE
-    lead_in_s: float = 0.0
-    stillness: float = 0.0
+    reference: Annotated[ReferenceForm | None, Field(description="What `understudy reference` writes.")] = None
+    mode: Annotated[Mode, Field(strict=False, description="Gestures from the meaning, the stress, or chance.")] = (
+        Mode.SEMANTIC
+    )
+    listener: ListenerNames = ()
+    dialect: Annotated[DialectName, Field(strict=False, description="BML 1.0 core, or SmartBody's.")] = DialectName.BML
+    timing: Annotated[
+        TimeForm, Field(strict=False, description="Times in seconds, or from the marks of the speech.")
+    ] = TimeForm.ABSOLUTE
+    lead_in_s: Annotated[
+        float,
+        Field(
+            description="How long before the recording the performance begins, seconds.",
+            json_schema_extra={"minimum": 0, "maximum": LONGEST_LEAD_IN_S},
+        ),
+    ] = 0.0
+    stillness: Stillness = 0.0
 
     def to_options(self) -> Options:
         return Options(
@@ -55,16 +92,16 @@ class PerformOptions(BaseModel):
 
 
 class RealizeOptions(BaseModel):
-    """The part `options` of a request for motion, with the names of the command line's options."""
+    """How BML is played, with the names of the command line's options."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
 
-    agitation: Level | None = None
-    character: str | None = None
-    fps: Literal[30, 60] = 60
+    agitation: AgitationName = None
+    character: Annotated[str | None, Field(description="Left out or null: whom the BML names.")] = None
+    fps: Annotated[Literal[30, 60], Field(description="Frames a second.")] = 60
     seed: Seed = 0
-    skeleton: str | None = None
-    stillness: float = 0.0
+    skeleton: Annotated[str | None, Field(description="Whose names joints go by.", examples=["mixamo", "vrm"])] = None
+    stillness: Stillness = 0.0
 
 
 class FunctionsRequest(BaseModel):
@@ -72,8 +109,15 @@ class FunctionsRequest(BaseModel):
 
     model_config = ConfigDict(frozen=True, strict=True)
 
-    id: str | int | None = None
-    text: str
+    id: Annotated[str | int | None, Field(description="Comes back as it was sent.")] = None
+    text: Annotated[
+        str,
+        Field(
+            description="The words.",
+            examples=["No, I have never seen those."],
+            json_schema_extra={"minLength": 1},
+        ),
+    ]
 
 
 def read_options(content: bytes) -> Options:
@@ -86,7 +130,7 @@ def read_options(content: bytes) -> Options:
 
 def check_options(fields: dict[str, Any]) -> Options:
     """The options in `fields`, with the names of a request's options; raises InputError as `read_options` does."""
-    return _checked(PerformOptions, _with_level(fields)).to_options()
+    return _checked(PerformOptions, fields).to_options()
 
 
 def read_realize_options(content: bytes) -> RealizeOptions:
@@ -96,13 +140,7 @@ def read_realize_options(content: bytes) -> RealizeOptions:
 
 def check_realize_options(fields: dict[str, Any]) -> RealizeOptions:
     """The options for motion in `fields`; raises InputError as `read_options` does."""
-    return _checked(RealizeOptions, _with_level(fields))
-
-
-def _with_level(fields: dict[str, Any]) -> dict[str, Any]:
-    """The fields, with the name of the agitation replaced by its value."""
-    level = fields.get("agitation")
-    return fields | {"agitation": _level(level)} if isinstance(level, str) else fields
+    return _checked(RealizeOptions, fields)
 
 
 def listener_names(names: Sequence[str]) -> tuple[str, ...]:
@@ -112,7 +150,7 @@ def listener_names(names: Sequence[str]) -> tuple[str, ...]:
     """
     for number, name in enumerate(names):
         if not _LISTENER.fullmatch(name):
-            message = f"listener {name!r}: a name has letters, digits and _, a letter first, 64 at most"
+            message = f"listener {shown(name)}: a name has letters, digits and _, a letter first, 64 at most"
             raise InputError("value_wrong", message, field="listener")
         if name in names[:number]:
             raise InputError("value_wrong", f"listener {name!r} comes twice; name each once", field="listener")
@@ -168,14 +206,10 @@ def read_timings(file_name: str, content: bytes) -> Timings:
     if ending not in {"json", "textgrid", "ctm"}:
         raise UnsupportedFormatError(
             "timings_format",
-            f"words in time are read from .json, .TextGrid or .ctm, not from {file_name!r}",
+            f"words in time are read from .json, .TextGrid or .ctm, not from {shown(file_name)}",
             field="words",
         )
     return Timings(content=content, format=ending)
-
-
-def _level(name: str) -> Level | str:
-    return Level(name) if name in set(Level) else name
 
 
 def _checked(model: type[Checked], fields: dict[str, Any]) -> Checked:
@@ -183,5 +217,16 @@ def _checked(model: type[Checked], fields: dict[str, Any]) -> Checked:
         return model.model_validate(fields)
     except ValidationError as error:
         found = error.errors()[0]
-    name = str(found["loc"][0])
-    raise InputError("value_wrong", f"{name}: {found['msg'][0].lower()}{found['msg'][1:]}", field=name)
+    where = [str(part)[:LONGEST_SHOWN] for part in found["loc"]]
+    raise InputError("value_wrong", f"{'.'.join(where)}: {_reason(found, model)}", field=where[0])
+
+
+def _reason(found: ErrorDetails, model: type[BaseModel]) -> str:
+    """What is wrong with a key or its value, with the nearest name that would be right."""
+    if found["type"] == "extra_forbidden" and len(found["loc"]) == 1:
+        near = did_you_mean(str(found["loc"][0]), model.model_fields)
+        return f"there is no such key{near or '; there are ' + ', '.join(model.model_fields)}"
+    reason = f"{found['msg'][0].lower()}{found['msg'][1:]}"
+    if isinstance(found["input"], str):
+        return reason + did_you_mean(found["input"], _ALLOWED.findall(str(found.get("ctx", {}).get("expected", ""))))
+    return reason

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Annotated, Self
 
 from pydantic import AfterValidator, AliasPath, BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic.config import JsonDict
 
 from ..analysis import AlignedLine, Analysis
 from ..errors import UnderstudyError
@@ -34,14 +35,26 @@ Number = Annotated[float, AfterValidator(_rounded)]
 Times = Annotated[dict[str, Number], BeforeValidator(_set_points)]
 
 
+def _open(schema: JsonDict) -> None:
+    """Clients are told that further fields may come, so that a new one breaks none."""
+    schema.pop("additionalProperties", None)
+
+
 class ResponseModel(BaseModel):
     """Base class of all responses."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", from_attributes=True)
+    model_config = ConfigDict(frozen=True, extra="forbid", from_attributes=True, json_schema_extra=_open)
 
     def to_json(self, indent: int | None = None) -> bytes:
         """The response as UTF-8 JSON without a final line break; on one line unless `indent` is given."""
         return self.model_dump_json(by_alias=True, exclude_none=True, indent=indent).encode()
+
+
+class StatusResponse(ResponseModel):
+    """Whether the service works; `not_reloaded` says why files that were saved since are not in use."""
+
+    status: str
+    not_reloaded: str | None = None
 
 
 class WarningResponse(ResponseModel):

@@ -2,10 +2,18 @@
 
 import pytest
 
-from understudy.errors import InputError, UndecodableError, UnsupportedFormatError
+from understudy.errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError
 from understudy.model import Level
 from understudy.performance import Options, Timings
-from understudy.schemas.requests import LARGEST_SEED, line_id, read_object, read_options, read_request, read_timings
+from understudy.schemas.requests import (
+    LARGEST_SEED,
+    check_options,
+    line_id,
+    read_object,
+    read_options,
+    read_request,
+    read_timings,
+)
 
 
 def test_options_have_the_names_and_defaults_of_the_command_line() -> None:
@@ -39,6 +47,32 @@ def test_a_wrong_option_is_named(content: bytes, field: str) -> None:
     assert caught.value.field == field
     assert caught.value.code == ("value_wrong" if field != "options" else "not_an_object")
     assert "\n" not in caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        (b'{"charcter": "shy"}', "did you mean 'character'?"),
+        (b'{"lead_in": 1}', "did you mean 'lead_in_s'?"),
+        (b'{"voice": 1}', "there are character, agitation, seed"),
+        (b'{"agitation": "hgh"}', "'low', 'medium' or 'high'; did you mean 'high'?"),
+        (b'{"mode": "semantics"}', "did you mean 'semantic'?"),
+        (b'{"reference": {"features": "full"}}', "reference.recordings: field required"),
+    ],
+)
+def test_a_misspelt_option_is_told_the_nearest_name(content: bytes, told: str) -> None:
+    with pytest.raises(InputError) as caught:
+        read_options(content)
+    assert told in caught.value.message
+
+
+@pytest.mark.parametrize("name", ["voice" * 100_000, "\u0001" * 100_000])
+def test_what_was_sent_is_cut_in_the_message(name: str) -> None:
+    for options in ({name: 1}, {"listener": [name]}, {"agitation": name}):
+        with pytest.raises(InputError) as caught:
+            check_options(options)
+        assert len(caught.value.message) < 2000
+        assert len(caught.value.field or "") <= LONGEST_SHOWN
 
 
 @pytest.mark.parametrize("content", [b"", b"{", b"\xff", b"{'seed': 1}", b"[" * 100_000, b'{"a": NaN'])

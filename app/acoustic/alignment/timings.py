@@ -18,7 +18,7 @@ from itertools import pairwise
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from ...errors import InputError, UndecodableError, UnsupportedFormatError
+from ...errors import InputError, UndecodableError, UnsupportedFormatError, shown
 from ...model import Interval, Phone, Word
 from ..pronunciation.normalisation import fold
 
@@ -75,7 +75,9 @@ def read_timings(content: bytes, format: str, words: tuple[Word, ...], *, durati
     readers = {"json": _from_json, "textgrid": _from_textgrid, "ctm": _from_ctm}
     if format not in readers:
         raise UnsupportedFormatError(
-            "timings_format", f"words in time cannot be read from {format!r}; send {', '.join(FORMATS)}", field="words"
+            "timings_format",
+            f"words in time cannot be read from {shown(format)}; send {', '.join(FORMATS)}",
+            field="words",
         )
     try:
         text = content.decode("utf-16" if content[:2] in {b"\xff\xfe", b"\xfe\xff"} else "utf-8-sig")
@@ -195,7 +197,7 @@ def _check_times(timed: tuple[_Timed, ...], duration_s: float) -> None:
         _check_phones(number, word)
     for number, (one, following) in enumerate(pairwise(timed), start=1):
         if following.interval.start_s < one.interval.end_s - TOLERANCE_S:
-            raise _wrong("timings_out_of_order", number, following, f"must not start before {one.text!r} ends")
+            raise _wrong("timings_out_of_order", number, following, f"must not start before {shown(one.text)} ends")
 
 
 def _check_phones(number: int, word: _Timed) -> None:
@@ -215,12 +217,12 @@ def _matched(timed: tuple[_Timed, ...], words: tuple[Word, ...], duration_s: flo
             interval = Interval(found.interval.start_s, min(found.interval.end_s, duration_s))
             matched.append(replace(word, interval=interval, phones=found.phones))
         elif _spelling(word.text):
-            there = f"has {remaining[0].text!r}" if remaining else "ends"
-            raise _differ(f"word {word.index} of the text is {word.text!r} where the timings' file {there}")
+            there = f"has {shown(remaining[0].text)}" if remaining else "ends"
+            raise _differ(f"word {word.index} of the text is {shown(word.text)} where the timings' file {there}")
         else:
             matched.append(word)
     if remaining:
-        raise _differ(f"the timings' file goes on with {remaining[0].text!r} after the text's {len(words)} words")
+        raise _differ(f"the timings' file goes on with {shown(remaining[0].text)} after the text's {len(words)} words")
     return tuple(matched)
 
 
@@ -236,7 +238,7 @@ def _span(interval: Interval) -> tuple[float, float]:
 def _wrong(code: str, number: int, word: _Timed, what: str) -> InputError:
     start_s, end_s = _span(word.interval)
     return InputError(
-        code, f"entry {number} of the timings, {word.text!r} from {start_s} to {end_s} s, {what}", field="words"
+        code, f"entry {number} of the timings, {shown(word.text)} from {start_s} to {end_s} s, {what}", field="words"
     )
 
 

@@ -15,7 +15,7 @@ from typing import Literal, TypeVar
 
 from pydantic import Field
 
-from ...errors import AuthoringError, InputError, Mistake
+from ...errors import AuthoringError, InputError, Mistake, shown
 from ...model import Channel, Hand
 from ...yaml_files import Entry, Source, all_or_every_mistake, did_you_mean
 from .saccades import TALKING
@@ -84,7 +84,7 @@ class Characters:
         if name not in self.by_name:
             raise InputError(
                 "unknown_character",
-                f"there is no character {name!r}{did_you_mean(name, self.by_name)}; "
+                f"there is no character {shown(name)}{did_you_mean(name, self.by_name)}; "
                 f"there are {', '.join(self.by_name) or 'none'}",
                 field="character",
             )

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
-from ...errors import AuthoringError, InputError
+from ...errors import AuthoringError, InputError, shown
 from ...yaml_files import Entry, Source, all_or_every_mistake
 from ..body.skeleton import SIDES, Skeleton
 
@@ -59,7 +59,9 @@ def load_rigs(folder: Path, skeleton: Skeleton) -> Mapping[str, Rig]:
 def find_rig(rigs: Mapping[str, Rig], name: str) -> Rig:
     """The rig of this name. Raises InputError `unknown_skeleton`."""
     if name not in rigs:
-        raise InputError("unknown_skeleton", f"no skeleton {name!r}: there are {', '.join(rigs)}", field="skeleton")
+        raise InputError(
+            "unknown_skeleton", f"no skeleton {shown(name)}: there are {', '.join(rigs)}", field="skeleton"
+        )
     return rigs[name]
 
 

@@ -1,0 +1,70 @@
+"""The OpenAPI document of the service, made of the schemas that requests are checked by and answers are written by."""
+
+import json
+
+from fastapi import FastAPI
+from fastapi.openapi.utils import get_openapi
+from pydantic import BaseModel
+from pydantic.json_schema import JsonSchemaMode, models_json_schema
+
+from ...schemas.direction import DirectionRequest
+from ...schemas.given_functions import GivenFunctionRequest
+from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
+from ...schemas.motion import ClipResponse
+from ...schemas.problem import Problem
+from ...schemas.requests import FunctionsRequest, PerformOptions, RealizeOptions
+from ...schemas.responses import FunctionsResponse, PerformResponse, StatusResponse
+from .answers import SHARED_HEADERS, Json, shared_errors
+from .operations import OPERATIONS
+
+_ASKED: tuple[type[BaseModel], ...] = (
+    *(PerformOptions, RealizeOptions, FunctionsRequest, GivenFunctionRequest, DirectionRequest),
+)
+_ANSWERED: tuple[type[BaseModel], ...] = (
+    *(PerformResponse, FunctionsResponse, ClipResponse, Problem, StatusResponse),
+    *(CharactersResponse, GesturesResponse, RulesResponse),
+)
+_KEY = "key"
+
+
+def describe(app: FastAPI) -> None:
+    """Has `app` tell this document at `/openapi.json`."""
+    app.openapi = lambda: app.openapi_schema or _made(app)  # type: ignore[method-assign]
+
+
+def _made(app: FastAPI) -> Json:
+    document = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
+    for (method, path), operation in OPERATIONS.items():
+        if path in document["paths"]:
+            told = document["paths"][path][method]
+            document["paths"][path][method] = operation.described() | {"description": told["description"]}
+    document["components"] = {
+        "schemas": _schemas(),
+        "responses": shared_errors(),
+        "headers": SHARED_HEADERS,
+        "securitySchemes": {_KEY: {"type": "http", "scheme": "bearer", "description": "An API key, if one is wanted."}},
+    }
+    document["security"] = [{}, {_KEY: []}]
+    app.openapi_schema = document
+    return document
+
+
+def _schemas() -> Json:
+    """Every schema by name. Those of requests take nothing unknown, those of answers are open."""
+    modes: list[tuple[type[BaseModel], JsonSchemaMode]] = [
+        *((model, "validation") for model in _ASKED),
+        *((model, "serialization") for model in _ANSWERED),
+    ]
+    _, definitions = models_json_schema(modes, ref_template="#/components/schemas/{model}")
+    schemas: Json = definitions["$defs"]
+    for schema in schemas.values():
+        for told in schema.get("properties", {}).values():
+            _say_default(told)
+    return schemas
+
+
+def _say_default(told: Json) -> None:
+    """Tells a default in the description: generators take a property that has one for always there."""
+    default = told.pop("default", None)
+    if default not in (None, "", []):
+        told["description"] = f"{told.get('description', '')} Default: {json.dumps(default)}.".strip()

@@ -1,0 +1,142 @@
+"""What each operation takes and answers, in the words of OpenAPI."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+from .answers import JSON, Json, answer, errors, reference
+
+XML = "application/xml"
+GLB = "model/gltf-binary"
+BVH = "text/x-bvh"
+FORM = "multipart/form-data"
+
+_FILE: Json = {"type": "string", "format": "binary"}
+_BML: Json = {"type": "string", "description": "BML 1.0 core, or SmartBody's."}
+_TEXT: Json = {
+    "type": "string",
+    "minLength": 1,
+    "description": "The words that are spoken, as they are written.",
+    "examples": ["No, I have never seen those."],
+}
+_BML_EXAMPLE = (
+    '<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="line" characterId="default">'
+    '<head id="b1" lexeme="SHAKE" start="0.1" stroke="0.4" end="0.9"/></bml>'
+)
+_FUNCTIONS: Json = {
+    "type": "array",
+    "items": reference("GivenFunctionRequest"),
+    "description": "What words do that is known already.",
+}
+
+_EVERYWHERE = {500}
+_WORK = {400, 406, 413, 415, 422, 503, 504} | _EVERYWHERE
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """`answers` are the responses when all is well."""
+
+    id: str
+    summary: str
+    answers: Json
+    statuses: frozenset[int] = frozenset(_EVERYWHERE)
+    body: Json = field(default_factory=dict)
+
+    def described(self) -> Json:
+        """The operation's object in an OpenAPI document."""
+        body = {"requestBody": {"required": True, "content": self.body}} if self.body else {}
+        responses = self.answers | errors(self.statuses)
+        return {"operationId": self.id, "summary": self.summary, **body, "responses": responses}
+
+
+def _form(required: list[str], parts: dict[str, Json], example: Json) -> Json:
+    schema = {"type": "object", "required": required, "additionalProperties": False, "properties": parts}
+    as_json = {name: {"contentType": JSON} for name in parts if name in {"options", "functions", "direction"}}
+    return {FORM: {"schema": schema, "encoding": as_json, "example": example}}
+
+
+def _named(name: str) -> Json:
+    return {JSON: {"schema": reference(name)}}
+
+
+_PERFORM = Operation(
+    "perform",
+    "Perform a line",
+    answer(
+        "The performance: BML, or JSON by `Accept`.",
+        {XML: {"schema": _BML, "example": _BML_EXAMPLE}, **_named("PerformResponse")},
+        warned=True,
+    ),
+    frozenset(_WORK),
+    _form(
+        ["audio", "text"],
+        {
+            "audio": {**_FILE, "description": "WAV, FLAC or OGG."},
+            "text": _TEXT,
+            "options": reference("PerformOptions"),
+            "words": {**_FILE, "description": "Words in time, made elsewhere: a .json, .TextGrid or .ctm file."},
+            "functions": _FUNCTIONS,
+            "direction": reference("DirectionRequest"),
+            "reference": {**_FILE, "description": "What `understudy reference` writes (.json), or a recording."},
+        },
+        {"text": "No, I have never seen those.", "options": {"agitation": "high", "seed": 7}},
+    ),
+)
+_REALIZE = Operation(
+    "realize",
+    "Play BML",
+    answer(
+        "The motion, by `Accept`: a clip as JSON, GLB or BVH.",
+        {**_named("ClipResponse"), GLB: {"schema": _FILE}, BVH: {"schema": {"type": "string"}}},
+        warned=True,
+    ),
+    frozenset(_WORK),
+    {
+        **_form(
+            ["bml"],
+            {
+                "bml": {**_FILE, "description": _BML["description"]},
+                "audio": {**_FILE, "description": "The recording of its speech, for lips and words."},
+                "avatar": {**_FILE, "description": "Your own GLB or VRM, to wear the motion in GLB."},
+                "options": reference("RealizeOptions"),
+            },
+            {"bml": _BML_EXAMPLE, "options": {"fps": 30}},
+        ),
+        XML: {"schema": _BML, "example": _BML_EXAMPLE},
+    },
+)
+_FIND_FUNCTIONS = Operation(
+    "find_functions",
+    "What words alone do",
+    answer("The communicative functions of the text.", _named("FunctionsResponse")),
+    frozenset(_WORK - {406}),
+    _named("FunctionsRequest"),
+)
+
+
+def _listing(operation_id: str, summary: str, response: str) -> Operation:
+    return Operation(operation_id, summary, answer(summary, _named(response)))
+
+
+OPERATIONS: Mapping[tuple[str, str], Operation] = MappingProxyType(
+    {
+        ("post", "/perform"): _PERFORM,
+        ("post", "/realize"): _REALIZE,
+        ("post", "/functions"): _FIND_FUNCTIONS,
+        ("get", "/characters"): _listing("list_characters", "Who can perform", "CharactersResponse"),
+        ("get", "/gestures"): _listing("list_gestures", "The library of gestures", "GesturesResponse"),
+        ("get", "/rules"): _listing("list_rules", "Rules, mappings and table entries", "RulesResponse"),
+        ("get", "/lexicon"): _listing("list_words", "Words and phrases", "RulesResponse"),
+        ("get", "/healthz"): Operation("is_alive", "The process answers", answer("It does.", _named("StatusResponse"))),
+        ("get", "/readyz"): Operation(
+            "is_ready", "Lines can be performed", answer("They can.", _named("StatusResponse")), frozenset({503})
+        ),
+        ("get", "/metrics"): Operation(
+            "read_metrics",
+            "Figures for Prometheus",
+            answer("The figures.", {"text/plain": {"schema": {"type": "string"}}}),
+        ),
+    }
+)
+"""By method and path."""
