@@ -105,7 +105,10 @@ def _best(offer: BehaviorCandidates, kept: Kept, line: Line) -> _Attempt:
     if best is first:
         return best
     told = {_form(behavior) for behavior in (*best.lost, *(each.candidate.behavior for each in best.own))}
-    return replace(best, lost=(*best.lost, *(behavior for behavior in first.lost if _form(behavior) not in told)))
+    # What lost to a part of the alternative that is not made lost to nothing that anybody could look up.
+    unmade = {each.candidate.behavior.id for each in first.own}
+    missed = (each for each in first.lost if _form(each) not in told and each.lost_to not in unmade)
+    return replace(best, lost=(*best.lost, *missed))
 
 
 def _luck(alternative: Alternative) -> float:

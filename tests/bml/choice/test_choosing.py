@@ -60,6 +60,15 @@ def test_the_loser_of_a_channel_takes_another_and_tells_what_was_lost() -> None:
     assert lost[0].lost_to == kept[lexemes(kept).index("NOD")].id
 
 
+def test_whoever_is_lost_to_is_there() -> None:
+    """Parts of the luckiest alternative that compete with each other, and another alternative that is wholly made: the
+    loser's winner is not made either, so neither is told."""
+    both_of_the_head = (movement("big_nod", 5), movement("shake", 5))
+    kept, lost = settled(between(both_of_the_head, (movement("gesture_me", 5),)))
+    assert lexemes(kept) == ["ME"]
+    assert {each.lost_to for each in lost} <= {each.id for each in (*kept, *lost)} | {None}
+
+
 def test_part_of_an_alternative_may_do() -> None:
     winner = between((movement("big_nod", 5, priority=5),))
     kept, lost = settled(winner, between((movement("gesture_me", 5), movement("small_nod", 5))))
