@@ -22,6 +22,7 @@ from .gestures.gesture_plan import GesturePlan
 from .gestures.library import Library
 from .head_and_gaze.gaze import apply_gaze
 from .head_and_gaze.head import apply_head_movements
+from .head_and_gaze.head_movements import realized_heads
 from .scheduling.gesture_controller import apply_gestures
 from .scheduling.planning import plan_gestures
 from .scheduling.unplayable import unplayable_behaviors
@@ -93,7 +94,7 @@ def frame_times_s(end_s: float, frame_rate_hz: int) -> FloatArray:
 
 
 def _realized(behaviors: tuple[Behavior, ...], plan: GesturePlan, *, frame_s: float) -> dict[str, SyncPoints]:
-    """The sync points as realized: gestures as planned, faces within their speed limits, everything else as
-    scheduled."""
+    """The sync points as realized: gestures as planned, faces and head movements within their speed limits, everything
+    else as scheduled."""
     others = {each.id: each.sync for each in behaviors if each.kind is not Channel.GESTURE}
-    return {**others, **realized_faces(behaviors, frame_s), **plan.realized}
+    return {**others, **realized_faces(behaviors, frame_s), **realized_heads(behaviors), **plan.realized}

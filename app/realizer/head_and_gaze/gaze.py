@@ -2,7 +2,7 @@
 
 Gaze overrides neck, head and eyes. Unlike in the paper, the trunk's rotation is added to its current motion, so that
 the body still leans and breathes. While head and body move, the eyes stay on the target (vestibulo-ocular reflex) as
-far as they can rotate.
+far as they can rotate. A line that opens with a turn to whom it is said begins with the eyes beside him.
 
 Conventions: radians, metres and seconds; pitch and yaw in the world, as seen from the eyes' position in the T-pose.
 """
@@ -20,10 +20,15 @@ from ..geometry.angles import from_pitch_yaw_roll
 from ..geometry.easing import superposed_movements
 from ..geometry.rotations import from_rotation_vector, inverse, multiply, to_rotation_vector
 from .fixation import fixation_offsets, saccade_s
-from .gaze_geometry import EYES, Chest, chest, eye_rotations, face, point_in_direction
+from .gaze_geometry import EYES, TRUNK, Chest, chest, eye_rotations, face, point_in_direction
 from .gaze_targets import GazeTargets, Position, gaze_targets
 
-_TRUNK = ("spine", "chest", "upperChest")
+NECK_SHARE = np.array([0.6, 0.45, 0.75])
+"""The neck's shares of the head's pitch, yaw and roll over the chest; the rest is the head joint's. Skull and upper two
+vertebrae make about half of a turn, a third of a nod and a quarter of a tilt (Bogduk & Mercer 2000)."""
+
+OPENING_DEGREES = (9.0, 16.0)
+"""How far down and to one side a line is begun whose first look is to the listener, at most; at least half of it."""
 
 HEAD_LAG_S = 0.04
 """The head is heavier and starts later than the eyes; the trunk starts later than the head."""
@@ -46,17 +51,18 @@ def apply_gaze(
     `targets_m` has the world positions of targets; any other target is the other person (`LISTENER_M`).
     """
     times_s, from_m = body.times_s, _eyes_in_t_pose(skeleton)
-    line, head, trunk = _courses(times_s, gaze_targets(schedule, from_m, targets_m))
+    before = (1 - schedule.stillness) * _elsewhere(np.random.default_rng(seed + 8))
+    line, head, trunk = _courses(times_s, gaze_targets(schedule, from_m, targets_m, before=before))
     rotations = body.rotations.copy()
-    share = from_pitch_yaw_roll(np.zeros_like(trunk), trunk / len(_TRUNK), np.zeros_like(trunk))
-    for joint in skeleton.chain(*_TRUNK):
+    share = from_pitch_yaw_roll(np.zeros_like(trunk), trunk / len(TRUNK), np.zeros_like(trunk))
+    for joint in skeleton.chain(*TRUNK):
         rotations[:, joint] = multiply(rotations[:, joint], share)
     carrying = chest(skeleton, rotations, body.hips_m)
-    half = _half_turned(carrying, head)
+    neck, skull = _shared_out(carrying, head)
     aside = (1 - schedule.stillness) * fixation_offsets(times_s, seed=seed)
     at_m = point_in_direction(line[:, 0] + aside[:, 0], line[:, 1] + aside[:, 1], 1.0 / line[:, 2], from_m)
-    rotations[:, skeleton.chain("neck", "head")] = half[:, None]
-    rotations[:, skeleton.chain(*EYES)] = eye_rotations(face(skeleton, carrying, half, half), at_m)
+    rotations[:, skeleton.chain("neck", "head")] = np.stack([neck, skull], axis=1)
+    rotations[:, skeleton.chain(*EYES)] = eye_rotations(face(skeleton, carrying, neck, skull), at_m)
     return BodyMotion(times_s, rotations, body.hips_m)
 
 
@@ -75,13 +81,18 @@ def _courses(times_s: FloatArray, aims: GazeTargets) -> tuple[FloatArray, FloatA
     )
 
 
-def _half_turned(carrying: Chest, head: FloatArray) -> FloatArray:
-    """The rotations (T, 4) of neck and head, half each, that give the head the pitch and yaw `head` (T, 2) in the
-    world."""
-    over_chest = multiply(
-        inverse(carrying.orientation), from_pitch_yaw_roll(head[:, 0], head[:, 1], np.zeros(len(head)))
-    )
-    return from_rotation_vector(to_rotation_vector(within_neck_limits(over_chest)) / 2)
+def _shared_out(carrying: Chest, head: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The rotations (T, 4) of neck and head that give the head the pitch and yaw `head` (T, 2) in the world."""
+    in_world = from_pitch_yaw_roll(head[:, 0], head[:, 1], np.zeros(len(head)))
+    over_chest = within_neck_limits(multiply(inverse(carrying.orientation), in_world))
+    neck = from_rotation_vector(NECK_SHARE * to_rotation_vector(over_chest))
+    return neck, multiply(inverse(neck), over_chest)
+
+
+def _elsewhere(generator: np.random.Generator) -> FloatArray:
+    """Pitch and yaw (2,) of a place beside the listener, a little down."""
+    side = float(generator.choice([-1.0, 1.0]))
+    return np.asarray(np.radians(OPENING_DEGREES) * generator.uniform(0.5, 1.0, 2) * [1.0, side])
 
 
 def _eyes_in_t_pose(skeleton: Skeleton) -> FloatArray:

@@ -14,6 +14,7 @@ from ..geometry.angles import from_pitch_yaw_roll, pitch_and_yaw, unit_vector
 from ..geometry.rotations import inverse, multiply, rotate
 
 EYES = ("leftEye", "rightEye")
+TRUNK = ("spine", "chest", "upperChest")
 
 SIDEWAYS_LIMIT = np.radians(35.0)
 UPRIGHT_LIMIT = np.radians(25.0)
@@ -44,7 +45,7 @@ class Face:
 def chest(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Chest:
     """The chest, from the rotations of the joints between hips and neck."""
     place_m, turned = hips_m, rotations[:, 0]
-    for joint in skeleton.chain("spine", "chest", "upperChest"):
+    for joint in skeleton.chain(*TRUNK):
         place_m = place_m + rotate(turned, skeleton.offsets_m[joint])
         turned = multiply(turned, rotations[:, joint])
     return Chest(turned, place_m + rotate(turned, skeleton.offsets_m[skeleton.index["neck"]]))

@@ -42,8 +42,16 @@ DIRECTIONS: Mapping[str, tuple[float, float]] = MappingProxyType(
 HEAD_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.9, "LOOK": 0.7})
 """The share of the angle that the head contributes: nearly all when it stays, less for a look that returns."""
 
-TRUNK_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.25, "LOOK": 0.12})
-"""The share of the yaw that the trunk contributes."""
+TRUNK_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.35, "LOOK": 0.2})
+"""The share that the trunk contributes of the yaw beyond `TRUNK_AT_EASE`."""
+
+TRUNK_AT_EASE = np.radians(10.0)
+"""A turn for which no trunk is needed. People's begin to show at 40° (McCluskey & Cullen 2007; Sidenmark & Gellersen
+2019): earlier here, for those who watch from some way off."""
+TRUNK_LIMIT = np.radians(30.0)
+
+OPENING_S = 0.5
+"""A turn to the listener that begins within this time opens the line."""
 
 AT_EASE = np.radians([18.0, 24.0])
 """How far eyes rotate vertically and horizontally before the head assists."""
@@ -75,23 +83,35 @@ class _Line(NamedTuple):
     lexeme: str
 
 
-def gaze_targets(schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position]) -> GazeTargets:
-    """The targets of a schedule's gazes, beginning with the listener. Head and trunk take their shares of the
-    direction; the head assists where the eyes alone would rotate too far."""
+def gaze_targets(
+    schedule: Schedule, from_m: FloatArray, targets_m: Mapping[str, Position], *, before: FloatArray = _NOWHERE[:2]
+) -> GazeTargets:
+    """The targets of a schedule's gazes, beginning with the listener, or, where the line opens with a turn to him, as
+    much beside him as `before` (2,) says, pitch and yaw. Head and trunk take their shares of the direction; the head
+    assists where the eyes alone would rotate too far."""
     names = {each.target for each in schedule.behaviors if each.kind is Channel.GAZE and each.kept}
     at = {name: _at(name, from_m, targets_m) for name in {None, *names}}
-    lines = [_Line(0.0, 0.0, at[None], _NOWHERE, "SHIFT"), *_lines(schedule, at)]
+    aside = np.append(before, 0.0) if _opens_with_a_turn(schedule) else _NOWHERE
+    lines = [_Line(0.0, 0.0, at[None] + aside, _NOWHERE, "SHIFT"), *_lines(schedule, at)]
     line, glance = np.array([each.line for each in lines]), np.array([each.glance for each in lines])
     shares = np.array([[HEAD_SHARE[each.lexeme], TRUNK_SHARE[each.lexeme]] for each in lines])
     head = shares[:, :1] * line[:, :2]
+    beyond = line[:, 1:2] - np.clip(line[:, 1:2], -TRUNK_AT_EASE, TRUNK_AT_EASE)
     in_head = (line + glance)[:, :2] - head
     return GazeTargets(
         starts_s=np.array([each.at_s for each in lines[1:]]),
         within_s=np.array([each.within_s for each in lines[1:]]),
         eyes=line + glance,
         head=head + in_head - np.clip(in_head, -AT_EASE, AT_EASE),
-        trunk=shares[:, 1:] * line[:, 1:2],
+        trunk=np.clip(shares[:, 1:] * beyond, -TRUNK_LIMIT, TRUNK_LIMIT),
     )
+
+
+def _opens_with_a_turn(schedule: Schedule) -> bool:
+    """Whether the first of all looks is a turn that stays, straight at its target."""
+    gazes = (each for each in schedule.behaviors if each.kept and each.kind is Channel.GAZE)
+    first = min(gazes, key=lambda gaze: gaze.sync.start, default=None)
+    return first is not None and (first.lexeme, first.direction) == ("SHIFT", None) and first.sync.start <= OPENING_S
 
 
 def _lines(schedule: Schedule, at: Mapping[str | None, FloatArray]) -> Iterator[_Line]:

@@ -2,19 +2,20 @@
 
 A nod is a wave that starts and ends at its crest, so that it goes down from the current position and returns to it; a
 shake swings to both sides, its first and last quarter smoothed. Their phase advances such that the extreme nearest to
-`stroke` falls on it. Tilts, turns and the like are reached at `stroke` and held until `relax`.
+`stroke` falls on it. Tilts, turns and the like are reached at `stroke` and held until `relax`. None is cut: what has no
+time to return returns later.
 
 Conventions: degrees in the table, else radians; positive pitch is down, yaw left, roll to the right shoulder; seconds.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 import numpy as np
 
-from ...model import Behavior, FloatArray
-from ..geometry.easing import SHORTEST_S, plateau
+from ...model import Behavior, Channel, FloatArray, SyncPoints
+from ..geometry.easing import plateau
 
 Degrees = tuple[float, float, float]
 """Pitch, yaw and roll."""
@@ -58,26 +59,61 @@ DECAY = 0.65
 """The size of each nod relative to the one before."""
 
 SHORTEST_WAVE_S = 0.2
-FASTEST_RAD_S = 3.5
-"""Nods and shakes are limited to 5 Hz, and joints to 200°/s, whatever the schedule says."""
+FASTEST_WAVE_RAD_S = np.radians(95.0)
+"""Nods and shakes are limited to 5 Hz, and each of the two joints to this, whatever the schedule says."""
+
+LEAST_S, LEAST_S_PER_RADIAN = 0.08, 0.007 * 180 / np.pi
+"""What the way to an extreme takes at least, and the way back: 18° peak at 160°/s. A movement for which the schedule
+has less time begins earlier or ends later, as faces do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """The times of a movement as it is made: it starts, is at its extreme, is left (if it is held), and is over."""
+
+    start_s: float
+    stroke_s: float
+    relax_s: float
+    end_s: float
 
 
 def movement_angles(times_s: FloatArray, behavior: Behavior, *, ahead: float) -> FloatArray:
     """Pitch, yaw and roll (T, 3) of either neck or head, at frames within the movement. Its phase leads by the share
     `ahead` of `PHASE_SHIFT` in the middle."""
-    movement, waves = MOVEMENTS[behavior.lexeme], cycle_count(behavior)
-    amount = DEFAULT_AMOUNT if behavior.amount is None else behavior.amount
+    movement, waves, course = MOVEMENTS[behavior.lexeme], cycle_count(behavior), course_of(behavior)
     nods, swings, held = (
-        np.radians(amount * np.array(degrees) / 2) for degrees in (movement.nods, movement.swings, movement.held)
+        np.radians(_amount(behavior) * np.array(degrees) / 2)
+        for degrees in (movement.nods, movement.swings, movement.held)
     )
     turned = np.zeros((len(times_s), 3))
     if nods.any():
-        turned += _nodding(_phase(times_s, behavior, waves, np.pi, ahead), waves)[:, None] * nods
+        turned += _nodding(_phase(times_s, course, waves, np.pi, ahead), waves)[:, None] * nods
     if swings.any():
-        turned += _swinging(_phase(times_s, behavior, waves, np.pi / 2, ahead), waves)[:, None] * swings
+        turned += _swinging(_phase(times_s, course, waves, np.pi / 2, ahead), waves)[:, None] * swings
     if held.any():
-        turned += _holding(times_s, behavior)[:, None] * held
+        turned += plateau(times_s, course.start_s, course.stroke_s, course.relax_s, course.end_s)[:, None] * held
     return turned
+
+
+def course_of(behavior: Behavior) -> Course:
+    """When the movement is made, with time enough to reach its extreme and to return."""
+    sync, movement = behavior.sync, MOVEMENTS[behavior.lexeme]
+    stroke_s = (sync.start + sync.end) / 2 if sync.stroke is None else sync.stroke
+    relax_s = stroke_s if sync.relax is None else max(sync.relax, stroke_s)
+    widest = max(float(np.linalg.norm(each)) for each in (movement.nods, movement.swings, movement.held))
+    least_s = LEAST_S + LEAST_S_PER_RADIAN * _amount(behavior) * np.radians(widest)
+    left_s = relax_s if any(movement.held) else stroke_s
+    return Course(min(sync.start, stroke_s - least_s), stroke_s, relax_s, max(sync.end, left_s + least_s))
+
+
+def realized_heads(behaviors: Iterable[Behavior]) -> dict[str, SyncPoints]:
+    """The actual sync points of each kept head movement that is known, by its id."""
+    found = {}
+    for behavior in behaviors:
+        if behavior.kept and behavior.kind is Channel.HEAD and behavior.lexeme in MOVEMENTS:
+            course = course_of(behavior)
+            found[behavior.id] = replace(behavior.sync, start=max(course.start_s, 0.0), end=course.end_s)
+    return found
 
 
 def cycle_count(behavior: Behavior) -> int:
@@ -87,28 +123,20 @@ def cycle_count(behavior: Behavior) -> int:
 
 
 def limited_speed(turned: FloatArray, frame_s: float) -> FloatArray:
-    """The same curve (T, 3), reduced in size where it would exceed the neck's maximum speed."""
-    speed = np.linalg.norm(np.diff(turned, axis=0, prepend=0.0, append=0.0), axis=-1).max() / frame_s
-    return np.asarray(turned * (FASTEST_RAD_S / max(speed, FASTEST_RAD_S)))
+    """The same curve (T, 3), reduced in size where it would exceed the greatest speed of a wave."""
+    speed = np.linalg.norm(np.diff(turned, axis=0), axis=-1).max(initial=0.0) / frame_s
+    return np.asarray(turned * (FASTEST_WAVE_RAD_S / max(speed, FASTEST_WAVE_RAD_S)))
 
 
-def _phase(times_s: FloatArray, behavior: Behavior, waves: int, first_extreme: float, ahead: float) -> FloatArray:
+def _phase(times_s: FloatArray, course: Course, waves: int, first_extreme: float, ahead: float) -> FloatArray:
     """The phase from 0 at the start to 2π × `waves` at the end, with an extreme at the stroke; it leads by the share
     `ahead` of `PHASE_SHIFT` in the middle. After `first_extreme`, extremes are π apart in swings and 2π in nods."""
-    sync, last = behavior.sync, 2 * np.pi * waves
-    stroke_s = _stroke_s(behavior)
+    last = 2 * np.pi * waves
     between = np.pi if first_extreme < np.pi else 2 * np.pi
-    even = last * (stroke_s - sync.start) / max(sync.end - sync.start, SHORTEST_S)
+    even = last * (course.stroke_s - course.start_s) / (course.end_s - course.start_s)
     extreme = first_extreme + between * min(max(round((even - first_extreme) / between), 0), round(last / between) - 1)
-    phase = np.interp(times_s, [sync.start, stroke_s, sync.end], [0.0, extreme, last])
+    phase = np.interp(times_s, [course.start_s, course.stroke_s, course.end_s], [0.0, extreme, last])
     return np.asarray(phase + ahead * PHASE_SHIFT * np.sin(np.pi * phase / last) ** 2)
-
-
-def _stroke_s(behavior: Behavior) -> float:
-    """The time of the extreme, within the movement; the middle if none is given."""
-    sync = behavior.sync
-    stroke_s = (sync.start + sync.end) / 2 if sync.stroke is None else sync.stroke
-    return min(max(stroke_s, sync.start + SHORTEST_S), sync.end - SHORTEST_S)
 
 
 def _nodding(phase: FloatArray, waves: int) -> FloatArray:
@@ -123,7 +151,6 @@ def _swinging(phase: FloatArray, waves: int) -> FloatArray:
     return np.asarray(np.sin(phase) * np.sin(np.clip(phase, 0, quarter)) * np.sin(np.clip(left, 0, quarter)))
 
 
-def _holding(times_s: FloatArray, behavior: Behavior) -> FloatArray:
-    sync, stroke_s = behavior.sync, _stroke_s(behavior)
-    relax_s = stroke_s if sync.relax is None else max(sync.relax, stroke_s)
-    return plateau(times_s, sync.start, stroke_s, min(relax_s, sync.end - SHORTEST_S), sync.end)
+def _amount(behavior: Behavior) -> float:
+    """Its size, in parts of that in the table."""
+    return DEFAULT_AMOUNT if behavior.amount is None else behavior.amount

@@ -1,16 +1,21 @@
 """The courses of head movements, before anything carries them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from tests.support.movements import behavior
 from understudy.model import Channel
 from understudy.realizer.head_and_gaze.head_movements import (
-    FASTEST_RAD_S,
+    FASTEST_WAVE_RAD_S,
     MOVEMENTS,
+    Course,
+    course_of,
     cycle_count,
     limited_speed,
     movement_angles,
+    realized_heads,
 )
 
 DURING_S = np.linspace(1.0, 2.0, 1001)
@@ -32,6 +37,21 @@ def test_waves_have_an_extreme_at_the_stroke_wherever_it_is(lexeme: str, stroke_
     assert abs(DURING_S[near][np.argmax(size[near])] - stroke_s) < 0.005
 
 
+def test_a_movement_without_the_time_for_it_begins_earlier_or_ends_later() -> None:
+    usual = behavior(Channel.HEAD, "TILT_LEFT", 1.0, 1.2, 1.2, 1.4, 1.6, 2.4, 2.8)
+    assert course_of(usual) == Course(1.0, 1.4, 2.4, 2.8)
+    cut = course_of(behavior(Channel.HEAD, "TILT_LEFT", 1.0, 1.0, 1.0, 1.0, 1.0, 2.4, 2.4))
+    assert (cut.stroke_s, cut.relax_s) == (1.0, 2.4)
+    assert cut.start_s == pytest.approx(0.85)
+    assert cut.end_s == pytest.approx(2.55)
+
+
+def test_what_is_told_of_a_movement_is_when_it_was_made() -> None:
+    cut = behavior(Channel.HEAD, "TILT_LEFT", 1.0, 1.0, 1.0, 1.4, 1.6, 2.4, 2.4)
+    unknown, lost = replace(cut, lexeme="WAG", id="unknown"), replace(cut, kept=False, id="lost")
+    assert realized_heads([cut, unknown, lost]) == {cut.id: replace(cut.sync, end=course_of(cut).end_s)}
+
+
 @pytest.mark.parametrize("lexeme", sorted(MOVEMENTS))
 def test_every_movement_starts_and_ends_at_rest(lexeme: str) -> None:
     course = movement_angles(DURING_S, behavior(Channel.HEAD, lexeme, 1.0, 2.0, amount=1.0), ahead=0.0)
@@ -42,6 +62,6 @@ def test_every_movement_starts_and_ends_at_rest(lexeme: str) -> None:
 def test_what_is_too_fast_keeps_its_shape_and_gets_smaller() -> None:
     course = np.sin(np.linspace(0, np.pi, 31))[:, None] * [1.0, 0.0, 0.0]
     slower = limited_speed(course, 1 / 60)
-    assert np.abs(np.diff(slower, axis=0)).max() * 60 == pytest.approx(FASTEST_RAD_S, rel=0.01)
+    assert np.abs(np.diff(slower, axis=0)).max() * 60 == pytest.approx(FASTEST_WAVE_RAD_S, rel=0.01)
     assert np.allclose(slower / slower.max(), course / course.max())
     assert np.array_equal(limited_speed(course / 10, 1 / 60), course / 10)
