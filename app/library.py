@@ -42,6 +42,7 @@ from .performance import write_listener as _write_listener
 from .realization import (
     AvatarOptions,
     BmlInput,
+    Keys,
     MotionFormat,
     PreparedSchedule,
     Realized,
@@ -52,7 +53,7 @@ from .realization import (
 )
 from .realization import realize as _realize
 from .realization import write_motion as _write_motion
-from .schemas.requests import check_options, check_realize_options, read_timings
+from .schemas.requests import RealizeOptions, check_options, check_realize_options, read_timings
 from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse, ResponseModel
 from .settings import Settings, read_settings
 
@@ -83,13 +84,15 @@ class PerformKeywords(TypedDict, total=False):
 
 class RealizeKeywords(TypedDict, total=False):
     """How BML is to be played: `agitation` overrides what the voice says, `character` who is named in the file;
-    `fps` is 30 or 60, `seed` varies what the body does by itself, `stillness` (0 to 1) is how much less of it all."""
+    `fps` is 30 or 60, `seed` varies what the body does by itself, `stillness` (0 to 1) is how much less of it all,
+    `tail_s` (0 to 10) is how long the motion goes on after the recording."""
 
     agitation: LevelName | None
     character: str | None
     fps: Literal[30, 60]
     seed: int
     stillness: float
+    tail_s: float
 
 
 def load(settings: Settings | None = None) -> Understudy:
@@ -167,15 +170,21 @@ def make_reference(models: Understudy | AcousticModels, recordings: Sequence[Fil
 
 
 def realize(
-    models: Understudy | Realizer, performance: Performance, *, fps: Literal[30, 60] = 60, seed: int | None = None
+    models: Understudy | Realizer,
+    performance: Performance,
+    *,
+    fps: Literal[30, 60] = 60,
+    seed: int | None = None,
+    tail_s: float = 0.0,
 ) -> Realized:
-    """The motion of a performance (§3.8), frame by frame; `seed` is the performance's own unless given. `Realizer`
-    suffices.
+    """The motion of a performance (§3.8), frame by frame, as long as its recording and `tail_s` more, in which the
+    hands come to rest; `seed` is the performance's own unless given. `Realizer` suffices.
 
     `realized.motion.decisions` tells what could not be played as it was asked for, and why.
     """
     prepared = PreparedSchedule(schedule_of(performance), performance.notices)
-    return _played(models, prepared, fps=fps, seed=performance.seed if seed is None else seed)
+    seed = performance.seed if seed is None else seed
+    return _played(models, prepared, check_realize_options({"fps": fps, "seed": seed, "tail_s": tail_s}))
 
 
 def realize_bml(
@@ -196,7 +205,7 @@ def realize_bml(
         character=checked.character,
         stillness=checked.stillness,
     )
-    return _played(models, prepared, fps=checked.fps, seed=checked.seed)
+    return _played(models, prepared, checked)
 
 
 def write_bml(
@@ -256,16 +265,21 @@ def write_motion(
     *,
     skeleton: str | None = None,
     avatar: FileSource | None = None,
+    t_pose: bool = False,
+    root_at_origin: bool = False,
+    keys: Keys | Literal["baked", "sparse"] = Keys.BAKED,
 ) -> bytes:
     """The motion as `form`, a `MotionFormat` or the name of a file that ends in one ("line.glb", or "glb" alone).
 
     `skeleton` names the joints of BVH and JSON as another rig does, `avatar` is a GLB or VRM file that wears the motion
-    in GLB (docs/motion-formats.md). Raises InputError `motion_format`, `unknown_skeleton`, `unknown_avatar`,
+    in GLB, `keys` are those of GLB; BVH begins with a `t_pose`, and its root has its OFFSET zero with `root_at_origin`
+    (docs/motion-formats.md). Raises InputError `motion_format`, `unknown_skeleton`, `unknown_avatar`,
     UndecodableError `avatar_undecodable`, and ModuleNotFoundError for a picture without matplotlib.
     """
     motion_format = form if isinstance(form, MotionFormat) else format_of(f".{PurePath(form).name}")
     wearer = AvatarOptions(skeleton, None if avatar is None else _content(avatar))
-    return _write_motion(realized, _realizer(models), motion_format, wearer)
+    options = check_realize_options({"t_pose": t_pose, "root_at_origin": root_at_origin, "keys": keys})
+    return _write_motion(realized, _realizer(models), motion_format, wearer, options.files)
 
 
 def _line(
@@ -295,9 +309,10 @@ def _bml_form(dialect: str, timing: str, audio_name: str | None) -> BmlForm:
     return replace(checked, audio_name=audio_name)
 
 
-def _played(models: Understudy | Realizer, prepared: PreparedSchedule, *, fps: int, seed: int) -> Realized:
-    options = check_realize_options({"fps": fps, "seed": seed})
-    motion = _realize(_realizer(models), prepared.schedule, frame_rate_hz=options.fps, seed=options.seed)
+def _played(models: Understudy | Realizer, prepared: PreparedSchedule, options: RealizeOptions) -> Realized:
+    motion = _realize(
+        _realizer(models), prepared.schedule, frame_rate_hz=options.fps, seed=options.seed, tail_s=options.tail_s
+    )
     return Realized(prepared.schedule, replace(motion, notices=prepared.notices))
 
 

@@ -1,5 +1,6 @@
-"""What motion is written as, told by the name of its file."""
+"""What motion is written as, told by the name of its file, and how."""
 
+from dataclasses import dataclass
 from enum import StrEnum
 
 from .errors import InputError
@@ -16,6 +17,23 @@ class MotionFormat(StrEnum):
     VISEMES = ".visemes.txt"
     SHEET = ".png"
     SPEEDS = ".speed.png"
+
+
+class Keys(StrEnum):
+    """The keys of a GLB's animation: one in every frame, or only those that an animator needs, and markers."""
+
+    BAKED = "baked"
+    SPARSE = "sparse"
+
+
+@dataclass(frozen=True, slots=True)
+class FileOptions:
+    """How files are written: BVH with a T-pose as its first frame, or with its root at the origin; GLB with baked keys
+    or sparse ones."""
+
+    t_pose: bool = False
+    root_at_origin: bool = False
+    keys: Keys = Keys.BAKED
 
 
 PICTURES = frozenset({MotionFormat.SHEET, MotionFormat.SPEEDS})

@@ -18,7 +18,7 @@ from .bml.reading.reader import read_bml
 from .bml.reading.resolving import Resolved, resolve
 from .hearing import AcousticModels, align_words, analyze_signal
 from .model import Behavior, FloatArray, Level, Notice, Performance, Schedule, Word
-from .motion_formats import MotionFormat, format_of
+from .motion_formats import FileOptions, Keys, MotionFormat, format_of
 from .realizer.body.motion import Motion
 from .realizer.exporting.arkit_csv import to_arkit_csv
 from .realizer.exporting.avatar import to_avatar_glb
@@ -37,6 +37,8 @@ from .transcript import read_transcript
 __all__ = [
     "AvatarOptions",
     "BmlInput",
+    "FileOptions",
+    "Keys",
     "MotionFormat",
     "PreparedSchedule",
     "Realized",
@@ -66,6 +68,7 @@ class AvatarOptions:
 
 
 OURS = AvatarOptions()
+USUAL = FileOptions()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -168,7 +171,7 @@ def _schedule(resolved: Resolved, heard: SignalAnalysis | None, level: Level) ->
     lips, notices = visemes(resolved.words, heard_s) if heard else ((), ())
     schedule = Schedule(
         behaviors=resolved.behaviors,
-        duration_s=max([_last_s(resolved.behaviors), *spoken_s, heard_s]),
+        duration_s=heard_s or max([_last_s(resolved.behaviors), *spoken_s]),
         words=resolved.words,
         visemes=resolved.visemes or lips,
         phrases=phrases(resolved.words),
@@ -187,7 +190,13 @@ def _lips_unheard() -> tuple[Notice, ...]:
     return (Notice("lips_unheard", "there is no recording to take the lips from; send the audio with the BML"),)
 
 
-def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, wearer: AvatarOptions = OURS) -> bytes:
+def write_motion(
+    realized: Realized,
+    realizer: Realizer,
+    form: MotionFormat,
+    wearer: AvatarOptions = OURS,
+    options: FileOptions = USUAL,
+) -> bytes:
     """The motion in a format, for whoever wears it.
 
     Raises InputError `unknown_skeleton` and `unknown_avatar`, UndecodableError `avatar_undecodable`.
@@ -195,8 +204,10 @@ def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, wea
     motion, skeleton, schedule = realized.motion, realizer.skeleton, realized.schedule
     rig = realizer.rig(wearer.rig or _RIGS.get(form, VRM))
     writers: Mapping[MotionFormat, Callable[[], bytes]] = {
-        MotionFormat.BVH: lambda: to_bvh(motion, skeleton, rig),
-        MotionFormat.GLB: lambda: _glb(motion, realizer, wearer.avatar),
+        MotionFormat.BVH: lambda: to_bvh(
+            motion, skeleton, rig, t_pose=options.t_pose, root_at_origin=options.root_at_origin
+        ),
+        MotionFormat.GLB: lambda: _glb(realized, realizer, wearer.avatar, options.keys),
         MotionFormat.VRMA: lambda: to_vrma(motion, skeleton),
         MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig, visemes=_viseme_weights(realized, realizer)),
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
@@ -207,11 +218,12 @@ def write_motion(realized: Realized, realizer: Realizer, form: MotionFormat, wea
     return writers[form]()
 
 
-def _glb(motion: Motion, realizer: Realizer, avatar: bytes | None) -> bytes:
+def _glb(realized: Realized, realizer: Realizer, avatar: bytes | None, keys: Keys) -> bytes:
     """On the caller's avatar, or on our mannequin."""
+    sparse_for = realized.schedule.behaviors if keys is Keys.SPARSE else None
     if avatar is None:
-        return to_glb(motion, realizer.skeleton)
-    return to_avatar_glb(motion, realizer.skeleton, avatar, realizer.rigs)
+        return to_glb(realized.motion, realizer.skeleton, sparse_for=sparse_for)
+    return to_avatar_glb(realized.motion, realizer.skeleton, avatar, realizer.rigs, sparse_for=sparse_for)
 
 
 def _viseme_weights(realized: Realized, realizer: Realizer) -> FloatArray | None:

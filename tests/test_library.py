@@ -7,6 +7,7 @@ import json
 import subprocess
 import sys
 from dataclasses import fields
+from math import ceil
 from pathlib import Path
 from typing import assert_type
 
@@ -61,7 +62,8 @@ def test_types_are_known_to_a_type_checker(understudy: Understudy, performance: 
 def test_keywords_are_the_options_of_the_other_doors() -> None:
     written_otherwise = {"dialect", "timing"}  # they are given when the BML is written
     assert set(PerformKeywords.__annotations__) == set(PerformOptions.model_fields) - written_otherwise
-    assert set(RealizeKeywords.__annotations__) == set(RealizeOptions.model_fields) - {"skeleton"}
+    of_files = {"skeleton", "t_pose", "root_at_origin", "keys"}  # these when the motion is written
+    assert set(RealizeKeywords.__annotations__) == set(RealizeOptions.model_fields) - of_files
 
 
 def test_a_performance_is_that_of_the_other_doors(understudy: Understudy) -> None:
@@ -114,6 +116,21 @@ def test_motion_is_named_by_its_format_or_by_a_file(understudy: Understudy, perf
     with pytest.raises(library.InputError) as caught:
         library.write_motion(understudy, realized, "line.gltf")
     assert caught.value.code == "motion_format"
+
+
+def test_motion_is_as_long_as_its_recording_and_files_are_as_asked(
+    understudy: Understudy, performance: Performance
+) -> None:
+    realized = library.realize(understudy.realizer, performance, fps=30)
+    frames = len(realized.motion.body.times_s)
+    assert frames == ceil((performance.utterance.duration_s or 0.0) * 30)
+    assert len(library.realize(understudy.realizer, performance, fps=30, tail_s=1.5).motion.body.times_s) == frames + 45
+    bvh = library.write_motion(understudy, realized, "line.bvh", t_pose=True, root_at_origin=True)
+    assert f"Frames: {frames + 1}\n".encode() in bvh
+    assert b"\tOFFSET 0.0000 0.0000 0.0000\n\tCHANNELS 6" in bvh
+    assert b'"name":"face"' in library.write_motion(understudy, realized, "line.glb", keys="sparse")
+    with pytest.raises(library.InputError, match="keys"):
+        library.write_motion(understudy, realized, "line.glb", keys="few")  # type: ignore[arg-type]
 
 
 def test_motion_of_bml_is_as_wished_and_tells_what_is_missing(

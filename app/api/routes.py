@@ -16,6 +16,7 @@ from ..errors import InputError, UnsupportedFormatError
 from ..model import Notice
 from ..performance import Line, Options, Progress, Understudy, find_functions, perform, write_bml, write_listener
 from ..realization import AvatarOptions, BmlInput, MotionFormat, Realized, prepare_schedule, realize, write_motion
+from ..realizer.body.motion import check_tail
 from ..schemas.direction import read_direction
 from ..schemas.given_functions import read_functions
 from ..schemas.library import CharactersResponse, GesturesResponse, RulesResponse
@@ -242,6 +243,7 @@ async def _asked(request: Request) -> _Asked:
 def _realized(understudy: Understudy, asked: _Asked, media_type: str, progress: Progress) -> Response:
     """The motion in the form asked for."""
     question, realizer = asked.question, understudy.realizer
+    check_tail(question.tail_s)
     if question.skeleton:
         realizer.rig(question.skeleton)
     staged = prepare_schedule(
@@ -253,11 +255,11 @@ def _realized(understudy: Understudy, asked: _Asked, media_type: str, progress: 
         progress=progress,
     )
     progress("realize")
-    motion = realize(realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed)
+    motion = realize(realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed, tail_s=question.tail_s)
     progress("export")
     realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
     wearer = AvatarOptions(question.skeleton, asked.avatar)
-    content = write_motion(realized, realizer, _MOTION_FORMATS[media_type], wearer)
+    content = write_motion(realized, realizer, _MOTION_FORMATS[media_type], wearer, question.files)
     return Response(content, media_type=media_type, headers=_headers(staged.notices))
 
 

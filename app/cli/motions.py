@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from ..loading import load_realizer
-from ..motion_formats import PICTURES, format_of
-from ..realizer.body.motion import Decision
+from ..motion_formats import PICTURES, FileOptions, Keys, format_of
+from ..realizer.body.motion import Decision, check_tail
 from .early import require_skeleton
 from .files import read_bytes, require_writable, write
 from .log import Log
@@ -32,20 +32,25 @@ def require_motions(names: Sequence[str], *, field: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class MotionOptions:
-    """How motion is written: frames a second, the seed, the skeleton's name, and the content of the avatar's file."""
+    """How motion is made and written: frames a second, the seed, how much longer than the recording, the skeleton's
+    name, the content of the avatar's file, and what is special in files."""
 
     frame_rate_hz: int
     seed: int
+    tail_s: float
     skeleton: str | None
     avatar: bytes | None
+    files: FileOptions
 
     @classmethod
     def of(cls, arguments: argparse.Namespace) -> MotionOptions:
-        """Raises InputError `unknown_skeleton` and `file_unreadable`."""
+        """Raises InputError `unknown_skeleton`, `value_wrong` and `file_unreadable`."""
         require_skeleton(arguments.skeleton)
+        check_tail(arguments.tail)
         name = arguments.avatar
         avatar = read_bytes(name, limit=LARGEST_AVATAR_BYTES, field="avatar") if name else None
-        return cls(arguments.fps, arguments.seed, arguments.skeleton, avatar)
+        files = FileOptions(arguments.t_pose, arguments.root_at_origin, Keys(arguments.keys))
+        return cls(arguments.fps, arguments.seed, arguments.tail, arguments.skeleton, avatar, files)
 
 
 def write_motions(names: Sequence[str], staged: PreparedSchedule, options: MotionOptions, log: Log) -> None:
@@ -54,12 +59,18 @@ def write_motions(names: Sequence[str], staged: PreparedSchedule, options: Motio
 
     realizer = load_realizer()
     log.stage("realize")
-    motion = realize(realizer, staged.schedule, frame_rate_hz=options.frame_rate_hz, seed=options.seed)
+    motion = realize(
+        realizer,
+        staged.schedule,
+        frame_rate_hz=options.frame_rate_hz,
+        seed=options.seed,
+        tail_s=options.tail_s,
+    )
     realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
     log.stage("export")
     wearer = AvatarOptions(options.skeleton, options.avatar)
     for name in names:
-        write(name, write_motion(realized, realizer, format_of(name), wearer))
+        write(name, write_motion(realized, realizer, format_of(name), wearer, options.files))
     if motion.decisions:
         log.note("\n".join(_told(decision) for decision in motion.decisions))
 

@@ -5,14 +5,15 @@ move, head movements are added to the current rotations, and a last pass resolve
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from math import ceil
 from pathlib import Path
 
 import numpy as np
 
 from ..model import Behavior, Channel, FloatArray, Schedule, SyncPoints
 from .arms.collisions import resolve_collisions
-from .body.motion import Motion
+from .body.motion import Decision, Motion, check_tail
 from .body.skeleton import Skeleton
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
@@ -27,6 +28,11 @@ from .scheduling.gesture_controller import apply_gestures
 from .scheduling.planning import plan_gestures
 from .scheduling.unplayable import unplayable_behaviors
 from .torso.idle import idle_motion
+
+_DECIMALS = 6
+"""To which a number of frames is known: a recording of 2 s has 120 frames at 60 a second, not 121 by rounding."""
+
+_NOTICEABLE_S = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,10 +68,17 @@ class Realizer:
         return find_rig(self.rigs, name)
 
 
-def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, seed: int = 0) -> Motion:
-    """The motion of a schedule, from time 0 until the audio is over and the hands are back at rest."""
+def realize(
+    realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, seed: int = 0, tail_s: float = 0.0
+) -> Motion:
+    """The motion of a schedule, exactly as long as the schedule is, and `tail_s` more in which hands come to rest.
+
+    Raises InputError `value_wrong` for a tail that is not from 0 to 10.
+    """
+    check_tail(tail_s)
+    schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
     plan = plan_gestures(realizer.library, schedule, seed=seed)
-    times_s = frame_times_s(max(schedule.duration_s, plan.end_s), frame_rate_hz)
+    times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
     skeleton = realizer.skeleton
     body = idle_motion(skeleton, times_s, schedule, seed=seed)
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=1 - schedule.stillness)
@@ -77,9 +90,10 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
         frame_rate_hz=frame_rate_hz,
         body=body,
         shapes=shapes,
-        realized=_realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz),
+        realized=_realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz, end_s=float(times_s[-1])),
         decisions=(
             *plan.decisions,
+            *_cut(plan, schedule.duration_s),
             *unplayable_behaviors(schedule),
             *unknown_faces(realizer.face.lexemes, schedule.behaviors),
             *moved,
@@ -89,12 +103,32 @@ def realize(realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, 
 
 
 def frame_times_s(end_s: float, frame_rate_hz: int) -> FloatArray:
-    """Times (T,) of the frames, at least two, up to the first one at or after `end_s`."""
-    return np.arange(max(2, int(np.ceil(end_s * frame_rate_hz)) + 1)) / frame_rate_hz
+    """Times (T,) of the frames that begin before `end_s`: as many as it has frames, at least two."""
+    return np.arange(max(2, ceil(round(end_s * frame_rate_hz, _DECIMALS)))) / frame_rate_hz
 
 
-def _realized(behaviors: tuple[Behavior, ...], plan: GesturePlan, *, frame_s: float) -> dict[str, SyncPoints]:
+def _realized(
+    behaviors: tuple[Behavior, ...], plan: GesturePlan, *, frame_s: float, end_s: float
+) -> dict[str, SyncPoints]:
     """The sync points as realized: gestures as planned, faces and head movements within their speed limits, everything
-    else as scheduled."""
+    else as scheduled, and nothing after the last frame."""
     others = {each.id: each.sync for each in behaviors if each.kind is not Channel.GESTURE}
-    return {**others, **realized_faces(behaviors, frame_s), **realized_heads(behaviors), **plan.realized}
+    found = {**others, **realized_faces(behaviors, frame_s), **realized_heads(behaviors), **plan.realized}
+    return {name: _until(sync, end_s) for name, sync in found.items()}
+
+
+def _until(sync: SyncPoints, end_s: float) -> SyncPoints:
+    """The sync points, those after the end at the end."""
+    if sync.end <= end_s:
+        return sync
+    return replace(sync, **{name: min(time_s, end_s) for name, time_s in sync.in_order()})
+
+
+def _cut(plan: GesturePlan, end_s: float) -> tuple[Decision, ...]:
+    """The gestures of whose way to rest the end of the motion cuts something off."""
+    late_s = {each.behavior: each.markers.end - end_s for each in plan.gestures if each.blended_to is None}
+    return tuple(
+        Decision(name, "cut", f"the hand would be at rest {over_s:.2f} s after the end; a tail gives it the time")
+        for name, over_s in late_s.items()
+        if over_s > _NOTICEABLE_S
+    )

@@ -15,6 +15,7 @@ from ..bml.markup.documents import DialectName, TimeForm
 from ..bml.writing.writer import BmlForm
 from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
 from ..model import Level, Mode
+from ..motion_formats import FileOptions, Keys
 from ..yaml_files import did_you_mean
 from .references import ReferenceForm
 
@@ -102,6 +103,19 @@ class RealizeOptions(BaseModel):
     seed: Seed = 0
     skeleton: Annotated[str | None, Field(description="Whose names joints go by.", examples=["mixamo", "vrm"])] = None
     stillness: Stillness = 0.0
+    tail_s: Annotated[float, Field(description="Seconds of motion after the recording, at most 10.")] = 0.0
+    t_pose: Annotated[bool, Field(description="Whether BVH begins with a frame in the T-pose.")] = False
+    root_at_origin: Annotated[
+        bool, Field(description="Whether the root's OFFSET in BVH is zero, for readers that add it, such as three.js.")
+    ] = False
+    keys: Annotated[
+        Keys, Field(strict=False, description="Of GLB: one in every frame, or few that can be edited, with markers.")
+    ] = Keys.BAKED
+
+    @property
+    def files(self) -> FileOptions:
+        """What is special in files."""
+        return FileOptions(self.t_pose, self.root_at_origin, self.keys)
 
 
 class FunctionsRequest(BaseModel):

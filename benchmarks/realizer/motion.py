@@ -191,7 +191,7 @@ def report_keys(realizer: Realizer, realized: Sequence[Realized]) -> None:
 def off_keys_m(realizer: Realizer, schedule: Schedule) -> Iterator[float]:
     """Of one schedule, at 60 frames a second; arms smoothed as they are played, before anything collides."""
     skeleton, plan = realizer.skeleton, plan_gestures(realizer.library, schedule, seed=0)
-    times_s = frame_times_s(max(schedule.duration_s, plan.end_s), 60)
+    times_s = frame_times_s(schedule.duration_s, 60)
     body = apply_gestures(skeleton, idle_motion(skeleton, times_s, schedule, seed=0), plan, seed=0)
     for side in (Hand.LEFT, Hand.RIGHT):
         wrist_m = wrist_of(skeleton, side, body.rotations[:, skeleton.chain(*arm_joints(side))])

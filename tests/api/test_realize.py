@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Iterator
+from math import ceil
 from pathlib import Path
 
 import pytest
@@ -50,6 +51,16 @@ def test_a_form_takes_the_recording_and_options(client: TestClient, understudy: 
     assert "Understudy-Warnings" not in answer.headers
 
 
+def test_files_are_written_as_asked(client: TestClient) -> None:
+    options = {"fps": 30, "t_pose": True, "tail_s": 1.0, "keys": "sparse"}
+    files = {"bml": ("a.bml", BEAT), "options": (None, json.dumps(options))}
+    plain = client.post("/realize", content=BEAT, headers={**XML, "Accept": "text/x-bvh"})
+    bvh = client.post("/realize", files=files, headers={"Accept": "text/x-bvh"})
+    frames = [int(answer.text.partition("Frames: ")[2].split()[0]) for answer in (bvh, plain)]
+    assert frames[0] == ceil((frames[1] + 60) / 2) + 1
+    assert b'"name":"face"' in client.post("/realize", files=files, headers={"Accept": "model/gltf-binary"}).content
+
+
 def test_a_speech_without_its_recording_is_warned_of(client: TestClient, understudy: Understudy) -> None:
     bml = write_bml(perform(understudy, Line(AUDIO, TEXT), Options()))
     answer = client.post("/realize", content=bml, headers=XML)
@@ -65,6 +76,8 @@ def test_a_speech_without_its_recording_is_warned_of(client: TestClient, underst
         ({"files": {"audio": ("a.flac", b"x")}}, 422, "field_missing"),
         ({"files": {"bml": ("a", BEAT), "options": (None, '{"fps": 25}')}}, 422, "value_wrong"),
         ({"files": {"bml": ("a", BEAT), "options": (None, '{"skeleton": "biped"}')}}, 422, "unknown_skeleton"),
+        ({"files": {"bml": ("a", BEAT), "options": (None, '{"tail_s": 99}')}}, 422, "value_wrong"),
+        ({"files": {"bml": ("a", BEAT), "options": (None, '{"keys": "few"}')}}, 422, "value_wrong"),
         ({"files": {"bml": ("a", BEAT), "audio": ("a.flac", b"noise")}}, 415, "audio_format_unsupported"),
     ],
 )

@@ -48,6 +48,19 @@ def test_joints_go_by_the_names_of_the_skeleton_asked_for(capfdbinary: Captured,
     assert b"JOINT upperarm_l" in output.read_bytes()
 
 
+def test_files_are_written_as_asked(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
+    bvh, glb, plain = (tmp_path / name for name in ("a.bvh", "a.glb", "b.bvh"))
+    argv = ("realize", str(beat), "-o", str(bvh), "-o", str(glb), "--fps", "30", "--tail", "1")
+    assert _run(capfdbinary, *argv, "--t-pose", "--root-at-origin", "--keys", "sparse")[0] == 0
+    assert _run(capfdbinary, "realize", str(beat), "-o", str(plain), "--fps", "30")[0] == 0
+    frames = [int(name.read_text().partition("Frames: ")[2].split()[0]) for name in (bvh, plain)]
+    assert frames[0] == frames[1] + 30 + 1
+    assert b'"id":"g"' in glb.read_bytes()
+    code, err = _run(capfdbinary, *argv[:-1], "11")
+    assert (code, err.count("\n")) == (2, 1)
+    assert "0 to 10 s" in err
+
+
 def test_an_avatar_of_ones_own_wears_the_motion(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
     """The mannequin's own file serves as the avatar: its joints go by VRM's names."""
     mannequin, worn = tmp_path / "mannequin.glb", tmp_path / "worn.glb"

@@ -1,10 +1,13 @@
 """The whole realizer on a real line: what must hold of every motion."""
 
+from dataclasses import replace
+from math import ceil
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from understudy.errors import InputError
 from understudy.model import Channel
 from understudy.performance import Line, Options, Understudy, perform
 from understudy.realization import Realized, realize, schedule_of
@@ -26,7 +29,8 @@ def realized(understudy: Understudy) -> Realized:
 
 
 def test_frames_last_until_all_is_over_two_at_least() -> None:
-    assert list(frame_times_s(0.1, 30)) == pytest.approx([0, 1 / 30, 2 / 30, 3 / 30])
+    assert list(frame_times_s(0.1, 30)) == pytest.approx([0, 1 / 30, 2 / 30])
+    assert list(frame_times_s(0.101, 30)) == pytest.approx([0, 1 / 30, 2 / 30, 3 / 30])
     assert len(frame_times_s(0.0, 60)) == 2
 
 
@@ -63,3 +67,29 @@ def test_joints_keep_their_limits_and_hands_stay_outside(realized: Realized, und
     skeleton, body = understudy.realizer.skeleton, realized.motion.body
     assert np.count_nonzero(violations(skeleton, body.rotations)) == 0
     assert np.max(penetrations_m(skeleton, body.rotations, body.hips_m)) < 0.01
+
+
+def test_the_motion_has_as_many_frames_as_its_recording(realized: Realized, understudy: Understudy) -> None:
+    for rate_hz in (30, 60):
+        motion = realize(understudy.realizer, realized.schedule, frame_rate_hz=rate_hz)
+        assert len(motion.body.times_s) == ceil(realized.schedule.duration_s * rate_hz)
+        assert max(event.time_s for event in motion.events()) <= motion.body.times_s[-1]
+
+
+def test_a_tail_gives_hands_the_time_to_rest_and_a_cut_is_told(realized: Realized, understudy: Understudy) -> None:
+    """A line that ends when its last gesture's hold does."""
+    gestures = [each.sync for each in realized.schedule.behaviors if each.kind is Channel.GESTURE]
+    short = replace(realized.schedule, duration_s=max(sync.relax or 0.0 for sync in gestures))
+    cut = realize(understudy.realizer, short)
+    assert "cut" in {each.action for each in cut.decisions}
+    whole = realize(understudy.realizer, short, tail_s=2.0)
+    assert "cut" not in {each.action for each in whole.decisions}
+    assert len(whole.body.times_s) - len(cut.body.times_s) == 120
+    elbow = understudy.realizer.skeleton.index["rightLowerArm"]
+    assert angle_between(whole.body.rotations[-30:-1, elbow], whole.body.rotations[-29:, elbow]).max() * 60 < 0.3
+
+
+@pytest.mark.parametrize("tail_s", [-0.1, 10.1, float("nan")])
+def test_a_tail_is_within_its_limits(realized: Realized, understudy: Understudy, tail_s: float) -> None:
+    with pytest.raises(InputError, match="tail"):
+        realize(understudy.realizer, realized.schedule, tail_s=tail_s)

@@ -5,11 +5,12 @@ rotated there by the smallest rotation. Nodes that the rig does not name keep th
 mesh that has morph targets with ARKit's names. Conventions as in `understudy.realizer.exporting.avatar_reading`.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
 
 import numpy as np
 
-from ...model import FloatArray
+from ...model import Behavior, FloatArray
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import FINGERS, SIDES, Skeleton, forward
 from ..geometry.rotations import (
@@ -21,12 +22,11 @@ from ..geometry.rotations import (
     normalized,
     rotate,
     shortest_rotation,
-    with_continuous_signs,
 )
 from ..mannequin.body import t_pose_m
+from .animations import Layer, NodeTrack, animations, joint_track
 from .avatar_reading import Avatar, read_avatar, turn_and_scale
-from .events import events_json
-from .gltf import Accessors, Json, Tracks, to_glb_bytes
+from .gltf import Accessors, Json, to_glb_bytes
 from .retargeting import Rig
 
 _POINTED: tuple[tuple[str, str], ...] = (
@@ -44,8 +44,16 @@ _NO_LENGTH_M = 1e-9
 """A bone this short points nowhere, and stays as it rests."""
 
 
-def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mapping[str, Rig]) -> bytes:
-    """The avatar's file with the motion as its only animation.
+def to_avatar_glb(
+    motion: Motion,
+    skeleton: Skeleton,
+    avatar: bytes,
+    rigs: Mapping[str, Rig],
+    *,
+    sparse_for: Sequence[Behavior] | None = None,
+) -> bytes:
+    """The avatar's file with the motion as its only animation, or with sparse keys and markers for these behaviours
+    (`animations`).
 
     Raises UndecodableError if it is not binary glTF, and InputError `unknown_avatar` if its joints are not found.
     """
@@ -53,10 +61,8 @@ def to_avatar_glb(motion: Motion, skeleton: Skeleton, avatar: bytes, rigs: Mappi
     tree = found.tree | {"nodes": _nodes(found)}
     accessors = Accessors(tree.pop("bufferViews", []), tree.pop("accessors", []), found.content)
     tree.pop("buffers")
-    tracks = Tracks(accessors, np.arange(len(motion.body.times_s)) / motion.frame_rate_hz)
-    _add_body(tracks, found, motion, skeleton)
-    _add_faces(tracks, found, motion)
-    tree["animations"] = [{"name": "performance", **tracks.tree(), "extras": events_json(motion)}]
+    tracks = chain(_body_tracks(found, motion, skeleton), _face_tracks(found, motion))
+    tree["animations"] = animations(tracks, motion, accessors, sparse_for)
     return to_glb_bytes(tree, accessors)
 
 
@@ -76,12 +82,12 @@ def _nodes(avatar: Avatar) -> list[Json]:
     return nodes
 
 
-def _add_body(tracks: Tracks, avatar: Avatar, motion: Motion, skeleton: Skeleton) -> None:
+def _body_tracks(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> Iterator[NodeTrack]:
     """The joints' local rotations, and the hips' position scaled to the length of the avatar's legs."""
     joints = {node: joint for joint, node in avatar.nodes.items() if joint in skeleton.index}
     for node, turned in _turned(avatar, joints, motion, skeleton).items():
-        tracks.add(node, "rotation", with_continuous_signs(normalized(turned)))
-    tracks.add(avatar.nodes["hips"], "translation", _hips_m(avatar, motion, skeleton))
+        yield joint_track(node, joints[node], normalized(turned))
+    yield NodeTrack(avatar.nodes["hips"], "translation", _hips_m(avatar, motion, skeleton), Layer.BODY)
 
 
 def _turned(avatar: Avatar, joints: Mapping[int, str], motion: Motion, skeleton: Skeleton) -> dict[int, FloatArray]:
@@ -146,7 +152,7 @@ def _hips_m(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> FloatArray:
     return np.asarray(local[:3].T)
 
 
-def _add_faces(tracks: Tracks, avatar: Avatar, motion: Motion) -> None:
+def _face_tracks(avatar: Avatar, motion: Motion) -> Iterator[NodeTrack]:
     """A weights track for each mesh with ARKit's morph targets. Eyes that turn by joints get no look weights as
     well."""
     eyes_turn = all(f"{side}Eye" in avatar.nodes for side in SIDES)
@@ -157,4 +163,4 @@ def _add_faces(tracks: Tracks, avatar: Avatar, motion: Motion) -> None:
         if not set(names) & set(SHAPES) or (only_looks and eyes_turn):
             continue
         columns = [weights[:, SHAPES.index(name)] if name in SHAPES else np.zeros(len(weights)) for name in names]
-        tracks.add(number, "weights", np.stack(columns, axis=1))
+        yield NodeTrack(number, "weights", np.stack(columns, axis=1), Layer.FACE)

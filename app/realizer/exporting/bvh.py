@@ -1,8 +1,13 @@
 """Exports the body as Biovision BVH text.
 
-Conventions (shared/motion.md): centimetres, Y up, facing +Z; zero rotation is the T-pose. The root has six channels,
-its absolute position (its offset is zero) and its rotation; each other joint has three. Rotations are Z X Y in degrees,
-about the joint's own axes in that order, so R = Rz · Rx · Ry. The first frame is the motion's first.
+Conventions (shared/motion.md): centimetres, Y up, facing +Z; zero rotation is the T-pose, with the feet on the ground.
+The root has six channels, its absolute position and its rotation; each other joint has three. Rotations are Z X Y in
+degrees, about the joint's own axes in that order, so R = Rz · Rx · Ry. The first frame is the motion's first, unless a
+T-pose comes before it.
+
+Readers differ about the root's OFFSET, which is its place in the T-pose. For Blender and many others its positions are
+absolute, and without an offset the body they make stands in the ground to its hips; three.js and others add the two,
+and with an offset it floats. The offset is the hips' height, and zero for readers of the second kind if asked.
 """
 
 import io
@@ -30,15 +35,21 @@ _ENDS_M: dict[str, Offset] = {
 }
 
 
-def to_bvh(motion: Motion, skeleton: Skeleton, rig: Rig) -> bytes:
-    """The body's motion with the rig's joint names; BVH has no face."""
+def to_bvh(
+    motion: Motion, skeleton: Skeleton, rig: Rig, *, t_pose: bool = False, root_at_origin: bool = False
+) -> bytes:
+    """The body's motion with the rig's joint names; BVH has no face.
+
+    With `t_pose`, the T-pose is a frame before the motion's first; with `root_at_origin`, the root's OFFSET is zero.
+    """
     order = list(_depth_first(skeleton, 0))
     frames = len(motion.body.times_s)
+    root_m = np.zeros(3) if root_at_origin else skeleton.offsets_m[0]
     lines = [
         "HIERARCHY",
-        *_hierarchy(skeleton, rig, 0, ""),
+        *_hierarchy(skeleton, rig, 0, "", root_m),
         "MOTION",
-        f"Frames: {frames}",
+        f"Frames: {frames + t_pose}",
         f"Frame Time: {1 / motion.frame_rate_hz:.10f}",
         "",
     ]
@@ -46,6 +57,8 @@ def to_bvh(motion: Motion, skeleton: Skeleton, rig: Rig) -> bytes:
     row = " ".join([f"%.{DECIMALS}f"] * values.shape[1]) + "\n"
     content = io.BytesIO()
     content.write("\n".join(lines).encode())
+    if t_pose:
+        content.write((row % (*skeleton.offsets_m[0] * CENTIMETRES, *[0.0] * (values.shape[1] - 3))).encode())
     for chunk in np.array_split(values, -(-frames // CHUNK)):
         content.write("".join([row % tuple(frame) for frame in chunk.tolist()]).encode())
     return content.getvalue()
@@ -87,9 +100,9 @@ def _children(skeleton: Skeleton, joint: int) -> list[int]:
     return [child for child, parent in enumerate(skeleton.parents) if parent == joint]
 
 
-def _hierarchy(skeleton: Skeleton, rig: Rig, joint: int, indent: str) -> Iterator[str]:
+def _hierarchy(skeleton: Skeleton, rig: Rig, joint: int, indent: str, root_m: FloatArray) -> Iterator[str]:
     root = skeleton.parents[joint] < 0
-    offset = (0.0, 0.0, 0.0) if root else skeleton.offsets_m[joint]
+    offset = root_m if root else skeleton.offsets_m[joint]
     channels = "6 Xposition Yposition Zposition" if root else "3"
     yield f"{indent}{'ROOT' if root else 'JOINT'} {rig.names[skeleton.names[joint]]}"
     yield f"{indent}{{"
@@ -97,7 +110,7 @@ def _hierarchy(skeleton: Skeleton, rig: Rig, joint: int, indent: str) -> Iterato
     yield f"{indent}\tCHANNELS {channels} Zrotation Xrotation Yrotation"
     children = _children(skeleton, joint)
     for child in children:
-        yield from _hierarchy(skeleton, rig, child, indent + "\t")
+        yield from _hierarchy(skeleton, rig, child, indent + "\t", root_m)
     if not children:
         end = _end_m(skeleton.names[joint])
         yield from (f"{indent}\tEnd Site", f"{indent}\t{{", f"{indent}\t\t{_offset(end)}", f"{indent}\t}}")

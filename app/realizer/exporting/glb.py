@@ -5,23 +5,22 @@ continuous signs. The weights of all morph targets are one track; the visemes' s
 show the speech.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from ...model import FloatArray
+from ...model import Behavior
 from ..body.motion import Motion
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import with_continuous_signs
 from ..mannequin.body import t_pose_m
 from ..mannequin.face import FACE_SHAPES
 from ..mannequin.mannequin import COLOURS, Mannequin, Part, joined
-from .events import events_json
-from .gltf import Accessors, Json, Tracks, joint_nodes, to_glb_bytes
+from .animations import Layer, NodeTrack, animations, joint_track
+from .gltf import Accessors, Json, joint_nodes, to_glb_bytes
 
 
-def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:
-    """The GLB file."""
+def to_glb(motion: Motion, skeleton: Skeleton, *, sparse_for: Sequence[Behavior] | None = None) -> bytes:
+    """The GLB file, baked, or with sparse keys and markers for these behaviours (`animations`)."""
     mannequin = Mannequin.around(skeleton)
     accessors = Accessors()
     nodes = joint_nodes(skeleton)
@@ -37,7 +36,7 @@ def to_glb(motion: Motion, skeleton: Skeleton) -> bytes:
         "meshes": meshes,
         "materials": [_material(name) for name in COLOURS],
         "skins": [_skin(skeleton, accessors)],
-        "animations": [_animation(motion, face, accessors)],
+        "animations": animations(_tracks(motion, skeleton, face), motion, accessors, sparse_for),
     }
     return to_glb_bytes(tree, accessors)
 
@@ -93,20 +92,13 @@ def _skin(skeleton: Skeleton, accessors: Accessors) -> Json:
     }
 
 
-def _animation(motion: Motion, face: int, accessors: Accessors) -> Json:
-    tracks = Tracks(accessors, frame_times_s(motion))
-    tracks.add(0, "translation", motion.body.hips_m)
-    for joint in range(motion.body.rotations.shape[1]):
-        tracks.add(joint, "rotation", with_continuous_signs(motion.body.rotations[:, joint]))
+def _tracks(motion: Motion, skeleton: Skeleton, face: int) -> Iterator[NodeTrack]:
+    yield NodeTrack(0, "translation", motion.body.hips_m, Layer.BODY)
+    for joint, name in enumerate(skeleton.names):
+        yield joint_track(joint, name, motion.body.rotations[:, joint])
     weights = np.zeros((len(motion.shapes), len(FACE_SHAPES)))
     weights[:, : motion.shapes.shape[1]] = np.clip(motion.shapes, 0.0, 1.0)
-    tracks.add(face, "weights", weights)
-    return {"name": "performance", **tracks.tree(), "extras": events_json(motion)}
-
-
-def frame_times_s(motion: Motion) -> FloatArray:
-    """The frames' times (T,), starting at 0."""
-    return np.arange(len(motion.body.times_s)) / motion.frame_rate_hz
+    yield NodeTrack(face, "weights", weights, Layer.FACE)
 
 
 _GLOSSY: Mapping[str, None] = {"eye_white": None, "iris": None, "pupil": None}

@@ -152,14 +152,14 @@ class Tracks:
         self._channels: list[Json] = []
         self._samplers: list[Json] = []
 
-    def add(self, node: int, path: str, values: FloatArray) -> None:
-        """Add the values (T, …) of a node's rotation, translation or weights."""
+    def add(self, node: int, path: str, values: FloatArray, *, keys: Sequence[int] | None = None) -> None:
+        """Add the values (T, …) of a node's rotation, translation or weights, or of them only the frames `keys`."""
         stored = values.astype(np.float32)
         moves = bool(np.any(stored != stored[:1]))
-        kept = values if moves else values[:1]
+        frames = slice(0, 1) if not moves else slice(None) if keys is None else list(keys)
+        kept, times_s = stored[frames], self._times_s[frames]
         if path == "weights":
             kept = kept.reshape(-1)
-        times_s = self._times_s if moves else self._times_s[:1]
         sampler: Json = {
             "input": self._accessors.floats(times_s, bounds=True),
             "output": self._accessors.floats(kept),

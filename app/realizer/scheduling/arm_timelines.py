@@ -33,6 +33,10 @@ SHORTEST_STAY_S = 1.0
 """A hand does not go to a rest pose that changes again within this time."""
 
 
+HURRIED_RETRACTION = 0.75
+"""The share of its natural time in which the last retraction is made at the fastest."""
+
+
 @dataclass(frozen=True, slots=True)
 class ArmTimeline:
     """One arm's gestures and rests in order; the last rest ends at infinity."""
@@ -85,7 +89,7 @@ def arm_timeline(
     if not own:
         return ArmTimeline((), tuple(_rests(side, 0.0, inf, changes)))
     between = [_between(first, second, side, changes, setting) for first, second in pairwise(own)]
-    ways = [_from_the_first_frame(own[0], side, changes), *between, _to_rest(own[-1], side, changes)]
+    ways = [_from_the_first_frame(own[0], side, changes), *between, _to_rest(own[-1], side, changes, setting)]
     played = [_arm_gesture(side, *each) for each in zip(own, ways, ways[1:], strict=False)]
     rests = (rest for way in ways if not way.joined for rest in _rests(side, way.arrival_s, way.start_s, changes))
     return ArmTimeline(tuple(played), tuple(rests))
@@ -131,8 +135,11 @@ def _from_the_first_frame(first: PlacedGesture, side: Hand, changes: tuple[RestC
     return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, initial_progress=progress)
 
 
-def _to_rest(last: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
-    return _Way(last.relax_s, last.relax_s + _retraction_s(last, side, changes), inf, inf, last)
+def _to_rest(last: PlacedGesture, side: Hand, changes: tuple[RestChange, ...], setting: TransitionContext) -> _Way:
+    """The last way to rest, a little faster if that is what it takes to arrive before the end."""
+    natural_s = _retraction_s(last, side, changes)
+    there_s = min(natural_s, max(setting.end_s - last.relax_s, HURRIED_RETRACTION * natural_s))
+    return _Way(last.relax_s, last.relax_s + there_s, inf, inf, last)
 
 
 def _hold_s(gesture: PlacedGesture, room_s: float) -> float:

@@ -49,7 +49,7 @@ def plan_gestures(
 
     `targets_m` has the world positions of pointing targets, as for the gaze.
     """
-    setting = TransitionContext(schedule.phrases, posture_changes(schedule))
+    setting = TransitionContext(schedule.phrases, posture_changes(schedule), schedule.duration_s)
     chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
     gestures = tuple(_repeated(chosen.kept, schedule, setting))
     units = units_of(gestures, setting)

@@ -8,6 +8,7 @@ in the same phrase), or if there is no time to rest in between.
 """
 
 from dataclasses import dataclass
+from math import inf
 
 from ...model import Hand, Interval
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
@@ -22,10 +23,11 @@ SLOWEST_STROKE_M_S = 0.25
 
 @dataclass(frozen=True, slots=True)
 class TransitionContext:
-    """The parts of a schedule that affect transitions: its phrases, and the rest poses of its postures."""
+    """The parts of a schedule that affect transitions: its phrases, the rest poses of its postures, and its end."""
 
     phrases: tuple[Interval, ...] = ()
     postures: tuple[tuple[float, str | None], ...] = ()
+    end_s: float = inf
 
     def phrase_of(self, time_s: float) -> int | None:
         """The index of the last phrase that has begun; None if there are no phrases."""

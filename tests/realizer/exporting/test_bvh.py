@@ -35,8 +35,15 @@ class Read:
         first = sum(len(each) for each in self.channels[: self.names.index(joint)])
         return list(self.rows[frame, first : first + len(self.channels[self.names.index(joint)])])
 
+    def rest_cm(self) -> FloatArray:
+        """Where the offsets alone put the joints (J, 3)."""
+        places: list[FloatArray] = []
+        for parent, offset in zip(self.parents, self.offsets, strict=True):
+            places.append(np.array(offset) + (places[parent] if parent >= 0 else 0.0))
+        return np.stack(places)
+
     def positions_cm(self) -> FloatArray:
-        """Where the joints are, by matrices (T, J, 3)."""
+        """Where the joints are, by matrices (T, J, 3); the root's positions are absolute, as for Blender."""
         places, turns, column = [], [], 0
         for joint, channels in enumerate(self.channels):
             values = self.rows[:, column : column + len(channels)]
@@ -44,7 +51,7 @@ class Read:
             axes = "".join(name[0] for name in channels if name.endswith("rotation"))
             turn = Rotation.from_euler(axes, values[:, -3:], degrees=True)
             if self.parents[joint] < 0:
-                places.append(np.array(self.offsets[joint]) + values[:, :3])
+                places.append(values[:, :3])
                 turns.append(turn)
             else:
                 above = turns[self.parents[joint]]
@@ -81,8 +88,8 @@ def read(content: bytes) -> Read:
     return found
 
 
-def exported(motion: Motion) -> Read:
-    return read(to_bvh(motion, BODY, MIXAMO))
+def exported(motion: Motion, *, t_pose: bool = False) -> Read:
+    return read(to_bvh(motion, BODY, MIXAMO, t_pose=t_pose))
 
 
 def test_the_root_has_six_channels_and_stands_in_centimetres() -> None:
@@ -91,6 +98,28 @@ def test_the_root_has_six_channels_and_stands_in_centimetres() -> None:
     assert found.channels[0] == ["Xposition", "Yposition", "Zposition", "Zrotation", "Xrotation", "Yrotation"]
     assert found.row("Hips") == [0, 95, 0, 0, 0, 0]
     assert found.offsets[found.names.index("LeftForeArm")] == [28, 0, 0]
+
+
+def test_at_rest_the_feet_are_on_the_ground_and_the_hips_at_their_height() -> None:
+    found = exported(still(2))
+    ours, _turns = forward(BODY, still(1).body.rotations, still(1).body.hips_m)
+    order = [list(MIXAMO.names.values()).index(name) for name in found.names]
+    assert np.abs(found.rest_cm() / 100 - ours[0, order]).max() < 1e-5
+    assert found.rest_cm()[found.names.index("Hips"), 1] == 95
+    assert 0 <= found.rest_cm()[:, 1].min() < 5
+
+
+def test_readers_that_add_the_roots_offset_get_none() -> None:
+    found = read(to_bvh(waving(), BODY, MIXAMO, root_at_origin=True))
+    assert found.offsets[0] == [0, 0, 0]
+    assert np.array_equal(found.rows, exported(waving()).rows)
+
+
+def test_a_t_pose_may_come_first() -> None:
+    with_pose, without = exported(waving(), t_pose=True), exported(waving())
+    assert with_pose.row("Hips") == [0, 95, 0, 0, 0, 0]
+    assert not with_pose.rows[0, 6:].any()
+    assert np.array_equal(with_pose.rows[1:], without.rows)
 
 
 def test_zero_rotation_is_the_t_pose() -> None:

@@ -1,1 +1,0 @@
-"""Joins lines with recordings. Imports the values of a batch and errors. Begin with `joining`."""

@@ -1,1 +1,0 @@
-"""The manifest, its rows and hashes."""

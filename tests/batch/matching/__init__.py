@@ -1,1 +1,0 @@
-"""Lines and recordings, joined; the recordings are empty files with names."""

@@ -1,1 +1,0 @@
-"""Jobs that end, fail, and kill their workers."""

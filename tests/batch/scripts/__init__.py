@@ -1,1 +1,0 @@
-"""Scripts of every kind, read from text written here."""
