@@ -1,4 +1,5 @@
-# The service in a container: `docker build -t understudy .`, `docker run --read-only -p 8000:8000 understudy`.
+# The service in a container: `docker build -t understudy .`,
+# `docker run --read-only -p 8000:8000 -e UNDERSTUDY_API_KEYS=KEY understudy`; it does not start without a key.
 # Nothing is written but caches of compiled code and rules in /dev/shm, which is memory. Settings: docs/settings.md.
 
 FROM python:3.11-slim-bookworm AS build

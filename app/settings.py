@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Literal
 
-from pydantic import Field, ValidationError
+from pydantic import Field, SecretStr, ValidationError
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from .acoustic.stress.emphasis import PROMINENT, STRESSED
@@ -49,6 +49,24 @@ class Settings(BaseSettings):
     )
     host: str = Field(default="127.0.0.1", description="address the service listens on")
     port: int = Field(default=8000, ge=0, le=65535, description="port the service listens on; 0 picks a free one")
+    api_keys: SecretStr | None = Field(
+        default=None, description="keys of which callers send one, separated by commas; anybody may call if unset"
+    )
+    api_keys_file: Path | None = Field(default=None, description="a file with further keys, one a line")
+    allow_anonymous: bool = Field(
+        default=False, description="listen on addresses that others can reach although there is no key"
+    )
+    allowed_hosts: str | None = Field(
+        default=None, description="names the service may be called by, separated by commas; any if unset"
+    )
+    operations_port: int | None = Field(
+        default=None,
+        ge=1,
+        le=65535,
+        description="another port, where alone metrics and docs are; no key is asked there",
+    )
+    metrics: bool = Field(default=True, description="answer /metrics")
+    docs: bool = Field(default=True, description="answer /docs and /openapi.json")
     max_concurrent: int = Field(default=4, gt=0, description="lines performed at the same time; more are answered 503")
     deadline_s: float = Field(default=60.0, gt=0, description="a request that takes longer is answered 504")
 

@@ -13,22 +13,19 @@ from understudy.errors import AuthoringError, Mistake, UnderstudyError
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCUMENTED = dict(re.findall(r"^\| `(\w+)` \| (\w+) \|", (ROOT / "docs/errors.md").read_text(), re.MULTILINE))
-OF_THE_FRAMEWORK = {
-    "not_found",
-    "method_not_allowed",
-    "not_acceptable",
-    "http_error",
-    "client_disconnected",
-    "internal_error",
-}
+OF_THE_FRAMEWORK = {"not_found", "method_not_allowed", "not_acceptable", "http_error"}
 
 
 def _codes() -> dict[str, set[str]]:
-    """Every code that stands in the source, with the statuses (or "warning") of the calls that it stands in."""
+    """Every code that stands in the source, with the statuses (or "warning") of the calls that it stands in, or that
+    such a call says."""
     found: dict[str, set[str]] = defaultdict(set)
     for path in (ROOT / "app").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                if node.func.id == "problem" and all(isinstance(argument, ast.Constant) for argument in node.args[:2]):
+                    status, code = (ast.literal_eval(argument) for argument in node.args[:2])
+                    found[code].add(str(status))
                 literals = [a.value for a in node.args[:2] if isinstance(a, ast.Constant) and isinstance(a.value, str)]
                 if literals and (told := _told_by(node.func.id)):
                     found[literals[0]].add(told)

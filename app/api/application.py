@@ -9,8 +9,10 @@ from ..authoring.catalogue import Catalogue
 from ..performance import Understudy
 from ..settings import Settings
 from ..version import __version__
+from .admission.admission import Admission, guard
 from .body_limit import BodyLimit
 from .capacity import Capacity
+from .description import page
 from .description.document import describe
 from .metrics import Measured, Metrics
 from .problems import answer_errors_as_problems
@@ -46,10 +48,14 @@ def create_app(settings: Settings, understudy: Understudy | None = None, *, relo
         version=__version__,
         lifespan=lifespan,
         redirect_slashes=False,
+        docs_url=None,
+        redoc_url=None,
     )
     app.add_middleware(BodyLimit, max_bytes=settings.max_body_bytes)
-    app.add_middleware(Measured, metrics=metrics)
     app.include_router(router)
+    app.include_router(page.router)
     answer_errors_as_problems(app)
+    guard(app, Admission.of(settings))
+    app.add_middleware(Measured, metrics=metrics)
     describe(app)
     return app

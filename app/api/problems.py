@@ -9,6 +9,7 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 
 from ..errors import (
+    LONGEST_SHOWN,
     InputError,
     ServiceError,
     TooLargeError,
@@ -19,6 +20,7 @@ from ..errors import (
 
 MEDIA_TYPE = "application/problem+json"
 RETRY_AFTER_S = 1
+LONGEST_DETAIL = 2000
 OUR_MISTAKE = "the service failed at this request; what happened has been logged"
 
 _LOGGER = logging.getLogger(__name__)
@@ -38,22 +40,22 @@ def answer_errors_as_problems(app: FastAPI) -> None:
     app.add_exception_handler(UnderstudyError, _known)
     app.add_exception_handler(HTTPException, _refused)
     app.add_exception_handler(ClientDisconnect, _gone)
-    app.add_exception_handler(Exception, _unexpected)
+    app.add_exception_handler(Exception, unexpected)
 
 
 def problem(
     status: int, code: str, detail: str, *, field: str | None = None, headers: dict[str, str] | None = None
 ) -> Response:
-    """`field` names the part of the request at fault."""
+    """`field` names the part of the request at fault. Neither it nor `detail` is ever long, whatever was sent."""
     content = {
         "type": f"urn:understudy:error:{code}",
         "title": HTTPStatus(status).phrase,
         "status": status,
         "code": code,
-        "detail": detail,
+        "detail": detail if len(detail) <= LONGEST_DETAIL else detail[:LONGEST_DETAIL] + "…",
     }
     if field is not None:
-        content["field"] = field
+        content["field"] = field[:LONGEST_SHOWN]
     return JSONResponse(content, status, headers=headers, media_type=MEDIA_TYPE)
 
 
@@ -87,6 +89,6 @@ async def _gone(_request: Request, _error: Exception) -> Response:
     return problem(400, "client_disconnected", "the connection closed before the request was complete")
 
 
-async def _unexpected(_request: Request, _error: Exception) -> Response:
+async def unexpected(_request: Request, _error: Exception) -> Response:
     """A mistake of ours; the server logs its traceback, the answer tells nothing of the inside."""
     return problem(500, "internal_error", OUR_MISTAKE)

@@ -43,6 +43,12 @@ def listen(bound: Sequence[socket.socket]) -> None:
             raise _unusable(host, port, error) from None
 
 
+def shown_address(bound: socket.socket) -> str:
+    """The address as a URL."""
+    host, port = bound.getsockname()[:2]
+    return f"http://[{host}]:{port}" if ":" in host else f"http://{host}:{port}"
+
+
 def _addresses(host: str, port: int) -> list[tuple[socket.AddressFamily, Address]]:
     found = socket.getaddrinfo(host or None, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
     return list(dict.fromkeys((family, address) for family, _, _, _, address in found))

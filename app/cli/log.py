@@ -62,12 +62,16 @@ class Log:
 
     def service_logging(self) -> dict[str, Any]:
         """How the service logs in this voice, for `logging.config.dictConfig`."""
-        form = {"()": JsonLines} if self.voice is Voice.MACHINES else {"format": "%(levelname)s: %(message)s"}
+        form = (
+            {"()": JsonLines} if self.voice is Voice.MACHINES else {"format": "%(levelname)s: %(message)s%(request)s"}
+        )
         return {
             "version": 1,
             "disable_existing_loggers": False,
             "formatters": {"line": form},
-            "handlers": {"stderr": {"class": "logging.StreamHandler", "formatter": "line"}},
+            "filters": {"request": {"()": "understudy.api.admission.request_ids.WithRequestId"}},
+            "handlers": {"stderr": {"class": "logging.StreamHandler", "formatter": "line", "filters": ["request"]}},
+            "loggers": {"uvicorn.access": {"level": "WARNING"}},
             "root": {"handlers": ["stderr"], "level": "ERROR" if self.voice is Voice.QUIET else "INFO"},
         }
 
@@ -83,6 +87,9 @@ class JsonLines(logging.Formatter):
 
     def format(self, record: logging.LogRecord) -> str:
         event = {"event": "log", "level": record.levelname.lower(), "message": record.getMessage()}
+        event |= getattr(record, "fields", {})
+        if request_id := getattr(record, "request_id", ""):
+            event["request_id"] = request_id
         if record.exc_info:
             event["traceback"] = self.formatException(record.exc_info)
         return json.dumps(event)

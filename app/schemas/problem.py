@@ -12,11 +12,13 @@ CODES = MappingProxyType(
             *("audio_undecodable", "audio_truncated", "audio_length_unstated", "text_not_utf8", "timings_unreadable"),
             *("avatar_undecodable", "not_json", "form_broken", "client_disconnected"),
         ),
+        401: ("key_wrong",),
         404: ("not_found",),
         405: ("method_not_allowed",),
         406: ("not_acceptable",),
         413: ("audio_too_large", "audio_too_long", "text_too_long", "bml_too_large", "body_too_large"),
         415: ("audio_format_unsupported", "audio_codec_unsupported", "timings_format", "media_type"),
+        421: ("host_unknown",),
         422: (
             *("audio_empty", "audio_too_short", "audio_sample_rate", "audio_channels", "audio_bad_sample"),
             *("audio_silent", "text_empty", "text_word_too_long", "text_control_character", "text_surrogate"),

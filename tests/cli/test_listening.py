@@ -1,5 +1,6 @@
 """An address that cannot be listened on is told before anything is loaded."""
 
+import os
 import socket
 import subprocess
 import sys
@@ -61,6 +62,23 @@ def test_serve_on_a_taken_port_ends_before_loading(taken: int) -> None:
     assert done.stdout.split() == ["2", "False", "False"]
     [told] = done.stderr.splitlines()
     assert f"127.0.0.1:{taken}" in told
+
+
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [
+        ({"UNDERSTUDY_HOST": "0.0.0.0"}, "UNDERSTUDY_API_KEYS"),
+        ({"UNDERSTUDY_HOST": "0.0.0.0", "UNDERSTUDY_API_KEYS": "short"}, "characters"),
+        ({"UNDERSTUDY_API_KEYS_FILE": "/nowhere/keys"}, "/nowhere/keys"),
+    ],
+)
+def test_serve_where_others_reach_it_wants_a_key_before_loading(settings: dict[str, str], told: str) -> None:
+    code = SERVE + "print(ended, 'spacy' in sys.modules)"
+    command = [sys.executable, "-c", code, "--port", "0"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, env={**os.environ, **settings})
+    assert done.stdout.split() == ["2", "False"]
+    [line] = done.stderr.splitlines()
+    assert told in line
 
 
 @pytest.mark.parametrize("port", ["-1", "65536", "http", "9" * 5000])

@@ -14,11 +14,13 @@ REQUEST_ID_HEADER = "X-Request-ID"
 
 _REASONS = {
     400: "Not decodable: broken audio, JSON, words in time or form.",
+    401: "An API key is missing or wrong.",
     404: "No such path.",
     405: "The path does not support this method; `Allow` lists those that it does.",
     406: "`Accept` has none of the types that are answered.",
     413: "Too large or too long.",
     415: "A type or format that is not read.",
+    421: "The service has another name.",
     422: "The content is wrong; `field` and `detail` say where and why.",
     500: "A fault of the service.",
     503: "The service is full or stopping; try again after `Retry-After`.",

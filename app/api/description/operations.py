@@ -29,7 +29,7 @@ _FUNCTIONS: Json = {
     "description": "What words do that is known already.",
 }
 
-_EVERYWHERE = {500}
+_EVERYWHERE = {401, 421, 500}
 _WORK = {400, 406, 413, 415, 422, 503, 504} | _EVERYWHERE
 
 

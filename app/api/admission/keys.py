@@ -1,0 +1,59 @@
+"""API keys: of the settings or of a file, known by their SHA-256 alone, compared in constant time."""
+
+import hmac
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import Self
+
+from ...errors import InputError
+from ...settings import PREFIX, Settings
+
+FEWEST_CHARACTERS = 16
+SHOWN_DIGITS = 8
+LARGEST_FILE_BYTES = 1 << 20
+
+_SCHEME = "bearer "
+
+
+@dataclass(frozen=True, slots=True)
+class ApiKeys:
+    """The keys that let in; with none, everybody may come in. `digests` are their SHA-256."""
+
+    digests: tuple[bytes, ...] = ()
+
+    @classmethod
+    def of(cls, settings: Settings) -> Self:
+        """Raises InputError `setting_wrong` for a short key, a file that cannot be read or has none."""
+        given = settings.api_keys.get_secret_value() if settings.api_keys else ""
+        keys = given.replace(",", " ").split()
+        if settings.api_keys_file:
+            keys += _keys_in(settings.api_keys_file)
+        for number, key in enumerate(keys, 1):
+            if len(key) < FEWEST_CHARACTERS:
+                message = f"API key {number} has {len(key)} characters; give each {FEWEST_CHARACTERS} or more"
+                raise InputError("setting_wrong", f"{PREFIX}API_KEYS: {message}")
+        return cls(tuple(dict.fromkeys(sha256(key.encode()).digest() for key in keys)))
+
+    def name(self, authorization: str | None) -> str | None:
+        """The name by which logs call the key in an Authorization header, the beginning of its SHA-256; None where it
+        holds none of the keys. Takes as long for each key."""
+        if authorization is None or not authorization.lower().startswith(_SCHEME):
+            return None
+        sent = sha256(authorization[len(_SCHEME) :].strip().encode("utf-8", "surrogateescape")).digest()
+        found = [hmac.compare_digest(known, sent) for known in self.digests]
+        return sent.hex()[:SHOWN_DIGITS] if any(found) else None
+
+
+def _keys_in(path: Path) -> list[str]:
+    """The keys in a file, one a line; lines that begin with # are comments."""
+    try:
+        with path.open(encoding="utf-8") as file:
+            lines = [line.strip() for line in file.read(LARGEST_FILE_BYTES).splitlines()]
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8"
+        raise InputError("setting_wrong", f"{PREFIX}API_KEYS_FILE: {path}: cannot be read: {reason}") from None
+    keys = [line for line in lines if line and not line.startswith("#")]
+    if not keys:
+        raise InputError("setting_wrong", f"{PREFIX}API_KEYS_FILE: {path}: has no key; write one a line")
+    return keys

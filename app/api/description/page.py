@@ -1,0 +1,32 @@
+"""`/docs`: the OpenAPI document as a page that needs nothing from the network; swagger-ui lies beside this module."""
+
+from pathlib import Path
+
+from fastapi import APIRouter
+from starlette.exceptions import HTTPException
+from starlette.responses import FileResponse
+
+FOLDER = Path(__file__).parent / "swagger"
+MEDIA_TYPES = {"swagger-ui.css": "text/css", "swagger-ui-bundle.js": "text/javascript", "page.js": "text/javascript"}
+CONTENT_POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data:; "
+    "connect-src 'self'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'"
+)
+
+router = APIRouter(include_in_schema=False)
+
+
+@router.get("/docs")
+def get_docs() -> FileResponse:
+    """The page."""
+    return FileResponse(
+        FOLDER / "page.html", media_type="text/html", headers={"Content-Security-Policy": CONTENT_POLICY}
+    )
+
+
+@router.get("/docs/{name}")
+def get_docs_file(name: str) -> FileResponse:
+    """What the page loads. Raises HTTPException 404."""
+    if name not in MEDIA_TYPES:
+        raise HTTPException(404)
+    return FileResponse(FOLDER / name, media_type=MEDIA_TYPES[name], headers={"Cache-Control": "max-age=86400"})

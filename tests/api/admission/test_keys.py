@@ -1,0 +1,57 @@
+"""API keys come from the settings and from a file, and nothing of them is kept but digests."""
+
+from hashlib import sha256
+from pathlib import Path
+
+import pytest
+from pydantic import SecretStr
+
+from understudy.api.admission.keys import FEWEST_CHARACTERS, ApiKeys
+from understudy.errors import InputError
+from understudy.settings import Settings
+
+ONE, OTHER = "one-key-of-twenty-chars", "another-key-of-the-file"
+
+
+def _keys(keys: str | None = None, file: Path | None = None) -> ApiKeys:
+    return ApiKeys.of(Settings(api_keys=None if keys is None else SecretStr(keys), api_keys_file=file))
+
+
+def test_keys_of_settings_and_file_all_let_in(tmp_path: Path) -> None:
+    (tmp_path / "keys").write_text(f"# those of the games\n\n{OTHER}\n")
+    keys = _keys(f"{ONE}, {ONE}x", tmp_path / "keys")
+    for key in (ONE, f"{ONE}x", OTHER):
+        assert keys.name(f"Bearer {key}") == keys.name(f"bearer  {key} ") == sha256(key.encode()).hexdigest()[:8]
+
+
+@pytest.mark.parametrize(
+    "authorization",
+    [None, "", ONE, f"Basic {ONE}", "Bearer", "Bearer ", f"Bearer {ONE[:-1]}", f"Bearer {ONE}é", "Bearer \udcff"],
+)
+def test_nothing_else_does(authorization: str | None) -> None:
+    assert _keys(ONE).name(authorization) is None
+
+
+def test_no_key_is_kept_or_shown() -> None:
+    settings = Settings(api_keys=SecretStr(ONE))
+    assert ONE not in repr(settings)
+    assert ONE not in repr(ApiKeys.of(settings))
+
+
+def test_a_key_is_long_enough() -> None:
+    assert _keys("k" * FEWEST_CHARACTERS).digests
+    with pytest.raises(InputError) as caught:
+        _keys(f"{ONE}," + "k" * (FEWEST_CHARACTERS - 1))
+    assert caught.value.code == "setting_wrong"
+    assert "API key 2" in caught.value.message
+    assert "kkk" not in caught.value.message
+
+
+@pytest.mark.parametrize("content", [None, b"", b"# none\n", b"\xff\xfe"])
+def test_a_file_without_keys_lets_nobody_in_by_mistake(tmp_path: Path, content: bytes | None) -> None:
+    if content is not None:
+        (tmp_path / "keys").write_bytes(content)
+    with pytest.raises(InputError) as caught:
+        _keys(file=tmp_path / "keys")
+    assert caught.value.code == "setting_wrong"
+    assert str(tmp_path / "keys") in caught.value.message
