@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from .acoustic.agitation.speaker import SpeakerReference
+from .bml.choice.characters import DEFAULT_CHARACTER
 from .bml.choice.lead_in import LONGEST_LEAD_IN_S
 from .bml.choice.stillness import check_stillness
 from .bml.writing.writer import CORE_FORM, BmlForm
@@ -23,8 +24,6 @@ from .model import (
     Word,
 )
 from .rules.knowledge import Fact
-
-DEFAULT_CHARACTER = "default"
 
 Progress = Callable[[str], None]
 """Told the name of each stage as it begins."""

@@ -17,6 +17,7 @@ AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 """What the names of the files end in that authors edit."""
 
 if TYPE_CHECKING:
+    from .acting.families import Families
     from .bml.choice.characters import Characters
     from .realizer.gestures.library import Library
     from .realizer.realizing import Realizer
@@ -40,6 +41,14 @@ def load_characters() -> Characters:
     lexicon = resource_folder("lexicon")
     files = [lexicon / "behaviors.yaml", *_authored(lexicon / "characters")]
     return Cache.of_environment().kept("characters", files, lambda: Characters.load(lexicon))
+
+
+def load_families(characters: Characters) -> Families:
+    """What planned moments are shown by; raises AuthoringError with every mistake in it."""
+    from .acting.families import load_families as load
+    from .bml.choice.characters import DEFAULT_CHARACTER
+
+    return load(resource_folder("lexicon") / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
 
 
 def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:

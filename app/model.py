@@ -331,7 +331,8 @@ class Moment:
 
     `families` are what it may mean, the likeliest first, `shares` how likely each is to be what a director wants there.
     `importance` ranks the moments of a line. `terms` made the first family win, the heaviest first; `rejected` lost to
-    it. `note` is the number of the director's note it comes from, if any.
+    it. `note` is the number of the director's note it comes from, if any; `set_against` is the word of the stroke that
+    shows the other side of its contrast.
     """
 
     id: str
@@ -345,6 +346,7 @@ class Moment:
     terms: tuple[Term, ...] = ()
     rejected: tuple[Rejected, ...] = ()
     note: int | None = None
+    set_against: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,11 +17,10 @@ from threadpoolctl import threadpool_limits
 from .acoustic.agitation.speaker import SpeakerReference
 from .acoustic.alignment.timings import to_ctm, to_textgrid
 from .acting.candidates import Stage, candidates_of
-from .acting.families import Families, load_families
+from .acting.families import Families
 from .acting.notes import check_direction, conflicts, directed, unplayed_notes
 from .acting.planning import Planner, plan
 from .analysis import (
-    DEFAULT_CHARACTER,
     AlignedLine,
     Analysis,
     Line,
@@ -31,7 +30,7 @@ from .analysis import (
     Timings,
     no_progress,
 )
-from .bml.choice.characters import Character, Characters
+from .bml.choice.characters import DEFAULT_CHARACTER, Character, Characters
 from .bml.choice.head_rates import HeadRates
 from .bml.choice.lead_in import with_lead_in
 from .bml.choice.listening import Listener, listen
@@ -41,7 +40,7 @@ from .bml.choice.visemes import visemes
 from .bml.markup.documents import DialectName, TimeForm
 from .bml.writing.writer import BmlForm, write_bml, write_bml_json
 from .hearing import AcousticModels, align, align_words, analyze_signal, make_reference
-from .loading import load_characters, load_mapping_rules, load_realizer
+from .loading import load_characters, load_families, load_mapping_rules, load_realizer
 from .model import (
     Agitation,
     BehaviorCandidates,
@@ -114,7 +113,7 @@ class BehaviorModels:
         ServiceError when a model is missing or broken."""
         lexicon = resource_folder("lexicon")
         characters = load_characters()
-        families = load_families(lexicon / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
+        families = load_families(characters)
         rules, models = load_mapping_rules(characters.behavior_names), resource_folder("models")
         return cls(
             settings=settings,

@@ -10,6 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from .analysis import Progress, SignalAnalysis, no_progress
+from .bml.choice.characters import DEFAULT_CHARACTER
 from .bml.choice.delivery import emphases_s, phrases
 from .bml.choice.stillness import check_stillness, stilled
 from .bml.choice.visemes import visemes
@@ -49,8 +50,6 @@ __all__ = [
     "schedule_of",
     "write_motion",
 ]
-
-DEFAULT_CHARACTER = "default"
 
 
 VRM, MIXAMO = "vrm", "mixamo"

@@ -20,7 +20,7 @@ from ..model import (
     Movement,
     Utterance,
 )
-from .families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyBehavior, fitting, merged
+from .families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyBehavior, family_rule, fitting, merged
 
 LATER_CHOICE = 0.4
 """What each choice of a director's note is worth beside the one before it."""
@@ -94,7 +94,7 @@ def _of_moment(
     function = _function_at(moment, offers)
     alternatives = tuple(
         Alternative(
-            (_movement(moment, name, *offered.get(name, (f"show_{moment.families[0]}", function))),),
+            (_movement(moment, name, *offered.get(name, (family_rule(moment.channel, moment.families[0]), function))),),
             weight=max(worth, 1e-3) ** STEEPNESS,
             lot=generator.uniform(0.9, 1.1),
         )

@@ -71,6 +71,11 @@ class Families:
     shows: Mapping[str, tuple[str, ...]]
 
 
+def family_rule(channel: str, family: str) -> str:
+    """What stands for a rule in the reason of a behaviour that shows a planned family, and that no rule offered."""
+    return f"{channel}_family_{family}"
+
+
 def fitting(behaviors: Collection[FamilyBehavior], lemmas: Collection[str], level: Level) -> tuple[str, ...]:
     """The names of the behaviours that suit a moment: those that one of its lemmas asks for, then the general ones."""
     fit = [behavior for behavior in behaviors if behavior.fits(lemmas, level)]

@@ -7,7 +7,7 @@ something over the stretches in which directors would likely want it.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 from math import exp, log
 from pathlib import Path
@@ -18,6 +18,7 @@ import numpy as np
 from ..model import Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
 from .authored_weights import load_weights
 from .choice_model import READING, ChoiceModel, log_odds_of, worth_of
+from .contrasts import CONTRAST, PlacedStroke, placed_strokes, with_placed
 from .decoding import NEAR, gains, spans_of, spread, stretches_of, strokes
 from .encoder import Encoder, Reading
 from .families import OTHER_FAMILY, Families, merged
@@ -99,9 +100,11 @@ def plan(
     reading, choice = planner.encoder.read(texts), planner.choice
     weighed = _weighed(planner, reading, utterance, terms_of(utterance, functions, planner.terms.of_facts(facts)))
     taken = strokes(weighed.gain, choice.price - QUANTITY_WEIGHT * log(quantity), still=still)
+    placed = _placed(planner, weighed, functions, taken, still)
+    taken = with_placed(taken, placed.values())
     stretches = stretches_of(texts)
     moments = chain(
-        _gestures(planner, weighed, utterance, taken),
+        (_in_place(moment, placed) for moment in _gestures(planner, weighed, utterance, taken)),
         _spans(Channel.HEAD, reading.head, stretches, planner.encoder.head, _at_quantity(choice.head, quantity)),
         _spans(Channel.FACE, reading.face, stretches, planner.encoder.face, _at_quantity(choice.face, quantity)),
     )
@@ -179,6 +182,36 @@ def _gestures(planner: Planner, weighed: _Weighed, utterance: Utterance, taken: 
             terms=terms[:TERMS_TOLD],
             rejected=tuple(_rejected(families, weighed, (first, stroke, last), order)),
         )
+
+
+def _placed(
+    planner: Planner, weighed: _Weighed, functions: Sequence[Function], taken: Sequence[int], still: Sequence[int]
+) -> dict[int, PlacedStroke]:
+    """The strokes, by word, that place the two sides of a contrast, where a stroke would fall near either."""
+    worth = weighed.worth[:, planner.choice.families.index(CONTRAST)]
+    near = [word for word in range(len(worth)) if any(abs(word - stroke) <= NEAR for stroke in taken)]
+    reached = np.zeros_like(worth)
+    reached[near] = worth[near]
+    placed = placed_strokes(functions, reached, weighed.gain.max(axis=1), still=still)
+    return {each.word: each for each in placed}
+
+
+def _in_place(moment: Moment, placed: Mapping[int, PlacedStroke]) -> Moment:
+    """The moment as the side of a contrast, if it is one."""
+    stroke = placed.get(moment.stroke)
+    if stroke is None:
+        return moment
+    share = max(moment.shares)
+    others = [
+        pair for pair in zip(moment.families, moment.shares, strict=True) if pair[0] not in (CONTRAST, stroke.side)
+    ]
+    families, shares = zip((CONTRAST, share), (stroke.side, share), *others[: FAMILIES_TOLD - 2], strict=True)
+    return replace(
+        moment,
+        families=families,
+        shares=shares,
+        set_against=stroke.other,
+    )
 
 
 def _rejected(

@@ -35,7 +35,9 @@ def create_app(settings: Settings, understudy: Understudy | None = None, *, relo
             loaded = understudy or stack.enter_context(Understudy.load(settings))
             capacity = Capacity(settings.max_concurrent)
             stack.callback(capacity.close)
-            catalogue = Catalogue.of(loaded.language.rules, loaded.behavior.characters, loaded.behavior.rules)
+            catalogue = Catalogue.of(
+                loaded.language.rules, loaded.behavior.characters, loaded.behavior.rules, loaded.behavior.families
+            )
             metrics.watch(lambda: capacity.busy)
             app.state.service = Service(settings, loaded, catalogue, capacity, metrics)
             if reload:

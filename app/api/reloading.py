@@ -38,7 +38,12 @@ def reloaded(service: Service) -> Service:
     """The service with the files as they are now; the old one, with the reason, when they have mistakes."""
     try:
         understudy = read_again(service.understudy)
-        catalogue = Catalogue.of(understudy.language.rules, understudy.behavior.characters, understudy.behavior.rules)
+        catalogue = Catalogue.of(
+            understudy.language.rules,
+            understudy.behavior.characters,
+            understudy.behavior.rules,
+            understudy.behavior.families,
+        )
     except UnderstudyError as error:
         _LOGGER.error("nothing reloaded, what was loaded before stays:\n%s", error.message)
         return replace(service, not_reloaded=error.message)

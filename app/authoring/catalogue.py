@@ -9,9 +9,11 @@ from difflib import get_close_matches
 from enum import StrEnum
 from pathlib import Path
 
+from ..acting.families import Families, FamilyBehavior, family_rule
 from ..bml.choice.characters import Character, Characters
 from ..errors import InputError
-from ..loading import load_characters, load_function_rules, load_gestures, load_mapping_rules
+from ..loading import load_characters, load_families, load_function_rules, load_gestures, load_mapping_rules
+from ..model import Level
 from ..resources import RULES, resource_folder
 from ..rules.derivation import FunctionRules
 from ..rules.lexicon import SLOT, LexicalEntry
@@ -51,7 +53,7 @@ class Item:
 
 @dataclass(frozen=True, slots=True)
 class Catalogue:
-    """All items in the order function rules, mapping rules, table entries, words; and the characters."""
+    """All items in the order function rules, mapping rules, families, table entries, words; and the characters."""
 
     items: tuple[Item, ...]
     characters: Characters
@@ -60,14 +62,18 @@ class Catalogue:
     def load(cls) -> "Catalogue":
         """Load all files. Raises AuthoringError with all mistakes of the first kind of file that has any."""
         characters = load_characters()
-        return cls.of(load_function_rules(), characters, load_mapping_rules(characters.behavior_names))
+        mappings = load_mapping_rules(characters.behavior_names)
+        return cls.of(load_function_rules(), characters, mappings, load_families(characters))
 
     @classmethod
-    def of(cls, functions: FunctionRules, characters: Characters, mappings: MappingRules) -> "Catalogue":
+    def of(
+        cls, functions: FunctionRules, characters: Characters, mappings: MappingRules, families: Families
+    ) -> "Catalogue":
         """The catalogue of resources already loaded."""
         items = (
             *(_rule_item(Kind.FUNCTION, rule, rule.asserts) for rule in functions.program.rules),
             *(_rule_item(Kind.BEHAVIOR, rule, rule.joins) for rule in mappings.program.rules),
+            *_family_items(resource_folder("lexicon") / "acting" / "families.yaml", families),
             *_table_items(resource_folder("lexicon") / "behaviors.yaml", characters.behavior_names),
             *(_word_item(entry, entry.subtype) for entry in functions.lexicon.entries if entry.subtype is not None),
         )
@@ -127,6 +133,38 @@ def _is_one(given: Mention, needed: Mention) -> bool:
     return all(
         one[0] in "$_" or other[0] in "$_" or set(one.split("|")) & set(other.split("|")) for one, other in pairs
     )
+
+
+def _family_items(path: Path, families: Families) -> Iterator[Item]:
+    """What planned moments are shown by (docs/families.md), named as in the reasons for behaviours."""
+    source = Source(path)
+    parts = {"gesture": families.gesture, "head": families.head, "face": families.face, "gaze": families.gaze}
+    for part, named in parts.items():
+        for family, behaviors in named.items():
+            yield Item(
+                kind=Kind.BEHAVIOR,
+                name=family_rule(part, family),
+                class_name=None,
+                subtype=None,
+                file=shown_path(path),
+                line=_key_line(source, (part, family)),
+                comment=f"the {part} of a moment planned as {family}; rules that know its words go first",
+                source="\n".join(map(_family_line, behaviors)),
+                needs=(Mention("moment", (family,)),),
+                gives=tuple(Mention(behavior.name, ()) for behavior in behaviors),
+            )
+
+
+def _key_line(source: Source, place: tuple[str, str]) -> int:
+    """The line of a key whose value may begin below it."""
+    value = source.mistake(place, "").line
+    return next(line for line in range(value, 0, -1) if source.lines[line - 1].strip().startswith(f"{place[1]}:"))
+
+
+def _family_line(behavior: FamilyBehavior) -> str:
+    words = f" where the line says {', '.join(sorted(behavior.lemmas))}" if behavior.lemmas else ""
+    levels = "" if behavior.levels == frozenset(Level) else f" at agitation {', '.join(sorted(behavior.levels))}"
+    return f"{behavior.name}{words}{levels}"
 
 
 def _table_items(path: Path, names: Collection[str]) -> Iterator[Item]:

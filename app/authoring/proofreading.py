@@ -5,6 +5,8 @@ from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
+from pydantic import RootModel
+
 from ..acoustic.pronunciation.normalisation import Normaliser
 from ..acting.authored_weights import load_weights
 from ..acting.choice_model import ChoiceModel
@@ -39,6 +41,11 @@ def _check_weights(file: Path) -> None:
     load_weights(file, choice.families, choice.terms)
 
 
+def _check_column_names(file: Path) -> None:
+    """Its shape alone: which fields there are, batch knows, which is a door above this one."""
+    Source(file).validated(RootModel[dict[str, list[str]]])
+
+
 def _check_terms(file: Path) -> None:
     TermTable.load(file, load_function_rules().program.argument_counts)
 
@@ -56,6 +63,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "weights.yaml": _check_weights,
         "terms.yaml": _check_terms,
         "head_rates.yaml": HeadRates.load,
+        "columns.yaml": _check_column_names,
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )

@@ -46,6 +46,8 @@ def _moment(moment: Moment, words: Sequence[Word]) -> Iterator[str]:
     spoken = " ".join(word.text for word in words[moment.first : moment.last + 1])
     told = f"  {moment.channel} {moment.families[0]} on {words[moment.stroke].text!r} (word {moment.stroke})"
     yield f"{told:<{WORDS_COLUMN}} {spoken}"
+    if moment.set_against is not None:
+        yield f"    placed {moment.families[1]}, against {words[moment.set_against].text!r} (word {moment.set_against})"
     for term in moment.terms:
         yield f"    {term.weight:+.2f}  {term.name}"
     for rejected in moment.rejected:

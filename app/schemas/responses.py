@@ -245,7 +245,8 @@ class RejectedResponse(ResponseModel):
 
 class MomentResponse(ResponseModel):
     """A stretch of words that means something to hands, head or face: the families that would be right, the likeliest
-    first, the terms that made the first one win, and what lost. `note` is the number of the director's note."""
+    first, the terms that made the first one win, and what lost. `note` is the number of the director's note,
+    `set_against` the word of the stroke that shows the other side of a contrast."""
 
     id: str
     channel: str
@@ -258,6 +259,7 @@ class MomentResponse(ResponseModel):
     terms: list[TermResponse]
     rejected: list[RejectedResponse]
     note: int | None = None
+    set_against: int | None = None
 
 
 class VisemeResponse(ResponseModel):

@@ -75,7 +75,7 @@ def test_the_behaviour_that_shows_the_likeliest_family_weighs_most() -> None:
     (found,) = candidates_of(STAGE, utterance("no not those"), [moment("negation", "present", shares=(0.6, 0.4))], [])
     assert names(found) == ["wipe", "open_hand", "away"]
     assert {each.movements[0].stroke for each in found.alternatives} == {1}
-    assert {each.movements[0].rule for each in found.alternatives} == {"show_negation"}
+    assert {each.movements[0].rule for each in found.alternatives} == {"gesture_family_negation"}
 
 
 def test_a_mime_is_offered_where_its_lemma_is_and_not_elsewhere() -> None:

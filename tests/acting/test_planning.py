@@ -70,3 +70,18 @@ def test_a_mime_wants_a_word_that_says_what_is_mimed(understudy: Understudy) -> 
     moments = planned(understudy, "So then he just drinks the whole bottle in one go.")
     mimed = [each for each in moments if each.families[0] == "emblem_other"]
     assert all(abs(each.stroke - 4) <= 3 for each in mimed)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "The old house was dark and cold, but the new house is bright and warm.",
+        "The soup is cheap but the wine is expensive.",
+        "On the one hand it is quick, on the other hand it hurts for a week.",
+    ],
+)
+def test_what_is_set_against_each_other_is_placed_left_then_right(understudy: Understudy, text: str) -> None:
+    one, other = (each for each in planned(understudy, text) if each.set_against is not None)
+    assert (one.families[:2], other.families[:2]) == (("contrast_sides", "left"), ("contrast_sides", "right"))
+    assert (one.set_against, other.set_against) == (other.stroke, one.stroke)
+    assert one.last < other.first

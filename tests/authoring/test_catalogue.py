@@ -20,7 +20,7 @@ def test_every_item_is_where_it_says(catalogue: Catalogue) -> None:
     lines: dict[str, list[str]] = {}
     for item in catalogue.items:
         text = lines.setdefault(item.file, (ROOT / item.file).read_text(encoding="utf-8").splitlines())
-        name = item.name.split()[0]
+        name = item.name.split()[0].split("_family_")[-1]
         assert name.lower() in text[item.line - 1].lower(), item
 
 
@@ -69,3 +69,9 @@ def test_counts_add_up(catalogue: Catalogue) -> None:
     assert f"{sum(item.class_name == 'thanks' and item.kind is Kind.WORD for item in catalogue.items):16d}" in next(
         line for line in by_class.splitlines() if line.startswith("thanks ")
     )
+
+
+def test_what_a_behaviour_gives_as_its_reason_is_explained(catalogue: Catalogue) -> None:
+    [family] = catalogue.named("gesture_family_contrast_sides")
+    [place] = catalogue.named("gesture_place_left")
+    assert place in catalogue.that_follow(family)

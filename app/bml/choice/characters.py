@@ -26,6 +26,9 @@ Value = TypeVar("Value")
 LIVELY_PER_MINUTE = 21.0
 """Strokes a minute of a lively talker."""
 
+DEFAULT_CHARACTER = "default"
+"""Who performs where nobody is named."""
+
 
 @dataclass(frozen=True, slots=True)
 class Character:

@@ -47,7 +47,8 @@ def schedule(
     candidates = tuple(candidates)
     planned = any(each.moment for each in candidates)
     spoken_s = duration_s - utterance.lead_in_s
-    line = Line(timed, character, most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0)))
+    at_rate = most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0))
+    line = Line(timed, character, max(at_rate + _second_places(candidates), _noted(candidates)))
     kept, lost = choose(candidates, line)
     kept, needless = needed(kept, candidates)
     usual = replace(line, most_gestures=most_gestures(character, spoken_s))
@@ -73,6 +74,18 @@ def _idle(kept: Kept, utterance: Utterance, line: Line, seed: int) -> list[Place
 def most_gestures(character: Character, duration_s: float) -> int:
     """How many gestures the character makes at most in a line of this length, with the pause that goes with a line."""
     return round(character.gestures_per_minute * (duration_s + PAUSE_S) / 60)
+
+
+def _second_places(candidates: Iterable[BehaviorCandidates]) -> int:
+    """Contrasts whose second place is shown: it is one idea with the first, and the rate allows both or neither."""
+    moments = (each.moment for each in candidates if each.moment)
+    return sum(moment.set_against is not None and moment.set_against < moment.stroke for moment in moments)
+
+
+def _noted(candidates: Iterable[BehaviorCandidates]) -> int:
+    """Gestures that a director's notes ask for, whatever the character's rate."""
+    moments = (each.moment for each in candidates if each.moment)
+    return sum(moment.note is not None and moment.channel is Channel.GESTURE for moment in moments)
 
 
 def numbered(behaviors: Iterable[Behavior]) -> tuple[Behavior, ...]:
