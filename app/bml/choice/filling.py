@@ -1,21 +1,21 @@
 """What head and eyes do where nothing was asked of them: they are never quite still (paper §6).
 
-Between the movements that show something the head drifts by a few degrees and the eyes go aside and come back. These
-are put where their channel is free, so they never compete. A still character drifts less often and less far. No drift
-is made twice running, and the eyes are back on the listener when the last word begins, for then the turn is his
-(Kendon 1967).
+Between the movements that show something the head drifts by a few degrees and the eyes go aside and come back; where
+they stay aside for a while, and nothing else is asked of the head, it goes with them. These are put where their channel
+is free, so they never compete. A still character drifts less often and less far. No drift is made twice running, and
+the eyes are back on the listener when the last word begins, for then the turn is his (Kendon 1967).
 """
 
 import random
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from ...model import Channel, Interval, Utterance, Word
+from ...model import Behavior, Channel, Interval, Utterance, Word
 from .candidates import PlacedBehavior, filler, interval_of
 from .characters import Character
 from .conflicts import Kept
 from .saccades import Habit, glances
-from .table import DRIFTS, BehaviorEntry
+from .table import DRIFTS, LOOK, BehaviorEntry
 
 DRIFT_S = (2.5, 5.0)
 """How long a drift takes, from the first movement to rest."""
@@ -25,6 +25,9 @@ SHORTEST_DRIFT_S = 2.0
 
 GAZE_RANGE_DEGREES = 60.0
 """The angle of a gaze of amount 1."""
+
+LOOK_S, LOOK_DEGREES = 0.7, 10.0
+"""The head goes with eyes that stay aside at least as long, and then at least as far."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,14 +47,16 @@ class Rest:
 
 
 def fillers(kept: Kept, rest: Rest, habit: Habit) -> tuple[PlacedBehavior, ...]:
-    """Drifts of the head and saccades in the time that the kept leave free."""
-    return (*_drifts(kept, rest), *_saccades(kept, rest, habit))
+    """Looks aside, with the eyes alone or with the head, and drifts of the head in the time that these and the kept
+    leave free."""
+    looks = tuple(_looks_aside(kept, rest, habit))
+    return (*_drifts((*kept, *looks), rest), *looks)
 
 
 def free(kept: Kept, channel: Channel, end_s: float) -> Iterator[Interval]:
-    """The stretches of a line in which nothing is kept on a channel."""
+    """The stretches of a line in which nothing is kept on a channel; looks aside take the head as well."""
     begin_s = 0.0
-    taken = (each.behavior.sync for each in kept if each.behavior.kind is channel)
+    taken = (each.behavior.sync for each in kept if each.behavior.kind is channel or _has(each.behavior, channel))
     for sync in sorted(taken, key=lambda sync: sync.start):
         if sync.start > begin_s:
             yield Interval(begin_s, sync.start)
@@ -83,13 +88,27 @@ def _parts(gap: Interval, generator: random.Random) -> Iterator[Interval]:
         start_s = end_s
 
 
-def _saccades(kept: Kept, rest: Rest, habit: Habit) -> Iterator[PlacedBehavior]:
-    entry = rest.character.entries["saccade"]
+def _has(behavior: Behavior, channel: Channel) -> bool:
+    """Whether it takes the head to look aside."""
+    return channel is Channel.HEAD and behavior.lexeme == LOOK and behavior.direction is not None
+
+
+def _looks_aside(kept: Kept, rest: Rest, habit: Habit) -> Iterator[PlacedBehavior]:
     for gap in free(kept, Channel.GAZE, interval_of(rest.words[-1]).start_s):
         for glance in glances(gap, habit, rest.generator):
-            amount = glance.angle_degrees / GAZE_RANGE_DEGREES
-            aside = replace(entry, direction=glance.direction, amount=amount)
-            yield _filler(aside, glance.interval, rest, "the eyes wander off and come back")
+            during, angle, name = glance.interval, glance.angle_degrees, "saccade"
+            free_head = _longest_within(free(kept, Channel.HEAD, rest.end_s), during)
+            if free_head.duration_s >= LOOK_S:
+                during, angle, name = free_head, max(angle, LOOK_DEGREES), "look_aside"
+            entry = rest.character.entries[name]
+            aside = replace(entry, direction=glance.direction, amount=angle / GAZE_RANGE_DEGREES)
+            yield _filler(aside, during, rest, "the eyes wander off and come back")
+
+
+def _longest_within(stretches: Iterable[Interval], whole: Interval) -> Interval:
+    """The longest part of the whole that is in one of the stretches; one without duration where there is none."""
+    parts = (Interval(max(each.start_s, whole.start_s), min(each.end_s, whole.end_s)) for each in stretches)
+    return max(parts, key=lambda part: part.duration_s, default=Interval(0.0, 0.0))
 
 
 def _filler(entry: BehaviorEntry, interval: Interval, rest: Rest, reason: str) -> PlacedBehavior:

@@ -24,7 +24,7 @@ STROKED = frozenset({Channel.GESTURE, Channel.HEAD})
 DRIFTS = ("drift_left", "drift_right", "drift_turn_left", "drift_turn_right", "drift_up", "drift_down")
 """The entries for the head's constant small movement."""
 
-UNASKED = ("blink", "breath", "gaze_opening", "saccade", *DRIFTS)
+UNASKED = ("blink", "breath", "gaze_opening", "saccade", "look_aside", *DRIFTS)
 """The entries for what the body does by itself."""
 
 LOOK, GLANCE, SHIFT = "LOOK", "GLANCE", "SHIFT"
