@@ -17,6 +17,18 @@ class UnderstudyError(Exception):
         self.code = code
         self.message = message
 
+    def __reduce__(self) -> tuple[object, ...]:
+        """Errors cross processes, which exceptions with arguments of their own do not by themselves."""
+        return _restored, (type(self), self.args, self.__dict__)
+
+
+def _restored(
+    kind: type[UnderstudyError], arguments: tuple[object, ...], attributes: dict[str, object]
+) -> UnderstudyError:
+    error = kind.__new__(kind, *arguments)
+    error.__dict__.update(attributes)
+    return error
+
 
 class InputError(UnderstudyError):
     """What the caller sent is wrong: text, options or a file's content. `field` names the part at fault."""

@@ -88,6 +88,7 @@ __all__ = [
     "find_functions_in_all",
     "make_reference",
     "perform",
+    "perform_heard",
     "to_ctm",
     "to_textgrid",
     "write_bml",
@@ -180,11 +181,18 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
 
     Raises InputError for audio, text, timings, functions, notes or options that cannot be used.
     """
+    return perform_heard(understudy, line, options, progress)[1]
+
+
+def perform_heard(
+    understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
+) -> tuple[Analysis, Performance]:
+    """What was heard and understood in a line, and its performance; raises as `perform` does."""
     understudy.behavior.characters.named(options.character)
     direction_notices = _checked_direction(understudy, line)
     analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
     performance = perform_analysis(understudy, analysis, options, line.direction, progress)
-    return replace(performance, notices=direction_notices + performance.notices)
+    return analysis, replace(performance, notices=direction_notices + performance.notices)
 
 
 def perform_analysis(

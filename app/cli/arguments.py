@@ -11,6 +11,7 @@ from ..model import Hand, Level, Mode
 from ..motion_formats import Keys
 from ..realizer.body.motion import FRAME_RATES_HZ
 from ..version import __version__
+from .batch_arguments import add_batch
 from .distinct_files import InputFile, OutputFile
 from .files import STANDARD
 
@@ -41,6 +42,7 @@ def make_parser() -> argparse.ArgumentParser:
     add = partial(_add, parser.add_subparsers(dest="command", metavar="COMMAND", required=True).add_parser)
     _add_perform(add)
     _add_realize(add)
+    add_batch(add, _add_manner, _add_form, _add_rate)
     _add_analyses(add)
     _add_rules(add)
     _add_gestures(add)
@@ -77,25 +79,11 @@ def _add_perform(add: Adding) -> None:
         default=STANDARD,
         help="where the BML goes, OUT.json: as JSON (default: standard output)",
     )
-    parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
-    _add_agitation(parser)
+    _add_manner(parser)
     _add_reference(parser)
-    parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
-    modes = [mode.value for mode in Mode]
-    parser.add_argument(
-        "--mode", choices=modes, default="semantic", help="gestures from the meaning, the stress, or chance"
-    )
     parser.add_argument(
         "--listener", metavar="NAME", action="append", default=[], help="who listens; his BML goes to OUT.NAME.bml"
     )
-    parser.add_argument(
-        "--lead-in",
-        metavar="SECONDS",
-        type=float,
-        default=0.0,
-        help="begin that long before the recording, so that the first words' gestures have time (0 to 3, default 0)",
-    )
-    _add_stillness(parser)
     _add_form(parser)
     parser.add_argument(
         "--trace", metavar="FILE", type=OutputFile, help="write the whole performance as JSON: every reason"
@@ -109,6 +97,25 @@ def _add_perform(add: Adding) -> None:
         help=f"the motion itself: {MOTION_HELP}; repeatable",
     )
     _add_motion(parser)
+
+
+def _add_manner(parser: argparse.ArgumentParser) -> None:
+    """How lines are performed."""
+    parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
+    _add_agitation(parser)
+    parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
+    modes = [mode.value for mode in Mode]
+    parser.add_argument(
+        "--mode", choices=modes, default="semantic", help="gestures from the meaning, the stress, or chance"
+    )
+    parser.add_argument(
+        "--lead-in",
+        metavar="SECONDS",
+        type=float,
+        default=0.0,
+        help="begin that long before the recording, so that the first words' gestures have time (0 to 3, default 0)",
+    )
+    _add_stillness(parser)
 
 
 def _add_realize(add: Adding) -> None:
@@ -136,11 +143,7 @@ def _add_realize(add: Adding) -> None:
 
 
 def _add_motion(parser: argparse.ArgumentParser) -> None:
-    rates = FRAME_RATES_HZ
-    parser.add_argument("--fps", type=int, choices=rates, default=max(rates), help="frames a second of the motion")
-    parser.add_argument(
-        "--skeleton", metavar="NAME", help="whose names joints go by (default: mixamo in BVH, vrm in JSON)"
-    )
+    _add_rate(parser)
     parser.add_argument(
         "--avatar", metavar="FILE", type=InputFile, help="your own GLB or VRM, to wear the motion in .glb"
     )
@@ -158,6 +161,14 @@ def _add_motion(parser: argparse.ArgumentParser) -> None:
     keys = [each.value for each in Keys]
     told = "of .glb: one in every frame, or few that can be edited, with markers (default baked)"
     parser.add_argument("--keys", choices=keys, default="baked", help=told)
+
+
+def _add_rate(parser: argparse.ArgumentParser) -> None:
+    rates = FRAME_RATES_HZ
+    parser.add_argument("--fps", type=int, choices=rates, default=max(rates), help="frames a second of the motion")
+    parser.add_argument(
+        "--skeleton", metavar="NAME", help="whose names joints go by (default: mixamo in BVH, vrm in JSON)"
+    )
 
 
 def _add_stillness(parser: argparse.ArgumentParser) -> None:

@@ -6,7 +6,7 @@
 import json
 import logging
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -49,6 +49,22 @@ class Log:
     def note(self, message: str) -> None:
         """Something a person may want to know."""
         self._say("note", message)
+
+    def problem(self, message: str) -> None:
+        """Something that is wrong with a part of the input, which the rest does not wait for."""
+        self._say("problem", message)
+
+    def event(self, name: str, fields: Mapping[str, object], message: str) -> None:
+        """A step of long work: all of it for machines, `message` for people, where there is one."""
+        if self.voice is Voice.MACHINES:
+            _write(json.dumps({"event": name, **fields}))
+        elif message:
+            self._say(name, message)
+
+    def progress(self, message: str) -> None:
+        """How far long work is, for people; machines have its events."""
+        if self.voice is Voice.PEOPLE:
+            _write(message)
 
     def error(self, error: UnderstudyError) -> None:
         """Why nothing came of it: one line, or one a mistake with its source line where an author has to look."""

@@ -1,7 +1,8 @@
 """Facial expressions other than speech: brows, cheeks, lids, nose and mouth by FACS units and lexemes (paper §3.8).
 
 A behaviour rises from `start` to its full amount at `ready`, holds it until `relax` and has decayed at `end`, with
-minimum-jerk transitions (Flash & Hogan 1985). Behaviours on the same shape combine as 1 - Π(1 - weight), which is
+minimum-jerk transitions (Flash & Hogan 1985). Nobody's face is even: the right side comes a little later than the left,
+but both eyes blink at once. Behaviours on the same shape combine as 1 - Π(1 - weight), which is
 independent of order, smooth, and at most 1.
 """
 
@@ -26,6 +27,13 @@ LEAST_RISE_S = 0.05
 LEAST_FALL_S = 0.07
 """The fastest rise and decay of any shape, whatever the sync points say: the quickest blinks close in 50 ms."""
 
+LATER_S = 0.035
+"""How much later the right side of a face moves; smiles and brows begin some 20 to 60 ms apart (Schmidt, Liu & Cohn
+2006)."""
+
+_LATER: FloatArray = np.array([LATER_S * (name.endswith("Right") and name != "eyeBlinkRight") for name in SHAPES])
+_LATER.setflags(write=False)
+
 USUAL_RISE_S = 0.15
 USUAL_FALL_S = 0.3
 """For a face with only start and end; at most a third of it each."""
@@ -40,13 +48,13 @@ def expressions(
         side = _side(behavior)
         if _is_facial(behavior) and behavior.lexeme in words and side:
             points_s = envelope_points(behavior.sync, frame_s)
-            first, last = np.searchsorted(times_s, [points_s[0], points_s[-1]])
-            if first == last:
-                continue
-            weights = sided(words[behavior.lexeme], side)
-            height = envelope(times_s[first:last], points_s) * _amount(behavior)
-            moved = np.flatnonzero(weights)
-            left[first:last, moved] *= 1 - height[:, None] * weights[moved]
+            weights = _amount(behavior) * sided(words[behavior.lexeme], side)
+            for later_s in (0.0, LATER_S):
+                moved = np.flatnonzero((weights != 0) & (later_s == _LATER))
+                first, last = np.searchsorted(times_s - later_s, [points_s[0], points_s[-1]])
+                if first < last and len(moved):
+                    height = envelope(times_s[first:last] - later_s, points_s)
+                    left[first:last, moved] *= 1 - height[:, None] * weights[moved]
     return 1 - left
 
 

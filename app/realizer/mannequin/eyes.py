@@ -13,19 +13,29 @@ import numpy as np
 
 from ...model import FloatArray
 from .face import Tissue
-from .head import on_skin_m
+from .head import skin_from_front_m
 from .surface import Capsule, IntArray, Surface, mesh
 
 BALL_M = 0.0152
 LID_M = 0.0166
 LASH_M = 0.0169
-EDGE_THICKNESS_M = 0.0007
+EDGE_THICKNESS_M = 0.0005
 
 PUPIL_DEGREES, IRIS_DEGREES, BALL_DEGREES = 11.0, 27.0, 105.0
 AZIMUTHS = np.linspace(-96, 96, 25)
 ROWS = 6
-CORNER_AZIMUTH, CORNER_ELEVATION = 64.0, -5.0
-"""Where the lids meet."""
+
+
+@dataclass(frozen=True, slots=True)
+class Corner:
+    """Where the lids meet, as seen from the eyeball's centre."""
+
+    azimuth: float
+    elevation: float
+
+
+INNER, OUTER = Corner(-66.0, -7.0), Corner(54.0, 1.0)
+"""The outer corner is the higher one, or the eyes look sad."""
 
 SUNK_DEGREES = 80.0
 """The elevation at which a lid is under the skin."""
@@ -39,16 +49,16 @@ class Opening:
     lower: float
 
 
-OPEN = Opening(23.0, -21.0)
+OPEN = Opening(28.0, -20.0)
 CLOSED_AT = -9.0
 OPENINGS: Mapping[str, Opening] = MappingProxyType(
     {
         "eyeBlink": Opening(CLOSED_AT, CLOSED_AT),
-        "eyeSquint": Opening(14.0, -10.0),
-        "eyeWide": Opening(35.0, -27.0),
-        "eyeLookDown": Opening(9.0, -25.0),
-        "eyeLookUp": Opening(31.0, -17.0),
-        "cheekSquint": Opening(22.0, -14.0),
+        "eyeSquint": Opening(17.0, -10.0),
+        "eyeWide": Opening(41.0, -26.0),
+        "eyeLookDown": Opening(12.0, -24.0),
+        "eyeLookUp": Opening(37.0, -16.0),
+        "cheekSquint": Opening(28.0, -13.0),
     }
 )
 """The lid openings of the blendshapes that move them."""
@@ -56,13 +66,13 @@ OPENINGS: Mapping[str, Opening] = MappingProxyType(
 SIDEWAYS_DEGREES: Mapping[str, float] = MappingProxyType({"eyeLookIn": -5.0, "eyeLookOut": 5.0})
 
 BROW: tuple[tuple[float, float, float], ...] = (
-    (0.013, 0.0965, 0.0028),
-    (0.022, 0.0995, 0.0034),
-    (0.033, 0.1015, 0.0032),
-    (0.043, 0.0995, 0.0026),
-    (0.050, 0.0955, 0.0018),
+    (0.0140, 0.0990, 0.0028),
+    (0.0240, 0.1005, 0.0034),
+    (0.0360, 0.1025, 0.0032),
+    (0.0460, 0.1015, 0.0026),
+    (0.0550, 0.0980, 0.0016),
 )
-"""Positions (x, y) and radii along the left brow."""
+"""Positions (x, y) from the front and radii along the left brow: level, as nobody's who worries."""
 
 
 def ball(eye_m: FloatArray) -> tuple[tuple[str, Surface], ...]:
@@ -86,7 +96,7 @@ def lids(eye_m: FloatArray, side: str) -> tuple[tuple[str, Surface, Tissue], ...
 def brow(side: str) -> tuple[Surface, Tissue]:
     """A brow, which moves with the skin under it."""
     sign = 1.0 if side == "left" else -1.0
-    places = on_skin_m(np.array([(sign * x, y, 0.08) for x, y, _radius in BROW]))
+    places = skin_from_front_m(np.array([(sign * x, y) for x, y, _radius in BROW]))
     ends = [(float(x), float(y), float(z)) for x, y, z in places]
     rods = tuple(
         Capsule("head", first, second, BROW[number][2], BROW[number + 1][2])
@@ -133,9 +143,9 @@ def _shell(eye_m: FloatArray, side: str, *, upper: bool) -> tuple[Surface, Tissu
 
 def _lashes(eye_m: FloatArray, side: str) -> tuple[Surface, Tissue]:
     """A dark line along the edge of the upper lid."""
-    points = _lash_m(eye_m, OPEN)
+    points = _lash_m(eye_m, side, OPEN)
     own = {
-        f"{name}{side.capitalize()}": _lash_m(eye_m, opening) - points
+        f"{name}{side.capitalize()}": _lash_m(eye_m, side, opening) - points
         for name, opening in OPENINGS.items()
         if opening.upper != OPEN.upper
     }
@@ -151,7 +161,7 @@ def _held(points: FloatArray, own: Mapping[str, FloatArray]) -> Tissue:
 
 def _lid_m(eye_m: FloatArray, side: str, opening: Opening, *, upper: bool, sideways: float = 0.0) -> FloatArray:
     """The lid's points, starting at the edge: ((ROWS + 2) × azimuths, 3)."""
-    edge = _edge(opening.upper if upper else opening.lower)
+    edge = _edge(opening.upper if upper else opening.lower, side)
     sunk = SUNK_DEGREES if upper else -SUNK_DEGREES
     rows = [edge + share * (sunk - edge) for share in np.linspace(0, 1, ROWS + 1) ** 1.3]
     shift = sideways if side == "left" else -sideways
@@ -161,16 +171,20 @@ def _lid_m(eye_m: FloatArray, side: str, opening: Opening, *, upper: bool, sidew
     return np.concatenate(shells)
 
 
-def _lash_m(eye_m: FloatArray, opening: Opening) -> FloatArray:
-    edge = _edge(opening.upper)
-    inside = np.clip(AZIMUTHS, -CORNER_AZIMUTH, CORNER_AZIMUTH)
+def _lash_m(eye_m: FloatArray, side: str, opening: Opening) -> FloatArray:
+    edge = _edge(opening.upper, side)
+    sign = 1.0 if side == "left" else -1.0
+    lowest, highest = sorted((sign * INNER.azimuth, sign * OUTER.azimuth))
+    inside = np.clip(AZIMUTHS, lowest, highest)
     return np.concatenate([_sphere(eye_m, LASH_M, edge + width, inside) for width in (-1.0, 4.0)])
 
 
-def _edge(middle: float) -> FloatArray:
-    """An edge's elevations, which meet the corners of the eye slightly below its centre."""
-    inside = np.clip(AZIMUTHS / CORNER_AZIMUTH, -1, 1)
-    return np.asarray(CORNER_ELEVATION + (middle - CORNER_ELEVATION) * np.cos(inside * np.pi / 2) ** 0.75)
+def _edge(middle: float, side: str) -> FloatArray:
+    """An edge's elevations: those of the corners and beyond, and `middle` between them."""
+    outwards = AZIMUTHS if side == "left" else -AZIMUTHS
+    share = np.clip((outwards - INNER.azimuth) / (OUTER.azimuth - INNER.azimuth), 0, 1)
+    between = INNER.elevation + share * (OUTER.elevation - INNER.elevation)
+    return np.asarray(between + (middle - between) * np.sin(share * np.pi) ** 0.75)
 
 
 def _sphere(eye_m: FloatArray, radius_m: float, elevations: FloatArray, azimuths: FloatArray) -> FloatArray:

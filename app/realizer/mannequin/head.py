@@ -34,13 +34,14 @@ def _pair(capsule: Capsule) -> tuple[Capsule, Capsule]:
 
 SKULL: tuple[Capsule, ...] = (
     _rod((0, 0.112, -0.014), (0, 0.112, 0.010), 0.076, 0.078),
-    _rod((0, 0.055, 0.035), (0, 0.010, 0.050), 0.058, 0.038),
+    _rod((0, 0.052, 0.035), (0, 0.010, 0.050), 0.055, 0.038),
     _rod((0, -0.004, 0.064), (0, -0.004, 0.066), 0.022, 0.022),
     *_pair(_rod((0.044, 0.036, 0.010), (0.016, -0.006, 0.060), 0.019, 0.019)),
     *_pair(_rod((0.029, 0.047, 0.064), (0.034, 0.045, 0.058), 0.024, 0.024)),
-    *_pair(_rod((0.022, 0.059, 0.0815), (0.045, 0.062, 0.070), 0.011, 0.010)),
-    *_pair(_rod((0.004, 0.100, 0.082), (0.040, 0.099, 0.069), 0.016, 0.014)),
-    _rod((0, 0.088, 0.093), (0, 0.052, 0.113), 0.0055, 0.0080),
+    *_pair(_rod((0.026, 0.056, 0.0800), (0.046, 0.060, 0.072), 0.011, 0.011)),
+    *_pair(_rod((0.008, 0.103, 0.080), (0.044, 0.101, 0.072), 0.015, 0.013)),
+    *_pair(_rod((0.052, 0.070, 0.066), (0.051, 0.090, 0.068), 0.010, 0.010)),
+    _rod((0, 0.090, 0.092), (0, 0.052, 0.113), 0.0045, 0.0080),
     *_pair(_rod((0.007, 0.047, 0.103), (0.008, 0.046, 0.098), 0.0058, 0.0058)),
     _rod((-0.014, 0.018, 0.076), (0.014, 0.018, 0.076), 0.021, 0.021),
 )
@@ -117,10 +118,12 @@ def hair() -> Surface:
     return mesh(HAIR, blend_m=0.012, grid_m=0.010)
 
 
-def on_skin_m(points: FloatArray) -> FloatArray:
-    """The points (N, 3) projected to the skin along rays from the head's centre."""
-    away = points - CENTRE_M
-    return _cast(away / np.linalg.norm(away, axis=1, keepdims=True))
+def skin_from_front_m(places: FloatArray) -> FloatArray:
+    """The points (N, 3) of the face that are seen from the front at `places` (N, 2), x and y."""
+    points = np.column_stack([places, np.full(len(places), 0.17)])
+    for _ in range(24):
+        points[:, 2] -= 0.9 * blended_field(SKULL, points, BLEND_M)
+    return points
 
 
 def _mouth_distance_m() -> float:

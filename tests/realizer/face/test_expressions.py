@@ -29,6 +29,19 @@ def test_raised_brows_are_raised_on_both_sides_by_their_amount_at_the_peak() -> 
         assert shape(shapes, name, 0.4) == pytest.approx(0.6, abs=0.6 * ASYMMETRY + 0.02)
 
 
+@pytest.mark.parametrize(("lexeme", "name"), [("RAISE_MOUTH_CORNERS", "mouthSmile"), ("RAISE_BROWS", "browOuterUp")])
+def test_the_right_side_comes_a_little_later_and_a_little_less(lexeme: str, name: str) -> None:
+    left, right = (faced(behaviors=(shown(lexeme, amount=1.0),))[:, INDEX[name + side]] for side in ("Left", "Right"))
+    began = [int(np.argmax(course > course.max() / 2)) for course in (left, right)]
+    assert 0 < (began[1] - began[0]) / 60 < 0.06
+    assert 0.8 * left.max() < right.max() < 0.99 * left.max()
+
+
+def test_both_eyes_blink_at_once() -> None:
+    shapes = faced(behaviors=(shown("BLINK", kind=Channel.EYES),))
+    assert np.array_equal(shapes[:, INDEX["eyeBlinkLeft"]] > 0.5, shapes[:, INDEX["eyeBlinkRight"]] > 0.5)
+
+
 def test_one_brow_is_one_side() -> None:
     shapes = faced(behaviors=(shown("RAISE_RIGHT_BROW", amount=1.0),))
     assert shape(shapes, "browOuterUpRight", 0.6) > 0.9

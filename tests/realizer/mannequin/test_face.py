@@ -5,7 +5,7 @@ import pytest
 
 from understudy.model import FloatArray
 from understudy.realizer.body.motion import SHAPES
-from understudy.realizer.mannequin.eyes import BALL_M, CLOSED_AT, lids
+from understudy.realizer.mannequin.eyes import AZIMUTHS, BALL_M, CLOSED_AT, IRIS_DEGREES, brow, lids
 from understudy.realizer.mannequin.face import FACE_SHAPES, MOUTH_HALF_M, MOUTH_Y_M, Tissue, displacements_m
 from understudy.realizer.mannequin.head import skin
 
@@ -102,3 +102,24 @@ def test_a_shape_that_does_nothing_to_a_tissue_is_left_out() -> None:
     nothing = np.zeros(1)
     far = Tissue(np.array([[0.0, 0.15, -0.09]]), nothing, nothing, nothing)
     assert displacements_m(far) == {}
+
+
+def edge_m(side: str, material: str, number: int) -> FloatArray:
+    """The points of a lid's edge at rest, from the inner to the outer corner."""
+    points = [tissue.points_m for name, _surface, tissue in lids(EYE_M, side) if name == material][number]
+    edge = points[: len(AZIMUTHS)]
+    return edge if side == "left" else edge[::-1]
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_a_face_at_rest_is_awake_and_does_not_worry(side: str) -> None:
+    upper, lower = edge_m(side, "skin", 0), edge_m(side, "skin", 1)
+    iris_m = BALL_M * np.sin(np.radians(IRIS_DEGREES))
+    assert upper[:, 1].max() > EYE_M[1] + 0.85 * iris_m
+    assert lower[:, 1].min() < EYE_M[1] - 0.6 * iris_m
+    apart = np.flatnonzero(np.abs(upper[:, 1] - lower[:, 1]) > 1e-4)
+    assert upper[apart[-1] + 1, 1] > upper[apart[0] - 1, 1]
+    surface, _tissue = brow(side)
+    outwards = np.abs(surface.positions_m[:, 0])
+    ends_m = [np.median(surface.positions_m[outwards < 0.018, 1]), np.median(surface.positions_m[outwards > 0.050, 1])]
+    assert ends_m[0] == pytest.approx(ends_m[1], abs=0.003)

@@ -1,0 +1,155 @@
+"""A whole batch, in order: plan, see what is done already, have the rest performed, tell what came of it.
+
+The manifest is written as each line ends, after its files; so whatever is killed whenever, the same command goes on
+with what was not finished, and no line counts as done whose files are not there.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Protocol
+
+from ..settings import Settings
+from .manifest.entries import Entry, State, WrittenFile
+from .manifest.hashes import KnownRecording, input_hash, installation_hash, settings_hash
+from .manifest.store import Manifest
+from .planning import Plan, entry_of, hopeless_entries, plan_batch
+from .reports.writing import write_reports
+from .request import BatchRequest
+from .running.engine import Engine
+from .running.supervising import Done, supervise
+from .work.files import clear_unfinished, write_files
+from .work.formats import extension_of
+from .work.jobs import Failure, LineJob, LineOutcome
+
+
+class Watcher(Protocol):
+    """Who is told how a batch goes on."""
+
+    def planned(self, plan: Plan) -> None:
+        """The script was read and its lines have their recordings."""
+
+    def begun(self, entries: int, done: int) -> None:
+        """So many lines can be performed, and so many of them are done already."""
+
+    def ended(self, entry: Entry) -> None:
+        """A line is done, or failed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """A line that is to be performed: its row of the manifest and its job."""
+
+    entry: Entry
+    job: LineJob
+
+
+def run_batch(
+    request: BatchRequest, settings: Settings, make_engine: Callable[[], Engine], watcher: Watcher
+) -> tuple[Entry, ...]:
+    """Performs what is not done; the rows of all lines. `make_engine` is called only when there is something to do.
+
+    Raises InputError for what cannot be used at all; what is wrong with single lines is told in their rows.
+    """
+    plan = plan_batch(request)
+    watcher.planned(plan)
+    with Manifest(request.out) as manifest:
+        clear_unfinished(request.out)
+        before = manifest.entries()
+        work = _work(plan, settings, manifest)
+        hopeless = list(hopeless_entries(plan))
+        waiting = [each for each in work if request.again or not _is_done(before.get(each.entry.id), each, request.out)]
+        ids = {each.entry.id for each in work} | {entry.id for entry in hopeless}
+        manifest.remove(before.keys() - ids)
+        manifest.put([*hopeless, *_begun(work, waiting, before)])
+        watcher.begun(len(work), len(work) - len(waiting))
+        if waiting:
+            with closing(make_engine()) as engine:
+                for entry in _performed(waiting, engine, request.out):
+                    _remove_old(before.get(entry.id), entry, request.out)
+                    manifest.put([entry])
+                    watcher.ended(entry)
+        clear_unfinished(request.out)
+        entries = tuple(manifest.entries().values())
+    write_reports(request.out, request.script.name, entries)
+    return entries
+
+
+def _work(plan: Plan, settings: Settings, manifest: Manifest) -> list[Work]:
+    """The lines with their hashes; recordings are read only where they changed since."""
+    known = manifest.known_recordings()
+    hashes: dict[str, KnownRecording] = {}
+    installation = installation_hash()
+    work = []
+    for place, (take, job) in enumerate(plan.jobs):
+        path = str(job.audio.path)
+        if path not in hashes:
+            hashes[path] = KnownRecording.of(job.audio.path, known.get(path))
+        of_input = input_hash(job, hashes[path].hash)
+        of_settings = settings_hash(job, settings, installation)
+        work.append(Work(entry_of(place, take, job, input_hash=of_input, settings_hash=of_settings), job))
+    manifest.know_recordings((path, each) for path, each in hashes.items() if known.get(path) != each)
+    return work
+
+
+def _is_done(before: Entry | None, work: Work, out: Path) -> bool:
+    """Whether a line was performed from the same, and its files are there whole."""
+    return (
+        before is not None
+        and before.state is State.DONE
+        and before.is_made_of_the_same(work.entry)
+        and all(_size(out / file.path) == file.size for file in before.outputs)
+    )
+
+
+def _size(path: Path) -> int | None:
+    try:
+        return path.stat().st_size
+    except OSError:
+        return None
+
+
+def _begun(work: Sequence[Work], waiting: Sequence[Work], before: dict[str, Entry]) -> Iterator[Entry]:
+    """The rows that change before anything is performed: those that wait, and those that moved in the script."""
+    waits = {each.entry.id for each in waiting}
+    for each in work:
+        entry, known = each.entry, before.get(each.entry.id)
+        if entry.id in waits:
+            yield replace(entry, outputs=known.outputs if known else ())
+        elif known is not None and (known.place, known.row) != (entry.place, entry.row):
+            yield replace(known, place=entry.place, row=entry.row)
+
+
+def _performed(waiting: Sequence[Work], engine: Engine, out: Path) -> Iterator[Entry]:
+    """The rows of the lines as they end."""
+
+    for done in supervise(waiting, lambda work: engine.submit(work.job), places=engine.places):
+        yield _entry(done, out)
+
+
+def _entry(done: Done[Work, LineOutcome], out: Path) -> Entry:
+    entry, outcome = done.job.entry, done.result
+    if outcome is None or outcome.failure is not None:
+        failure = outcome.failure if outcome else done.failure
+        return replace(entry, state=State.FAILED, failure=failure, seconds=outcome.seconds if outcome else None)
+    try:
+        files = write_files(out, outcome.files)
+    except OSError as error:
+        return replace(entry, state=State.FAILED, failure=Failure("file_unwritable", str(error)))
+    return replace(
+        entry,
+        state=State.DONE,
+        outputs=tuple(WrittenFile(extension_of(file.form), file.listener, file.path, file.size) for file in files),
+        warnings=outcome.notices,
+        measures=outcome.measures,
+        seconds=round(outcome.seconds, 3),
+    )
+
+
+def _remove_old(before: Entry | None, entry: Entry, out: Path) -> None:
+    """Files of what the line was before, which are no longer its."""
+    kept = {file.path for file in entry.outputs}
+    for file in before.outputs if before else ():
+        if file.path not in kept:
+            (out / file.path).unlink(missing_ok=True)

@@ -1,0 +1,1 @@
+"""What is done already, and of what: `OUT/manifest.sqlite`, one row a line. Begin with `store`."""

@@ -1,0 +1,107 @@
+"""A row of the manifest as a value, and how it is stored."""
+
+import json
+from dataclasses import asdict, dataclass
+from enum import StrEnum
+from typing import Any
+
+from ...model import Notice
+from ..work.jobs import Failure, Measures
+
+
+class State(StrEnum):
+    """What became of a line so far."""
+
+    WAITING = "waiting"
+    DONE = "done"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenFile:
+    """A file that was written for a line: its format, whose it is ("" is the speaker), its path from the output folder
+    on, its bytes."""
+
+    form: str
+    listener: str
+    path: str
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """A line of the batch: what it is, of what it was made, and what came of it."""
+
+    id: str
+    place: int
+    row: int
+    character: str
+    performer: str
+    text: str
+    comment: str
+    audio: str
+    start_s: float | None
+    end_s: float | None
+    input_hash: str
+    settings_hash: str
+    state: State = State.WAITING
+    outputs: tuple[WrittenFile, ...] = ()
+    warnings: tuple[Notice, ...] = ()
+    measures: Measures | None = None
+    failure: Failure | None = None
+    seconds: float | None = None
+
+    def is_made_of_the_same(self, other: "Entry") -> bool:
+        return (self.input_hash, self.settings_hash) == (other.input_hash, other.settings_hash)
+
+
+COLUMNS = (
+    "id",
+    "place",
+    "row",
+    "character",
+    "performer",
+    "text",
+    "comment",
+    "audio",
+    "start_s",
+    "end_s",
+    "input_hash",
+    "settings_hash",
+    "state",
+    "outputs",
+    "warnings",
+    "measures",
+    "error_code",
+    "error",
+    "seconds",
+)
+
+
+def to_row(entry: Entry) -> tuple[object, ...]:
+    """The values of `COLUMNS`."""
+    plain = [getattr(entry, name) for name in COLUMNS[:12]]
+    return (
+        *plain,
+        entry.state.value,
+        json.dumps([[file.form, file.listener, file.path, file.size] for file in entry.outputs]),
+        json.dumps([[notice.code, notice.message] for notice in entry.warnings], ensure_ascii=False),
+        None if entry.measures is None else json.dumps(asdict(entry.measures)),
+        entry.failure.code if entry.failure else None,
+        entry.failure.message if entry.failure else None,
+        entry.seconds,
+    )
+
+
+def of_row(row: tuple[Any, ...]) -> Entry:
+    """What `to_row` stored."""
+    state, outputs, warnings, measures, error_code, error, seconds = row[12:]
+    return Entry(
+        **dict(zip(COLUMNS[:12], row[:12], strict=True)),
+        state=State(state),
+        outputs=tuple(WrittenFile(*file) for file in json.loads(outputs)),
+        warnings=tuple(Notice(*notice) for notice in json.loads(warnings)),
+        measures=None if measures is None else Measures(**json.loads(measures)),
+        failure=None if error_code is None else Failure(error_code, error),
+        seconds=seconds,
+    )

@@ -1,0 +1,84 @@
+"""Of what a line was made, as hashes: while they stay the same, it need not be performed again."""
+
+import hashlib
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from ...performance import SpeakerReference
+from ...resources import RULES, resource_folder
+from ...settings import Settings
+from ...version import __version__
+from ..work.jobs import LineJob, MotionForm
+
+DIGEST_BYTES = 16
+_CHUNK_BYTES = 1 << 20
+_NOT_OF_THE_RESULT = frozenset({"host", "port", "max_concurrent", "deadline_s", "max_body_bytes", "cache"})
+"""Settings by which no performance changes."""
+
+
+@dataclass(frozen=True, slots=True)
+class KnownRecording:
+    """The hash of a recording's content, and what the file was like when it was read."""
+
+    size: int
+    modified_ns: int
+    hash: str
+
+    @classmethod
+    def of(cls, path: Path, known: "KnownRecording | None" = None) -> "KnownRecording":
+        """What is known already, if the file is still like that, else read now; raises OSError."""
+        status = path.stat()
+        if known is not None and (known.size, known.modified_ns) == (status.st_size, status.st_mtime_ns):
+            return known
+        digest = hashlib.blake2b(digest_size=DIGEST_BYTES)
+        with path.open("rb") as file:
+            while chunk := file.read(_CHUNK_BYTES):
+                digest.update(chunk)
+        return cls(status.st_size, status.st_mtime_ns, digest.hexdigest())
+
+
+def input_hash(job: LineJob, recording: str) -> str:
+    """Over what is a line's own; `recording` is the hash of its recording's file."""
+    options = job.options
+    return _digest(
+        recording,
+        repr(job.audio.interval),
+        job.text,
+        repr(job.direction),
+        repr((options.character, options.agitation, options.seed, options.listeners)),
+        _reference(options.reference),
+        repr([target.path for target in job.targets]),
+    )
+
+
+def settings_hash(job: LineJob, settings: Settings, installation: str) -> str:
+    """Over what lines have in common; `installation` is `installation_hash()`."""
+    options, motion = job.options, job.motion
+    return _digest(
+        installation,
+        settings.model_dump_json(exclude=set(_NOT_OF_THE_RESULT)),
+        repr((options.mode, options.form.dialect, options.form.timing, options.lead_in_s, options.stillness)),
+        repr([target.form.value for target in job.targets]),
+        repr(motion if motion != MotionForm() else None),
+    )
+
+
+def installation_hash() -> str:
+    """Over the version, the rules, words and characters, and the models."""
+    digest = hashlib.blake2b(__version__.encode(), digest_size=DIGEST_BYTES)
+    for folder in (RULES, resource_folder("lexicon"), resource_folder("models")):
+        for path in sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix not in {".py", ".pyc"}):
+            digest.update(path.relative_to(folder).as_posix().encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()
+
+
+def _reference(reference: SpeakerReference | None) -> str:
+    if reference is None:
+        return ""
+    numbers = [reference.mean.tolist(), reference.deviation.tolist()]
+    return json.dumps([reference.feature_set, reference.recordings, numbers])
+
+
+def _digest(*parts: str) -> str:
+    return hashlib.blake2b("\0".join(parts).encode(), digest_size=DIGEST_BYTES).hexdigest()

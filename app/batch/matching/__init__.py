@@ -1,0 +1,1 @@
+"""Joins lines with recordings. Imports the values of a batch and errors. Begin with `joining`."""

@@ -1,0 +1,142 @@
+"""Which recording is which line's: by the file that the line names, else by a pattern, else by its id.
+
+Capitals do not count. Of several takes the one that the line names is taken, else the last, the first, or each as a
+line of its own.
+"""
+
+from collections import defaultdict
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from pathlib import Path, PurePosixPath
+
+from ..model import Recording, ScriptLine, Take
+from .near_names import NearNames
+from .patterns import Pattern
+from .recordings import RecordingFile
+
+Candidates = list[tuple[RecordingFile, int | None]]
+
+
+class Choice(StrEnum):
+    """Which of several takes is performed."""
+
+    LAST = "last"
+    FIRST = "first"
+    ALL = "all"
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """A line without a recording, and the stem of the unused recording that may have been meant for it."""
+
+    line: ScriptLine
+    near: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Joined:
+    """The lines with their recordings; lines and recordings that found nothing; and what is there more than once:
+    recordings of the same take of a line, and lines of the same recording."""
+
+    takes: tuple[Take, ...]
+    missing: tuple[Missing, ...] = ()
+    unused: tuple[Path, ...] = ()
+    rivals: tuple[tuple[ScriptLine, tuple[Path, ...]], ...] = ()
+    shared: tuple[tuple[Path, tuple[ScriptLine, ...]], ...] = ()
+
+
+def join_recordings(
+    lines: Sequence[ScriptLine],
+    files: Sequence[RecordingFile],
+    pattern: Pattern | None = None,
+    choice: Choice = Choice.LAST,
+) -> Joined:
+    """The lines and the recordings, joined."""
+    candidates_of = _finder(files, pattern)
+    found = [(line, candidates_of(line)) for line in lines]
+    chosen = [(line, _chosen(line, candidates, choice)) for line, candidates in found]
+    takes = tuple(take for line, candidates in chosen for take in _takes(line, candidates))
+    seen = {file.path for _line, candidates in found for file, _take in candidates}
+    unused = tuple(file for file in files if file.path not in seen)
+    near = NearNames(file.stem for file in unused)
+    return Joined(
+        takes,
+        tuple(Missing(line, near.nearest(_wanted(line))) for line, candidates in chosen if not candidates),
+        tuple(file.path for file in unused),
+        tuple(rival for line, candidates in found if (rival := _rivals(line, candidates))),
+        _shared(takes),
+    )
+
+
+def join_one_recording(lines: Sequence[ScriptLine], recording: Path) -> Joined:
+    """Lines that are cut out of one recording by their times."""
+    return Joined(tuple(Take(line.id, line, Recording(recording, line.interval), line.take) for line in lines))
+
+
+def _finder(files: Sequence[RecordingFile], pattern: Pattern | None) -> Callable[[ScriptLine], Candidates]:
+    """The recordings that may be a line's, in order of their names."""
+    by_name: dict[str, Candidates] = defaultdict(list)
+    for file in files:
+        for name in {file.relative, file.path.name, file.relative.removesuffix(file.path.suffix), file.stem}:
+            by_name[name.casefold()].append((file, file.take))
+        if file.take is not None:
+            for name in {file.line_stem, str(PurePosixPath(file.relative).with_name(file.line_stem))}:
+                by_name[name.casefold()].append((file, file.take))
+    by_key = pattern.by_key(files) if pattern else {}
+
+    def candidates_of(line: ScriptLine) -> Candidates:
+        if line.recording:
+            return _named(line.recording, by_name)
+        if pattern:
+            return by_key.get(pattern.key(line), [])
+        return by_name.get(line.id.casefold(), [])
+
+    return candidates_of
+
+
+def _named(recording: str, by_name: Mapping[str, Candidates]) -> Candidates:
+    """A file as a sheet names it: with or without its folder and its ending, which is not always that of delivery."""
+    path = PurePosixPath(recording.replace("\\", "/"))
+    names = (str(path), str(path.with_suffix("")), path.name, path.stem) if path.name else ()
+    return next((by_name[name.casefold()] for name in names if name.casefold() in by_name), [])
+
+
+def _chosen(line: ScriptLine, candidates: Candidates, choice: Choice) -> Candidates:
+    """One recording a take, of the takes that are wanted."""
+    by_take: dict[int, tuple[RecordingFile, int | None]] = {}
+    for file, take in candidates:
+        by_take.setdefault(take or 0, (file, take))
+    if line.take is not None and len(candidates) > 1:
+        return [by_take[line.take]] if line.take in by_take else []
+    ordered = [by_take[number] for number in sorted(by_take)]
+    return ordered if choice is Choice.ALL else ordered[-1:] if choice is Choice.LAST else ordered[:1]
+
+
+def _takes(line: ScriptLine, candidates: Candidates) -> list[Take]:
+    several = len(candidates) > 1
+    return [
+        Take(f"{line.id}_t{number or 0}" if several else line.id, line, Recording(file.path, line.interval), number)
+        for file, number in candidates
+    ]
+
+
+def _rivals(line: ScriptLine, candidates: Candidates) -> tuple[ScriptLine, tuple[Path, ...]] | None:
+    """The recordings of the first take of which there is more than one."""
+    by_take: dict[int | None, list[Path]] = defaultdict(list)
+    for file, take in candidates:
+        by_take[take].append(file.path)
+    several = [paths for paths in by_take.values() if len(paths) > 1]
+    return (line, tuple(several[0])) if several else None
+
+
+def _shared(takes: Sequence[Take]) -> tuple[tuple[Path, tuple[ScriptLine, ...]], ...]:
+    by_path: dict[Path, list[ScriptLine]] = defaultdict(list)
+    for take in takes:
+        if take.recording.interval is None:
+            by_path[take.recording.path].append(take.line)
+    return tuple((path, tuple(lines)) for path, lines in by_path.items() if len(lines) > 1)
+
+
+def _wanted(line: ScriptLine) -> str:
+    return PurePosixPath(line.recording.replace("\\", "/")).stem or line.id

@@ -1,0 +1,45 @@
+"""The name that was meant: near misses between the ids of lines and the names of recordings.
+
+Names of lines are mostly numbers, and the next number is never what was meant. So names are near whose numbers are the
+same but for leading zeros and whose letters are nearly so.
+"""
+
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable
+
+LEAST_LIKENESS = 0.6
+"""Dice's coefficient of the trigrams of two names, from which one may have been meant for the other."""
+
+_RUNS = re.compile(r"\d+|[^\W\d_]+")
+
+
+class NearNames:
+    """Names in which near ones are found."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self._by_numbers: dict[tuple[int, ...], list[tuple[str, Counter[str]]]] = defaultdict(list)
+        for name in names:
+            self._by_numbers[_numbers(name)].append((name, _trigrams(name)))
+
+    def nearest(self, name: str) -> str | None:
+        """The nearest name; None if none is near."""
+        own = _trigrams(name)
+        likenesses = [(_likeness(own, theirs), other) for other, theirs in self._by_numbers[_numbers(name)]]
+        best = max(likenesses, default=(0.0, ""))
+        return best[1] if best[0] >= LEAST_LIKENESS else None
+
+
+def _numbers(name: str) -> tuple[int, ...]:
+    return tuple(int(run) for run in _RUNS.findall(name) if run.isdecimal())
+
+
+def _trigrams(name: str) -> Counter[str]:
+    """Of the letters, marked at both ends; numbers are compared apart."""
+    letters = "".join(run.casefold() for run in _RUNS.findall(name) if not run.isdecimal())
+    marked = f"  {letters} "
+    return Counter(marked[place : place + 3] for place in range(len(marked) - 2))
+
+
+def _likeness(first: Counter[str], second: Counter[str]) -> float:
+    return 2 * (first & second).total() / (first.total() + second.total())

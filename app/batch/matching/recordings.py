@@ -1,0 +1,54 @@
+"""The recordings in a folder and its folders."""
+
+import os
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from ...errors import InputError
+
+SUFFIXES = frozenset({".wav", ".wave", ".flac", ".ogg", ".oga", ".opus"})
+
+_TAKE = re.compile(
+    r"(?P<stem>.+?)(?:[ _.-]+(?:take|tk|t)[ _.-]*(?P<told>\d{1,3})| ?\((?P<copy>\d{1,3})\))", re.IGNORECASE
+)
+
+
+@dataclass(frozen=True, slots=True)
+class RecordingFile:
+    """A recording: its path, the same from the folder on with forward slashes, and both parts of its stem: what names
+    the line, and the number of the take where it ends in one (`scene1_07_t2`, `scene1_07 take 2`, `scene1_07 (2)`)."""
+
+    path: Path
+    relative: str
+    line_stem: str
+    take: int | None
+
+    @property
+    def stem(self) -> str:
+        return self.path.stem
+
+    @classmethod
+    def of(cls, path: Path, folder: Path) -> "RecordingFile":
+        match = _TAKE.fullmatch(path.stem)
+        line_stem = match["stem"] if match else path.stem
+        take = int(match["told"] or match["copy"]) if match else None
+        return cls(path, path.relative_to(folder).as_posix(), line_stem, take)
+
+
+def find_recordings(folder: Path, *, without: Path) -> tuple[RecordingFile, ...]:
+    """The recordings under `folder` by name, but hidden ones and those under `without` (where we write).
+
+    Raises InputError `file_unreadable`.
+    """
+    if not folder.is_dir():
+        message = f"{folder}: no folder of recordings; give --audio the folder where they are"
+        raise InputError("file_unreadable", message, field="audio")
+    found, written = [], without.resolve()
+    for parent, folders, files in os.walk(folder):
+        folders[:] = sorted(
+            name for name in folders if not name.startswith(".") and Path(parent, name).resolve() != written
+        )
+        names = [name for name in files if not name.startswith(".") and Path(name).suffix.lower() in SUFFIXES]
+        found += [RecordingFile.of(Path(parent, name), folder) for name in names]
+    return tuple(sorted(found, key=lambda each: each.relative))

@@ -1,0 +1,78 @@
+"""The values that travel through a batch.
+
+Rows count as a spreadsheet counts them: from 1, a header included; in a screenplay a row is a line of the file. Times
+are seconds from the start of the recording.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..model import Direction, Interval, Level
+
+
+@dataclass(frozen=True, slots=True)
+class ScriptLine:
+    """A line of a script.
+
+    `character` is the cue name as the script has it, `comment` what it says of the delivery ("whispers"), for people;
+    `recording` is the file that it names, `interval` where it is spoken in a longer recording. `listeners` are those
+    whom the script names; None leaves it to the cast and the scene.
+    """
+
+    row: int
+    id: str
+    text: str
+    character: str = ""
+    recording: str = ""
+    comment: str = ""
+    scene: str = ""
+    take: int | None = None
+    interval: Interval | None = None
+    direction: Direction | None = None
+    listeners: tuple[str, ...] | None = None
+    agitation: Level | None = None
+    seed: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """Why a row is no line that can be performed. `code` is stable; `column` is as people find it ("C (text)"), empty
+    where it concerns the whole row; `id` is the line's, so far as it is known."""
+
+    row: int
+    column: str
+    code: str
+    message: str
+    id: str = ""
+
+    def __str__(self) -> str:
+        column = f", column {self.column}" if self.column else ""
+        return f"row {self.row}{column}: {self.message}"
+
+
+@dataclass(frozen=True, slots=True)
+class Script:
+    """A script as it was read: the lines that can be used, what is wrong with the others, and what was guessed."""
+
+    path: Path
+    lines: tuple[ScriptLine, ...]
+    problems: tuple[Problem, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Recording:
+    """A file of speech and the stretch of it that is meant; None is the whole file."""
+
+    path: Path
+    interval: Interval | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Take:
+    """A line with one recording of it; `id` names it in the manifest and in the names of files."""
+
+    id: str
+    line: ScriptLine
+    recording: Recording
+    number: int | None = None

@@ -1,0 +1,56 @@
+"""What of a line needs a human eye, and how urgently."""
+
+from collections.abc import Iterator
+
+from ..manifest.entries import Entry, State
+
+FLAT_ST = 1.2
+"""A take whose pitch deviates less is hardly acted."""
+
+SHORTEST_JUDGED_S = 1.0
+"""Shorter lines are too short to be flat."""
+
+MANY_DROPPED = 3
+
+_WEIGHTS = {
+    "transcript_suspect": 50,
+    "alignment_low_confidence": 30,
+    "audio_clipped": 15,
+    "audio_quiet": 12,
+    "audio_antiphase": 12,
+    "word_unreadable": 10,
+    "agitation_unsure": 2,
+}
+"""How urgent a warning is; others weigh 5."""
+
+_OTHER = 5
+_FAILED, _FLAT, _DROPPED, _UNPLAYED, _STILL = 1000, 20, 4, 3, 8
+
+
+def reasons(entry: Entry) -> tuple[tuple[int, str], ...]:
+    """Why somebody should look at the line, the most urgent first, each with its weight."""
+    return tuple(sorted(_reasons(entry), reverse=True))
+
+
+def attention(entry: Entry) -> int:
+    """How urgently somebody should look at it; 0 is not at all."""
+    return sum(weight for weight, _reason in _reasons(entry))
+
+
+def _reasons(entry: Entry) -> Iterator[tuple[int, str]]:
+    if entry.state is not State.DONE:
+        yield _FAILED, entry.state.value
+    for code in sorted({notice.code for notice in entry.warnings}):
+        yield _WEIGHTS.get(code, _OTHER), code
+    measures = entry.measures
+    if measures is None:
+        return
+    spread_st = measures.pitch_spread_st
+    if measures.duration_s >= SHORTEST_JUDGED_S and spread_st is not None and spread_st < FLAT_ST:
+        yield _FLAT, "flat_take"
+    if measures.gestures == 0 and measures.gestures_dropped:
+        yield _STILL, "no_gesture_left"
+    if measures.gestures_dropped >= MANY_DROPPED:
+        yield _DROPPED, "gestures_dropped"
+    if measures.unplayed:
+        yield _UNPLAYED, "not_played_as_asked"

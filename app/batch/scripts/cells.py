@@ -1,0 +1,90 @@
+"""Turns the cells of a row into the fields of a line; what is wrong is collected, not raised, so that all is told."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ...errors import InputError
+from ...model import Direction, Interval, Level
+from ...schemas.direction import read_direction
+from ..model import Problem
+from .columns import Columns
+
+_CLOCK = re.compile(r"(?:(?:(\d+):)?(\d+):)?(\d+(?:[.,]\d+)?)")
+_SEPARATORS = re.compile(r"[;,|/]")
+
+
+@dataclass(slots=True)
+class Row:
+    """A row while it is read: its cells by field, and the problems found so far."""
+
+    number: int
+    cells: Sequence[str]
+    columns: Columns
+    folder: Path
+    problems: list[Problem] = field(default_factory=list)
+
+    def text(self, name: str) -> str:
+        """The cell without blanks around it; empty where there is none."""
+        place = self.columns.places.get(name)
+        return self.cells[place].strip() if place is not None and place < len(self.cells) else ""
+
+    def whole_number(self, name: str) -> int | None:
+        """Spreadsheets write 3 as 3.0."""
+        told = self.text(name)
+        match = re.fullmatch(r"[^\d-]*(-?\d{1,18})(?:\.0*)?", told)
+        if told and match is None:
+            self.wrong(name, "value_wrong", f"{told!r} is no whole number")
+        return int(match[1]) if match else None
+
+    def level(self) -> Level | None:
+        told = self.text("agitation").casefold()
+        if told and told not in set(Level):
+            self.wrong("agitation", "value_wrong", f"{told!r}; it is low, medium or high, or empty")
+            return None
+        return Level(told) if told else None
+
+    def interval(self) -> Interval | None:
+        """Seconds or h:mm:ss.ms, both ends or none."""
+        ends = [self._seconds(name) for name in ("start", "end")]
+        if ends == [None, None]:
+            return None
+        if ends[0] is None or ends[1] is None or ends[0] >= ends[1]:
+            name = "end" if "end" in self.columns.places else "start"
+            self.wrong(name, "value_wrong", "a line that is cut out needs its start and a later end")
+            return None
+        return Interval(ends[0], ends[1])
+
+    def listeners(self) -> tuple[str, ...] | None:
+        told = self.text("listener")
+        return tuple(name.strip() for name in _SEPARATORS.split(told) if name.strip()) if told else None
+
+    def direction(self) -> tuple[Direction | None, str]:
+        """A director's notes, in JSON or as the name of a .json file beside the script; anything else is a comment."""
+        told = self.text("direction")
+        if not told.startswith("{") and not told.casefold().endswith(".json"):
+            return None, told
+        try:
+            content = told.encode() if told.startswith("{") else (self.folder / told).read_bytes()
+            return read_direction(content), ""
+        except InputError as error:
+            self.wrong("direction", error.code, error.message)
+        except OSError as error:
+            self.wrong("direction", "file_unreadable", f"{told}: cannot be read: {error.strerror}")
+        return None, ""
+
+    def wrong(self, name: str, code: str, message: str) -> None:
+        column = self.columns.name(name) if name in self.columns.places else ""
+        self.problems.append(Problem(self.number, column, code, message, self.text("id")))
+
+    def _seconds(self, name: str) -> float | None:
+        told = self.text(name)
+        if not told:
+            return None
+        match = _CLOCK.fullmatch(told)
+        if match is None:
+            self.wrong(name, "value_wrong", f"{told!r} is no time; give seconds or h:mm:ss.ms")
+            return None
+        hours, minutes, seconds = (float((part or "0").replace(",", ".")) for part in match.groups())
+        return 3600 * hours + 60 * minutes + seconds

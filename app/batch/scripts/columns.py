@@ -1,0 +1,136 @@
+"""Which column of a sheet is which: by its usual names (lexicon/batch/columns.yaml), or as the caller says."""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from pydantic import RootModel
+
+from ...errors import AuthoringError, InputError
+from ...resources import resource_folder
+from ...yaml_files import Source, did_you_mean
+
+FIELDS = (
+    "id",
+    "text",
+    "character",
+    "recording",
+    "comment",
+    "direction",
+    "scene",
+    "take",
+    "start",
+    "end",
+    "listener",
+    "agitation",
+    "seed",
+)
+"""What a column can be."""
+
+_LETTERS = 26
+
+
+class _UsualNames(RootModel[dict[str, list[str]]]):
+    """The file of usual names."""
+
+
+@dataclass(frozen=True, slots=True)
+class ColumnNames:
+    """What columns are usually called: the fields by folded name, and how eagerly each name is taken (0 first)."""
+
+    fields: Mapping[str, tuple[str, int]]
+
+    @classmethod
+    def load(cls, path: Path | None = None) -> "ColumnNames":
+        """Raises AuthoringError with every field that is unknown and every name that two fields claim."""
+        source = Source(path or resource_folder("lexicon") / "batch" / "columns.yaml")
+        fields: dict[str, tuple[str, int]] = {}
+        mistakes = []
+        for field, names in source.validated(_UsualNames).root.items():
+            if field not in FIELDS:
+                mistakes.append(source.mistake((field,), f"no field is called {field!r}{did_you_mean(field, FIELDS)}"))
+            for place, name in enumerate(names):
+                if fields.setdefault(folded(name), (field, place))[0] != field:
+                    owner = fields[folded(name)][0]
+                    mistakes.append(source.mistake((field, place), f"{name!r} is a name of {owner!r} already"))
+        if mistakes:
+            raise AuthoringError(tuple(mistakes))
+        return cls(MappingProxyType(fields))
+
+    def recognised(self, header: Sequence[str]) -> int:
+        """How many cells of a header are names that we know."""
+        return sum(folded(cell) in self.fields for cell in header)
+
+
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """Where in a row each field stands; a field that no column has is absent."""
+
+    header: tuple[str, ...]
+    places: Mapping[str, int]
+
+    def name(self, field: str) -> str:
+        """The column as people find it: its letter and its heading."""
+        place = self.places[field]
+        return f"{letters(place)} ({self.header[place]})"
+
+
+def find_columns(
+    header: Sequence[str], names: ColumnNames, named: Mapping[str, str], *, file: str, needs_text: bool = True
+) -> Columns:
+    """The columns of a sheet; `named` are those that the caller named, heading by field.
+
+    Raises InputError `columns_missing` when no column has the words, or a heading that was named is not there.
+    """
+    cells = tuple(cell.strip() for cell in header)
+    places = {field: _place_of(field, heading, cells, file) for field, heading in named.items()}
+    ranked = [
+        (names.fields[folded(cell)][1], place, names.fields[folded(cell)][0])
+        for place, cell in enumerate(cells)
+        if folded(cell) in names.fields and place not in places.values()
+    ]
+    for _rank, place, field in sorted(ranked):
+        places.setdefault(field, place)
+    if needs_text and "text" not in places:
+        told = ", ".join(repr(cell) for cell in cells if cell) or "nothing"
+        message = f'{file}: no column has the words; its headings are {told}; name it with --column text="HEADING"'
+        raise InputError("columns_missing", message, field="script")
+    return Columns(cells, MappingProxyType(places))
+
+
+def read_named(options: Sequence[str]) -> dict[str, str]:
+    """The headings by field of `--column FIELD=HEADING`; raises InputError `usage`."""
+    named: dict[str, str] = {}
+    for option in options:
+        field, separator, heading = option.partition("=")
+        if not separator or field not in FIELDS:
+            hint = did_you_mean(field, FIELDS)
+            message = f"--column {option}: give FIELD=HEADING; fields are {', '.join(FIELDS)}{hint}"
+            raise InputError("usage", message, field="column")
+        named[field] = heading
+    return named
+
+
+def folded(name: str) -> str:
+    """A heading without what does not count in it."""
+    return re.sub(r"[\s_.\-:#/']+", " ", name).strip().casefold()
+
+
+def letters(place: int) -> str:
+    """A column's letters in a spreadsheet; the first, 0, is A."""
+    told = ""
+    place += 1
+    while place:
+        place, rest = divmod(place - 1, _LETTERS)
+        told = chr(ord("A") + rest) + told
+    return told
+
+
+def _place_of(field: str, heading: str, cells: Sequence[str], file: str) -> int:
+    for place, cell in enumerate(cells):
+        if folded(cell) == folded(heading):
+            return place
+    message = f"{file}: no column is headed {heading!r}{did_you_mean(heading, cells)}"
+    raise InputError("columns_missing", message, field=f"column {field}")

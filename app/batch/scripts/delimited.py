@@ -1,0 +1,53 @@
+"""Sheets as text: CSV and TSV, whatever separates their cells.
+
+The separator is the one by which the first row has most headings that we know, else most cells: lines of dialogue have
+more commas than any sheet has columns, so counting them would mislead.
+"""
+
+import csv
+import io
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from ...errors import UndecodableError
+from ..model import Script
+from .columns import ColumnNames
+from .sheets import read_sheet
+from .text_files import decode_text
+
+SEPARATORS = (",", ";", "\t", "|")
+LONGEST_CELL = 1 << 20
+
+
+def read_delimited(content: bytes, path: Path, named: Mapping[str, str]) -> Script:
+    """The script in a CSV or TSV file. Raises UndecodableError `text_not_utf8` and `sheet_undecodable`, InputError
+    `script_empty` and `columns_missing`."""
+    file = decode_text(content, str(path))
+    names = ColumnNames.load()
+    rows = read_rows(file.text, separator_of(file.text, names, named), path)
+    return read_sheet(rows, path, names=names, named=named, remarks=[file.remark] if file.remark else [])
+
+
+def separator_of(text: str, names: ColumnNames, named: Mapping[str, str]) -> str:
+    """What separates the cells of the first row that has any."""
+    first = [line for line in text.splitlines() if line.strip()][:1]
+
+    def headings(separator: str) -> tuple[int, int]:
+        cells = next(csv.reader(first, delimiter=separator), [])
+        return names.recognised(cells) + sum(cell in named.values() for cell in cells), len(cells)
+
+    return max(SEPARATORS, key=headings)
+
+
+def read_rows(text: str, separator: str, path: Path) -> Iterator[list[str]]:
+    """The rows of cells. Raises UndecodableError `sheet_undecodable` with the line, as for a quote that never ends."""
+    csv.field_size_limit(LONGEST_CELL)
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
+    last = 0
+    try:
+        for cells in reader:
+            yield cells
+            last = reader.line_num
+    except csv.Error as error:
+        message = f"{path}: the row from line {last + 1} on: {error}; double each quote within a quoted cell"
+        raise UndecodableError("sheet_undecodable", message, field="script") from None

@@ -1,0 +1,44 @@
+"""Reads a script of any kind, by what its name ends in."""
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import MappingProxyType
+
+from ...errors import InputError, TooLargeError, UnsupportedFormatError
+from ..model import Script
+from .delimited import read_delimited
+
+LARGEST_SCRIPT_BYTES = 256 << 20
+
+Reader = Callable[[bytes, Path, Mapping[str, str]], Script]
+
+READERS: Mapping[str, Reader] = MappingProxyType(
+    {".csv": read_delimited, ".tsv": read_delimited, ".txt": read_delimited}
+)
+"""How each kind of file is read, given its content, its name, and the headings of columns that the caller named."""
+
+
+def read_script(path: Path, named: Mapping[str, str]) -> Script:
+    """The script in a file.
+
+    Raises UnsupportedFormatError `script_format`, InputError `file_unreadable`, `script_empty` and as the reader of its
+    kind does; a problem of a single line is part of the script.
+    """
+    reader = READERS.get(path.suffix.lower())
+    if reader is None:
+        message = f"{path}: scripts are {', '.join(READERS)}; save it as one of them"
+        raise UnsupportedFormatError("script_format", message, field="script")
+    script = reader(_content(path), path, named)
+    if not script.lines and not script.problems:
+        raise InputError("script_empty", f"{path}: no line in it", field="script")
+    return script
+
+
+def _content(path: Path) -> bytes:
+    try:
+        if path.stat().st_size > LARGEST_SCRIPT_BYTES:
+            message = f"{path}: larger than {LARGEST_SCRIPT_BYTES >> 20} MB; divide it"
+            raise TooLargeError("file_too_large", message, field="script")
+        return path.read_bytes()
+    except OSError as error:
+        raise InputError("file_unreadable", f"{path}: cannot be read: {error.strerror}", field="script") from None

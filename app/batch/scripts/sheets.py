@@ -1,0 +1,76 @@
+"""A voice-over sheet, wherever its cells come from: one row a line, after a row of headings."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path, PurePath
+
+from ...errors import InputError
+from ..model import Problem, Script, ScriptLine
+from .cells import Row
+from .columns import ColumnNames, find_columns
+
+Cells = Sequence[str]
+
+
+def read_sheet(
+    rows: Iterable[Cells], path: Path, *, names: ColumnNames, named: Mapping[str, str], remarks: Sequence[str] = ()
+) -> Script:
+    """The lines of a sheet; empty rows are passed over. Raises InputError `script_empty` and `columns_missing`."""
+    numbered = [(number, cells) for number, cells in enumerate(rows, start=1) if any(cell.strip() for cell in cells)]
+    if not numbered:
+        raise InputError("script_empty", f"{path}: nothing in it; give a row of headings and a row a line")
+    columns = find_columns(numbered[0][1], names, named, file=str(path))
+    read = [_read_row(Row(number, cells, columns, path.parent)) for number, cells in numbered[1:]]
+    lines = [line for line, problems in read if not problems]
+    problems = [problem for _line, found in read for problem in found]
+    kept, doubles = without_doubles(lines, columns.name("id") if "id" in columns.places else "")
+    return Script(path, kept, tuple(sorted([*problems, *doubles], key=lambda each: each.row)), tuple(remarks))
+
+
+def without_doubles(lines: Sequence[ScriptLine], column: str) -> tuple[tuple[ScriptLine, ...], list[Problem]]:
+    """The lines whose id no line before has (capitals do not count, for they do not in file names), and a problem for
+    each of the others."""
+    first: dict[str, int] = {}
+    kept, problems = [], []
+    for line in lines:
+        row = first.setdefault(line.id.casefold(), line.row)
+        if row == line.row:
+            kept.append(line)
+        else:
+            message = f"{line.id!r} is row {row}'s already; give each line an id of its own"
+            problems.append(Problem(line.row, column, "id_repeated", message, line.id))
+    return tuple(kept), problems
+
+
+def _read_row(row: Row) -> tuple[ScriptLine, list[Problem]]:
+    direction, told = row.direction()
+    line = ScriptLine(
+        row=row.number,
+        id=_id(row),
+        text=" ".join(row.text("text").split()),
+        character=row.text("character"),
+        recording=row.text("recording"),
+        comment="; ".join(part for part in (row.text("comment"), told) if part),
+        scene=row.text("scene"),
+        take=row.whole_number("take"),
+        interval=row.interval(),
+        direction=direction,
+        listeners=row.listeners(),
+        agitation=row.level(),
+        seed=row.whole_number("seed"),
+    )
+    if not line.text:
+        row.wrong("text", "text_empty", "no words; write what is spoken")
+    if len(row.cells) > len(row.columns.header) and any(cell.strip() for cell in row.cells[len(row.columns.header) :]):
+        message = f"{len(row.cells)} cells under {len(row.columns.header)} headings; quote a text that has separators"
+        row.problems.append(Problem(row.number, "", "row_too_long", message, line.id))
+    return line, row.problems
+
+
+def _id(row: Row) -> str:
+    """The line's own id, else the stem of the recording that it names, else its row."""
+    if "id" not in row.columns.places:
+        return PurePath(row.text("recording").replace("\\", "/")).stem or f"row{row.number:05d}"
+    told = row.text("id")
+    if not told:
+        row.wrong("id", "id_missing", "no id; give each line one of its own")
+    return told

@@ -1,0 +1,44 @@
+"""Writes outputs whole or not at all: to a folder of unfinished files first, then by its real name.
+
+The folder lies in the output folder, so that renaming is one step of the file system, and what a killed process leaves
+lies nowhere else.
+"""
+
+import os
+import shutil
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+from uuid import uuid4
+
+from .jobs import OutputFile
+
+UNFINISHED = ".unfinished"
+
+
+def write_whole(folder: Path, relative: str, content: bytes) -> None:
+    """Writes `content` under `folder`, its folders made where they lack; raises OSError."""
+    unfinished = folder / UNFINISHED / uuid4().hex
+    unfinished.parent.mkdir(parents=True, exist_ok=True)
+    target = folder / relative
+    target.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        unfinished.write_bytes(content)
+        os.replace(unfinished, target)
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
+def write_files(folder: Path, files: Iterable[OutputFile]) -> tuple[OutputFile, ...]:
+    """Writes every file that has its content, and the files without it."""
+    written = []
+    for file in files:
+        if file.content is not None:
+            write_whole(folder, file.path, file.content)
+        written.append(replace(file, content=None))
+    return tuple(written)
+
+
+def clear_unfinished(folder: Path) -> None:
+    """Removes what a killed process left; nobody else may be writing there."""
+    shutil.rmtree(folder / UNFINISHED, ignore_errors=True)

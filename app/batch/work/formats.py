@@ -1,0 +1,65 @@
+"""What a line is written as: the schedule in its forms, or the motion in any of its formats."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import StrEnum
+
+from ...errors import InputError
+from ...motion_formats import PICTURES, MotionFormat
+from ...yaml_files import did_you_mean
+
+
+class LineFormat(StrEnum):
+    """What is written without any motion, by what the names of its files end in."""
+
+    BML = "bml"
+    BML_JSON = "bml.json"
+    PERFORMANCE = "json"
+    TEXTGRID = "TextGrid"
+    CTM = "ctm"
+    WAV = "wav"
+
+
+OutputFormat = LineFormat | MotionFormat
+
+_CLIP = "clip.json"
+"""The motion's JSON, beside that of the whole performance."""
+
+
+def extension_of(form: OutputFormat) -> str:
+    """What the names of a format's files end in, without the dot; also the format's own name."""
+    if form is MotionFormat.JSON:
+        return _CLIP
+    return form.value.removeprefix(".")
+
+
+FORMATS = (*LineFormat, *(form for form in MotionFormat if extension_of(form) not in set(LineFormat)))
+
+
+def formats_named(names: Sequence[str]) -> tuple[OutputFormat, ...]:
+    """The formats of `--format`, each once; BML where nothing is named. Raises InputError `format_unknown`."""
+    by_name = {extension_of(form).casefold(): form for form in FORMATS}
+    found = []
+    for name in names or [LineFormat.BML]:
+        form = by_name.get(name.removeprefix(".").casefold())
+        if form is None:
+            told = ", ".join(extension_of(each) for each in FORMATS)
+            message = f"--format {name}: give one of {told}{did_you_mean(name, by_name)}"
+            raise InputError("format_unknown", message, field="format")
+        found.append(form)
+    return tuple(dict.fromkeys(found))
+
+
+def needs_motion(formats: Sequence[OutputFormat]) -> bool:
+    return any(isinstance(form, MotionFormat) for form in formats)
+
+
+def needs_pictures(formats: Sequence[OutputFormat]) -> bool:
+    return any(form in PICTURES for form in formats)
+
+
+def beside(path: str, listener: str, form: OutputFormat) -> str:
+    """The name of a listener's file: `OUT.NAME.bml` for `OUT.bml`."""
+    ending = f".{extension_of(form)}"
+    return f"{path.removesuffix(ending)}.{listener}{ending}"

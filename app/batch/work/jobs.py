@@ -1,0 +1,96 @@
+"""What a worker is given and what it gives back: plain frozen values, small enough to send."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ...errors import InputError
+from ...model import Direction, Notice
+from ...performance import Options
+from .audio import AudioSource
+from .formats import OutputFormat
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A file that is to be written: its format and its path from the output folder on, with forward slashes."""
+
+    form: OutputFormat
+    path: str
+
+
+@dataclass(frozen=True, slots=True)
+class MotionForm:
+    """How motion is written: frames a second, and whose names joints go by (None: the format's own)."""
+
+    frame_rate_hz: int = 60
+    skeleton: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class LineJob:
+    """A line that is to be performed.
+
+    The worker writes to `folder`; where that is None it sends the files' content back.
+    """
+
+    id: str
+    text: str
+    audio: AudioSource
+    options: Options
+    targets: tuple[Target, ...]
+    direction: Direction | None = None
+    motion: MotionForm = MotionForm()
+    folder: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Measures:
+    """What a report tells of a performance. `functions` counts the kept ones by class, `gestures_dropped` those that
+    gave way to others, `unplayed` what the realizer changed or left out; `pitch_spread_st` is the deviation of the
+    voice's pitch, in semitones, None where it has none."""
+
+    duration_s: float
+    words: int
+    agitation: str
+    functions: dict[str, int]
+    gestures: int
+    gestures_dropped: int
+    behaviors: int
+    emphasised: int
+    pitch_spread_st: float | None
+    unplayed: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class OutputFile:
+    """A file that was written, or that is to be (`content`); `listener` is whose it is, empty for the speaker's."""
+
+    form: OutputFormat
+    path: str
+    size: int
+    listener: str = ""
+    content: bytes | None = field(default=None, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """Why a line came to nothing, in the terms of docs/errors.md."""
+
+    code: str
+    message: str
+
+    @classmethod
+    def of(cls, error: InputError) -> "Failure":
+        return cls(error.code, error.message)
+
+
+@dataclass(frozen=True, slots=True)
+class LineOutcome:
+    """What came of a job: files and measures, or a failure; `seconds` is how long it took."""
+
+    id: str
+    seconds: float
+    files: tuple[OutputFile, ...] = ()
+    notices: tuple[Notice, ...] = ()
+    measures: Measures | None = None
+    failure: Failure | None = None

@@ -1,0 +1,125 @@
+"""Performs the line of a job and makes its files. A pure function of the job and the models; what the caller got wrong
+is part of the outcome, for one wrong line must not end the others.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ...errors import InputError
+from ...library import write_ctm, write_json, write_textgrid
+from ...model import Channel, Performance
+from ...motion_formats import MotionFormat
+from ...performance import (
+    Analysis,
+    Line,
+    Understudy,
+    listener_part,
+    perform_heard,
+    write_bml,
+    write_bml_json,
+    write_listener,
+)
+from ...realization import AvatarOptions, PreparedSchedule, Realized, realize, schedule_of, write_motion
+from .files import write_files
+from .formats import LineFormat, beside, needs_motion
+from .jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
+
+
+def perform_job(job: LineJob, models: Understudy) -> LineOutcome:
+    """What comes of a job. Raises ServiceError for trouble of our own, after which another try may do, and OSError
+    when the files cannot be written."""
+    start_s = time.perf_counter()
+    try:
+        audio = job.audio.content()
+        line = Line(audio, job.text, direction=job.direction)
+        analysis, performance = perform_heard(models, line, job.options)
+        realized = _realized(job, models, performance)
+        files = tuple(_files(job, models, audio, performance, realized))
+    except InputError as error:
+        return LineOutcome(job.id, time.perf_counter() - start_s, failure=Failure.of(error))
+    if job.folder is not None:
+        files = write_files(job.folder, files)
+    measures = _measures(analysis, performance, realized.get("", None))
+    return LineOutcome(job.id, time.perf_counter() - start_s, files, performance.notices, measures)
+
+
+def _parts(performance: Performance) -> Iterator[tuple[str, Performance]]:
+    """The speaker's part, under no name, then each listener's."""
+    yield "", performance
+    for listening in performance.listeners:
+        yield listening.name, listener_part(performance, listening)
+
+
+def _realized(job: LineJob, models: Understudy, performance: Performance) -> Mapping[str, Realized]:
+    """The motion of each part, where a format asks for it."""
+    if not needs_motion([target.form for target in job.targets]):
+        return {}
+    found = {}
+    for name, part in _parts(performance):
+        prepared = PreparedSchedule(schedule_of(part), part.notices)
+        motion = realize(
+            models.realizer, prepared.schedule, frame_rate_hz=job.motion.frame_rate_hz, seed=performance.seed
+        )
+        found[name] = Realized(prepared.schedule, replace(motion, notices=prepared.notices))
+    return found
+
+
+def _files(
+    job: LineJob, models: Understudy, audio: bytes, performance: Performance, realized: Mapping[str, Realized]
+) -> Iterator[OutputFile]:
+    wearer = AvatarOptions(job.motion.skeleton)
+    form = job.options.form
+    spoken: Mapping[LineFormat, Callable[[], bytes]] = {
+        LineFormat.BML: lambda: write_bml(performance, form),
+        LineFormat.BML_JSON: lambda: write_bml_json(performance, form),
+        LineFormat.PERFORMANCE: lambda: write_json(performance, indent=2) + b"\n",
+        LineFormat.TEXTGRID: lambda: write_textgrid(performance),
+        LineFormat.CTM: lambda: write_ctm(performance, job.id),
+        LineFormat.WAV: lambda: audio,
+    }
+    for target in job.targets:
+        if isinstance(target.form, MotionFormat):
+            for name, part in realized.items():
+                yield _file(target, name, write_motion(part, models.realizer, target.form, wearer))
+        else:
+            yield _file(target, "", spoken[target.form]())
+            if target.form is LineFormat.BML:
+                for listening in performance.listeners:
+                    yield _file(target, listening.name, write_listener(performance, listening, form))
+
+
+def _file(target: Target, listener: str, content: bytes) -> OutputFile:
+    path = beside(target.path, listener, target.form) if listener else target.path
+    return OutputFile(target.form, path, len(content), listener, content)
+
+
+def _measures(analysis: Analysis, performance: Performance, realized: Realized | None) -> Measures:
+    utterance = performance.utterance
+    kept = [behavior for behavior in performance.behaviors if behavior.kept]
+    gestures = [behavior for behavior in performance.behaviors if behavior.kind is Channel.GESTURE]
+    functions = Counter(function.class_name for function in performance.functions if function.kept)
+    return Measures(
+        duration_s=round(analysis.utterance.duration_s or 0.0, 3),
+        words=len(utterance.words),
+        agitation=utterance.agitation.level.value if utterance.agitation else "",
+        functions=dict(sorted(functions.items())),
+        gestures=sum(gesture.kept for gesture in gestures),
+        gestures_dropped=sum(not gesture.kept for gesture in gestures),
+        behaviors=len(kept),
+        emphasised=sum(word.is_emphasised for word in utterance.words),
+        pitch_spread_st=_pitch_spread_st(analysis),
+        unplayed=None if realized is None else len(realized.motion.decisions),
+    )
+
+
+def _pitch_spread_st(analysis: Analysis) -> float | None:
+    """The deviation of the voice's pitch; None where there is none."""
+    f0_hz = analysis.heard.contours.f0_hz if analysis.heard else np.zeros(0)
+    voiced_hz = f0_hz[f0_hz > 0]
+    return round(float(np.std(12 * np.log2(voiced_hz))), 2) if len(voiced_hz) > 1 else None

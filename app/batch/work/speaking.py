@@ -1,0 +1,30 @@
+"""Learns how a speaker usually sounds, from recordings of the batch itself."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...errors import InputError
+from ...performance import AcousticModels, SignalAnalysis, SpeakerReference, analyze_signal, make_reference
+from .audio import AudioSource
+
+
+@dataclass(frozen=True, slots=True)
+class ReferenceJob:
+    """A speaker whose usual voice is to be learnt, and recordings of it."""
+
+    speaker: str
+    recordings: tuple[AudioSource, ...]
+
+
+def learn_reference(job: ReferenceJob, acoustic: AcousticModels) -> SpeakerReference | None:
+    """The reference; recordings that cannot be heard are left out (their own lines tell why), None if none can."""
+    heard = list(_heard(job, acoustic))
+    return make_reference(acoustic, heard) if heard else None
+
+
+def _heard(job: ReferenceJob, acoustic: AcousticModels) -> Iterator[SignalAnalysis]:
+    for recording in job.recordings:
+        try:
+            yield analyze_signal(acoustic, recording.content())
+        except InputError:
+            continue

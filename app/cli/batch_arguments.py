@@ -1,0 +1,49 @@
+"""The arguments of `understudy batch`."""
+
+import argparse
+from collections.abc import Callable
+
+from .distinct_files import InputFile
+
+FORMATS_HELP = (
+    "bml (default), bml.json, json (every reason), TextGrid, ctm, wav, glb, bvh, vrma, clip.json, csv, png, …"
+)
+
+Adding = Callable[[str, str], argparse.ArgumentParser]
+Shared = Callable[[argparse.ArgumentParser], None]
+
+
+def add_batch(add: Adding, *shared: Shared) -> None:
+    """Adds the command; `shared` add the options that it has in common with `perform`."""
+    parser = add("batch", "many lines: a script and its recordings in, a performance of each out")
+    parser.add_argument("script", metavar="SCRIPT", type=InputFile, help="a sheet of lines: .csv, .tsv")
+    parser.add_argument(
+        "--audio", metavar="DIR", required=True, help="the folder of recordings, or the one recording of all lines"
+    )
+    parser.add_argument("--out", metavar="DIR", required=True, help="where everything goes; the same goes on there")
+    parser.add_argument("--format", metavar="NAME", action="append", default=[], help=f"repeatable: {FORMATS_HELP}")
+    parser.add_argument("--layout", metavar="PATTERN", help='names of outputs (default "{id}.{ext}")')
+    _add_joining(parser)
+    _add_running(parser)
+    for add_options in shared:
+        add_options(parser)
+
+
+def _add_joining(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--column",
+        metavar="FIELD=HEADING",
+        action="append",
+        default=[],
+        help="the heading of a column whose name is not usual: id, text, character, recording, …; repeatable",
+    )
+    parser.add_argument("--pattern", metavar="NAME", help='names of recordings, such as "{character}/{id}_t{take}.wav"')
+    parser.add_argument(
+        "--take", choices=("last", "first", "all"), default="last", help="which of several takes (default last)"
+    )
+
+
+def _add_running(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--workers", metavar="N", type=int, help="processes (default: as many as processors)")
+    parser.add_argument("--dry-run", action="store_true", help="say what would be done and what is missing; do nothing")
+    parser.add_argument("--again", action="store_true", help="perform every line again, done or not")

@@ -1,0 +1,91 @@
+"""`understudy batch`: a script and its recordings in, a performance of each line out."""
+
+import argparse
+import os
+from pathlib import Path
+
+from ...analysis import Options
+from ...batch.batch import run_batch
+from ...batch.layout import USUAL, Layout
+from ...batch.manifest.entries import Entry, State
+from ...batch.matching.joining import Choice
+from ...batch.matching.patterns import Pattern
+from ...batch.request import BatchRequest
+from ...batch.running.engine import Engine
+from ...batch.scripts.columns import read_named
+from ...batch.work.formats import formats_named, needs_pictures
+from ...batch.work.jobs import MotionForm
+from ...bml.markup.documents import DialectName, TimeForm
+from ...bml.writing.writer import BmlForm
+from ...errors import InputError
+from ...model import Level, Mode
+from ...settings import Settings, read_settings
+from ..batch_progress import progress_for
+from ..early import require_character, require_skeleton
+from ..log import Log
+from ..plot import require_plot
+
+SOME_FAILED = 1
+
+
+def run(arguments: argparse.Namespace, log: Log) -> int:
+    settings = read_settings()
+    request = _request(arguments)
+    require_character(request.options.character)
+    require_skeleton(request.motion.skeleton)
+    if needs_pictures(request.formats):
+        require_plot("sheet.png")
+    workers = _workers(arguments.workers)
+    with progress_for(log) as progress:
+        entries = run_batch(request, settings, lambda: _engine(workers, settings), progress)
+    return _told(entries, request.out, log)
+
+
+def _request(arguments: argparse.Namespace) -> BatchRequest:
+    return BatchRequest(
+        script=Path(arguments.script),
+        audio=Path(arguments.audio),
+        out=Path(arguments.out),
+        formats=formats_named(arguments.format),
+        layout=Layout(arguments.layout or USUAL),
+        columns=read_named(arguments.column),
+        pattern=Pattern.of(arguments.pattern) if arguments.pattern else None,
+        choice=Choice(arguments.take),
+        options=_options(arguments),
+        motion=MotionForm(arguments.fps, arguments.skeleton),
+        again=arguments.again,
+    )
+
+
+def _options(arguments: argparse.Namespace) -> Options:
+    return Options(
+        character=arguments.character,
+        agitation=arguments.agitation and Level(arguments.agitation),
+        seed=arguments.seed,
+        mode=Mode(arguments.mode),
+        form=BmlForm(DialectName(arguments.dialect), TimeForm(arguments.timing)),
+        lead_in_s=arguments.lead_in,
+        stillness=arguments.stillness,
+    )
+
+
+def _workers(told: int | None) -> int:
+    workers = told if told is not None else len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else None
+    if workers is None:
+        workers = os.cpu_count() or 1
+    if workers < 1:
+        raise InputError("usage", f"--workers {workers}: give 1 at least", field="workers")
+    return workers
+
+
+def _engine(workers: int, settings: Settings) -> Engine:
+    from ...batch.running.local import LocalEngine
+
+    return LocalEngine(workers, settings)
+
+
+def _told(entries: tuple[Entry, ...], out: Path, log: Log) -> int:
+    failed = [entry for entry in entries if entry.state is State.FAILED]
+    done = len(entries) - len(failed)
+    log.note(f"{done} lines done, {len(failed)} failed; {out / 'report.csv'} tells of each")
+    return SOME_FAILED if failed else 0

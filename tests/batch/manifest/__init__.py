@@ -1,0 +1,1 @@
+"""The manifest, its rows and hashes."""

@@ -1,0 +1,88 @@
+"""The manifest gives back what was put, belongs to one command at a time, and tells what is no manifest."""
+
+import sqlite3
+from contextlib import closing
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from understudy.batch.manifest.entries import Entry, State, WrittenFile
+from understudy.batch.manifest.hashes import KnownRecording
+from understudy.batch.manifest.store import FILE, Manifest
+from understudy.batch.work.jobs import Failure, Measures
+from understudy.errors import InputError
+from understudy.model import Notice
+
+MEASURES = Measures(1.5, 4, "low", {"negation": 1}, 1, 0, 5, 2, None)
+DONE = Entry(
+    "b",
+    1,
+    3,
+    "Ann",
+    "default",
+    "No — not those.",
+    "whispers",
+    "audio/b.wav",
+    None,
+    None,
+    "input",
+    "settings",
+    State.DONE,
+    (WrittenFile("bml", "", "b.bml", 12), WrittenFile("bml", "Ben", "b.Ben.bml", 3)),
+    (Notice("audio_quiet", "very low"),),
+    MEASURES,
+    None,
+    0.25,
+)
+FAILED = replace(DONE, id="a", place=0, start_s=1.0, end_s=2.5, state=State.FAILED, failure=Failure("x", "y"))
+
+
+def test_rows_come_back_in_the_order_of_the_script(tmp_path: Path) -> None:
+    with Manifest(tmp_path / "out") as manifest:
+        manifest.put([DONE, FAILED])
+    with Manifest(tmp_path / "out") as manifest:
+        assert list(manifest.entries().items()) == [("a", FAILED), ("b", DONE)]
+        manifest.put([replace(DONE, text="other")])
+        manifest.remove(["a"])
+        assert list(manifest.entries().values()) == [replace(DONE, text="other")]
+
+
+def test_others_may_read_it_meanwhile(tmp_path: Path) -> None:
+    with Manifest(tmp_path) as manifest:
+        manifest.put([DONE])
+        with closing(sqlite3.connect(tmp_path / FILE)) as other:
+            told = other.execute("SELECT id, state FROM lines").fetchall()
+    assert told == [("b", "done")]
+    assert sorted(path.name for path in tmp_path.iterdir()) == [".lock", FILE]
+
+
+def test_one_command_at_a_time(tmp_path: Path) -> None:
+    with Manifest(tmp_path), pytest.raises(InputError) as raised:
+        Manifest(tmp_path)
+    assert raised.value.code == "out_in_use"
+    Manifest(tmp_path).close()
+
+
+@pytest.mark.parametrize("content", [b"no database at all, but some text that is long enough", None])
+def test_what_is_no_manifest_of_ours_is_told(content: bytes | None, tmp_path: Path) -> None:
+    if content is None:
+        sqlite3.connect(tmp_path / FILE).execute("CREATE TABLE lines (id TEXT PRIMARY KEY)")
+    else:
+        (tmp_path / FILE).write_bytes(content)
+    with pytest.raises(InputError) as raised:
+        Manifest(tmp_path)
+    assert raised.value.code == "manifest_unreadable"
+
+
+def test_recordings_are_read_again_only_when_they_changed(tmp_path: Path) -> None:
+    recording = tmp_path / "a.wav"
+    recording.write_bytes(b"one")
+    known = KnownRecording.of(recording)
+    lied = replace(known, hash="not read")
+    assert KnownRecording.of(recording, lied) == lied
+    with Manifest(tmp_path / "out") as manifest:
+        manifest.know_recordings([("a.wav", known)])
+        assert manifest.known_recordings() == {"a.wav": known}
+    recording.write_bytes(b"three")
+    assert KnownRecording.of(recording, known).hash != known.hash

@@ -1,0 +1,1 @@
+"""Lines and recordings, joined; the recordings are empty files with names."""

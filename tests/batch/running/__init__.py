@@ -1,0 +1,1 @@
+"""Jobs that end, fail, and kill their workers."""

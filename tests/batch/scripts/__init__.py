@@ -1,0 +1,1 @@
+"""Scripts of every kind, read from text written here."""

@@ -1,0 +1,136 @@
+"""A batch from its script to its reports: what is performed, what is done again, what is told of it."""
+
+import csv
+import json
+import shutil
+from concurrent.futures import Future
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from understudy.batch.batch import run_batch
+from understudy.batch.manifest.entries import Entry, State
+from understudy.batch.planning import Plan
+from understudy.batch.request import BatchRequest
+from understudy.batch.work.formats import LineFormat
+from understudy.batch.work.jobs import LineJob, LineOutcome
+from understudy.batch.work.performing import perform_job
+from understudy.batch.work.speaking import ReferenceJob, learn_reference
+from understudy.performance import Line, Options, SpeakerReference, Understudy, perform, write_bml
+from understudy.settings import Settings
+
+AUDIO = Path(__file__).parents[1] / "audio"
+TEXT = (AUDIO / "figure8.txt").read_text(encoding="utf-8").strip()
+
+
+class ThisProcess:
+    """An engine that does jobs here, with models that are loaded already."""
+
+    places = 1
+
+    def __init__(self, models: Understudy) -> None:
+        self.models = models
+        self.performed: list[str] = []
+
+    def submit(self, job: LineJob) -> "Future[LineOutcome]":
+        self.performed.append(job.id)
+        future: Future[LineOutcome] = Future()
+        future.set_result(perform_job(job, self.models))
+        return future
+
+    def learn(self, job: ReferenceJob) -> "Future[SpeakerReference | None]":
+        future: Future[SpeakerReference | None] = Future()
+        future.set_result(learn_reference(job, self.models.acoustic))
+        return future
+
+    def close(self) -> None:
+        pass
+
+
+class Silent:
+    """Nobody watches."""
+
+    def planned(self, plan: Plan) -> None:
+        pass
+
+    def begun(self, entries: int, done: int) -> None:
+        pass
+
+    def ended(self, entry: Entry) -> None:
+        pass
+
+
+class Batch:
+    """A folder with a script of two good lines and three bad ones, and the commands on it."""
+
+    def __init__(self, folder: Path, models: Understudy) -> None:
+        self.folder, self.models = folder, models
+        (folder / "audio").mkdir()
+        for name in ("one", "two", "spare"):
+            shutil.copy(AUDIO / "figure8.flac", folder / "audio" / f"{name}.flac")
+        self.request = BatchRequest(folder / "lines.csv", folder / "audio", folder / "out")
+        self.write(one=TEXT, two=TEXT, gone="no", empty="")
+
+    def write(self, **texts: str) -> None:
+        rows = [["id", "text"], *texts.items(), ["one", "again"]]
+        with (self.folder / "lines.csv").open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows(rows)
+
+    def run(self, **changes: object) -> tuple[list[str], dict[str, Entry]]:
+        """Which lines were performed, and the rows of all."""
+        engine = ThisProcess(self.models)
+        request = replace(self.request, **changes)  # type: ignore[arg-type]
+        entries = run_batch(request, Settings(), lambda: engine, Silent())
+        return engine.performed, {entry.id: entry for entry in entries}
+
+    def bytes_out(self) -> dict[str, bytes]:
+        files = [path for path in sorted((self.folder / "out").rglob("*")) if path.is_file()]
+        return {path.name: path.read_bytes() for path in files if path.suffix in {".bml", ".json", ".csv", ".html"}}
+
+
+@pytest.fixture
+def batch(tmp_path: Path, understudy: Understudy) -> Batch:
+    return Batch(tmp_path, understudy)
+
+
+def test_lines_are_performed_as_by_themselves_and_wrong_ones_are_named(batch: Batch) -> None:
+    performed, entries = batch.run()
+    assert performed == ["one", "two"]
+    alone = perform(batch.models, Line((AUDIO / "figure8.flac").read_bytes(), TEXT), Options())
+    assert batch.bytes_out()["one.bml"] == write_bml(alone)
+    assert {name: entry.failure.code for name, entry in entries.items() if entry.failure} == {
+        "empty": "text_empty",
+        "one (row 6)": "id_repeated",
+        "gone": "audio_missing",
+    }
+    rows = list(csv.DictReader((batch.folder / "out" / "report.csv").read_text("utf-8-sig").splitlines()))
+    assert [row["state"] for row in rows] == ["failed"] * 3 + ["done"] * 2
+    assert [line["id"] for line in json.loads(batch.bytes_out()["index.json"])["lines"]] == ["one", "two"]
+
+
+def test_only_what_changed_is_done_again(batch: Batch) -> None:
+    batch.run()
+    before = batch.bytes_out()
+    assert batch.run()[0] == []
+    assert batch.bytes_out() == before
+    (batch.folder / "out" / "two.bml").write_bytes(b"half")
+    assert batch.run()[0] == ["two"]
+    assert batch.bytes_out() == before
+    batch.write(two=TEXT, one=f"{TEXT} No.")
+    assert batch.run()[0] == ["one"]
+    (batch.folder / "audio" / "two.flac").write_bytes((AUDIO / "figure8.flac").read_bytes())
+    assert batch.run()[0] == []
+    assert batch.run(formats=(LineFormat.BML, LineFormat.PERFORMANCE))[0] == ["two", "one"]
+    assert batch.run(again=True)[0] == ["two", "one"]
+
+
+def test_a_line_that_fails_now_leaves_nothing_of_what_it_was(batch: Batch) -> None:
+    batch.run()
+    (batch.folder / "audio" / "two.flac").write_bytes(b"no sound")
+    _performed, entries = batch.run()
+    assert (entries["two"].state, entries["two"].outputs) == (State.FAILED, ())
+    assert "two.bml" not in batch.bytes_out()
+    shutil.copy(AUDIO / "figure8.flac", batch.folder / "audio" / "two.flac")
+    assert batch.run()[0] == ["two"]
+    assert "two.bml" in batch.bytes_out()

@@ -1,0 +1,1 @@
+"""One line performed by the job that a worker is given."""
