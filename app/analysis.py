@@ -57,7 +57,8 @@ class Line:
 class Options:
     """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
     it usually sounds. `lead_in_s` is how long before the recording the performance begins,
-    `stillness` (0 to 1) how much less than usual moves.
+    `stillness` (0 to 1) how much less than usual moves. `played_by` has our characters by the names of listeners that
+    are none of ours.
 
     Raises InputError `value_wrong`.
     """
@@ -71,6 +72,7 @@ class Options:
     reference: SpeakerReference | None = None
     lead_in_s: float = 0.0
     stillness: float = 0.0
+    played_by: tuple[tuple[str, str], ...] = ()
 
     def __post_init__(self) -> None:
         if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:

@@ -7,6 +7,7 @@ know nothing of the stages; the forms in which results leave (BML, TextGrid, CTM
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from types import MappingProxyType
@@ -222,7 +223,7 @@ def perform_analysis(
         visemes=lips,
         moments=moments,
     )
-    performance = reduce(partial(_heard_by, behavior), options.listeners, performance)
+    performance = reduce(partial(_heard_by, behavior, dict(options.played_by)), options.listeners, performance)
     return with_stillness(performance, options.stillness)
 
 
@@ -274,13 +275,17 @@ def write_listener(performance: Performance, listening: Listening, form: BmlForm
     return write_bml(listener_part(performance, listening), replace(form, timing=TimeForm.ABSOLUTE, audio_name=None))
 
 
-def _heard_by(behavior: BehaviorModels, performance: Performance, name: str) -> Performance:
-    """The performance with one more listener: the character of that name, or one who moves as the default does."""
+def _heard_by(
+    behavior: BehaviorModels, played_by: Mapping[str, str], performance: Performance, name: str
+) -> Performance:
+    """The performance with one more listener: played by whom the options say, else by the character of that name, else
+    by the default."""
     characters, notices = behavior.characters, performance.notices
-    if name not in characters.by_name:
+    played = played_by.get(name, name)
+    if played not in characters.by_name:
         message = f"no character is called {name!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
         notices = (*notices, Notice("listener_unknown", message))
-    character = characters.by_name.get(name) or characters.named(DEFAULT_CHARACTER)
+    character = characters.by_name.get(played) or characters.named(DEFAULT_CHARACTER)
     listener = Listener(replace(character, name=name), behavior.head_rates, performance.character)
     behaviors = listen(performance.behaviors, performance.utterance, listener, seed=performance.seed)
     return replace(performance, listeners=(*performance.listeners, Listening(name, behaviors)), notices=notices)

@@ -5,16 +5,19 @@ with what was not finished, and no line counts as done whose files are not there
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import closing
+from contextlib import ExitStack, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Protocol
 
+from ..on_demand import OnDemand
+from ..performance import SpeakerReference
 from ..settings import Settings
+from .casting.voices import keep_learnt, read_learnt
 from .manifest.entries import Entry, State, WrittenFile
 from .manifest.hashes import KnownRecording, input_hash, installation_hash, settings_hash
 from .manifest.store import Manifest
-from .planning import Plan, entry_of, hopeless_entries, plan_batch
+from .planning import Plan, entry_of, hopeless_entries, plan_batch, with_voices
 from .reports.writing import write_reports
 from .request import BatchRequest
 from .running.engine import Engine
@@ -22,6 +25,7 @@ from .running.supervising import Done, supervise
 from .work.files import clear_unfinished, write_files
 from .work.formats import extension_of
 from .work.jobs import Failure, LineJob, LineOutcome
+from .work.speaking import ReferenceJob
 
 
 class Watcher(Protocol):
@@ -54,8 +58,10 @@ def run_batch(
     """
     plan = plan_batch(request)
     watcher.planned(plan)
-    with Manifest(request.out) as manifest:
+    with Manifest(request.out) as manifest, ExitStack() as stack:
+        engine = OnDemand(lambda: stack.enter_context(closing(make_engine())))
         clear_unfinished(request.out)
+        plan = with_voices(plan, _voices(plan.voices, engine, request.out))
         before = manifest.entries()
         work = _work(plan, settings, manifest)
         hopeless = list(hopeless_entries(plan))
@@ -64,12 +70,10 @@ def run_batch(
         manifest.remove(before.keys() - ids)
         manifest.put([*hopeless, *_begun(work, waiting, before)])
         watcher.begun(len(work), len(work) - len(waiting))
-        if waiting:
-            with closing(make_engine()) as engine:
-                for entry in _performed(waiting, engine, request.out):
-                    _remove_old(before.get(entry.id), entry, request.out)
-                    manifest.put([entry])
-                    watcher.ended(entry)
+        for entry in _performed(waiting, engine, request.out):
+            _remove_old(before.get(entry.id), entry, request.out)
+            manifest.put([entry])
+            watcher.ended(entry)
         clear_unfinished(request.out)
         entries = tuple(manifest.entries().values())
     write_reports(request.out, request.script.name, entries)
@@ -121,11 +125,23 @@ def _begun(work: Sequence[Work], waiting: Sequence[Work], before: dict[str, Entr
             yield replace(known, place=entry.place, row=entry.row)
 
 
-def _performed(waiting: Sequence[Work], engine: Engine, out: Path) -> Iterator[Entry]:
-    """The rows of the lines as they end."""
+def _voices(jobs: Sequence[ReferenceJob], engine: OnDemand[Engine], out: Path) -> dict[str, SpeakerReference]:
+    """How speakers usually sound; what was not learnt before is learnt now. A voice that cannot be heard has none."""
+    voices = read_learnt(out, jobs)
+    unknown = [job for job in jobs if job.speaker not in voices]
+    if unknown:
+        for done in supervise(unknown, engine.get().learn, places=engine.get().places):
+            if done.result is not None:
+                keep_learnt(out, done.job.speaker, done.result)
+                voices[done.job.speaker] = done.result
+    return voices
 
-    for done in supervise(waiting, lambda work: engine.submit(work.job), places=engine.places):
-        yield _entry(done, out)
+
+def _performed(waiting: Sequence[Work], engine: OnDemand[Engine], out: Path) -> Iterator[Entry]:
+    """The rows of the lines as they end."""
+    if waiting:
+        for done in supervise(waiting, lambda work: engine.get().submit(work.job), places=engine.get().places):
+            yield _entry(done, out)
 
 
 def _entry(done: Done[Work, LineOutcome], out: Path) -> Entry:

@@ -1,38 +1,57 @@
 """From a script and its recordings to jobs, and to the failures of lines that cannot become one."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
-from ..performance import Options
+from ..errors import InputError
+from ..loading import load_characters
+from ..performance import Options, SpeakerReference
+from .casting.cast_file import NOBODY_CAST, read_cast
+from .casting.casting import Casting
+from .casting.voices import reference_jobs, speaker_of
 from .layout import require_apart
 from .manifest.entries import Entry, State
 from .matching.joining import Joined, Missing, join_one_recording, join_recordings
 from .matching.recordings import find_recordings
-from .model import Problem, Script, ScriptLine, Take
+from .model import Problem, Script, Take
 from .request import BatchRequest
 from .scripts.reading import read_script
 from .work.audio import AudioSource
 from .work.jobs import Failure, LineJob
+from .work.speaking import ReferenceJob
 
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What a batch has to do: the script, what was joined, and a job for each line that can be performed."""
+    """What a batch has to do: the script, what was joined, a job for each line that can be performed, and one for each
+    speaker whose voice is to be learnt; `remarks` are what was guessed, or has no effect."""
 
     script: Script
     joined: Joined
     jobs: tuple[tuple[Take, LineJob], ...]
+    voices: tuple[ReferenceJob, ...]
+    remarks: tuple[str, ...]
 
 
 def plan_batch(request: BatchRequest) -> Plan:
     """Raises InputError for a script, recordings or options that cannot be used at all; what is wrong with single
     lines is part of the plan."""
     script = read_script(request.script, request.columns)
+    characters = load_characters().by_name
+    cast = read_cast(request.cast, frozenset(characters)) if request.cast else NOBODY_CAST
+    casting = Casting.of(cast, request.options, characters, script.lines, has_partners=request.has_partners)
     joined = _joined(request, script)
-    jobs = tuple((take, _job(request, take)) for take in joined.takes)
+    jobs = tuple((take, _job(request, take, casting.options(take))) for take in joined.takes)
     require_apart((take.id, target) for take, job in jobs for target in job.targets)
-    return Plan(script, joined, jobs)
+    _require_spared(request, jobs)
+    voices = reference_jobs(_to_learn(casting, jobs)) if request.learns_voices else ()
+    return Plan(script, joined, jobs, voices, (*script.remarks, *casting.remarks(script.lines)))
+
+
+def with_voices(plan: Plan, learnt: Mapping[str, SpeakerReference]) -> Plan:
+    """The plan with the voices that were learnt, by speaker."""
+    jobs = tuple((take, _with_voice(job, learnt.get(speaker_of(take.line.character)))) for take, job in plan.jobs)
+    return replace(plan, jobs=jobs)
 
 
 def entry_of(place: int, take: Take, job: LineJob, *, input_hash: str, settings_hash: str) -> Entry:
@@ -77,18 +96,23 @@ def without_audio(missing: Missing) -> str:
 
 
 def _joined(request: BatchRequest, script: Script) -> Joined:
+    """Lines that have times are cut out of one recording: the one that is named, or the one called as the script."""
     if request.audio.is_file():
         return join_one_recording(script.lines, request.audio)
     files = find_recordings(request.audio, without=request.out)
+    if script.lines and all(line.interval and not line.recording for line in script.lines):
+        whole = [file.path for file in files if file.stem.casefold() == script.path.stem.casefold()]
+        if len(whole) == 1:
+            return join_one_recording(script.lines, whole[0])
     return join_recordings(script.lines, files, request.pattern, request.choice)
 
 
-def _job(request: BatchRequest, take: Take) -> LineJob:
+def _job(request: BatchRequest, take: Take, options: Options) -> LineJob:
     return LineJob(
         id=take.id,
         text=take.line.text,
         audio=AudioSource(take.recording.path, interval=take.recording.interval),
-        options=_options(request.options, take.line, take.recording.path),
+        options=options,
         targets=request.layout.targets(take, request.formats),
         direction=take.line.direction,
         motion=request.motion,
@@ -96,13 +120,25 @@ def _job(request: BatchRequest, take: Take) -> LineJob:
     )
 
 
-def _options(options: Options, line: ScriptLine, recording: Path) -> Options:
-    return replace(
-        options,
-        agitation=line.agitation or options.agitation,
-        seed=options.seed if line.seed is None else line.seed,
-        form=replace(options.form, audio_name=recording.stem),
-    )
+def _with_voice(job: LineJob, reference: SpeakerReference | None) -> LineJob:
+    return job if reference is None else replace(job, options=replace(job.options, reference=reference))
+
+
+def _to_learn(casting: Casting, jobs: Sequence[tuple[Take, LineJob]]) -> Iterator[tuple[str, AudioSource]]:
+    for take, job in jobs:
+        if casting.is_learnt(take.line.character):
+            yield take.line.character, job.audio
+
+
+def _require_spared(request: BatchRequest, jobs: Sequence[tuple[Take, LineJob]]) -> None:
+    """Raises InputError `files_same` when an output would be written over the script or a recording."""
+    spared = {path.resolve() for path in (request.script, *(job.audio.path for _take, job in jobs))}
+    out = request.out.resolve()
+    for _take, job in jobs:
+        for target in job.targets:
+            if out / target.path in spared:
+                message = f"{target.path} in {request.out} is read; give another --out or --layout, nothing was written"
+                raise InputError("files_same", message, field="out")
 
 
 def _one_a_row(problems: Sequence[Problem]) -> Iterator[Problem]:

@@ -15,7 +15,9 @@ from .work.jobs import MotionForm
 @dataclass(frozen=True, slots=True)
 class BatchRequest:
     """A script, where its recordings are (a folder, or one recording that lines are cut out of), where to write, and
-    how. `options` are those that all lines have in common; `again` performs what is done as well."""
+    how. `options` are those that all lines have in common, `cast` the file that says who performs whom. `has_partners`
+    makes listeners of those who speak next to a line in its scene, `learns_voices` learns how speakers usually sound;
+    `again` performs what is done as well."""
 
     script: Path
     audio: Path
@@ -27,4 +29,7 @@ class BatchRequest:
     choice: Choice = Choice.LAST
     options: Options = field(default_factory=Options)
     motion: MotionForm = field(default_factory=MotionForm)
+    cast: Path | None = None
+    has_partners: bool = True
+    learns_voices: bool = True
     again: bool = False

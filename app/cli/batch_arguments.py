@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from .distinct_files import InputFile
 
+SCRIPTS_HELP = ".csv, .tsv, .xlsx, .fountain, .fdx, .srt, .vtt, .jsonl, or Ren'Py's dialogue.tab"
 FORMATS_HELP = (
     "bml (default), bml.json, json (every reason), TextGrid, ctm, wav, glb, bvh, vrma, clip.json, csv, png, …"
 )
@@ -16,7 +17,7 @@ Shared = Callable[[argparse.ArgumentParser], None]
 def add_batch(add: Adding, *shared: Shared) -> None:
     """Adds the command; `shared` add the options that it has in common with `perform`."""
     parser = add("batch", "many lines: a script and its recordings in, a performance of each out")
-    parser.add_argument("script", metavar="SCRIPT", type=InputFile, help="a sheet of lines: .csv, .tsv")
+    parser.add_argument("script", metavar="SCRIPT", type=InputFile, help=SCRIPTS_HELP)
     parser.add_argument(
         "--audio", metavar="DIR", required=True, help="the folder of recordings, or the one recording of all lines"
     )
@@ -25,6 +26,7 @@ def add_batch(add: Adding, *shared: Shared) -> None:
     parser.add_argument("--layout", metavar="PATTERN", help='names of outputs (default "{id}.{ext}")')
     _add_joining(parser)
     _add_running(parser)
+    _add_casting(parser)
     for add_options in shared:
         add_options(parser)
 
@@ -40,6 +42,24 @@ def _add_joining(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--pattern", metavar="NAME", help='names of recordings, such as "{character}/{id}_t{take}.wav"')
     parser.add_argument(
         "--take", choices=("last", "first", "all"), default="last", help="which of several takes (default last)"
+    )
+
+
+def _add_casting(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--cast", metavar="FILE", type=InputFile, help="who performs whom: cast.yaml (docs/batch.md has an example)"
+    )
+    parser.add_argument(
+        "--partners",
+        choices=("scene", "none"),
+        default="scene",
+        help="who listens where nobody says: those who speak next to a line in its scene (default), or nobody",
+    )
+    parser.add_argument(
+        "--voices",
+        choices=("learn", "none"),
+        default="learn",
+        help="judge agitation by how each speaker sounds in the batch (default), or as anybody's",
     )
 
 

@@ -8,7 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import soundfile
 
+import understudy
 from understudy.batch.batch import run_batch
 from understudy.batch.manifest.entries import Entry, State
 from understudy.batch.planning import Plan
@@ -17,6 +19,7 @@ from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, LineOutcome
 from understudy.batch.work.performing import perform_job
 from understudy.batch.work.speaking import ReferenceJob, learn_reference
+from understudy.errors import InputError
 from understudy.performance import Line, Options, SpeakerReference, Understudy, perform, write_bml
 from understudy.settings import Settings
 
@@ -134,3 +137,44 @@ def test_a_line_that_fails_now_leaves_nothing_of_what_it_was(batch: Batch) -> No
     shutil.copy(AUDIO / "figure8.flac", batch.folder / "audio" / "two.flac")
     assert batch.run()[0] == ["two"]
     assert "two.bml" in batch.bytes_out()
+
+
+def test_a_speaker_is_judged_by_his_other_lines(batch: Batch) -> None:
+    names = [f"l{number}" for number in range(4)]
+    for name in names:
+        shutil.copy(AUDIO / "figure8.flac", batch.folder / "audio" / f"{name}.flac")
+    rows = ["id,character,scene,text", *(f'{name},Ann,1,"{TEXT}"' for name in names), f'one,Ben,1,"{TEXT}"']
+    (batch.folder / "lines.csv").write_text("\n".join(rows), encoding="utf-8")
+    performed, entries = batch.run()
+    assert performed == [*names, "one"]
+    kept = batch.folder / "out" / "references" / "ann.json"
+    heard = understudy.make_reference(batch.models, [AUDIO / "figure8.flac"] * 4)
+    assert json.loads(kept.read_bytes())["mean"] == heard.mean.tolist()
+    assert [file.path for file in entries["l3"].outputs] == ["l3.bml", "l3.Ben.bml"]
+    assert [file.path for file in entries["l0"].outputs] == ["l0.bml", "l0.Ben.bml"]
+    assert not entries["l0"].warnings
+    assert batch.run()[0] == []
+    assert batch.run(learns_voices=False)[0] == names
+
+
+def test_no_output_is_written_over_what_is_read(batch: Batch) -> None:
+    shutil.copy(AUDIO / "figure8.flac", batch.folder / "audio" / "x.wav")
+    (batch.folder / "lines.csv").write_text(f'id,file,text\nx,x.wav,"{TEXT}"\n', encoding="utf-8")
+    with pytest.raises(InputError) as raised:
+        batch.run(out=batch.folder / "audio", formats=(LineFormat.WAV,))
+    assert raised.value.code == "files_same"
+
+
+def test_lines_are_cut_out_of_one_recording_by_their_times(batch: Batch) -> None:
+    script = batch.folder / "film.srt"
+    cues = ["1\n00:00:00,150 --> 00:00:01,050\nANN: I guess not.", "2\n00:09:00,000 --> 00:09:01,000\nNo."]
+    script.write_text("\n\n".join(cues))
+    shutil.copy(AUDIO / "figure8.flac", batch.folder / "audio" / "film.flac")
+    performed, entries = batch.run(script=script, formats=(LineFormat.WAV,))
+    assert performed == ["film_0001", "film_0002"]
+    first, second = entries.values()
+    assert first.measures is not None
+    assert first.measures.duration_s == pytest.approx(0.9)
+    assert soundfile.info(batch.folder / "out" / "film_0001.wav").duration == pytest.approx(0.9)
+    assert second.failure is not None
+    assert second.failure.code == "cut_outside"

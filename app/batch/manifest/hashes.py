@@ -46,7 +46,7 @@ def input_hash(job: LineJob, recording: str) -> str:
         repr(job.audio.interval),
         job.text,
         repr(job.direction),
-        repr((options.character, options.agitation, options.seed, options.listeners)),
+        repr((options.character, options.agitation, options.seed, options.stillness, options.played_by)),
         _reference(options.reference),
         repr([target.path for target in job.targets]),
     )
@@ -58,7 +58,7 @@ def settings_hash(job: LineJob, settings: Settings, installation: str) -> str:
     return _digest(
         installation,
         settings.model_dump_json(exclude=set(_NOT_OF_THE_RESULT)),
-        repr((options.mode, options.form.dialect, options.form.timing, options.lead_in_s, options.stillness)),
+        repr((options.mode, options.form.dialect, options.form.timing, options.lead_in_s)),
         repr([target.form.value for target in job.targets]),
         repr(motion if motion != MotionForm() else None),
     )

@@ -70,8 +70,9 @@ def join_recordings(
 
 
 def join_one_recording(lines: Sequence[ScriptLine], recording: Path) -> Joined:
-    """Lines that are cut out of one recording by their times."""
-    return Joined(tuple(Take(line.id, line, Recording(recording, line.interval), line.take) for line in lines))
+    """Lines that are cut out of one recording by their times; a line without times finds nothing."""
+    takes = [Take(line.id, line, Recording(recording, line.interval), line.take) for line in lines if line.interval]
+    return Joined(tuple(takes), tuple(Missing(line, None) for line in lines if not line.interval))
 
 
 def _finder(files: Sequence[RecordingFile], pattern: Pattern | None) -> Callable[[ScriptLine], Candidates]:

@@ -66,15 +66,17 @@ class ColumnNames:
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """Where in a row each field stands; a field that no column has is absent."""
+    """Where in a row each field stands; a field that no column has is absent. The columns of spreadsheets have letters,
+    the keys of JSON have none."""
 
     header: tuple[str, ...]
     places: Mapping[str, int]
+    has_letters: bool = True
 
     def name(self, field: str) -> str:
         """The column as people find it: its letter and its heading."""
         place = self.places[field]
-        return f"{letters(place)} ({self.header[place]})"
+        return f"{letters(place)} ({self.header[place]})" if self.has_letters else repr(self.header[place])
 
 
 def find_columns(

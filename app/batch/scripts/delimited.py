@@ -1,6 +1,6 @@
 """Sheets as text: CSV and TSV, whatever separates their cells.
 
-The separator is the one by which the first row has most headings that we know, else most cells: lines of dialogue have
+The separator is the one by which the headings have most names that we know, else most cells: lines of dialogue have
 more commas than any sheet has columns, so counting them would mislead.
 """
 
@@ -12,7 +12,7 @@ from pathlib import Path
 from ...errors import UndecodableError
 from ..model import Script
 from .columns import ColumnNames
-from .sheets import read_sheet
+from .sheets import ROWS_BEFORE_HEADINGS, heading_place, read_sheet
 from .text_files import decode_text
 
 SEPARATORS = (",", ";", "\t", "|")
@@ -29,11 +29,12 @@ def read_delimited(content: bytes, path: Path, named: Mapping[str, str]) -> Scri
 
 
 def separator_of(text: str, names: ColumnNames, named: Mapping[str, str]) -> str:
-    """What separates the cells of the first row that has any."""
-    first = [line for line in text.splitlines() if line.strip()][:1]
+    """What separates the cells of the first rows."""
+    first = [line for line in text.splitlines() if line.strip()][:ROWS_BEFORE_HEADINGS]
 
     def headings(separator: str) -> tuple[int, int]:
-        cells = next(csv.reader(first, delimiter=separator), [])
+        rows = list(csv.reader(first, delimiter=separator))
+        cells = rows[heading_place(rows, names, named)] if rows else []
         return names.recognised(cells) + sum(cell in named.values() for cell in cells), len(cells)
 
     return max(SEPARATORS, key=headings)

@@ -7,13 +7,27 @@ from types import MappingProxyType
 from ...errors import InputError, TooLargeError, UnsupportedFormatError
 from ..model import Script
 from .delimited import read_delimited
+from .json_lines import read_json_lines
+from .screenplays import read_fdx, read_fountain
+from .subtitles import read_srt, read_webvtt
+from .workbooks import read_workbook
 
 LARGEST_SCRIPT_BYTES = 256 << 20
 
 Reader = Callable[[bytes, Path, Mapping[str, str]], Script]
 
 READERS: Mapping[str, Reader] = MappingProxyType(
-    {".csv": read_delimited, ".tsv": read_delimited, ".txt": read_delimited}
+    {
+        ".csv": read_delimited,
+        ".tsv": read_delimited,
+        ".tab": read_delimited,
+        ".xlsx": read_workbook,
+        ".jsonl": read_json_lines,
+        ".fountain": read_fountain,
+        ".fdx": read_fdx,
+        ".srt": read_srt,
+        ".vtt": read_webvtt,
+    }
 )
 """How each kind of file is read, given its content, its name, and the headings of columns that the caller named."""
 

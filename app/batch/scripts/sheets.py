@@ -1,4 +1,8 @@
-"""A voice-over sheet, wherever its cells come from: one row a line, after a row of headings."""
+"""A voice-over sheet, wherever its cells come from: one row a line, after a row of headings.
+
+Rows before the headings (a title, a date) are passed over: the headings are that row, of the first few, which has most
+names that we know.
+"""
 
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path, PurePath
@@ -6,9 +10,12 @@ from pathlib import Path, PurePath
 from ...errors import InputError
 from ..model import Problem, Script, ScriptLine
 from .cells import Row
-from .columns import ColumnNames, find_columns
+from .columns import ColumnNames, Columns, find_columns
+from .dialects import dialect_of
 
 Cells = Sequence[str]
+
+ROWS_BEFORE_HEADINGS = 10
 
 
 def read_sheet(
@@ -18,12 +25,29 @@ def read_sheet(
     numbered = [(number, cells) for number, cells in enumerate(rows, start=1) if any(cell.strip() for cell in cells)]
     if not numbered:
         raise InputError("script_empty", f"{path}: nothing in it; give a row of headings and a row a line")
-    columns = find_columns(numbered[0][1], names, named, file=str(path))
-    read = [_read_row(Row(number, cells, columns, path.parent)) for number, cells in numbered[1:]]
+    place = heading_place([cells for _number, cells in numbered[:ROWS_BEFORE_HEADINGS]], names, named)
+    header = numbered[place][1]
+    dialect = None if named else dialect_of(header)
+    columns = dialect.columns(header) if dialect else find_columns(header, names, named, file=str(path))
+    script = read_lines(numbered[place + 1 :], columns, path, remarks)
+    if dialect is None:
+        return script
+    return Script(path, tuple(map(dialect.plain, script.lines)), script.problems, script.remarks)
+
+
+def read_lines(rows: Iterable[tuple[int, Cells]], columns: Columns, path: Path, remarks: Sequence[str] = ()) -> Script:
+    """The lines of numbered rows."""
+    read = [_read_row(Row(number, cells, columns, path.parent)) for number, cells in rows]
     lines = [line for line, problems in read if not problems]
-    problems = [problem for _line, found in read for problem in found]
     kept, doubles = without_doubles(lines, columns.name("id") if "id" in columns.places else "")
-    return Script(path, kept, tuple(sorted([*problems, *doubles], key=lambda each: each.row)), tuple(remarks))
+    problems = [*(problem for _line, found in read for problem in found), *doubles]
+    return Script(path, kept, tuple(sorted(problems, key=lambda each: each.row)), tuple(remarks))
+
+
+def heading_place(rows: Sequence[Cells], names: ColumnNames, named: Mapping[str, str]) -> int:
+    """Which of the rows has the headings: the one with most that are known, the first of several."""
+    known = [names.recognised(cells) + sum(cell in named.values() for cell in cells) for cells in rows]
+    return known.index(max(known))
 
 
 def without_doubles(lines: Sequence[ScriptLine], column: str) -> tuple[tuple[ScriptLine, ...], list[Problem]]:

@@ -53,6 +53,9 @@ def _request(arguments: argparse.Namespace) -> BatchRequest:
         choice=Choice(arguments.take),
         options=_options(arguments),
         motion=MotionForm(arguments.fps, arguments.skeleton),
+        cast=Path(arguments.cast) if arguments.cast else None,
+        has_partners=arguments.partners == "scene",
+        learns_voices=arguments.voices == "learn",
         again=arguments.again,
     )
 

@@ -1,0 +1,123 @@
+"""`cast.yaml`: whom the script's characters are performed by. docs/batch.md has an example."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from pydantic import Field, RootModel
+
+from ...errors import AuthoringError, InputError, Mistake
+from ...model import Level
+from ...performance import SpeakerReference
+from ...schemas.references import read_reference
+from ...yaml_files import Entry, Source, did_you_mean
+
+EVERYONE_ELSE = "*"
+LEARN, NONE = "learn", "none"
+
+
+class _Part(Entry):
+    """An entry of the file."""
+
+    character: str | None = None
+    seed: int | None = None
+    agitation: Level | None = None
+    stillness: float | None = Field(default=None, ge=0, le=1)
+    reference: str = LEARN
+    listener: list[str] | None = None
+    profile: str | None = None
+
+
+class _Cast(RootModel[dict[str, _Part]]):
+    """The file: parts by the names of the script's characters."""
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """How a character of the script is performed; None leaves it to the command's options.
+
+    `reference` is how he usually sounds where a file says it, `is_learnt` whether it is to be learnt from the batch.
+    `listeners` are those of the script whom he talks to, None those of the scene.
+    """
+
+    character: str | None = None
+    seed: int | None = None
+    agitation: Level | None = None
+    stillness: float | None = None
+    reference: SpeakerReference | None = None
+    is_learnt: bool = True
+    listeners: tuple[str, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Cast:
+    """The parts by folded name; `names` are as the file has them, `remarks` what of it has no effect."""
+
+    parts: Mapping[str, Part]
+    names: tuple[str, ...] = ()
+    remarks: tuple[str, ...] = ()
+
+    def part(self, name: str) -> Part:
+        """The part of a script's character."""
+        return self.parts.get(folded(name)) or self.parts.get(EVERYONE_ELSE) or Part()
+
+
+NOBODY_CAST = Cast(MappingProxyType({}))
+
+
+def read_cast(path: Path, characters: frozenset[str]) -> Cast:
+    """The cast in a file; `characters` are ours. Raises AuthoringError with every mistake at its place."""
+    source = Source(path)
+    told = source.validated(_Cast).root
+    mistakes = [*_doubles(source, told)]
+    parts: dict[str, Part] = {}
+    for name, part in told.items():
+        if part.character is not None and part.character not in characters:
+            hint = did_you_mean(part.character, characters)
+            mistakes.append(source.mistake((name, "character"), f"there is no character {part.character!r}{hint}"))
+        try:
+            parts[folded(name)] = _part(part, path.parent)
+        except InputError as error:
+            mistakes.append(source.mistake((name, "reference"), error.message))
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+    remarks = tuple(
+        f"{path}: the profile {part.profile!r} of {name} has no effect: gesture profiles come with a later version"
+        for name, part in told.items()
+        if part.profile is not None
+    )
+    return Cast(MappingProxyType(parts), tuple(told), remarks)
+
+
+def folded(name: str) -> str:
+    """A name of the script without what does not count in it."""
+    return " ".join(name.split()).casefold()
+
+
+def _part(part: _Part, folder: Path) -> Part:
+    """Raises InputError for a reference that cannot be read."""
+    reference = None
+    if part.reference not in {LEARN, NONE}:
+        try:
+            reference = read_reference((folder / part.reference).read_bytes(), part.reference)
+        except OSError as error:
+            message = f"{part.reference}: cannot be read: {error.strerror}; give learn, none, or a REF.json"
+            raise InputError("file_unreadable", message, field="cast") from None
+    return Part(
+        part.character,
+        part.seed,
+        part.agitation,
+        part.stillness,
+        reference,
+        part.reference == LEARN,
+        None if part.listener is None else tuple(part.listener),
+    )
+
+
+def _doubles(source: Source, told: Mapping[str, _Part]) -> Iterator[Mistake]:
+    seen: set[str] = set()
+    for name in told:
+        if folded(name) in seen:
+            yield source.mistake((name,), f"{name!r} stands here a second time; capitals do not count")
+        seen.add(folded(name))

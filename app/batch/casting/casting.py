@@ -1,0 +1,76 @@
+"""The options of each line: those of the command, changed by what cast, scene and row say of it, the row last."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from ...performance import Options
+from ...schemas.requests import MOST_LISTENERS
+from ...yaml_files import did_you_mean
+from ..model import ScriptLine, Take
+from .cast_file import Cast, Part, folded
+from .partners import listener_name, neighbours
+
+
+@dataclass(frozen=True, slots=True)
+class Casting:
+    """Decides each line's options. `characters` are ours; `partners` who speaks next to a row in its scene."""
+
+    cast: Cast
+    common: Options
+    characters: Collection[str]
+    partners: Mapping[int, tuple[str, ...]]
+
+    @classmethod
+    def of(
+        cls,
+        cast: Cast,
+        common: Options,
+        characters: Collection[str],
+        lines: Sequence[ScriptLine],
+        *,
+        has_partners: bool,
+    ) -> "Casting":
+        """`has_partners` makes listeners of those who speak next to a line."""
+        return cls(cast, common, characters, neighbours(lines) if has_partners else {})
+
+    def options(self, take: Take) -> Options:
+        """How a line is performed, but for its speaker's usual voice where that is learnt."""
+        line, part = take.line, self.cast.part(take.line.character)
+        listeners = self._listeners(line, part)
+        return replace(
+            self.common,
+            character=self._performer(line.character),
+            agitation=line.agitation or part.agitation or self.common.agitation,
+            seed=next(seed for seed in (line.seed, part.seed, self.common.seed) if seed is not None),
+            stillness=self.common.stillness if part.stillness is None else part.stillness,
+            reference=part.reference,
+            listeners=tuple(listener_name(name) for name in listeners),
+            played_by=tuple((listener_name(name), self._performer(name)) for name in listeners),
+            form=replace(self.common.form, audio_name=take.recording.path.stem),
+        )
+
+    def is_learnt(self, name: str) -> bool:
+        """Whether the usual voice of a script's character is to be learnt."""
+        return bool(name) and self.cast.part(name).is_learnt
+
+    def remarks(self, lines: Sequence[ScriptLine]) -> tuple[str, ...]:
+        """What of the cast the script does not have."""
+        known = {folded(line.character): line.character for line in lines}
+        unknown = [name for name in self.cast.names if name != "*" and folded(name) not in known]
+        told = [f"nobody in the script is called {name!r}{did_you_mean(name, known.values())}" for name in unknown]
+        return (*self.cast.remarks, *told)
+
+    def _performer(self, name: str) -> str:
+        """Whom the cast says, else our character of that name, else whom the command says."""
+        told = self.cast.part(name).character
+        ours = folded(name)
+        return told or (ours if ours in self.characters else self.common.character)
+
+    def _listeners(self, line: ScriptLine, part: Part) -> tuple[str, ...]:
+        """Each once, by the name he is called; whom the line or the cast does not say, the scene does."""
+        told = next(
+            names for names in (line.listeners, part.listeners, self.partners.get(line.row, ())) if names is not None
+        )
+        by_name = {listener_name(name).casefold(): name for name in told}
+        by_name.pop(listener_name(line.character).casefold(), None)
+        return tuple(by_name.values())[:MOST_LISTENERS]

@@ -1,0 +1,39 @@
+"""To whom a line is said: whom its row names, whom the cast names, or who speaks next to it in the scene."""
+
+import re
+from collections.abc import Iterator, Sequence
+
+from ..model import ScriptLine
+from .cast_file import folded
+
+_NO_NAME = re.compile(r"[^A-Za-z0-9]+")
+_LONGEST = 64
+
+
+def neighbours(lines: Sequence[ScriptLine]) -> dict[int, tuple[str, ...]]:
+    """For each row in a scene, the nearest others who speak before and after it there, the one before first."""
+    partners: dict[int, tuple[str, ...]] = {}
+    for scene in _scenes(lines):
+        for place, line in enumerate(scene):
+            found = [_nearest(line, reversed(scene[:place])), _nearest(line, iter(scene[place + 1 :]))]
+            partners[line.row] = tuple(dict.fromkeys(name for name in found if name))
+    return partners
+
+
+def listener_name(name: str) -> str:
+    """A name of the script as listeners are called in BML and in names of files."""
+    plain = _NO_NAME.sub("_", name).strip("_")[: _LONGEST - 2] or "listener"
+    return plain if plain[0].isalpha() else f"L_{plain}"
+
+
+def _scenes(lines: Sequence[ScriptLine]) -> Iterator[list[ScriptLine]]:
+    """The lines of each scene; lines without a scene or a character have no partners."""
+    by_scene: dict[str, list[ScriptLine]] = {}
+    for line in lines:
+        if line.scene and line.character:
+            by_scene.setdefault(line.scene, []).append(line)
+    yield from by_scene.values()
+
+
+def _nearest(line: ScriptLine, others: Iterator[ScriptLine]) -> str:
+    return next((other.character for other in others if folded(other.character) != folded(line.character)), "")

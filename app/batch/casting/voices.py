@@ -1,0 +1,60 @@
+"""How the batch's speakers usually sound, learnt from their recordings in it.
+
+What was learnt is kept in `OUT/references/NAME.json`, in the form of `understudy reference`, and not learnt again when
+recordings are added: else every new take would change all lines of its speaker. Delete a file to have it learnt anew.
+"""
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from ...performance import SpeakerReference
+from ...schemas.references import read_reference, to_json
+from ..layout import file_name
+from ..work.audio import AudioSource
+from ..work.files import write_whole
+from ..work.speaking import ReferenceJob
+
+FOLDER = "references"
+
+FEWEST_RECORDINGS = 4
+"""With fewer a speaker is judged as anybody: what they have in common may be the mood."""
+
+MOST_RECORDINGS = 24
+"""More add little: the speaker's mean counts as 3 recordings of anybody's (`understudy.acoustic.agitation.speaker`)."""
+
+
+def reference_jobs(recordings: Iterable[tuple[str, AudioSource]]) -> tuple[ReferenceJob, ...]:
+    """A job for each speaker with recordings enough; of many, those that lie evenly among them."""
+    by_speaker: dict[str, list[AudioSource]] = {}
+    for speaker, recording in recordings:
+        by_speaker.setdefault(speaker_of(speaker), []).append(recording)
+    return tuple(
+        ReferenceJob(speaker, _evenly(found))
+        for speaker, found in sorted(by_speaker.items())
+        if len(found) >= FEWEST_RECORDINGS
+    )
+
+
+def speaker_of(character: str) -> str:
+    """A script's character as a speaker whose voice is learnt; also the name of its file."""
+    return file_name(character).casefold()
+
+
+def read_learnt(out: Path, jobs: Sequence[ReferenceJob]) -> dict[str, SpeakerReference]:
+    """What was learnt before, by speaker; raises InputError `reference_unreadable`."""
+    paths = {job.speaker: _path(out, job.speaker) for job in jobs}
+    return {speaker: read_reference(path.read_bytes(), str(path)) for speaker, path in paths.items() if path.is_file()}
+
+
+def keep_learnt(out: Path, speaker: str, reference: SpeakerReference) -> None:
+    """Writes what was learnt; raises OSError."""
+    write_whole(out, _path(out, speaker).relative_to(out).as_posix(), to_json(reference))
+
+
+def _path(out: Path, speaker: str) -> Path:
+    return out / FOLDER / f"{speaker}.json"
+
+
+def _evenly(recordings: Sequence[AudioSource]) -> tuple[AudioSource, ...]:
+    count = min(len(recordings), MOST_RECORDINGS)
+    return tuple(recordings[place * len(recordings) // count] for place in range(count))

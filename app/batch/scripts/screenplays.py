@@ -1,0 +1,150 @@
+"""Screenplays: Fountain by screenplay-tools, Final Draft's FDX by lxml.
+
+A speech is a line: the words under a character's name up to whatever is no speech, parentheticals and what stands
+beside the name ("V.O.") as comments. A speech's id is its scene and its number in it, or what a note in it says
+(`[[id: a12]]`). screenplay-tools reads FDX too, but of each paragraph only the first run of text, so that words after
+an italic one are lost, and no dual dialogue.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import count
+from pathlib import Path
+
+from lxml import etree
+from screenplay_tools.fountain.parser import Parser
+from screenplay_tools.screenplay import Character, Dialogue, Element, Lyric, Parenthetical, SceneHeading
+
+from ...errors import UndecodableError
+from ..model import Script, ScriptLine
+from .sheets import without_doubles
+from .speeches import cue_name, numbered
+from .text_files import decode_text
+
+_NOTE = re.compile(r"\[\[(\d+)\]\]")
+_ID_NOTE = re.compile(r"\s*id\s*[:=]\s*(\S+)\s*", re.IGNORECASE)
+_EMPHASIS = re.compile(r"(?<!\\)(?:\*{1,3}|_)")
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A paragraph of a screenplay: "scene" (its number, if it has one), "name", "aside", "words" or "other"."""
+
+    kind: str
+    text: str = ""
+    row: int = 0
+    id: str = ""
+
+
+def read_fountain(content: bytes, path: Path, _named: Mapping[str, str]) -> Script:
+    """The script in a Fountain file; raises UndecodableError `text_not_utf8`."""
+    file = decode_text(content, str(path))
+    parser = Parser()
+    parser.mergeDialogue = False
+    parser.add_text(file.text)
+    notes = [note.text_raw for note in parser.script.notes]
+    rows = _Rows(file.text.splitlines())
+    parts = [_part(element, notes, rows) for element in parser.script.elements]
+    return _script(path, parts, [file.remark] if file.remark else [])
+
+
+def read_fdx(content: bytes, path: Path, _named: Mapping[str, str]) -> Script:
+    """The script in a Final Draft file; raises UndecodableError `screenplay_undecodable`."""
+    try:
+        root = etree.fromstring(content, etree.XMLParser(resolve_entities=False, no_network=True))
+    except etree.XMLSyntaxError as error:
+        message = f"{path}: no Final Draft file: {error.msg}"
+        raise UndecodableError("screenplay_undecodable", message, field="script") from None
+    return _script(path, [_fdx_part(paragraph) for paragraph in root.iterfind("Content//Paragraph")], [])
+
+
+def _script(path: Path, parts: Iterable[Part], remarks: Sequence[str]) -> Script:
+    lines, doubles = without_doubles(numbered(_speeches(parts)), "")
+    return Script(path, lines, tuple(doubles), tuple(remarks))
+
+
+def _speeches(parts: Iterable[Part]) -> Iterator[ScriptLine]:
+    """The speeches with words, in order; scenes are numbered from 1 unless they say their numbers."""
+    numbers = (str(number) for number in count(1))
+    scene = ""
+    speech: list[Part] = []
+    for part in [*parts, Part("other")]:
+        if part.kind in {"aside", "words"} and speech:
+            speech.append(part)
+            continue
+        if any(each.kind == "words" for each in speech):
+            scene = scene or next(numbers)
+            yield _line(speech, scene)
+        speech = [part] if part.kind == "name" else []
+        if part.kind == "scene":
+            number = next(numbers)
+            scene = part.text or number
+
+
+def _line(speech: Sequence[Part], scene: str) -> ScriptLine:
+    name, beside = cue_name(speech[0].text)
+    words = [part for part in speech if part.kind == "words"]
+    asides = [part.text for part in speech if part.kind == "aside"]
+    return ScriptLine(
+        row=speech[0].row,
+        id=next((part.id for part in words if part.id), ""),
+        text=" ".join(" ".join(part.text for part in words).split()),
+        character=name,
+        comment="; ".join(each for each in (beside, *asides) if each),
+        scene=scene,
+    )
+
+
+class _Rows:
+    """Where in the file a cue stands, for the parser does not tell."""
+
+    def __init__(self, lines: Sequence[str]) -> None:
+        self._lines = lines
+        self._next = 0
+
+    def of(self, name: str) -> int:
+        for place in range(self._next, len(self._lines)):
+            before, found, after = self._lines[place].strip().lstrip("@").partition(name)
+            if found and not before and after.strip()[:1] in {"", "(", "^"}:
+                self._next = place + 1
+                return place + 1
+        return self._next
+
+
+def _part(element: Element, notes: Sequence[str], rows: _Rows) -> Part:
+    match element:
+        case SceneHeading():
+            return Part("scene", element.scene_number or "")
+        case Character():
+            beside = f" ({element.extension})" if element.extension else ""
+            return Part("name", f"{element.name}{beside}", rows.of(element.name))
+        case Parenthetical():
+            return Part("aside", element.text.strip())
+        case Dialogue() | Lyric():
+            told = [_ID_NOTE.fullmatch(notes[int(number)]) for number in _NOTE.findall(element.text_raw)]
+            return Part("words", _plain(element.text), id=next((match[1] for match in told if match), ""))
+        case _:
+            return Part("other")
+
+
+def _plain(text: str) -> str:
+    """Without Fountain's marks of emphasis; a backslash keeps one."""
+    return _EMPHASIS.sub("", text).replace("\\*", "*").replace("\\_", "_")
+
+
+def _fdx_part(paragraph: "etree._Element") -> Part:
+    """Final Draft keeps each stretch of a style apart."""
+    text = "".join(run.text or "" for run in paragraph.iterfind("Text"))
+    row: int = paragraph.sourceline or 0  # type: ignore[assignment]  # lxml-stubs leave it open
+    match paragraph.get("Type"):
+        case "Scene Heading":
+            return Part("scene", paragraph.get("Number") or "")
+        case "Character":
+            return Part("name", text, row)
+        case "Parenthetical":
+            return Part("aside", text.strip().removeprefix("(").removesuffix(")").strip())
+        case "Dialogue" | "Singing":
+            return Part("words", text)
+        case _:
+            return Part("other")

@@ -1,0 +1,1 @@
+"""Who performs, who listens, whose voice is learnt."""

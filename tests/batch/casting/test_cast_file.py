@@ -1,0 +1,56 @@
+"""cast.yaml: what it says, and every mistake in it with its place."""
+
+from pathlib import Path
+
+import pytest
+
+from understudy.batch.casting.cast_file import read_cast
+from understudy.errors import AuthoringError
+from understudy.model import Level
+
+OURS = frozenset({"default", "expansive"})
+
+
+def write(folder: Path, text: str) -> Path:
+    path = folder / "cast.yaml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_what_a_cast_says(tmp_path: Path) -> None:
+    reference = '{"features": "full", "recordings": 3, "mean": [0.5], "deviation": [1.0]}'
+    (tmp_path / "ben.json").write_text(reference)
+    cast = read_cast(
+        write(
+            tmp_path,
+            "Mrs. O'Hara: {character: expansive, seed: 7, agitation: low, stillness: 0.5, listener: [BEN, Cat]}\n"
+            "BEN: {reference: ben.json, profile: grandfather}\n"
+            "'*': {reference: none}\n",
+        ),
+        OURS,
+    )
+    part = cast.part("MRS.  O'HARA")
+    assert (part.character, part.seed, part.agitation, part.stillness) == ("expansive", 7, Level.LOW, 0.5)
+    assert part.listeners == ("BEN", "Cat")
+    assert part.is_learnt
+    ben = cast.part("Ben")
+    assert ben.reference is not None
+    assert (ben.reference.recordings, ben.is_learnt) == (3, False)
+    assert not cast.part("Dora").is_learnt
+    assert len(cast.remarks) == 1
+    assert "profile" in cast.remarks[0]
+
+
+def test_every_mistake_is_told_with_its_place(tmp_path: Path) -> None:
+    path = write(tmp_path, "ANNA:\n  character: expansiv\nanna:\n  reference: gone.json\n")
+    with pytest.raises(AuthoringError) as raised:
+        read_cast(path, OURS)
+    assert sorted(mistake.line for mistake in raised.value.mistakes) == [2, 4, 4]
+    assert "did you mean 'expansive'" in raised.value.message
+
+
+@pytest.mark.parametrize("text", ["ANNA: {seed: x}\n", "ANNA: {stillness: 2}\n", "ANNA: {carachter: default}\n"])
+def test_what_no_part_can_have_is_refused(text: str, tmp_path: Path) -> None:
+    with pytest.raises(AuthoringError) as raised:
+        read_cast(write(tmp_path, text), OURS)
+    assert [mistake.line for mistake in raised.value.mistakes] == [1]

@@ -1,0 +1,67 @@
+"""Options of lines: the row before the cast, the cast before the scene and the command."""
+
+from pathlib import Path
+from types import MappingProxyType
+
+import pytest
+
+from understudy.batch.casting.cast_file import Cast, Part
+from understudy.batch.casting.casting import Casting
+from understudy.batch.casting.partners import listener_name, neighbours
+from understudy.batch.model import Recording, ScriptLine, Take
+from understudy.model import Level
+from understudy.performance import Options
+
+OURS = ("default", "expansive", "ben")
+
+
+def line(row: int, character: str, scene: str = "1", **fields: object) -> ScriptLine:
+    return ScriptLine(row=row, id=f"l{row}", text="no", character=character, scene=scene, **fields)  # type: ignore[arg-type]
+
+
+def options(told: ScriptLine, lines: list[ScriptLine], *, has_partners: bool = True, **parts: Part) -> Options:
+    cast = Cast(MappingProxyType(parts))
+    casting = Casting.of(cast, Options(seed=1, stillness=0.25), OURS, lines, has_partners=has_partners)
+    return casting.options(Take(told.id, told, Recording(Path("rec/x.wav"))))
+
+
+def test_those_who_speak_next_in_the_scene_are_partners() -> None:
+    lines = [line(1, "A"), line(2, "A"), line(3, "B"), line(4, "C"), line(5, "a"), line(6, "D", "2"), line(7, "E", "")]
+    assert neighbours(lines) == {1: ("B",), 2: ("B",), 3: ("A", "C"), 4: ("B", "a"), 5: ("C",), 6: ()}
+
+
+def test_partners_listen_and_are_played_by_whom_they_are_cast() -> None:
+    lines = [line(1, "Ann"), line(2, "BEN"), line(3, "Mrs. O'Hara")]
+    made = options(lines[1], lines, ann=Part(character="expansive"))
+    assert made.listeners == ("Ann", "Mrs_O_Hara")
+    assert made.played_by == (("Ann", "expansive"), ("Mrs_O_Hara", "default"))
+    assert (made.character, made.seed, made.stillness) == ("ben", 1, 0.25)
+    assert made.form.audio_name == "x"
+    assert options(lines[1], lines, has_partners=False).listeners == ()
+
+
+def test_the_row_goes_before_the_cast() -> None:
+    lines = [line(1, "Ann", seed=9, agitation=Level.HIGH, listeners=("Cat", "ann")), line(2, "BEN")]
+    part = Part(character="expansive", seed=3, agitation=Level.LOW, stillness=0.0, listeners=("BEN",))
+    made = options(lines[0], lines, ann=part)
+    assert (made.seed, made.agitation, made.listeners) == (9, Level.HIGH, ("Cat",))
+    assert (made.character, made.stillness) == ("expansive", 0.0)
+    plain = line(3, "Ann")
+    made = options(plain, [*lines, plain], ann=part)
+    assert (made.seed, made.agitation, made.listeners) == (3, Level.LOW, ("BEN",))
+
+
+@pytest.mark.parametrize(
+    ("name", "called"), [("MRS. O'HARA", "MRS_O_HARA"), ("2nd guard", "L_2nd_guard"), ("Ж", "listener")]
+)
+def test_listeners_have_names_that_bml_takes(name: str, called: str) -> None:
+    assert listener_name(name) == called
+
+
+def test_what_of_the_cast_is_not_in_the_script_is_told() -> None:
+    cast = Cast(MappingProxyType({}), names=("ANNE", "*", "Ben"), remarks=("a profile",))
+    lines = [line(1, "ANNA"), line(2, "ben")]
+    told = Casting.of(cast, Options(), OURS, lines, has_partners=True).remarks(lines)
+    assert told[0] == "a profile"
+    assert len(told) == 2
+    assert "'ANNA'" in told[1]
