@@ -19,6 +19,7 @@ AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 if TYPE_CHECKING:
     from .acting.families import Families
     from .bml.choice.characters import Characters
+    from .gesture_limits import GestureTable
     from .realizer.gestures.library import Library
     from .realizer.realizing import Realizer
     from .rules.derivation import FunctionRules
@@ -68,6 +69,17 @@ def load_gestures() -> Library:
 
     folder = resource_folder("lexicon") / "gestures"
     return Cache.of_environment().kept("gestures", _authored(folder), lambda: Library.load(folder))
+
+
+def load_gesture_table(lexemes: Collection[str]) -> GestureTable:
+    """What the scheduler needs to know of the gestures in use with these lexemes; raises as `load_gestures` does."""
+    from .realizer.scheduling.gesture_table import gesture_table
+
+    folder, names = resource_folder("lexicon") / "gestures", " ".join(sorted(lexemes))
+    cache = Cache.of_environment()
+    return cache.kept(
+        "gesture_table", _authored(folder), lambda: gesture_table(load_gestures(), lexemes), made_with=names
+    )
 
 
 def load_realizer() -> Realizer:

@@ -22,6 +22,7 @@ from pathlib import Path
 from tests.support.bml_checker import check
 from understudy.acting.candidates import Stage, candidates_of
 from understudy.bml.choice.characters import Character
+from understudy.bml.choice.gesture_forms import with_forms
 from understudy.bml.choice.scheduling import schedule
 from understudy.bml.choice.visemes import visemes
 from understudy.bml.writing.writer import write_bml
@@ -33,6 +34,7 @@ from understudy.model import (
     Function,
     Hand,
     Interval,
+    Level,
     Mode,
     Performance,
     Phone,
@@ -98,7 +100,7 @@ class Stages:
             Parser.load(resource_folder("models") / "parser"),
             FunctionRules.load(RULES, lexicon / "en"),
             behavior,
-            behavior.characters.named(character),
+            with_forms(behavior.characters.named(character), behavior.gestures, Level.MEDIUM),
         )
 
     def candidates(self, utterance: Utterance, known: Understanding, seed: int) -> tuple[BehaviorCandidates, ...]:

@@ -15,6 +15,7 @@ from tests.support.bml_checker import check
 from understudy.api.application import create_app
 from understudy.cli.main import main
 from understudy.errors import InputError
+from understudy.gesture_limits import LATEST_S
 from understudy.model import Behavior, Channel, GivenFunction, Performance
 from understudy.performance import (
     BmlForm,
@@ -29,7 +30,6 @@ from understudy.performance import (
 )
 from understudy.realization import BmlInput, Realized, prepare_schedule, realize, schedule_of, write_motion
 from understudy.realization import MotionFormat as Format
-from understudy.realizer.scheduling.selection import LATEST_S
 from understudy.settings import Settings
 
 AUDIO_FOLDER = Path(__file__).parents[1] / "audio"

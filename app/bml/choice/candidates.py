@@ -6,10 +6,12 @@ begins with the hand raised, and says so; all else comes a little later instead.
 are seconds.
 """
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from math import floor
 
-from ...model import Behavior, Channel, Interval, Movement, Phone, SyncPoints, Word
+from ...gesture_limits import LATEST_S, Forms
+from ...model import Behavior, Channel, Hand, Interval, Movement, Phone, SyncPoints, Word
 from .idle_behaviors import IdleBehavior
 from .phases import Placing, Window, placed, soonest, underway
 from .table import STROKED, Anchor, BehaviorEntry
@@ -17,10 +19,16 @@ from .table import STROKED, Anchor, BehaviorEntry
 
 @dataclass(frozen=True, slots=True)
 class PlacedBehavior:
-    """A behaviour with what it is timed by."""
+    """A behaviour with what it is timed by; a gesture with its forms by hand."""
 
     behavior: Behavior
     placing: Placing
+    forms: Mapping[Hand, Forms] = field(default_factory=dict)
+
+    @property
+    def own_forms(self) -> Forms:
+        """The forms that the hand of the behaviour makes."""
+        return self.forms.get(self.behavior.hand or Hand.RIGHT, ())
 
     @property
     def firm_end_s(self) -> float:
@@ -45,16 +53,17 @@ def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], nam
     else:
         at_s = until_s = max((interval_of(word).end_s for word in timed if word.index < movement.first), default=0.0)
     placing, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
+    late_s = placing.at_s - at_s if entry.channel is Channel.GESTURE else 0.0
     behavior = replace(
         _behavior(entry, name, _sync(placing), movement.first, movement.last),
         priority=movement.priority,
         rule=movement.rule,
         function=movement.function,
         moment=movement.moment,
-        kept=bool(words),
-        reason=hurry if words else "none of its words is spoken",
+        kept=bool(words) and late_s <= LATEST_S,
+        reason=_late(late_s) if late_s > LATEST_S else hurry if words else "none of its words is spoken",
     )
-    return PlacedBehavior(behavior, placing)
+    return PlacedBehavior(behavior, placing, entry.forms)
 
 
 def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:
@@ -131,6 +140,10 @@ def _in_time(placing: Placing, channel: Channel) -> tuple[Placing, str | None]:
     if channel is Channel.GESTURE:
         return underway(placing), "the hand is raised as the performance begins, for there is no time to raise it"
     return soonest(placing), "a little late, for there is no time before its word"
+
+
+def _late(late_s: float) -> str:
+    return f"its stroke would come {late_s:.2f} s after its word, for there is no time before; a lead-in would give it"
 
 
 def _sync(placing: Placing) -> SyncPoints:

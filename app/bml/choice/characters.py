@@ -82,6 +82,12 @@ class Characters:
         by_name = {character.name: character for character in characters}
         return cls(MappingProxyType(by_name), frozenset(table.lines))
 
+    @property
+    def gesture_lexemes(self) -> frozenset[str]:
+        """The lexemes of all gestures of all characters."""
+        entries = chain.from_iterable(each.entries.values() for each in self.by_name.values())
+        return frozenset(entry.lexeme for entry in entries if entry.channel is Channel.GESTURE)
+
     def named(self, name: str) -> Character:
         """The character of that name; raises InputError `unknown_character`."""
         if name not in self.by_name:

@@ -80,14 +80,14 @@ def _rank(offer: BehaviorCandidates, line: Line) -> tuple[float, bool, tuple[flo
 
 
 def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
-    """Whether a gesture of it would begin with the hand raised, for want of time."""
+    """Whether a stroke of it would begin with the performance, for want of time."""
     _priority, first, _last, _id = offer.rank
     begun = [word for word in line.timed if word.index <= first]
     if begun and interval_of(begun[-1]).start_s >= EASILY_S:
         return False
     movements = (movement for alternative in offer.alternatives for movement in alternative.movements)
     placed = (asked(movement, line.character.entries[movement.name], line.timed, "") for movement in movements)
-    return any(each.behavior.kind is Channel.GESTURE and each.behavior.reason is not None for each in placed)
+    return any(each.behavior.kind is Channel.GESTURE and each.behavior.sync.stroke_start == 0 for each in placed)
 
 
 def _best(offer: BehaviorCandidates, kept: Kept, line: Line) -> _Attempt:

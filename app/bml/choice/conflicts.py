@@ -4,18 +4,22 @@ Candidates come in the order of their priority. Gestures compete hand by hand, f
 move, everything else channel by channel, and a look aside, which turns the head, competes with what the head does. One
 that does not fit beside those taken before is shortened to what its phases need at least; a look whose head is taken
 goes to the eyes alone. If that is not enough, the retraction of its predecessor gives way to its preparation, and then
-its hold, which joins the two into one gesture unit (§3.8); if that is not enough either, it loses, with the winner's id
-and the reason.
+its hold, which joins the two into one gesture unit (§3.8); a gesture may then come `EARLY_S` before its word; if that
+is not enough either, it loses, with the winner's id and the reason.
+
+Between two gestures of a hand lies at least the time that it takes from the one to the other
+(`understudy.gesture_limits`), by which the realizer judges them too: what is kept is played.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from ...gesture_limits import TransitionTimes, transition_times
 from ...model import Behavior, Channel, Hand
 from .candidates import PlacedBehavior
 from .faces import LOWER_FACE
 from .phases import Window, placed
-from .table import GLANCE, LOOK
+from .table import GLANCE, LOOK, Phase
 
 Kept = tuple[PlacedBehavior, ...]
 """The candidates taken so far; none overlaps another on a channel or hand."""
@@ -31,6 +35,13 @@ class Fitted:
     @property
     def shortened(self) -> bool:
         return self.candidate.behavior.reason is not None
+
+
+EARLY_S = 0.1
+"""How much before its word a gesture may be, rather than not at all: a syllable."""
+
+NEAR_S = 1.0
+"""Of a gesture that is over this long before another begins, the hand is back in time."""
 
 
 def resolve(candidates: Iterable[PlacedBehavior], kept: Kept = ()) -> tuple[Kept, tuple[Behavior, ...]]:
@@ -50,23 +61,72 @@ def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
     rivals = [other for other in kept if compete(other.behavior, candidate.behavior)]
     earlier = [other for other in rivals if other.placing.at_s <= candidate.placing.at_s]
     later = [other for other in rivals if other.placing.at_s > candidate.placing.at_s]
-    begin_s = max((other.behavior.sync.end for other in earlier), default=0.0)
-    finish_s = min((other.behavior.sync.start for other in later), default=Window().to_s)
-    sync = candidate.behavior.sync
-    if begin_s <= sync.start and sync.end <= finish_s:
+    candidate = _with_way(candidate, earlier)
+    window, sync = _usual_window(candidate, earlier, later), candidate.behavior.sync
+    if window.from_s <= sync.start and sync.end <= window.to_s:
         return Fitted(candidate, (*kept, candidate))
     heads = [other.behavior for other in rivals if other.behavior.kind is Channel.HEAD and _overlap(candidate, other)]
     if candidate.behavior.kind is Channel.GAZE and heads:
         return fitted(_with_the_eyes_alone(candidate, heads[0]), kept)
     neighbour = _neighbour(candidate, earlier, later)
-    within = _within(candidate, Window(begin_s, finish_s), neighbour)
-    if within is not None:
-        return Fitted(within, (*kept, within))
-    for end_s in (_without_retraction, _without_hold):
-        within = within or _within(candidate, Window(max(map(end_s, earlier), default=0.0), finish_s), neighbour)
-    if within is None:
-        return beaten(candidate.behavior, neighbour)
-    return Fitted(within, (*(_making_way(other, within) if other in earlier else other for other in kept), within))
+    for moved in _moved(candidate):
+        for window in _windows(moved, earlier, later):
+            within = _within(moved, window, neighbour)
+            if within is not None:
+                ready = (_making_way(other, within) if other in earlier else other for other in kept)
+                return Fitted(within, (*ready, within))
+    return beaten(candidate.behavior, neighbour)
+
+
+def _moved(candidate: PlacedBehavior) -> Iterator[PlacedBehavior]:
+    """The candidate; then a gesture, whose stroke cannot be shorter, a little before its word."""
+    yield candidate
+    if candidate.own_forms:
+        placing = replace(candidate.placing, at_s=candidate.placing.at_s - EARLY_S)
+        reason = f"{EARLY_S:g} s before its word, to be in time for its neighbour"
+        yield replace(candidate, placing=placing, behavior=replace(candidate.behavior, reason=reason))
+
+
+def _windows(
+    candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
+) -> Iterator[Window]:
+    """What the neighbours leave: as they are, then without the retraction of the one before, then without its hold."""
+    usual = _usual_window(candidate, earlier, later)
+    yield usual
+    yield replace(usual, from_s=max((each.firm_end_s for each in earlier), default=0.0))
+    yield replace(usual, from_s=max((each.stroke_end_s for each in earlier), default=0.0))
+
+
+def _usual_window(
+    candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
+) -> Window:
+    begin_s = max((each.behavior.sync.end for each in earlier), default=0.0)
+    return Window(begin_s, min((_latest_end_s(candidate, each) for each in later), default=Window().to_s))
+
+
+def _with_way(candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior]) -> PlacedBehavior:
+    """A gesture whose preparation takes at least the time that its hand needs to come from the gesture before it."""
+    sync, placing = candidate.behavior.sync, candidate.placing
+    near = [each for each in earlier if sync.start - each.behavior.sync.end < NEAR_S]
+    shortest_s = max((transition(each, candidate).shortest_s for each in near), default=0.0)
+    if not shortest_s:
+        return candidate
+    usual = placing.timing.preparation
+    preparation = Phase(shortest_s, max(usual.usual_s, shortest_s))
+    return replace(candidate, placing=replace(placing, timing=replace(placing.timing, preparation=preparation)))
+
+
+def _latest_end_s(candidate: PlacedBehavior, later: PlacedBehavior) -> float:
+    """When a candidate must be over for the later one to begin, and for its stroke to come in time."""
+    sync = later.behavior.sync
+    start_s = sync.start if sync.stroke_start is None else sync.stroke_start
+    return min(sync.start, start_s - transition(candidate, later).shortest_s)
+
+
+def transition(first: PlacedBehavior, second: PlacedBehavior) -> TransitionTimes:
+    """How long the hands take from a gesture to the next; no time for all else."""
+    amounts = first.behavior.amount, second.behavior.amount
+    return transition_times(first.own_forms, second.own_forms, amounts=amounts)
 
 
 def beaten(behavior: Behavior, winner: Behavior) -> Behavior:
@@ -112,14 +172,6 @@ def _within(candidate: PlacedBehavior, window: Window, neighbour: Behavior) -> P
         return None
     reason = candidate.behavior.reason or _shortened_beside(neighbour)
     return replace(candidate, behavior=replace(candidate.behavior, sync=sync, reason=reason))
-
-
-def _without_retraction(earlier: PlacedBehavior) -> float:
-    return earlier.firm_end_s
-
-
-def _without_hold(earlier: PlacedBehavior) -> float:
-    return earlier.stroke_end_s
 
 
 def _making_way(earlier: PlacedBehavior, later: PlacedBehavior) -> PlacedBehavior:

@@ -12,9 +12,6 @@ from math import inf
 from ...model import SyncPoints
 from .table import Phase, Timing
 
-EMPHASIS_OF_STROKE = 0.61
-"""Where in the stroke its point of emphasis lies (shared/motion.md, hand-labelled gestures)."""
-
 _SLACK_S = 1e-6
 """What rounding may take from a phase."""
 
@@ -62,7 +59,7 @@ def placed(placing: Placing, window: Window) -> SyncPoints | None:
     return SyncPoints(
         ready=ready_s,
         stroke_start=ready_s,
-        stroke=_rounded(stroke_start_s + EMPHASIS_OF_STROKE * stroke_s),
+        stroke=_rounded(stroke_start_s + timing.emphasis * stroke_s),
         stroke_end=_rounded(stroke_end_s),
         **ends,
     )

@@ -2,7 +2,8 @@
 hand.
 
 How a movement is timed by its word is in `candidates.py`, which alternatives are taken in `choosing.py`, what does not
-fit together is settled in `conflicts.py`, what the body does by itself is in `idle_behaviors.py`.
+fit together is settled in `conflicts.py`, how gestures are joined in `transitions.py`, what the body does by itself is
+in `idle_behaviors.py`.
 """
 
 from collections.abc import Iterable
@@ -18,6 +19,7 @@ from .idle_behaviors import idle_behaviors
 from .modes import in_mode
 from .necessity import BLINK, needed
 from .saccades import TALKING
+from .transitions import eased
 
 PLANNED_MORE = 1.6
 """Ideas crowd in some lines and are absent from others: a planned line may have this many times the usual gestures."""
@@ -54,6 +56,7 @@ def schedule(
     usual = replace(line, most_gestures=most_gestures(character, spoken_s))
     kept, lost = in_mode(mode, (kept, (*lost, *needless)), usual, seed)
     kept, own_lost = resolve(_idle(kept, utterance, usual, seed), kept)
+    kept = eased(kept)
     rest = Rest.of(utterance, timed, character, f"{seed} rest")
     kept += fillers(kept, rest, replace(TALKING, eye_contact=character.eye_contact))
     return numbered([*(candidate.behavior for candidate in kept), *lost, *own_lost])

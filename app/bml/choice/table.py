@@ -5,7 +5,7 @@ mistake of the file is reported at once, with its place.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 from types import MappingProxyType
@@ -14,6 +14,7 @@ from typing import Annotated
 from pydantic import AfterValidator, Field
 
 from ...errors import AuthoringError
+from ...gesture_limits import Forms
 from ...model import Channel, Hand
 from ...yaml_files import Entry, Source, did_you_mean
 from .faces import ACTION_UNITS, CORE_LEXEMES
@@ -26,6 +27,9 @@ DRIFTS = ("drift_left", "drift_right", "drift_turn_left", "drift_turn_right", "d
 
 UNASKED = ("blink", "breath", "gaze_opening", "saccade", "look_aside", *DRIFTS)
 """The entries for what the body does by itself."""
+
+EMPHASIS_OF_STROKE = 0.61
+"""Where in the stroke its point of emphasis lies (shared/motion.md, hand-labelled gestures)."""
 
 LOOK, GLANCE, SHIFT = "LOOK", "GLANCE", "SHIFT"
 GAZE_LEXEMES = frozenset({LOOK, GLANCE, SHIFT})
@@ -62,18 +66,21 @@ class Phase:
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """The phases of a behaviour (paper Table 3); `alignment` is the part of the stroke done at the stressed vowel."""
+    """The phases of a behaviour (paper Table 3); `alignment` is the part of the stroke done at the stressed vowel,
+    `emphasis` the part before its point of emphasis."""
 
     preparation: Phase
     stroke: Phase
     hold: Phase
     retraction: Phase
     alignment: float = 1.0
+    emphasis: float = EMPHASIS_OF_STROKE
 
 
 @dataclass(frozen=True, slots=True)
 class BehaviorEntry:
-    """A line of the table. A gesture whose `hand` is None takes the hand in use, or the character's own."""
+    """A line of the table. A gesture whose `hand` is None takes the hand in use, or the character's own. `forms` are
+    those of the gesture library by hand, where they are known."""
 
     name: str
     channel: Channel
@@ -85,6 +92,7 @@ class BehaviorEntry:
     repetitions: int | None = None
     target: str | None = None
     direction: str | None = None
+    forms: Mapping[Hand, Forms] = field(default_factory=dict)
 
 
 def _in_order(durations: tuple[float, float]) -> tuple[float, float]:

@@ -7,14 +7,12 @@ Conventions: seconds from the start of the audio; markers of placed gestures are
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from ...gesture_limits import playable_size
 from ...model import Hand, Level, SyncPoints
 from ..body.motion import Decision
 from .gesture import Clip, Markers
 
 Position = tuple[float, float, float]
-
-TOP_STROKE_SPEED_M_S = 1.0
-"""The fastest mean speed of a stroke: its peak is about 1.9 times that, people's 95th percentile."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,10 +69,8 @@ class PlacedGesture:
 
     @property
     def size(self) -> float:
-        """The requested size, reduced where the stroke, which has a fixed duration, would exceed
-        `TOP_STROKE_SPEED_M_S`."""
-        fastest_m_s = max(self.request.size * self.clip.stroke_speed_m_s, TOP_STROKE_SPEED_M_S)
-        return self.request.size * TOP_STROKE_SPEED_M_S / fastest_m_s
+        """The requested size, reduced where the stroke would be too fast."""
+        return playable_size(self.request.size, self.clip.stroke_speed_m_s)
 
     @property
     def arms(self) -> tuple[Hand, ...]:

@@ -127,7 +127,7 @@ def _between(
 def _from_the_first_frame(first: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
     """The way to the first gesture. Speakers raise their hands before the first word, so if there is too little time,
     part of the way has already been covered in the first frame."""
-    window_s = first.stroke_start_s
+    window_s = max(0.0, first.stroke_start_s)
     way_s = min(_preparation_s(first, side, changes), window_s)
     ready_s = window_s - _hold_s(first, window_s - way_s)
     hurried = shortest_way_s(distance_m(rest_m(changes[0].pose, side), stroke_start_m(first, side)))

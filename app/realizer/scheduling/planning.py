@@ -15,7 +15,6 @@ from types import MappingProxyType
 import numpy as np
 
 from ...model import Hand, Schedule, SyncPoints
-from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..body.motion import Decision
 from ..gestures.gesture_plan import (
     ArmGesture,
@@ -32,7 +31,7 @@ from .pruning import Admission, admit
 from .repetition import repeats_until_s, with_repeats
 from .rests import posture_changes
 from .selection import Clips, candidate_clips, in_time, place_clip, requests_of, shuffled
-from .transitions import TransitionContext, natural_preparation_s
+from .transitions import TransitionContext, natural_preparation_s, way_m
 
 SIDES = (Hand.LEFT, Hand.RIGHT)
 
@@ -114,8 +113,8 @@ def _transitions(side: Hand, arms: Iterable[ArmGesture]) -> Iterator[Transition]
     for first, second in pairwise(own):
         if second.blended_from is not None:
             start_s, end_s = first.markers.relax, second.markers.stroke_start
-            way_m = distance_m(relax_m(first.placed, side), stroke_start_m(second.placed, side))
-            yield Transition(side, first.behavior, second.behavior, start_s, end_s, way_m / (end_s - start_s))
+            speed_m_s = way_m(first.placed, second.placed, side) / (end_s - start_s)
+            yield Transition(side, first.behavior, second.behavior, start_s, end_s, speed_m_s)
 
 
 def _of_behavior(gesture: PlacedGesture, arms: Iterable[ArmGesture]) -> list[ArmGesture]:

@@ -1,30 +1,29 @@
 """Resolves conflicts between gestures (paper §3.8): overlaps, and transitions too fast for a human arm.
 
-Gestures are processed in order of their strokes. In a conflict another clip of the same category is tried; if none
-fits, the gesture with the lower priority is dropped, and of equals the later one.
+Gestures are processed in order of their strokes. Of two that overlap the one with the lower priority is dropped, and of
+equals the later one. For a transition that is too fast another clip of the category is tried first. What is too fast is
+in `understudy.gesture_limits`, by which our own schedules are made: conflicts come from edited or foreign BML.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ...gesture_limits import shortest_transition_s
 from ...model import Hand
 from ..body.motion import Decision
 from ..gestures.gesture_plan import PlacedGesture
-from .transitions import TransitionContext, blends, gap_s, stroke_speed_m_s, transition_speed_m_s
-
-BLEND_SPEED_THRESHOLD_M_S = 0.5
-"""The paper's v_th, which it does not quantify. A stroke of .6 m/s may be reached by a transition at 1.1 m/s, whose
-peak is 2 m/s (people's 99th percentile)."""
-SHORTEST_TRANSITION_S = 0.15
-"""Even for hands that are close together, since orientation and shape must change as well."""
+from .transitions import TransitionContext, blends, gap_s, stroke_speed_m_s, way_m
 
 
 @dataclass(frozen=True, slots=True)
 class Obstacle:
-    """Why a gesture cannot be played, and the previous gesture that conflicts with it (None: the start of the line)."""
+    """Why a gesture cannot be played, and the previous gesture that conflicts with it (None: the start of the line).
+    `missing_s` is the time that the two lack; `replaceable` whether another clip may be tried."""
 
     reason: str
     rival: PlacedGesture | None = None
+    missing_s: float = 0.0
+    replaceable: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,12 +38,12 @@ def admit(options: Sequence[PlacedGesture], kept: tuple[PlacedGesture, ...], set
     """Try to add one gesture to those kept; `options` are its clips in order of preference."""
     decisions: list[Decision] = []
     while True:
-        obstacles = [obstacle(option, kept, setting) for option in options]
-        first, hurdle = options[0], obstacles[0]
+        first, hurdle = options[0], obstacle(options[0], kept, setting)
         if hurdle is None:
             return Admission((*kept, first), tuple(decisions))
-        if None in obstacles:
-            other = options[obstacles.index(None)]
+        others = options[1:] if hurdle.replaceable else ()
+        other = next((option for option in others if obstacle(option, kept, setting) is None), None)
+        if other is not None:
             decisions.append(_replaced(first, other, hurdle))
             return Admission((*kept, other), tuple(decisions))
         if hurdle.rival is None or hurdle.rival.request.priority >= first.request.priority:
@@ -60,14 +59,29 @@ def _replaced(first: PlacedGesture, other: PlacedGesture, hurdle: Obstacle) -> D
 def _dropped(first: PlacedGesture, hurdle: Obstacle) -> Decision:
     if hurdle.rival is None:
         return Decision(first.request.behavior, "dropped", hurdle.reason)
-    matters = f"which has priority {hurdle.rival.request.priority:g}, not {first.request.priority:g}"
-    return Decision(first.request.behavior, "dropped", f"{hurdle.reason}, {matters}")
+    rival, own = hurdle.rival.request, first.request.priority
+    stays = f"its priority is {rival.priority:g}, not {own:g}" if rival.priority > own else "it comes first"
+    reason = f"{hurdle.reason}. {rival.behavior} stays, for {stays}. {_remedy(first, hurdle.rival, hurdle.missing_s)}"
+    return Decision(first.request.behavior, "dropped", reason)
 
 
 def _made_way(rival: PlacedGesture, winner: PlacedGesture, hurdle: Obstacle) -> Decision:
     """The reason is told from the point of view of the gesture that stays."""
-    matters = f"priority {winner.request.priority:g}, not {rival.request.priority:g}"
-    return Decision(rival.request.behavior, "dropped", f"for {winner.request.behavior}, of {matters}: {hurdle.reason}")
+    stays = f"{winner.request.behavior} stays, for its priority is {winner.request.priority:g}"
+    reason = f"for {winner.request.behavior}: {hurdle.reason}. {stays}, not {rival.request.priority:g}."
+    return Decision(rival.request.behavior, "dropped", f"{reason} {_remedy(winner, rival, hurdle.missing_s)}")
+
+
+def _remedy(second: PlacedGesture, first: PlacedGesture, missing_s: float) -> str:
+    """What would let both be played. Times are rounded up to what is surely enough."""
+    enough_s = missing_s + _ROUNDING_S
+    later = f"Both are played if {second.request.behavior} comes {enough_s:.2f} s later"
+    if first.relax_s - enough_s < first.stroke_end_s:
+        return later
+    return f"{later}, or if {first.request.behavior} relaxes at {first.relax_s - enough_s:.2f} s"
+
+
+_ROUNDING_S = 0.005
 
 
 def obstacle(second: PlacedGesture, before: tuple[PlacedGesture, ...], setting: TransitionContext) -> Obstacle | None:
@@ -82,22 +96,24 @@ def obstacle(second: PlacedGesture, before: tuple[PlacedGesture, ...], setting: 
 
 def _too_early(placed: PlacedGesture) -> Obstacle | None:
     """Nothing moves before the first frame, so a stroke that would already have begun cannot be played."""
-    if placed.stroke_start_s >= 0:
+    if placed.stroke_start_s >= -_SLACK_S:
         return None
     return Obstacle(f"its stroke would start {-placed.stroke_start_s:.2f} s before the first frame")
 
 
 def _in_the_way(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> Obstacle | None:
     """The paper's first and third rule."""
-    name, between_s = first.request.behavior, gap_s(first, second)
+    between_s, whole_m, own_m_s = gap_s(first, second), way_m(first, second, side), stroke_speed_m_s(second)
+    needed_s = shortest_transition_s(whole_m, own_m_s)
+    if between_s >= needed_s - _SLACK_S or not blends(first, second, side, setting):
+        return None
+    times = f"its stroke would start at {second.stroke_start_s:.2f} s"
+    relaxes = f"{first.request.behavior} relaxes at {first.relax_s:.2f} s"
     if between_s < 0:
-        return Obstacle(f"its stroke starts {-between_s:.2f} s before {name} relaxes", first)
-    if between_s < SHORTEST_TRANSITION_S:
-        return Obstacle(f"its stroke starts {between_s:.2f} s after {name} relaxes", first)
-    if not blends(first, second, side, setting):
-        return None
-    speed_m_s = transition_speed_m_s(first, second, side)
-    own_m_s = stroke_speed_m_s(second)
-    if speed_m_s - own_m_s <= BLEND_SPEED_THRESHOLD_M_S:
-        return None
-    return Obstacle(f"{speed_m_s:.2f} m/s from {name}, and its stroke has {own_m_s:.2f} m/s", first)
+        return Obstacle(f"{times}, before {relaxes}", first, needed_s - between_s)
+    reason = f"{times} and {relaxes}, and the hand needs {needed_s:.2f} s for the {100 * whole_m:.0f} cm between them"
+    return Obstacle(reason, first, needed_s - between_s, replaceable=True)
+
+
+_SLACK_S = 0.002
+"""Times of schedules are whole milliseconds."""

@@ -10,23 +10,17 @@ vowels to the millisecond, and may have no hold at all.
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
-from math import sqrt
 from typing import Protocol
 
 import numpy as np
 
+from ...gesture_limits import LATEST_S, size_of
 from ...model import Behavior, Channel, Hand, Level, Schedule
 from ..body.motion import Decision
 from ..gestures.gesture import Clip
 from ..gestures.gesture_plan import GestureRequest, PlacedGesture
 
 TOLERANCE_S = 0.1
-LATEST_S = 0.35
-"""A gesture on the first sound of a recording may come this late, about a word, rather than not at all."""
-
-USUAL_AMOUNT = 0.5
-"""The amount of a gesture of normal size. Reach grows with the square root of the amount: twice the amount is not twice
-the reach."""
 
 
 class Clips(Protocol):
@@ -58,7 +52,7 @@ def _request(gesture: Behavior, level: Level) -> GestureRequest:
         priority=gesture.priority,
         hand=gesture.hand or Hand.RIGHT,
         level=level,
-        size=1.0 if gesture.amount is None else sqrt(gesture.amount / USUAL_AMOUNT),
+        size=size_of(gesture.amount),
         target=gesture.target,
     )
 
@@ -92,10 +86,11 @@ def in_time(placed: PlacedGesture) -> PlacedGesture:
 
 def candidate_clips(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
     """The clips that fit a request, none if it must be dropped, and the decisions made."""
-    clips, decisions = _of_category(request, library)
+    clips = clips_of(request, library)
+    decisions = tuple(_substitution(clips[0], request)) if clips else ()
     if not clips:
         reason = f"the library has no clip for {request.category}, nor a beat that could stand in"
-        return (), (*decisions, Decision(request.behavior, "dropped", reason))
+        return (), (Decision(request.behavior, "dropped", reason),)
     for allowed in (fits, fits_without_hold):
         found = tuple(clip for clip in clips if allowed(clip, request))
         if found:
@@ -112,30 +107,33 @@ def shuffled(clips: tuple[Clip, ...], last_used: str | None, rng: np.random.Gene
     return tuple(sorted(shuffled, key=lambda clip: clip.name == last_used))
 
 
-def _of_category(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
-    """The clips of the nearest category with the requested hand and level, or else with others."""
+def clips_of(request: GestureRequest, library: Clips) -> tuple[Clip, ...]:
+    """The clips of the nearest category with the requested hand and level, or else with others; possibly none."""
     category = library.nearest(request.category)
     if category is None:
-        return (), ()
+        return ()
     levels = (request.level, *(level for level in _LEVELS if level is not request.level))
     hands = (request.hand, *(hand for hand in Hand if hand is not request.hand))
-    for level, hand in product(levels, hands):
-        clips = library.clips(category, level, hand)
-        if clips:
-            changes = tuple(_changes(request, category, hand, level))
-            replaced = (Decision(request.behavior, "replaced", "; ".join(changes)),) if changes else ()
-            return clips, replaced
-    return (), ()
+    found = (library.clips(category, level, hand) for level, hand in product(levels, hands))
+    return next((clips for clips in found if clips), ())
 
 
-def _changes(request: GestureRequest, category: str, hand: Hand, level: Level) -> Iterator[str]:
+def _substitution(clip: Clip, request: GestureRequest) -> Iterator[Decision]:
+    """A decision if the clips are not those that were requested."""
+    changes = "; ".join(_changes(clip, request))
+    if changes:
+        yield Decision(request.behavior, "replaced", changes)
+
+
+def _changes(clip: Clip, request: GestureRequest) -> Iterator[str]:
     """Differences between the clip and the request, in words."""
+    category = clip.category
     if category != request.category:
         yield f"the library has no {request.category}: {category} stands in"
-    if hand is not request.hand:
-        yield f"{category} is made with {_NAMES[hand]}, not with {_NAMES[request.hand]}"
-    if level is not request.level:
-        yield f"{category} has no clip at {request.level} agitation: {level} stands in"
+    if clip.hand is not request.hand:
+        yield f"{category} is made with {_NAMES[clip.hand]}, not with {_NAMES[request.hand]}"
+    if clip.level is not request.level:
+        yield f"{category} has no clip at {request.level} agitation: {clip.level} stands in"
 
 
 _LEVELS = (Level.MEDIUM, Level.LOW, Level.HIGH)

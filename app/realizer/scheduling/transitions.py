@@ -10,15 +10,13 @@ in the same phrase), or if there is no time to rest in between.
 from dataclasses import dataclass
 from math import inf
 
+from ...gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
 from ...model import Hand, Interval
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..gestures.gesture_plan import PlacedGesture
 from .rests import SHORTEST_REST_S, posture_pose, preparation_s, rest_m, rest_pose_for_gap, retraction_s
 
 UNIT_GAP_S = 1.5
-EASY_TRANSITION_S = 0.40
-"""The part of a gap that a prolonged hold leaves (people's preparations last .30 to 1.05 s)."""
-SLOWEST_STROKE_M_S = 0.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,9 +65,9 @@ def natural_preparation_s(placed: PlacedGesture) -> float:
     return placed.clip.markers.ready - placed.clip.markers.start
 
 
-def transition_speed_m_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
-    """The paper's v of k → k+1: the distance between the hand's positions divided by the time available."""
-    return distance_m(relax_m(first, side), stroke_start_m(second, side)) / gap_s(first, second)
+def way_m(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
+    """The distance between the hand's positions at the relax time of the first and the stroke start of the second."""
+    return distance_m(relax_m(first, side), stroke_start_m(second, side))
 
 
 def prolonged_relax_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
@@ -85,8 +83,7 @@ def prolonged_relax_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -
 
 def transition_s(first: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
     """The natural duration of a transition to `second`: as fast as its stroke, and at least `EASY_TRANSITION_S`."""
-    way_m = distance_m(relax_m(first, side), stroke_start_m(second, side))
-    return max(way_m / stroke_speed_m_s(second), EASY_TRANSITION_S)
+    return equal_transition_s(way_m(first, second, side), stroke_speed_m_s(second))
 
 
 def stroke_speed_m_s(placed: PlacedGesture) -> float:

@@ -3,18 +3,17 @@
 import pytest
 
 from tests.support.gesture_clips import clip, gesture
+from understudy.gesture_limits import EASY_TRANSITION_S, SLOWEST_STROKE_M_S, TOP_STROKE_SPEED_M_S
 from understudy.model import Hand, Interval, Schedule
 from understudy.realizer.gestures.gesture import Clip
-from understudy.realizer.gestures.gesture_plan import TOP_STROKE_SPEED_M_S, PlacedGesture
+from understudy.realizer.gestures.gesture_plan import PlacedGesture
 from understudy.realizer.scheduling.selection import place_clip, requests_of
 from understudy.realizer.scheduling.transitions import (
-    EASY_TRANSITION_S,
-    SLOWEST_STROKE_M_S,
     TransitionContext,
     blends,
     prolonged_relax_s,
     stroke_speed_m_s,
-    transition_speed_m_s,
+    way_m,
 )
 
 
@@ -23,9 +22,9 @@ def at(stroke_s: float, relax_s: float, one: Clip | None = None, amount: float |
     return place_clip(one or clip(), request)
 
 
-def test_the_speed_of_a_way_is_its_distance_by_its_time() -> None:
-    """From .3 m to 0 in 3.0 - 2.5 s."""
-    assert transition_speed_m_s(at(2.0, 2.5), at(3.3, 3.8), Hand.RIGHT) == pytest.approx(0.6)
+def test_a_way_leads_from_where_the_hand_relaxes_to_where_the_next_stroke_starts() -> None:
+    """Back over the .3 m of the stroke."""
+    assert way_m(at(2.0, 2.5), at(3.3, 3.8), Hand.RIGHT) == pytest.approx(0.3)
 
 
 @pytest.mark.parametrize(("stroke_s", "hold_s"), [(3.2, 0.0), (3.3, 0.0), (3.5, 0.2), (4.3, 1.0)])

@@ -1,0 +1,37 @@
+"""Gestures as the library has them: strokes that last as long as they will, and ways that take the time they need.
+
+The table's durations of strokes are what people were measured to take; a gesture that is scheduled has the stroke of
+its clip, which is never time-warped (paper §3.8). Of several forms that a gesture may take the longest counts.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import chain
+
+from ...gesture_limits import Forms, GestureTable
+from ...model import Channel, Hand, Level
+from .characters import Character
+from .table import BehaviorEntry, Phase, Timing
+
+
+def with_forms(character: Character, table: GestureTable, level: Level) -> Character:
+    """The character with the forms of its gestures at a level of agitation."""
+    entries = {name: _with_forms(entry, table, level) for name, entry in character.entries.items()}
+    return replace(character, entries=entries)
+
+
+def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level) -> BehaviorEntry:
+    forms = table.of(entry.lexeme, level) if entry.channel is Channel.GESTURE else {}
+    return replace(entry, forms=forms, timing=_timing(entry.timing, _of_hands(forms, entry.hand))) if forms else entry
+
+
+def _of_hands(forms: Mapping[Hand, Forms], hand: Hand | None) -> Forms:
+    """The forms that are made by the hand; by either hand alone if it is not settled."""
+    hands = (Hand.LEFT, Hand.RIGHT) if hand is None else (hand,)
+    return tuple(chain.from_iterable(forms.get(each, ()) for each in hands))
+
+
+def _timing(timing: Timing, forms: Forms) -> Timing:
+    before_s, after_s = max(form.before_s for form in forms), max(form.after_s for form in forms)
+    stroke_s = before_s + after_s
+    return replace(timing, stroke=Phase(stroke_s, stroke_s), emphasis=before_s / stroke_s)
