@@ -46,12 +46,33 @@ class UnsupportedFormatError(InputError):
     """The format is none of those we read."""
 
 
+class NotAcceptableError(InputError):
+    """The answer comes in none of the forms that the caller accepts."""
+
+
+class SlowClientError(InputError):
+    """The request arrives too slowly."""
+
+
+class TooManyError(InputError):
+    """One client asks too often; `retry_after_s` is when to ask again."""
+
+    def __init__(self, code: str, message: str, *, retry_after_s: float = 1.0) -> None:
+        super().__init__(code, message)
+        self.retry_after_s = retry_after_s
+
+
 class TooLargeError(InputError):
     """The input passes a limit of `understudy.settings`."""
 
 
 class ServiceError(UnderstudyError):
-    """Our own trouble, not the caller's: the aligner died, the deadline passed."""
+    """Our own trouble, not the caller's: the aligner died, the deadline passed. `retry_after_s` is when to try
+    again."""
+
+    def __init__(self, code: str, message: str, *, retry_after_s: float | None = None) -> None:
+        super().__init__(code, message)
+        self.retry_after_s = retry_after_s
 
 
 def shown(value: object) -> str:

@@ -166,6 +166,15 @@ class Understudy:
         """Raises AuthoringError, when it is first asked for, with the mistakes of gestures, face and rigs."""
         return self.when_realizing.get()
 
+    def with_settings(self, settings: Settings) -> Self:
+        """The same models within other limits; settings of what is loaded stay without effect."""
+        return replace(
+            self,
+            acoustic=replace(self.acoustic, settings=settings),
+            language=replace(self.language, settings=settings),
+            behavior=replace(self.behavior, settings=settings),
+        )
+
     def load_rest(self) -> None:
         """Loads what is otherwise loaded when it is first asked for; raises as `realizer` and `acoustic.aligner` do."""
         self.when_realizing.get()

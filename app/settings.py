@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import Literal
 
+import psutil
 from pydantic import Field, SecretStr, ValidationError
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
@@ -67,8 +68,49 @@ class Settings(BaseSettings):
     )
     metrics: bool = Field(default=True, description="answer /metrics")
     docs: bool = Field(default=True, description="answer /docs and /openapi.json")
-    max_concurrent: int = Field(default=4, gt=0, description="lines performed at the same time; more are answered 503")
+    workers: int | None = Field(
+        default=None, gt=0, description="processes that perform lines, one line each at a time; one a core if unset"
+    )
+    queue: int | None = Field(
+        default=None, ge=0, description="requests that may wait for a worker, as many as workers if unset; 503 beyond"
+    )
+    queue_s: float = Field(default=10.0, gt=0, description="a request that waits longer for a worker is answered 503")
     deadline_s: float = Field(default=60.0, gt=0, description="a request that takes longer is answered 504")
+    grace_s: float = Field(default=10.0, ge=0, description="how long requests may go on when the service is stopped")
+    worker_memory_bytes: int = Field(
+        default=384 * 1024 * 1024, gt=0, description="memory that a worker may take for a request; 413 beyond"
+    )
+    worker_jobs: int = Field(default=1000, gt=0, description="requests after which a worker is replaced by a new one")
+    max_text_bytes: int = Field(default=100_000, gt=0, description="largest part `text` of a form, bytes")
+    max_options_bytes: int = Field(default=256 * 1024, gt=0, description="largest part `options` of a form, bytes")
+    max_words_bytes: int = Field(default=4 * 1024 * 1024, gt=0, description="largest part `words` of a form, bytes")
+    max_functions_bytes: int = Field(default=1024 * 1024, gt=0, description="largest part `functions`, bytes")
+    max_direction_bytes: int = Field(default=2 * 1024 * 1024, gt=0, description="largest part `direction`, bytes")
+    max_bml_bytes: int = Field(default=2 * 1024 * 1024, gt=0, description="largest BML, bytes")
+    max_avatar_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest part `avatar`, bytes")
+    max_json_bytes: int = Field(default=512 * 1024, gt=0, description="largest JSON body of a request, bytes")
+    max_uploads_bytes: int = Field(
+        default=256 * 1024 * 1024, gt=0, description="all bodies in memory together, bytes; 503 beyond"
+    )
+    upload_s: float = Field(default=30.0, gt=0, description="a body that takes longer to arrive is answered 408")
+    idle_s: float = Field(
+        default=5.0, gt=0, description="a connection on which nothing comes or goes for so long is ended"
+    )
+    header_s: float = Field(default=10.0, gt=0, description="a request whose headers take longer ends its connection")
+    max_connections: int = Field(default=512, gt=0, description="connections at the same time; 503 beyond")
+    rate_per_minute: int = Field(
+        default=0, ge=0, description="requests for work a minute from one address, 429 beyond; 0 for any number"
+    )
+
+    @property
+    def worker_count(self) -> int:
+        """How many worker processes there are."""
+        return self.workers or len(psutil.Process().cpu_affinity() or ()) or 1
+
+    @property
+    def queue_length(self) -> int:
+        """How many requests may wait."""
+        return self.worker_count if self.queue is None else self.queue
 
 
 def read_settings() -> Settings:

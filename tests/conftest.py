@@ -1,4 +1,5 @@
-"""What several test modules need: the whole understudy, loaded once by each process that runs tests."""
+"""What several test modules need: the whole understudy, loaded once by each process that runs tests, and the service's
+nursery, which loads it in a process of its own."""
 
 import os
 from collections.abc import Iterator
@@ -6,6 +7,7 @@ from collections.abc import Iterator
 import hypothesis
 import pytest
 
+from understudy.api.workers.processes import Nursery
 from understudy.performance import Understudy
 from understudy.settings import Settings
 
@@ -23,3 +25,9 @@ def pytest_configure(config: pytest.Config) -> None:
 def understudy() -> Iterator[Understudy]:
     with Understudy.load(Settings()) as whole:
         yield whole
+
+
+@pytest.fixture(scope="session")
+def nursery() -> Iterator[Nursery]:
+    with Nursery.start(Settings()) as nursery:
+        yield nursery

@@ -1,17 +1,14 @@
-"""The service: one application that loads everything once and shares it between requests."""
+"""The service: one application that reads requests and has worker processes answer them."""
 
 from collections.abc import AsyncIterator
-from contextlib import ExitStack, asynccontextmanager
+from contextlib import AsyncExitStack, asynccontextmanager
 
 from fastapi import FastAPI
 
-from ..authoring.catalogue import Catalogue
-from ..performance import Understudy
 from ..settings import Settings
 from ..version import __version__
 from .admission.admission import Admission, guard
-from .body_limit import BodyLimit
-from .capacity import Capacity
+from .clients import Rates
 from .description import page
 from .description.document import describe
 from .metrics import Measured, Metrics
@@ -19,29 +16,26 @@ from .problems import answer_errors_as_problems
 from .reloading import reloading
 from .routes import router
 from .service import Service
+from .uploads import Uploads
+from .workers.pool import Pool
+from .workers.processes import Nursery
 
 DESCRIPTION = "Performs a spoken line in an actor's stead: audio and words in, a BML schedule of movements out."
 
 
-def create_app(settings: Settings, understudy: Understudy | None = None, *, reload: bool = False) -> FastAPI:
-    """The application. An `understudy` that is given stays its giver's to close; otherwise one is loaded when the
-    application starts and closed when it stops. With `reload` what authors save is read again."""
+def create_app(settings: Settings, nursery: Nursery, *, reload: bool = False) -> FastAPI:
+    """The application. The nursery stays its giver's to close. With `reload` what authors save is read again."""
 
     metrics = Metrics.fresh()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        with ExitStack() as stack:
-            loaded = understudy or stack.enter_context(Understudy.load(settings))
-            capacity = Capacity(settings.max_concurrent)
-            stack.callback(capacity.close)
-            catalogue = Catalogue.of(
-                loaded.language.rules, loaded.behavior.characters, loaded.behavior.rules, loaded.behavior.families
-            )
-            metrics.watch(lambda: capacity.busy)
-            app.state.service = Service(settings, loaded, catalogue, capacity, metrics)
+        async with AsyncExitStack() as stack:
+            pool = await stack.enter_async_context(Pool(nursery, settings))
+            metrics.watch(busy=lambda: pool.busy, waiting=lambda: pool.waiting)
+            app.state.service = Service(settings, pool, Uploads(settings), Rates(settings.rate_per_minute), metrics)
             if reload:
-                stack.enter_context(reloading(app.state))
+                await stack.enter_async_context(reloading(app.state.service))
             yield
 
     app = FastAPI(
@@ -53,7 +47,6 @@ def create_app(settings: Settings, understudy: Understudy | None = None, *, relo
         docs_url=None,
         redoc_url=None,
     )
-    app.add_middleware(BodyLimit, max_bytes=settings.max_body_bytes)
     app.include_router(router)
     app.include_router(page.router)
     answer_errors_as_problems(app)

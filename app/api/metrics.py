@@ -19,12 +19,14 @@ OTHER = "other"
 
 @dataclass(frozen=True, slots=True)
 class Metrics:
-    """What is counted; `busy` is told how many lines are being performed when the figures are read."""
+    """What is counted; `busy` and `waiting` are asked how many lines are being performed, and wait for that, when the
+    figures are read."""
 
     registry: CollectorRegistry
     requests: Counter
     seconds: Histogram
     busy: Gauge
+    waiting: Gauge
 
     @classmethod
     def fresh(cls) -> "Metrics":
@@ -35,11 +37,13 @@ class Metrics:
             Counter("understudy_requests", "Requests answered", labels, registry=registry),
             Histogram("understudy_request_seconds", "Time to answer", ("path",), buckets=BUCKETS_S, registry=registry),
             Gauge("understudy_lines_in_work", "Lines being performed now", registry=registry),
+            Gauge("understudy_lines_waiting", "Lines waiting for a worker", registry=registry),
         )
 
-    def watch(self, busy: Callable[[], float]) -> None:
-        """Has the gauge ask `busy` whenever it is read."""
+    def watch(self, *, busy: Callable[[], float], waiting: Callable[[], float]) -> None:
+        """Has the gauges ask whenever they are read."""
         self.busy.set_function(busy)
+        self.waiting.set_function(waiting)
 
     def text(self) -> bytes:
         """The figures in Prometheus' text form."""

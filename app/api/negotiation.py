@@ -2,7 +2,24 @@
 
 from collections.abc import Sequence
 
+from ..errors import NotAcceptableError
+
+XML = "application/xml"
+JSON = "application/json"
+GLB = "model/gltf-binary"
+BVH = "text/x-bvh"
 ANYTHING = "*/*"
+LONGEST_ACCEPT = 1000
+"""Characters of an Accept header that are read."""
+
+
+def chosen(accept: str | None, offered: Sequence[str], what: str) -> str:
+    """The media type in which `what` is answered. Raises NotAcceptableError where none of the offered will do."""
+    media_type = preferred(accept, offered)
+    if media_type is None:
+        one = "it" if len(offered) == 1 else "one"
+        raise NotAcceptableError("not_acceptable", f"{what} comes as {' or '.join(offered)}; accept {one}")
+    return media_type
 
 
 def preferred(accept: str | None, offered: Sequence[str]) -> str | None:
@@ -11,7 +28,7 @@ def preferred(accept: str | None, offered: Sequence[str]) -> str | None:
     The most specific range that matches a type gives its quality: "text/*;q=0.3, text/html;q=0.7" rates text/html
     at 0.7. No header accepts everything. Parameters other than q are not compared.
     """
-    ranges = [_media_range(item) for item in (accept or ANYTHING).split(",") if item.strip()]
+    ranges = [_media_range(item) for item in (accept or ANYTHING)[:LONGEST_ACCEPT].split(",") if item.strip()]
     qualities = [_quality(media_type, ranges) for media_type in offered]
     best = max(qualities)
     return offered[qualities.index(best)] if best > 0 else None

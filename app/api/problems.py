@@ -1,6 +1,7 @@
 """Every error leaves as `application/problem+json` (RFC 9457) with a stable type and code."""
 
 import logging
+import math
 from http import HTTPStatus
 
 from fastapi import FastAPI
@@ -11,15 +12,17 @@ from starlette.responses import JSONResponse, Response
 from ..errors import (
     LONGEST_SHOWN,
     InputError,
+    NotAcceptableError,
     ServiceError,
+    SlowClientError,
     TooLargeError,
+    TooManyError,
     UndecodableError,
     UnderstudyError,
     UnsupportedFormatError,
 )
 
 MEDIA_TYPE = "application/problem+json"
-RETRY_AFTER_S = 1
 LONGEST_DETAIL = 2000
 OUR_MISTAKE = "the service failed at this request; what happened has been logged"
 
@@ -27,11 +30,21 @@ _LOGGER = logging.getLogger(__name__)
 
 _STATUS_OF_CLASS: tuple[tuple[type[UnderstudyError], int], ...] = (
     (UndecodableError, 400),
+    (NotAcceptableError, 406),
+    (SlowClientError, 408),
     (TooLargeError, 413),
     (UnsupportedFormatError, 415),
+    (TooManyError, 429),
     (InputError, 422),
 )
-_STATUS_OF_SERVICE_CODE = {"service_full": 503, "deadline_passed": 504}
+_STATUS_OF_SERVICE_CODE = {
+    "service_full": 503,
+    "uploads_full": 503,
+    "service_stopping": 503,
+    "worker_lost": 503,
+    "not_ready": 503,
+    "deadline_passed": 504,
+}
 _CODE_OF_STATUS = {404: "not_found", 405: "method_not_allowed", 406: "not_acceptable"}
 
 
@@ -73,8 +86,13 @@ async def _known(_request: Request, error: Exception) -> Response:
         _LOGGER.error("%s: %s", error.code, error.message)
         return problem(status, error.code, OUR_MISTAKE)
     field = error.field if isinstance(error, InputError) else None
-    headers = {"Retry-After": str(RETRY_AFTER_S)} if status == HTTPStatus.SERVICE_UNAVAILABLE else None
-    return problem(status, error.code, error.message, field=field, headers=headers)
+    return problem(status, error.code, error.message, field=field, headers=_retry_after(error))
+
+
+def _retry_after(error: UnderstudyError) -> dict[str, str] | None:
+    """When to come again, in whole seconds, where the error says so."""
+    after_s = error.retry_after_s if isinstance(error, ServiceError | TooManyError) else None
+    return None if after_s is None else {"Retry-After": str(max(1, math.ceil(after_s)))}
 
 
 async def _refused(_request: Request, error: Exception) -> Response:

@@ -4,16 +4,12 @@ Requests under way keep what they began with. Files with mistakes change nothing
 the log says why, and so does `/readyz` until the files are right.
 """
 
+import asyncio
 import logging
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import replace
-from threading import Event, Thread
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from threading import Event
 
-from starlette.datastructures import State
-
-from ..authoring.catalogue import Catalogue
-from ..authoring.inspection import read_again
 from ..authoring.watching import files_in_use, saves
 from ..errors import UnderstudyError
 from .service import Service
@@ -21,36 +17,33 @@ from .service import Service
 _LOGGER = logging.getLogger(__name__)
 
 
-@contextmanager
-def reloading(state: State) -> Iterator[None]:
-    """Keeps `state.service` as the files say, in a thread of its own."""
+@asynccontextmanager
+async def reloading(service: Service) -> AsyncIterator[None]:
+    """Keeps the service as the files say."""
     stop = Event()
-    thread = Thread(target=_follow, args=(state, stop), name="reload")
-    thread.start()
+    following = asyncio.create_task(_follow(service, stop))
     try:
         yield
     finally:
         stop.set()
-        thread.join()
+        await following
 
 
-def reloaded(service: Service) -> Service:
-    """The service with the files as they are now; the old one, with the reason, when they have mistakes."""
+async def reload(service: Service) -> None:
+    """Has new workers made from the files as they are now; the old ones stay, and the reason is told, when these have
+    mistakes."""
     try:
-        understudy = read_again(service.understudy)
-        catalogue = Catalogue.of(
-            understudy.language.rules,
-            understudy.behavior.characters,
-            understudy.behavior.rules,
-            understudy.behavior.families,
-        )
+        await asyncio.to_thread(service.pool.nursery.reload)
     except UnderstudyError as error:
         _LOGGER.error("nothing reloaded, what was loaded before stays:\n%s", error.message)
-        return replace(service, not_reloaded=error.message)
+        service.not_reloaded = error.message
+        return
+    await service.pool.replace_all()
+    service.not_reloaded = None
     _LOGGER.info("rules, words, tables and characters reloaded")
-    return replace(service, understudy=understudy, catalogue=catalogue, not_reloaded=None)
 
 
-def _follow(state: State, stop: Event) -> None:
-    for _ in saves(files_in_use(), stop):
-        state.service = reloaded(state.service)
+async def _follow(service: Service, stop: Event) -> None:
+    saved = saves(files_in_use(), stop)
+    while await asyncio.to_thread(next, saved, False) is None:
+        await reload(service)

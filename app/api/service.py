@@ -5,24 +5,22 @@ from typing import Annotated
 
 from fastapi import Depends, Request
 
-from ..authoring.catalogue import Catalogue
-from ..performance import Understudy
 from ..settings import Settings
-from .capacity import Capacity
+from .clients import Rates
 from .metrics import Metrics
+from .uploads import Uploads
+from .workers.pool import Pool
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Service:
-    """Loaded once, when the application starts; with `--reload` another takes its place when files are saved.
-
-    `not_reloaded` says why the files as they are now are not in use.
-    """
+    """Made when the application starts. `not_reloaded` says why the files as they are now are not in use
+    (`--reload`)."""
 
     settings: Settings
-    understudy: Understudy
-    catalogue: Catalogue
-    capacity: Capacity
+    pool: Pool
+    uploads: Uploads
+    rates: Rates
     metrics: Metrics
     not_reloaded: str | None = None
 

@@ -16,7 +16,11 @@ CODES = MappingProxyType(
         404: ("not_found",),
         405: ("method_not_allowed",),
         406: ("not_acceptable",),
-        413: ("audio_too_large", "audio_too_long", "text_too_long", "bml_too_large", "body_too_large"),
+        408: ("upload_slow",),
+        413: (
+            *("audio_too_large", "audio_too_long", "text_too_long", "bml_too_large", "body_too_large"),
+            *("field_too_large", "work_too_large"),
+        ),
         415: ("audio_format_unsupported", "audio_codec_unsupported", "timings_format", "media_type"),
         421: ("host_unknown",),
         422: (
@@ -29,11 +33,12 @@ CODES = MappingProxyType(
             *("direction_importance", "direction_span", "not_an_object", "field_missing", "field_unknown"),
             "field_repeated",
         ),
+        429: ("too_many_requests",),
         500: (
             *("aligner_crashed", "model_unreadable", "model_damaged", "plot_unavailable", "parser_missing"),
-            *("parser_incomplete", "parser_labels", "installation_incomplete", "internal_error"),
+            *("parser_incomplete", "parser_labels", "installation_incomplete", "nursery_ended", "internal_error"),
         ),
-        503: ("service_full",),
+        503: (*("service_full", "service_stopping", "uploads_full", "connections_full", "worker_lost", "not_ready"),),
         504: ("deadline_passed",),
     }
 )

@@ -6,7 +6,7 @@ import pytest
 from fastapi.testclient import TestClient
 
 from understudy.api.application import create_app
-from understudy.performance import Understudy
+from understudy.api.workers.processes import Nursery
 from understudy.settings import Settings
 
 
@@ -16,8 +16,8 @@ def figure(text: str, name: str) -> float:
     return float(found[1])
 
 
-def test_requests_are_counted_by_path_and_status(understudy: Understudy) -> None:
-    with TestClient(create_app(Settings(), understudy)) as client:
+def test_requests_are_counted_by_path_and_status(nursery: Nursery) -> None:
+    with TestClient(create_app(Settings(workers=1), nursery)) as client:
         client.get("/healthz")
         client.get("/healthz")
         client.post("/functions", json={"text": "No."})
@@ -35,8 +35,9 @@ def test_requests_are_counted_by_path_and_status(understudy: Understudy) -> None
     assert "made" not in answer.text
 
 
-def test_two_services_in_one_process_count_for_themselves(understudy: Understudy) -> None:
-    with TestClient(create_app(Settings(), understudy)) as one, TestClient(create_app(Settings(), understudy)) as other:
+def test_two_services_in_one_process_count_for_themselves(nursery: Nursery) -> None:
+    apps = [create_app(Settings(workers=1), nursery) for _ in "12"]
+    with TestClient(apps[0]) as one, TestClient(apps[1]) as other:
         one.get("/healthz")
         with pytest.raises(AssertionError):
             figure(other.get("/metrics").text, 'understudy_requests_total{method="GET",path="/healthz",status="200"}')

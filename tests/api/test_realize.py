@@ -10,6 +10,7 @@ from fastapi.testclient import TestClient
 
 from tests.cli.test_realize import BEAT
 from understudy.api.application import create_app
+from understudy.api.workers.processes import Nursery
 from understudy.performance import Line, Options, Understudy, perform, write_bml
 from understudy.settings import Settings
 
@@ -20,8 +21,8 @@ XML = {"Content-Type": "application/xml"}
 
 
 @pytest.fixture(scope="module")
-def client(understudy: Understudy) -> Iterator[TestClient]:
-    with TestClient(create_app(Settings(), understudy), raise_server_exceptions=False) as client:
+def client(nursery: Nursery) -> Iterator[TestClient]:
+    with TestClient(create_app(Settings(workers=1), nursery), raise_server_exceptions=False) as client:
         yield client
 
 

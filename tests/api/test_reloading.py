@@ -1,18 +1,16 @@
 """Saved rules are in use at once; files with mistakes change nothing, and the service says so."""
 
 import shutil
+import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from fastapi.testclient import TestClient
-from starlette.datastructures import State
 
 from understudy.api.application import create_app
-from understudy.api.reloading import reloaded
-from understudy.authoring.watching import QUIET_MS
-from understudy.performance import Understudy
+from understudy.api.workers.processes import Nursery
 from understudy.settings import Settings
 
 RULES = Path(__file__).resolve().parents[2] / "app" / "rules"
@@ -25,15 +23,26 @@ def rules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A copy of the rules, which the service reads again instead of our own."""
     copy = tmp_path / "rules"
     shutil.copytree(RULES, copy, ignore=shutil.ignore_patterns("*.py", "__pycache__"))
-    for reader in ("understudy.loading", "understudy.authoring.watching"):
-        monkeypatch.setattr(f"{reader}.RULES", copy)
+    monkeypatch.setattr("understudy.authoring.watching.RULES", copy)
     return copy
 
 
 @pytest.fixture
-def client(understudy: Understudy, rules: Path) -> Iterator[TestClient]:
-    assert rules.is_dir()
-    with TestClient(create_app(Settings(), understudy, reload=True)) as client:
+def reading(rules: Path) -> Iterator[Nursery]:
+    """One of our own, which reads the copy."""
+    code = (
+        "import pathlib, socket, sys, understudy.loading as loading\n"
+        f"loading.RULES = pathlib.Path({str(rules)!r})\n"
+        "from understudy.api.workers.nursery import main\n"
+        "main(socket.socket(fileno=int(sys.argv[1])))"
+    )
+    with Nursery.start(Settings(), command=(sys.executable, "-c", code)) as nursery:
+        yield nursery
+
+
+@pytest.fixture
+def client(reading: Nursery) -> Iterator[TestClient]:
+    with TestClient(create_app(Settings(workers=1), reading, reload=True)) as client:
         yield client
 
 
@@ -69,22 +78,3 @@ def test_saved_rules_are_used_and_mistakes_change_nothing(client: TestClient, ru
     file.write_text(written, encoding="utf-8")
     wait_until(lambda: client.get("/readyz").json() == {"status": "ready"})
     assert "spoon" not in functions(client)
-
-
-def test_what_is_under_way_keeps_its_rules(client: TestClient, rules: Path) -> None:
-    state: State = client.app.state  # type: ignore[attr-defined]
-    old = state.service
-    (rules / "functions" / "comparison.rules").write_text(RULE, encoding="utf-8")
-    new = reloaded(old)
-    assert [rule.name for rule in new.understudy.language.rules.program.rules if rule.name == "spoon"] == ["spoon"]
-    assert all(rule.name != "spoon" for rule in old.understudy.language.rules.program.rules)
-    assert new.understudy.acoustic is old.understudy.acoustic
-    assert new.understudy.language.parser is old.understudy.language.parser
-    assert new.capacity is old.capacity
-
-
-def test_without_the_option_nothing_is_read_again(understudy: Understudy, rules: Path) -> None:
-    with TestClient(create_app(Settings(), understudy)) as client:
-        (rules / "functions" / "comparison.rules").write_text("rule", encoding="utf-8")
-        time.sleep(5 * QUIET_MS / 1000)
-        assert client.get("/readyz").json() == {"status": "ready"}

@@ -3,10 +3,8 @@
 import json
 import os
 import tempfile
-import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +12,13 @@ import pytest
 from fastapi.testclient import TestClient
 from httpx2 import Response
 
+from tests.support.jobs import LONG, LONG_BML
 from understudy.api.application import create_app
-from understudy.api.capacity import Deadline
-from understudy.api.routes import PERFORM_FIELDS
+from understudy.api.bodies import FORM_FIELDS
+from understudy.api.deadlines import Deadline
+from understudy.api.workers.messages import Task
+from understudy.api.workers.pool import Pool
+from understudy.api.workers.processes import Nursery
 from understudy.performance import Line, Understudy, align
 from understudy.schemas.requests import PerformOptions
 from understudy.schemas.responses import AlignResponse
@@ -30,8 +32,8 @@ JSON = {"Accept": "application/json"}
 
 
 @contextmanager
-def _served(understudy: Understudy, **settings: Any) -> Iterator[TestClient]:  # noqa: ANN401
-    app = create_app(Settings(**settings), understudy)
+def _served(nursery: Nursery, **settings: Any) -> Iterator[TestClient]:  # noqa: ANN401
+    app = create_app(Settings(**({"workers": 1} | settings)), nursery)
 
     @app.get("/mistake-of-ours")
     def mistake_of_ours() -> None:
@@ -42,8 +44,8 @@ def _served(understudy: Understudy, **settings: Any) -> Iterator[TestClient]:  #
 
 
 @pytest.fixture(scope="module")
-def client(understudy: Understudy) -> Iterator[TestClient]:
-    with _served(understudy) as client:
+def client(nursery: Nursery) -> Iterator[TestClient]:
+    with _served(nursery) as client:
         yield client
 
 
@@ -176,18 +178,21 @@ def test_a_refused_method_says_which_are_allowed(client: TestClient) -> None:
 
 @pytest.mark.parametrize(
     ("setting", "limit", "code"),
-    [("max_audio_bytes", len(AUDIO), "audio_too_large"), ("max_text_characters", len(TEXT), "text_too_long")],
+    [
+        ("max_audio_bytes", len(AUDIO), "field_too_large"),
+        ("max_text_bytes", len(TEXT.encode()), "field_too_large"),
+        ("max_text_characters", len(TEXT), "text_too_long"),
+    ],
 )
-def test_the_limits_of_the_parts(understudy: Understudy, setting: str, limit: int, code: str) -> None:
-    """The limits hold where the line is understood, so an understudy of these settings is made of the loaded one."""
+def test_the_limits_of_the_parts(nursery: Nursery, setting: str, limit: int, code: str) -> None:
     for allowed, status in ((limit, 200), (limit - 1, 413)):
-        with _served(_limited(understudy, **{setting: allowed})) as client:
+        with _served(nursery, **{setting: allowed}) as client:
             answer = _post(client)
         assert answer.status_code == status, answer.text
-    _require_problem(answer, 413, code, "audio" if setting == "max_audio_bytes" else "text")
+    _require_problem(answer, 413, code, "audio" if "audio" in setting else "text")
 
 
-def test_the_limit_of_the_body_with_and_without_its_length(understudy: Understudy) -> None:
+def test_the_limit_of_the_body_with_and_without_its_length(nursery: Nursery) -> None:
     body = json.dumps({"text": "No."}).encode()
     headers = {"Content-Type": "application/json"}
 
@@ -195,33 +200,36 @@ def test_the_limit_of_the_body_with_and_without_its_length(understudy: Understud
         yield from (body[:5], body[5:])
 
     for allowed, status in ((len(body), 200), (len(body) - 1, 413)):
-        with _served(understudy, max_body_bytes=allowed) as client:
+        with _served(nursery, max_body_bytes=allowed) as client:
             for content in (body, in_chunks()):
                 answer = client.post("/functions", content=content, headers=headers)
                 assert answer.status_code == status
     _require_problem(answer, 413, "body_too_large", None)
 
 
-def test_a_request_past_the_places_is_told_to_come_again(understudy: Understudy) -> None:
-    gate = threading.Event()
-    with _served(understudy, max_concurrent=1) as client:
-        capacity = client.app.state.service.capacity  # type: ignore[attr-defined]
+def test_a_request_past_the_places_is_told_to_come_again(nursery: Nursery) -> None:
+    with _served(nursery, queue=0) as client:
+        pool: Pool = client.app.state.service.pool  # type: ignore[attr-defined]
         assert client.portal
-        busy = client.portal.start_task_soon(capacity.run, lambda _: gate.wait(10), Deadline.starting_now(10))
-        while not capacity.is_full:
+        busy = client.portal.start_task_soon(pool.run, LONG, LONG_BML, Deadline.starting_now(9))
+        while pool.busy == 0:
             pass
-        try:
-            _require_problem(_post(client), 503, "service_full", None)
-            assert client.get("/healthz").status_code == 200
-        finally:
-            gate.set()
-        assert busy.result()
-        assert _post(client).status_code == 200
+        _require_problem(_post(client), 503, "service_full", None)
+        assert client.get("/healthz").status_code == 200
+        busy.cancel()
 
 
-def test_a_request_past_its_deadline_is_answered(understudy: Understudy) -> None:
-    with _served(understudy, deadline_s=1e-6) as client:
+def test_a_request_past_its_deadline_is_answered(nursery: Nursery) -> None:
+    with _served(nursery, deadline_s=1e-6) as client:
         _require_problem(_post(client), 504, "deadline_passed", None)
+
+
+def test_one_address_may_not_ask_too_often(nursery: Nursery) -> None:
+    with _served(nursery, rate_per_minute=1) as client:
+        asked = [client.post("/functions", json={"text": "No."}) for _ in "12"]
+    assert asked[0].status_code == 200
+    assert (asked[1].status_code, asked[1].json()["code"]) == (429, "too_many_requests")
+    assert 1 <= int(asked[1].headers["retry-after"]) <= 60
 
 
 def test_uploads_need_no_disk(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -239,17 +247,8 @@ def test_no_file_stays_open(client: TestClient) -> None:
     assert [ask() for _ in range(3)] == [before] * 3
 
 
-def _limited(understudy: Understudy, **settings: Any) -> Understudy:  # noqa: ANN401
-    limits = Settings(**settings)
-    return replace(
-        understudy,
-        acoustic=replace(understudy.acoustic, settings=limits),
-        language=replace(understudy.language, settings=limits),
-    )
-
-
 def test_the_interface_description_names_every_part_and_option_of_a_performance(client: TestClient) -> None:
     described = client.get("/openapi.json").json()["paths"]["/perform"]["post"]
     form = described["requestBody"]["content"]["multipart/form-data"]["schema"]["properties"]
-    assert form.keys() == set(PERFORM_FIELDS)
+    assert form.keys() == set(FORM_FIELDS[Task.PERFORM])
     assert [name for name in PerformOptions.model_fields if name not in described["description"]] == []

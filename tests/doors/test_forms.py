@@ -10,6 +10,7 @@ from fastapi.testclient import TestClient
 
 from tests.support.bml_checker import check
 from understudy.api.application import create_app
+from understudy.api.workers.processes import Nursery
 from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.reading.reader import read_bml
 from understudy.cli.main import main
@@ -76,8 +77,8 @@ def test_a_file_that_ends_in_json_is_json(from_command_line: Perform, performanc
     assert [part["attributes"]["id"] for part in told["root"]["content"]] == ["speech1", *kept]
 
 
-def test_the_service_writes_the_form_asked_for(understudy: Understudy, performance: Performance) -> None:
-    with TestClient(create_app(Settings(), understudy)) as client:
+def test_the_service_writes_the_form_asked_for(nursery: Nursery, performance: Performance) -> None:
+    with TestClient(create_app(Settings(workers=1), nursery)) as client:
         answer = client.post(
             "/perform",
             files={"audio": ("take 7.flac", AUDIO.read_bytes())},

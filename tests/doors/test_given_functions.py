@@ -8,8 +8,8 @@ import pytest
 from fastapi.testclient import TestClient
 
 from understudy.api.application import create_app
+from understudy.api.workers.processes import Nursery
 from understudy.cli.main import main
-from understudy.performance import Understudy
 from understudy.settings import Settings
 
 AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
@@ -20,8 +20,8 @@ NOT_OF_THE_LINE = GIVEN.replace("7", "99")
 
 
 @pytest.fixture(scope="module")
-def client(understudy: Understudy) -> Iterator[TestClient]:
-    with TestClient(create_app(Settings(), understudy)) as client:
+def client(nursery: Nursery) -> Iterator[TestClient]:
+    with TestClient(create_app(Settings(workers=1), nursery)) as client:
         yield client
 
 

@@ -13,6 +13,7 @@ from lxml import etree
 
 from tests.support.bml_checker import check
 from understudy.api.application import create_app
+from understudy.api.workers.processes import Nursery
 from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.gesture_limits import LATEST_S
@@ -63,8 +64,8 @@ def led_in(understudy: Understudy, trimmed: Line) -> Performance:
 
 
 @pytest.fixture(scope="module")
-def client(understudy: Understudy) -> Iterator[TestClient]:
-    with TestClient(create_app(Settings(), understudy)) as client:
+def client(nursery: Nursery) -> Iterator[TestClient]:
+    with TestClient(create_app(Settings(workers=1), nursery)) as client:
         yield client
 
 

@@ -11,6 +11,7 @@ from fastapi.testclient import TestClient
 from tests.support.bml_checker import check
 from tests.support.shared_data import SHARED_LINES, needs
 from understudy.api.application import create_app
+from understudy.api.workers.processes import Nursery
 from understudy.cli.main import main
 from understudy.model import Performance
 from understudy.performance import Line, Options, Understudy, perform, write_bml
@@ -66,9 +67,9 @@ def test_the_command_line_in_another_process_gives_the_same_bytes(
     assert _perform_elsewhere(path, tmp_path, "2") == write_bml(performances[path])
 
 
-def test_every_line_performs_over_http(understudy: Understudy, performances: dict[Path, Performance]) -> None:
+def test_every_line_performs_over_http(nursery: Nursery, performances: dict[Path, Performance]) -> None:
     """As JSON, which has the BML in it; `tests/api/test_routes.py` shows that it is what XML alone is."""
-    with TestClient(create_app(Settings(), understudy)) as client:
+    with TestClient(create_app(Settings(workers=1), nursery)) as client:
         for path, performance in performances.items():
             line = _line(path)
             files = {"audio": (path.name, line.audio)}

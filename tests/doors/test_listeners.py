@@ -10,6 +10,7 @@ from fastapi.testclient import TestClient
 
 from tests.support.bml_checker import check
 from understudy.api.application import create_app
+from understudy.api.workers.processes import Nursery
 from understudy.cli.main import main
 from understudy.model import Channel, Mode
 from understudy.performance import Line, Options, Understudy, perform, write_listener
@@ -23,8 +24,8 @@ COMMAND = ("perform", str(AUDIO), "--text-file", str(TEXT_FILE), "--quiet")
 
 
 @pytest.fixture(scope="module")
-def client(understudy: Understudy) -> Iterator[TestClient]:
-    with TestClient(create_app(Settings(), understudy)) as client:
+def client(nursery: Nursery) -> Iterator[TestClient]:
+    with TestClient(create_app(Settings(workers=1), nursery)) as client:
         yield client
 
 

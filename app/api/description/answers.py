@@ -18,15 +18,17 @@ _REASONS = {
     404: "No such path.",
     405: "The path does not support this method; `Allow` lists those that it does.",
     406: "`Accept` has none of the types that are answered.",
+    408: "The body arrived too slowly.",
     413: "Too large or too long.",
     415: "A type or format that is not read.",
     421: "The service has another name.",
     422: "The content is wrong; `field` and `detail` say where and why.",
+    429: "Too many requests from one address; try again after `Retry-After`.",
     500: "A fault of the service.",
     503: "The service is full or stopping; try again after `Retry-After`.",
     504: "Not done within the deadline.",
 }
-_RETRIED = {503}
+_RETRIED = {429, 503}
 
 SHARED_HEADERS: Json = {
     "RequestId": {

@@ -30,7 +30,7 @@ _FUNCTIONS: Json = {
 }
 
 _EVERYWHERE = {401, 421, 500}
-_WORK = {400, 406, 413, 415, 422, 503, 504} | _EVERYWHERE
+_WORK = {400, 406, 408, 413, 415, 422, 429, 503, 504} | _EVERYWHERE
 
 
 @dataclass(frozen=True, slots=True)

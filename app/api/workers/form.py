@@ -1,20 +1,21 @@
 """Reads a multipart form into memory: every part's bytes, nothing on disk, nothing guessed.
 
-The size of the whole is limited where the bytes come in (`understudy.api.body_limit`).
+The size of the whole is limited where the bytes come in (`understudy.api.uploads`).
 """
 
-from collections.abc import Collection
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from python_multipart.exceptions import FormParserError
 from python_multipart.multipart import MultipartParser, parse_options_header
-from starlette.requests import Request
 
-from ..errors import InputError, UndecodableError, UnsupportedFormatError
+from ...errors import InputError, TooLargeError, UndecodableError, UnsupportedFormatError
 
 if TYPE_CHECKING:
     from python_multipart.multipart import MultipartCallbacks
+
+_PIECE_BYTES = 1 << 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,20 +40,20 @@ class Part:
             ) from None
 
 
-async def read_form(request: Request, names: Collection[str]) -> dict[str, Part]:
-    """The parts by name; `names` are those that may come, each once.
+def read_form(content_type: str, content: bytes, limits: Mapping[str, int]) -> dict[str, Part]:
+    """The parts by name; `limits` has the names that may come, each once, with the most bytes of each.
 
     Raises UnsupportedFormatError `media_type`, UndecodableError `form_broken`, InputError `field_unknown` and
-    `field_repeated`.
+    `field_repeated`, TooLargeError `field_too_large`.
     """
-    media_type, parameters = parse_options_header(request.headers.get("content-type"))
+    media_type, parameters = parse_options_header(content_type)
     if media_type != b"multipart/form-data":
         raise UnsupportedFormatError("media_type", "send multipart/form-data with the fields audio and text")
-    collector = _Collector(names)
+    collector = _Collector(limits)
     try:
         parser = MultipartParser(parameters.get(b"boundary", b""), collector.callbacks())
-        async for chunk in request.stream():
-            parser.write(chunk)
+        for begin in range(0, len(content), _PIECE_BYTES):
+            parser.write(content[begin : begin + _PIECE_BYTES])
     except FormParserError as error:
         raise UndecodableError("form_broken", f"the multipart form cannot be read: {error}") from None
     if not collector.ended:
@@ -63,10 +64,10 @@ async def read_form(request: Request, names: Collection[str]) -> dict[str, Part]
 class _Collector:
     """Gathers the parts as the parser calls back."""
 
-    def __init__(self, names: Collection[str]) -> None:
+    def __init__(self, limits: Mapping[str, int]) -> None:
         self.parts: dict[str, Part] = {}
         self.ended = False
-        self._names = names
+        self._limits = limits
         self._header_name = b""
         self._header_value = b""
         self._headers: dict[bytes, bytes] = {}
@@ -104,13 +105,16 @@ class _Collector:
         self._name = options.get(b"name", b"").decode("utf-8", "replace")
         file_name = options.get(b"filename")
         self._file_name = None if file_name is None else file_name.decode("utf-8", "replace")
-        if self._name not in self._names:
-            known = ", ".join(self._names)
+        if self._name not in self._limits:
+            known = ", ".join(self._limits)
             raise InputError("field_unknown", f"unknown field {self._name[:40]!r}; known are {known}", field=self._name)
         if self._name in self.parts:
             raise InputError("field_repeated", f"the field {self._name} came twice; send it once", field=self._name)
 
     def _on_part_data(self, chunk: bytes, start: int, end: int) -> None:
+        limit = self._limits[self._name]
+        if len(self._content) + end - start > limit:
+            raise TooLargeError("field_too_large", f"{self._name} has more than {limit} bytes", field=self._name)
         self._content += chunk[start:end]
 
     def _on_part_end(self) -> None:

@@ -1,14 +1,9 @@
 """Multipart forms: what is read, and every way in which one can be wrong."""
 
-import asyncio
-from collections.abc import Sequence
-
 import pytest
-from starlette.requests import ClientDisconnect, Request
-from starlette.types import Message
 
-from understudy.api.form import Part, read_form
-from understudy.errors import InputError, UndecodableError, UnderstudyError, UnsupportedFormatError
+from understudy.api.workers.form import Part, read_form
+from understudy.errors import InputError, TooLargeError, UndecodableError, UnderstudyError, UnsupportedFormatError
 
 BOUNDARY = "edge"
 END = f"--{BOUNDARY}--\r\n".encode()
@@ -21,28 +16,19 @@ def _part(name: str, content: bytes, file_name: str | None = None) -> bytes:
 
 
 def _read(
-    chunks: Sequence[bytes], media_type: str = f"multipart/form-data; boundary={BOUNDARY}", *, cut: bool = False
+    body: bytes, media_type: str = f"multipart/form-data; boundary={BOUNDARY}", *, most_bytes: int = 1000
 ) -> dict[str, Part]:
-    left = list(chunks)
-
-    async def receive() -> Message:
-        if not left:
-            return {"type": "http.disconnect"}
-        return {"type": "http.request", "body": left.pop(0), "more_body": bool(left) or cut}
-
-    scope = {"type": "http", "method": "POST", "path": "/", "headers": [(b"content-type", media_type.encode())]}
-    return asyncio.run(read_form(Request(scope, receive), ("audio", "text")))
+    return read_form(media_type, body, {"audio": 1000, "text": most_bytes})
 
 
-def test_parts_come_by_name_byte_for_byte_however_the_body_is_cut() -> None:
+def test_parts_come_by_name_byte_for_byte() -> None:
     body = _part("audio", b"\x00\r\n--edg\xff", "a.wav") + _part("text", "héllo".encode()) + END
-    whole = _read([body])
+    whole = _read(body)
     assert whole == {
         "audio": Part("audio", b"\x00\r\n--edg\xff", "a.wav"),
         "text": Part("text", "héllo".encode(), None),
     }
     assert whole["text"].text == "héllo"
-    assert _read([body[i : i + 1] for i in range(len(body))]) == whole
 
 
 @pytest.mark.parametrize(
@@ -58,7 +44,7 @@ def test_parts_come_by_name_byte_for_byte_however_the_body_is_cut() -> None:
 )
 def test_wrong_forms_are_refused(body: bytes, error: type[UnderstudyError], code: str, field: str | None) -> None:
     with pytest.raises(error) as caught:
-        _read([body])
+        _read(body)
     assert caught.value.code == code
     assert getattr(caught.value, "field", None) == field
 
@@ -66,18 +52,22 @@ def test_wrong_forms_are_refused(body: bytes, error: type[UnderstudyError], code
 @pytest.mark.parametrize("media_type", ["application/json", "", "multipart/mixed; boundary=edge"])
 def test_another_media_type_is_refused(media_type: str) -> None:
     with pytest.raises(UnsupportedFormatError):
-        _read([_part("text", b"a") + END], media_type)
+        _read(_part("text", b"a") + END, media_type)
 
 
 @pytest.mark.parametrize("parameters", ["", "; boundary=", f"; boundary={'x' * 1000}"])
 def test_an_impossible_boundary_is_refused(parameters: str) -> None:
     with pytest.raises(UndecodableError):
-        _read([_part("text", b"a") + END], "multipart/form-data" + parameters)
+        _read(_part("text", b"a") + END, "multipart/form-data" + parameters)
 
 
-def test_a_client_that_leaves_is_told_apart() -> None:
-    with pytest.raises(ClientDisconnect):
-        _read([_part("text", b"a")], cut=True)
+@pytest.mark.parametrize("size", [5, 300_000])
+def test_a_part_may_be_as_large_as_its_limit_and_no_larger(size: int) -> None:
+    body = _part("text", b"a" * size) + END
+    assert len(_read(body, most_bytes=size)["text"].content) == size
+    with pytest.raises(TooLargeError) as caught:
+        _read(body, most_bytes=size - 1)
+    assert (caught.value.code, caught.value.field) == ("field_too_large", "text")
 
 
 def test_text_that_is_not_utf_8_is_refused_and_surrogates_are_left_to_the_transcript() -> None:

@@ -9,17 +9,18 @@ import pytest
 from fastapi.testclient import TestClient
 
 from understudy.api.application import create_app
+from understudy.api.workers.processes import Nursery
 from understudy.performance import Understudy, analyze_signal, make_reference
 from understudy.schemas.references import to_json
 from understudy.settings import Settings
 
-AUDIO = Path(__file__).parents[1] / "audio" / "figure8.flac"
+AUDIO = Path(__file__).parents[2] / "audio" / "figure8.flac"
 OTHER = AUDIO.with_name("numbers.flac")
 
 
 @pytest.fixture(scope="module")
-def client(understudy: Understudy) -> Iterator[TestClient]:
-    with TestClient(create_app(Settings(), understudy)) as client:
+def client(nursery: Nursery) -> Iterator[TestClient]:
+    with TestClient(create_app(Settings(workers=1), nursery)) as client:
         yield client
 
 

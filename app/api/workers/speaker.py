@@ -3,9 +3,9 @@
 from dataclasses import replace
 from pathlib import PurePath
 
-from ..errors import InputError
-from ..performance import Options, Understudy, analyze_signal, make_reference
-from ..schemas.references import read_reference
+from ...errors import InputError
+from ...performance import Options, Understudy, analyze_signal, make_reference
+from ...schemas.references import read_reference
 from .form import Part
 
 

@@ -1,0 +1,49 @@
+"""Which fields a request's body may have, and how large each and the whole may be."""
+
+from collections.abc import Mapping
+
+from ..settings import Settings
+from .negotiation import JSON, XML
+from .workers.messages import Task
+
+BML_TYPES = frozenset({XML, "text/xml"})
+_FORM_ROOM = 64 * 1024
+"""Bytes of a form besides the contents of its fields."""
+
+
+def media_type_of(content_type: str) -> str:
+    """What a Content-Type header says, without its parameters."""
+    return content_type.partition(";")[0].strip().lower()
+
+
+def form_limits(task: Task, settings: Settings) -> Mapping[str, int]:
+    """The fields that a form may have, and the most bytes of each."""
+    limits = {
+        "audio": settings.max_audio_bytes,
+        "text": settings.max_text_bytes,
+        "options": settings.max_options_bytes,
+        "words": settings.max_words_bytes,
+        "functions": settings.max_functions_bytes,
+        "direction": settings.max_direction_bytes,
+        "reference": settings.max_audio_bytes,
+        "bml": settings.max_bml_bytes,
+        "avatar": settings.max_avatar_bytes,
+    }
+    return {name: limits[name] for name in FORM_FIELDS[task]}
+
+
+FORM_FIELDS: Mapping[Task, tuple[str, ...]] = {
+    Task.PERFORM: ("audio", "text", "options", "words", "functions", "direction", "reference"),
+    Task.REALIZE: ("bml", "audio", "avatar", "options"),
+    Task.FUNCTIONS: (),
+}
+
+
+def body_limit(task: Task, content_type: str, settings: Settings) -> int:
+    """The most bytes of a body: of a form as much as its fields may have together, if no setting says less."""
+    sent = media_type_of(content_type)
+    if sent == "multipart/form-data":
+        return min(settings.max_body_bytes, sum(form_limits(task, settings).values()) + _FORM_ROOM)
+    if sent == JSON:
+        return min(settings.max_body_bytes, settings.max_json_bytes)
+    return min(settings.max_body_bytes, settings.max_bml_bytes)

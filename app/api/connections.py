@@ -1,0 +1,66 @@
+"""Limits on connections, below the requests: how many, how long their headers may take, and how long an answer may wait
+to be read. A connection that keeps to none of them is closed; nothing of it is parsed or held for longer.
+"""
+
+import asyncio
+from typing import Any
+
+from uvicorn.protocols.http.h11_impl import H11Protocol
+
+from ..settings import Settings
+from .problems import problem
+
+_FULL = bytes(problem(503, "connections_full", "too many connections are open; try again in a moment").body)
+_REFUSAL = b"HTTP/1.1 503 Service Unavailable\r\ncontent-type: application/problem+json\r\nretry-after: 1\r\n"
+_REFUSAL += b"connection: close\r\ncontent-length: %d\r\n\r\n" % len(_FULL) + _FULL
+
+
+class LimitedProtocol(H11Protocol):
+    """uvicorn's HTTP/1.1 within the limits of `settings`."""
+
+    settings: Settings
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        super().connection_made(transport)
+        self._checking: asyncio.TimerHandle | None = None
+        self._unread_bytes = 0
+        self._headers_due_s = self.loop.time() + self.settings.header_s
+        if len(self.connections) > self.settings.max_connections:
+            transport.write(_REFUSAL)
+            transport.close()
+            return
+        self._check()
+
+    def data_received(self, data: bytes) -> None:
+        if self.transport.is_closing():
+            return
+        if not self._is_in_request and self.timeout_keep_alive_task is not None:
+            self._headers_due_s = self.loop.time() + self.settings.header_s
+        super().data_received(data)
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        if self._checking is not None:
+            self._checking.cancel()
+        super().connection_lost(exc)
+
+    @property
+    def _is_in_request(self) -> bool:
+        return self.cycle is not None and not self.cycle.response_complete
+
+    def _check(self) -> None:
+        """Now and then: ends a connection whose headers are late, or that has read nothing of its answer since."""
+        unread_bytes = self.transport.get_write_buffer_size()
+        is_stuck = bool(unread_bytes) and unread_bytes == self._unread_bytes
+        is_idle = self.timeout_keep_alive_task is not None
+        is_late = not self._is_in_request and not is_idle and self.loop.time() > self._headers_due_s
+        if is_stuck or (is_late and not unread_bytes):
+            self.transport.abort()
+            return
+        self._unread_bytes = unread_bytes
+        self._checking = self.loop.call_later(self.settings.idle_s, self._check)
+
+
+def limited_protocol(settings: Settings) -> type[LimitedProtocol]:
+    """The protocol with these settings, as uvicorn takes it: a class."""
+    members: dict[str, Any] = {"settings": settings}
+    return type("LimitedProtocol", (LimitedProtocol,), members)

@@ -1,0 +1,135 @@
+"""What a worker makes of a request: its body parsed, within the limits of every field, and then performed, realized or
+understood. Everything here may be slow, take much memory or fail; none of it is in the service's own process.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path, PurePath
+from types import MappingProxyType
+
+from ...errors import InputError, UnsupportedFormatError
+from ...model import Notice
+from ...performance import Line, Options, Understudy, find_functions, perform, write_bml, write_listener
+from ...realization import AvatarOptions, BmlInput, MotionFormat, Realized, prepare_schedule, realize, write_motion
+from ...realizer.body.motion import check_tail
+from ...schemas.direction import read_direction
+from ...schemas.given_functions import read_functions
+from ...schemas.requests import (
+    RealizeOptions,
+    read_object,
+    read_options,
+    read_realize_options,
+    read_request,
+    read_timings,
+)
+from ...schemas.responses import FunctionsResponse, PerformResponse
+from ..bodies import BML_TYPES, form_limits, media_type_of
+from ..negotiation import BVH, GLB, JSON, XML, chosen
+from .form import Part, read_form
+from .messages import Answer, Job, Task
+from .speaker import with_reference
+
+WARNINGS_HEADER = "Understudy-Warnings"
+_MOTION_FORMATS: Mapping[str, MotionFormat] = MappingProxyType(
+    {JSON: MotionFormat.JSON, GLB: MotionFormat.GLB, BVH: MotionFormat.BVH}
+)
+
+
+def answered(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
+    """The answer to a request, and its body. Raises UnderstudyError for what cannot be answered."""
+    make = {Task.PERFORM: _performed, Task.REALIZE: _realized, Task.FUNCTIONS: _understood}[job.task]
+    return make(understudy, job, content)
+
+
+def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
+    form = read_form(job.content_type, content, form_limits(Task.PERFORM, understudy.acoustic.settings))
+    line = _line(form)
+    options = with_reference(_options(form), form.get("reference"), understudy)
+    offered = (JSON,) if options.listeners else (XML, JSON)
+    media_type = chosen(job.accept, offered, "a performance with listeners" if options.listeners else "a performance")
+    performance = perform(understudy, line, options)
+    bml = write_bml(performance, options.form)
+    listeners = {each.name: write_listener(performance, each, options.form) for each in performance.listeners}
+    body = bml if media_type == XML else PerformResponse.of(performance, bml, listeners).to_json()
+    return Answer(media_type, _headers(performance.notices)), body
+
+
+def _line(form: Mapping[str, Part]) -> Line:
+    """Raises InputError `field_missing`, and what the parts' own checks raise."""
+    for name in ("audio", "text"):
+        if name not in form:
+            raise InputError("field_missing", f"the field {name} is missing; send audio and text", field=name)
+    words = form.get("words")
+    timings = None if words is None else read_timings(words.file_name or "", words.content)
+    functions = read_functions(form["functions"].content) if "functions" in form else ()
+    direction = read_direction(form["direction"].content) if "direction" in form else None
+    return Line(form["audio"].content, form["text"].text, timings, functions, direction)
+
+
+def _options(form: Mapping[str, Part]) -> Options:
+    """What `options` says; the recording goes by the name of its file."""
+    options = read_options(form["options"].content) if "options" in form else Options()
+    audio_name = PurePath(form["audio"].file_name or "").stem or None
+    return replace(options, form=replace(options.form, audio_name=audio_name))
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """BML that is to be played, how, and for whom."""
+
+    sheet: BmlInput
+    question: RealizeOptions
+    avatar: bytes | None = None
+
+
+def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
+    """The motion in the form asked for."""
+    media_type = chosen(job.accept, tuple(_MOTION_FORMATS), "motion")
+    asked = _asked(understudy, job, content)
+    question, realizer = asked.question, understudy.realizer
+    check_tail(question.tail_s)
+    if question.skeleton:
+        realizer.rig(question.skeleton)
+    staged = prepare_schedule(
+        understudy.acoustic,
+        asked.sheet,
+        agitation=question.agitation,
+        character=question.character,
+        stillness=question.stillness,
+    )
+    motion = realize(realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed, tail_s=question.tail_s)
+    realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
+    wearer = AvatarOptions(question.skeleton, asked.avatar)
+    body = write_motion(realized, realizer, _MOTION_FORMATS[media_type], wearer, question.files)
+    return Answer(media_type, _headers(staged.notices)), body
+
+
+def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
+    """Raises InputError `field_missing`, UnsupportedFormatError `media_type`, and what the form's own checks raise."""
+    sent = media_type_of(job.content_type)
+    if sent in BML_TYPES:
+        return _Asked(BmlInput(content, Path("bml")), RealizeOptions())
+    if sent != "multipart/form-data":
+        raise UnsupportedFormatError("media_type", f"send BML as {XML}, or multipart/form-data with bml and audio")
+    form = read_form(job.content_type, content, form_limits(Task.REALIZE, understudy.acoustic.settings))
+    if "bml" not in form:
+        raise InputError("field_missing", "the field bml is missing; send the BML that is to be played", field="bml")
+    parts = {name: part.content for name, part in form.items()}
+    question = read_realize_options(parts["options"]) if "options" in parts else RealizeOptions()
+    sheet = BmlInput(parts["bml"], Path(form["bml"].file_name or "bml"), parts.get("audio"))
+    return _Asked(sheet, question, parts.get("avatar"))
+
+
+def _understood(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
+    """What words alone do."""
+    if media_type_of(job.content_type) != JSON:
+        raise UnsupportedFormatError("media_type", f'send {JSON}: {{"text": "…"}}')
+    question = read_request(read_object(content, "body"))
+    analysis = find_functions(understudy.language, question.text)
+    return Answer(JSON), FunctionsResponse.of(analysis, question.id).to_json()
+
+
+def _headers(notices: Sequence[Notice]) -> dict[str, str]:
+    """The codes of what was degraded, dropped or guessed, each once."""
+    codes = ", ".join(dict.fromkeys(notice.code for notice in notices))
+    return {"Vary": "Accept"} | ({WARNINGS_HEADER: codes} if codes else {})

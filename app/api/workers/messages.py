@@ -1,0 +1,148 @@
+"""What the service and its processes tell each other over local sockets: a pickled value, and a content beside it.
+
+A message is two lengths (network order, 8 bytes each), the pickle, then the content, which is never copied into a
+pickle: it may be a recording or a clip of many megabytes. Both ends are our own processes, joined by a socket pair.
+"""
+
+import asyncio
+import pickle
+import socket
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Any, TypeAlias
+
+from ...errors import UnderstudyError
+from ...settings import Settings
+
+_LENGTHS = struct.Struct("!QQ")
+_LARGEST_READ = 1 << 20
+
+Content: TypeAlias = bytes | bytearray
+
+
+class Task(StrEnum):
+    """What is to be made of a request's body."""
+
+    PERFORM = "perform"
+    REALIZE = "realize"
+    FUNCTIONS = "functions"
+
+
+@dataclass(frozen=True, slots=True)
+class Job:
+    """A request, of which nothing has been parsed; its body is the content beside it."""
+
+    task: Task
+    content_type: str
+    accept: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What the client gets, but for the body, which is the content beside it."""
+
+    media_type: str
+    headers: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """What went wrong instead."""
+
+    error: UnderstudyError
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """To the nursery, first: how everything is loaded, and how it logs (for `logging.config`; None: not at all)."""
+
+    settings: Settings
+    logging: dict[str, Any] | None
+
+
+@dataclass(frozen=True, slots=True)
+class Loaded:
+    """From the nursery: everything is (again); the library as JSON, by path."""
+
+    library: Mapping[str, bytes]
+
+
+@dataclass(frozen=True, slots=True)
+class Fork:
+    """To the nursery, with a socket: have a worker at its other end, with these limits."""
+
+    settings: Settings
+
+
+@dataclass(frozen=True, slots=True)
+class Reload:
+    """To the nursery: read rules, words, characters and gestures again."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ready:
+    """From a worker, first: its process, and how much of its memory it shares, bytes."""
+
+    pid: int
+    shared_bytes: int
+
+
+Message: TypeAlias = Job | Answer | Failed | Start | Loaded | Fork | Reload | Ready
+
+
+def send(to: socket.socket, message: Message, content: Content = b"", *, pass_on: tuple[int, ...] = ()) -> None:
+    """Sends a message, and with it file descriptors. Raises OSError when nobody is there."""
+    value = pickle.dumps(message)
+    socket.send_fds(to, [_LENGTHS.pack(len(value), len(content))], pass_on)
+    to.sendall(value)
+    to.sendall(content)
+
+
+def receive(of: socket.socket) -> tuple[Message, bytearray, list[int]]:
+    """The next message, its content, and the descriptors that came with it. Raises EOFError when there is no more."""
+    lengths, passed, _flags, _address = socket.recv_fds(of, _LENGTHS.size, 1)
+    head = bytearray(lengths).ljust(_LENGTHS.size, b"\0")
+    if not lengths:
+        raise EOFError
+    _fill(of, memoryview(head)[len(lengths) :])
+    value_bytes, content_bytes = _LENGTHS.unpack(head)
+    value, content = bytearray(value_bytes), bytearray(content_bytes)
+    _fill(of, memoryview(value))
+    _fill(of, memoryview(content))
+    message: Message = pickle.loads(value)
+    return message, content, passed
+
+
+async def send_soon(to: socket.socket, message: Message, content: Content = b"") -> None:
+    """As `send`, while the event loop goes on; the socket does not block."""
+    loop, value = asyncio.get_running_loop(), pickle.dumps(message)
+    await loop.sock_sendall(to, _LENGTHS.pack(len(value), len(content)) + value)
+    await loop.sock_sendall(to, content)
+
+
+async def receive_soon(of: socket.socket) -> tuple[Message, bytearray]:
+    """As `receive`, while the event loop goes on; the socket does not block."""
+    value_bytes, content_bytes = _LENGTHS.unpack(await _filled(of, _LENGTHS.size))
+    message: Message = pickle.loads(await _filled(of, value_bytes))
+    return message, await _filled(of, content_bytes)
+
+
+def _fill(of: socket.socket, rest: memoryview) -> None:
+    while rest:
+        count = of.recv_into(rest, min(len(rest), _LARGEST_READ))
+        if not count:
+            raise EOFError
+        rest = rest[count:]
+
+
+async def _filled(of: socket.socket, size: int) -> bytearray:
+    loop, content = asyncio.get_running_loop(), bytearray(size)
+    rest = memoryview(content)
+    while rest:
+        count = await loop.sock_recv_into(of, rest[:_LARGEST_READ])
+        if not count:
+            raise EOFError
+        rest = rest[count:]
+    return content

@@ -1,0 +1,109 @@
+"""The process that loads everything once and forks the workers, which share its memory until they write to it.
+
+It has one thread, so that forking is safe, and does nothing else: run as `python -m understudy.api.workers.nursery
+DESCRIPTOR`, it follows what comes over that socket, and ends when the socket does. Requires a Unix.
+"""
+
+import gc
+import logging.config
+import os
+import signal
+import socket
+import sys
+from collections.abc import Mapping
+from typing import Never
+
+from ...authoring.catalogue import Catalogue, Kind
+from ...authoring.inspection import read_again
+from ...errors import UnderstudyError
+from ...performance import Line, Options, Understudy, perform
+from ...realization import realize, schedule_of
+from ...resources import resource_folder
+from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
+from .messages import Failed, Fork, Loaded, Reload, Start, receive, send
+from .worker import work
+
+
+def main(control: socket.socket) -> None:
+    """Loads, then forks and reloads as it is told, until nobody tells any more."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    start, _, _ = receive(control)
+    assert isinstance(start, Start)
+    if start.logging is not None:
+        logging.config.dictConfig(start.logging)
+    try:
+        understudy = Understudy.load(start.settings)
+        _warm(understudy)
+    except UnderstudyError as error:
+        send(control, Failed(error))
+        return
+    send(control, Loaded(_library(understudy)))
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # workers that end are nobody's to wait for
+    while True:
+        try:
+            message, _, descriptors = receive(control)
+        except EOFError:
+            return
+        if isinstance(message, Reload):
+            understudy = _reloaded(control, understudy)
+        elif isinstance(message, Fork):
+            _fork(control, understudy, message, socket.socket(fileno=descriptors[0]))
+
+
+def _warm(understudy: Understudy) -> None:
+    """Performs and realizes the bundled line, so that no worker loads what only the first line needs; what is loaded
+    then is spared by the collection of garbage, which would write to every page."""
+    examples = resource_folder("examples")
+    text = (examples / "example.txt").read_text(encoding="utf-8")
+    performance = perform(understudy, Line((examples / "example.flac").read_bytes(), text), Options())
+    realize(understudy.realizer, schedule_of(performance), frame_rate_hz=30)
+    understudy.close()
+    gc.collect()
+    gc.freeze()
+
+
+def _fork(control: socket.socket, understudy: Understudy, fork: Fork, service: socket.socket) -> None:
+    with service:
+        if os.fork() == 0:
+            control.close()
+            _be_worker(service, understudy.with_settings(fork.settings))
+
+
+def _be_worker(service: socket.socket, understudy: Understudy) -> Never:
+    """The rest of a worker's life; nothing of the nursery's is run afterwards."""
+    try:
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+        work(service, understudy)
+    finally:
+        os._exit(0)
+
+
+def _reloaded(control: socket.socket, understudy: Understudy) -> Understudy:
+    """What is loaded from now on; what was, when the files have mistakes."""
+    try:
+        again = read_again(understudy)
+    except UnderstudyError as error:
+        send(control, Failed(error))
+        return understudy
+    send(control, Loaded(_library(again)))
+    return again
+
+
+def _library(understudy: Understudy) -> Mapping[str, bytes]:
+    """What the service answers about characters, gestures, rules and words."""
+    behavior = understudy.behavior
+    catalogue = Catalogue.of(understudy.language.rules, behavior.characters, behavior.rules, behavior.families)
+    words, rules = (
+        RulesResponse.of(item for item in catalogue.items if (item.kind is Kind.WORD) is are_words)
+        for are_words in (True, False)
+    )
+    return {
+        "/characters": CharactersResponse.of(catalogue.characters.by_name.values()).to_json(),
+        "/gestures": GesturesResponse.of(understudy.realizer.library.definitions).to_json(),
+        "/rules": rules.to_json(),
+        "/lexicon": words.to_json(),
+    }
+
+
+if __name__ == "__main__":
+    main(socket.socket(fileno=int(sys.argv[1])))

@@ -1,0 +1,272 @@
+"""The service's workers: a place for each, a short queue before them, and what happens to those that hang or die.
+
+A job that passes its deadline, whose client has gone, or that the end of the service overtakes is stopped by ending its
+worker; another is forked meanwhile. A worker that is lost at work without that being its job's fault (killed, its
+aligner stopped) costs nobody anything: the job, which changes nothing, is given to another, once.
+"""
+
+import asyncio
+import logging
+from collections import deque
+from collections.abc import Iterable
+from contextlib import suppress
+from typing import Self
+
+from ...errors import ServiceError
+from ...settings import Settings
+from ..deadlines import Deadline
+from .limits import too_large
+from .messages import Answer, Content, Job
+from .processes import Nursery, Worker, WorkerLostError, wait_until_gone
+from .service_times import ServiceTimes
+from .watch import Seen, look
+
+_LOGGER = logging.getLogger(__name__)
+_WATCH_EVERY_S = 0.5
+_FORK_WITHIN_S = 10.0
+_AGAIN_AFTER_S = 0.5
+_RETRIES = 1
+_LOST = frozenset({"aligner_crashed"})
+"""Codes of errors that are a worker's trouble, not its job's."""
+
+
+class Pool:
+    """Runs jobs in worker processes. Belongs to the event loop that entered it."""
+
+    def __init__(self, nursery: Nursery, settings: Settings) -> None:
+        """The nursery stays its giver's to close, but one that ends is replaced."""
+        self.nursery = nursery
+        self._settings = settings
+        self._idle: deque[Worker] = deque()
+        self._busy: set[Worker] = set()
+        self._waiting: deque[asyncio.Future[Worker]] = deque()
+        self._making: set[asyncio.Task[None]] = set()
+        self._running: set[asyncio.Task[tuple[Answer, bytearray]]] = set()
+        self._retired: set[int] = set()
+        self._times = ServiceTimes()
+        self._nursery_turn = asyncio.Lock()
+        self._watch: asyncio.Task[None] | None = None
+        self._seen: tuple[Seen, ...] = ()
+        self._is_stopping = False
+        self._is_closed = False
+
+    async def __aenter__(self) -> Self:
+        for _ in range(self._settings.worker_count):
+            self._make()
+        await asyncio.gather(*self._making)
+        self._watch = asyncio.create_task(self._keep_watch())
+        return self
+
+    async def __aexit__(self, *_exception: object) -> None:
+        self._is_closed = True
+        await self.stop(0.0)
+        ending = [task for task in (self._watch, *self._making) if task is not None]
+        for task in ending:
+            task.cancel()
+        await asyncio.gather(*ending, return_exceptions=True)
+        workers = list(self._workers())
+        for worker in workers:
+            worker.end()
+        wait_until_gone(workers)
+
+    @property
+    def busy(self) -> int:
+        """How many jobs are being done."""
+        return len(self._busy)
+
+    @property
+    def waiting(self) -> int:
+        """How many jobs wait for a worker."""
+        return len(self._waiting)
+
+    @property
+    def retry_after_s(self) -> float:
+        """When those that are being done or wait now will be done, as long as jobs have taken lately."""
+        return self._times.mean_s * (self.busy + self.waiting) / self._settings.worker_count
+
+    def require_place(self) -> None:
+        """Raises ServiceError `service_full` when no more jobs may wait, `service_stopping`."""
+        if self._is_stopping:
+            raise _stopping()
+        if not self._idle and self.waiting >= self._settings.queue_length:
+            raise self._full()
+
+    async def trouble(self) -> str | None:
+        """Why some worker cannot do what it should now; None when all can."""
+        if self._is_stopping:
+            return "the service is stopping"
+        await self._look()
+        stopped = [each.trouble for each in self._seen if each.trouble]
+        missing = self._settings.worker_count - len(self._idle) - len(self._busy)
+        if missing > 0:
+            stopped.append(f"{missing} of {self._settings.worker_count} workers are being started")
+        return "; ".join(stopped) or None
+
+    async def run(self, job: Job, content: Content, deadline: Deadline) -> tuple[Answer, bytearray]:
+        """The answer to a job and its body. When this is cancelled the job is stopped.
+
+        Raises what the job raises, and ServiceError: `service_full`, `service_stopping`, `deadline_passed`,
+        `worker_lost`.
+        """
+        self.require_place()
+        task = asyncio.create_task(self._tried(job, content))
+        self._running.add(task)
+        task.add_done_callback(self._running.discard)
+        try:
+            await asyncio.wait({task}, timeout=deadline.remaining_s)
+            if not task.done():
+                raise deadline.passed()
+            if task.cancelled():
+                raise _stopping()
+            return task.result()
+        finally:
+            task.cancel()
+
+    async def stop(self, grace_s: float) -> None:
+        """Takes no more jobs, and returns when those that run or wait are done; after `grace_s` they are stopped."""
+        self._is_stopping = True
+        if self._running:
+            await asyncio.wait(self._running, timeout=grace_s)
+        for task in list(self._running):
+            task.cancel()
+        await asyncio.gather(*self._running, return_exceptions=True)
+
+    async def replace_all(self) -> None:
+        """Has every worker replaced by a new one, those that work when they are done."""
+        await asyncio.gather(*self._making)
+        self._retired |= {worker.process.pid for worker in self._busy}
+        while self._idle:
+            self._dismiss(self._idle.pop())
+
+    async def _tried(self, job: Job, content: Content) -> tuple[Answer, bytearray]:
+        for _ in range(1 + _RETRIES):
+            with suppress(WorkerLostError):
+                return await self._done(job, content)
+            _LOGGER.warning("a worker was lost while it worked")
+        raise ServiceError(
+            "worker_lost", "the processes that worked on this ended; try again", retry_after_s=self.retry_after_s
+        )
+
+    async def _done(self, job: Job, content: Content) -> tuple[Answer, bytearray]:
+        worker = await self._taken()
+        began_s = asyncio.get_running_loop().time()
+        try:
+            answer, body = await worker.answer(job, content)
+        except BaseException:
+            self._busy.discard(worker)
+            self._dismiss(worker)
+            raise
+        self._times.add(asyncio.get_running_loop().time() - began_s)
+        self._give_back(worker)
+        if isinstance(answer, Answer):
+            return answer, body
+        if answer.error.code in _LOST:
+            raise WorkerLostError
+        raise answer.error
+
+    async def _taken(self) -> Worker:
+        """A worker, as soon as one is free. Raises ServiceError `service_full` when none was for too long."""
+        while self._idle and not self._idle[0].process.is_running():
+            self._dismiss(self._idle.popleft())
+        worker = await self._queued() if self._waiting or not self._idle else self._idle.popleft()
+        self._busy.add(worker)
+        return worker
+
+    async def _queued(self) -> Worker:
+        place: asyncio.Future[Worker] = asyncio.get_running_loop().create_future()
+        self._waiting.append(place)
+        try:
+            return await asyncio.wait_for(place, self._settings.queue_s)
+        except BaseException as error:
+            self._leave_queue(place)
+            if isinstance(error, TimeoutError):
+                raise self._full() from None
+            raise
+
+    def _leave_queue(self, place: "asyncio.Future[Worker]") -> None:
+        with suppress(ValueError):
+            self._waiting.remove(place)
+        if place.done() and not place.cancelled():
+            self._offer(place.result())
+
+    def _give_back(self, worker: Worker) -> None:
+        self._busy.discard(worker)
+        if worker.jobs >= self._settings.worker_jobs or worker.process.pid in self._retired:
+            self._dismiss(worker)
+        else:
+            self._offer(worker)
+
+    def _offer(self, worker: Worker) -> None:
+        """To whoever waits longest."""
+        while self._waiting:
+            place = self._waiting.popleft()
+            if not place.done():
+                place.set_result(worker)
+                return
+        self._idle.append(worker)
+
+    def _dismiss(self, worker: Worker) -> None:
+        """Ends a worker and has another take its place."""
+        self._retired.discard(worker.process.pid)
+        worker.end()
+        self._make()
+
+    def _make(self) -> None:
+        if self._is_closed:
+            return
+        task = asyncio.create_task(self._forked())
+        self._making.add(task)
+        task.add_done_callback(self._making.discard)
+
+    async def _forked(self) -> None:
+        """One more worker, however long that takes."""
+        while True:
+            try:
+                worker = await asyncio.wait_for(Worker.forked(self.nursery, self._settings), _FORK_WITHIN_S)
+            except (OSError, EOFError, TimeoutError):
+                await self._renew_nursery(self.nursery)
+            else:
+                self._offer(worker)
+                return
+
+    async def _renew_nursery(self, failed: Nursery) -> None:
+        """Another nursery, unless that has happened since one failed."""
+        async with self._nursery_turn:
+            if failed is not self.nursery:
+                return
+            _LOGGER.warning("the process that forks workers has ended or hangs; it is started again")
+            try:
+                self.nursery = await asyncio.to_thread(failed.again)
+            except ServiceError as error:
+                _LOGGER.error("%s", error.message)
+                await asyncio.sleep(_AGAIN_AFTER_S)
+
+    def _full(self) -> ServiceError:
+        message = f"{self.busy} requests are being worked on and {self.waiting} wait; try again later"
+        return ServiceError("service_full", message, retry_after_s=max(self.retry_after_s, self._times.mean_s))
+
+    async def _keep_watch(self) -> None:
+        while True:
+            await asyncio.sleep(_WATCH_EVERY_S)
+            await self._look()
+
+    async def _look(self) -> None:
+        """Ends the workers that are stopped or have taken too much memory, and replaces those that died idle."""
+        workers = tuple(self._workers())
+        self._seen = await asyncio.to_thread(look, workers, self._settings.worker_memory_bytes)
+        for seen in self._seen:
+            if seen.is_too_large:
+                seen.worker.given_up = too_large(self._settings.worker_memory_bytes)
+            if seen.trouble and seen.worker in self._idle:
+                self._idle.remove(seen.worker)
+                self._dismiss(seen.worker)
+            elif seen.trouble and seen.worker in self._busy:
+                seen.worker.kill()
+
+    def _workers(self) -> Iterable[Worker]:
+        yield from self._idle
+        yield from self._busy
+
+
+def _stopping() -> ServiceError:
+    return ServiceError("service_stopping", "the service is stopping; try again in a moment", retry_after_s=5.0)

@@ -1,0 +1,205 @@
+"""The service's side of its processes: the nursery, started and told what to do, and the workers that it forks."""
+
+import os
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any, Self
+
+import psutil
+
+from ...errors import ServiceError
+from ...settings import Settings
+from .messages import (
+    Answer,
+    Content,
+    Failed,
+    Fork,
+    Job,
+    Loaded,
+    Ready,
+    Reload,
+    Start,
+    receive,
+    receive_soon,
+    send,
+    send_soon,
+)
+
+COMMAND = (sys.executable, "-m", "understudy.api.workers.nursery")
+_ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+"""Products of matrices stay on one processor: a line is too short to share."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Origin:
+    """How a nursery was started."""
+
+    settings: Settings
+    logging: dict[str, Any] | None
+    command: Sequence[str]
+
+
+class WorkerLostError(Exception):
+    """A worker ended, or its aligner did, before it answered."""
+
+
+class Nursery:
+    """The process that loads everything and forks workers."""
+
+    def __init__(self, process: subprocess.Popen[bytes], control: socket.socket, origin: "_Origin") -> None:
+        self._process = process
+        self._control = control
+        self._origin = origin
+        self._turn = threading.Lock()
+        self.library: Mapping[str, bytes] = {}
+
+    @classmethod
+    def start(
+        cls, settings: Settings, *, logging: dict[str, Any] | None = None, command: Sequence[str] = COMMAND
+    ) -> Self:
+        """Starts it and waits until everything is loaded.
+
+        Raises AuthoringError with the mistakes in authored files, ServiceError for models, `nursery_ended` when the
+        process ended.
+        """
+        ours, its = socket.socketpair()
+        with its:
+            process = subprocess.Popen(
+                [*command, str(its.fileno())],
+                pass_fds=(its.fileno(),),
+                env=os.environ | _ONE_THREAD,
+                stdin=subprocess.DEVNULL,
+                start_new_session=True,
+            )
+        nursery = cls(process, ours, _Origin(settings, logging, command))
+        try:
+            send(ours, Start(settings, logging))
+            nursery._wait()
+        except BaseException:
+            nursery.close()
+            raise
+        return nursery
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
+    def again(self) -> "Nursery":
+        """Another in the place of this one, which is closed; raises as `start` does."""
+        self.close()
+        origin = self._origin
+        return Nursery.start(origin.settings, logging=origin.logging, command=origin.command)
+
+    def fork(self, settings: Settings) -> socket.socket:
+        """Our end of a new worker's socket, from which `Ready` comes. Raises OSError when the nursery has ended."""
+        ours, its = socket.socketpair()
+        ours.setblocking(False)
+        with its:
+            try:
+                with self._turn:
+                    send(self._control, Fork(settings), pass_on=(its.fileno(),))
+            except OSError:
+                ours.close()
+                raise
+        return ours
+
+    def reload(self) -> None:
+        """Has everything authored read again, and waits for that. Raises AuthoringError with the mistakes in it, after
+        which all stays as it was, ServiceError `nursery_ended`."""
+        try:
+            with self._turn:
+                send(self._control, Reload())
+        except OSError:
+            raise _ended() from None
+        self._wait()
+
+    def close(self) -> None:
+        """Ends the process; workers go on until their own sockets are closed."""
+        self._control.close()
+        self._process.kill()
+        self._process.wait()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self.close()
+
+    def _wait(self) -> None:
+        try:
+            message, _, _ = receive(self._control)
+        except (EOFError, OSError):
+            raise _ended() from None
+        if isinstance(message, Failed):
+            raise message.error
+        assert isinstance(message, Loaded)
+        self.library = message.library
+
+
+@dataclass(slots=True, eq=False)
+class Worker:
+    """A worker process. `given_up` says why it was ended, where we ended it while it worked."""
+
+    socket: socket.socket
+    process: psutil.Process
+    shared_bytes: int
+    jobs: int = 0
+    given_up: ServiceError | Exception | None = None
+
+    @classmethod
+    async def forked(cls, nursery: Nursery, settings: Settings) -> Self:
+        """A new worker, ready for a job. Raises OSError or EOFError when the nursery or the worker ended."""
+        service = nursery.fork(settings)
+        try:
+            ready, _ = await receive_soon(service)
+            assert isinstance(ready, Ready)
+            return cls(service, psutil.Process(ready.pid), ready.shared_bytes)
+        except psutil.NoSuchProcess:
+            service.close()
+            raise EOFError from None
+        except BaseException:
+            service.close()
+            raise
+
+    async def answer(self, job: Job, content: Content) -> tuple[Answer | Failed, bytearray]:
+        """Its answer; raises WorkerLostError. Whoever cancels this has to `end` the worker."""
+        self.jobs += 1
+        try:
+            await send_soon(self.socket, job, content)
+            answer, body = await receive_soon(self.socket)
+        except (EOFError, OSError):
+            if self.given_up is not None:
+                raise self.given_up from None
+            raise WorkerLostError from None
+        assert isinstance(answer, Answer | Failed)
+        return answer, body
+
+    def end(self) -> None:
+        """Ends it with all that it started, whatever they do, and closes its socket."""
+        self.kill()
+        self.socket.close()
+
+    def kill(self) -> None:
+        """Ends it with all that it started; its socket ends too, which whoever waits for its answer notices."""
+        with suppress(psutil.NoSuchProcess):
+            family = [self.process, *self.process.children(recursive=True)]
+            for each in family:
+                with suppress(psutil.NoSuchProcess):
+                    each.kill()
+
+
+def wait_until_gone(workers: Sequence[Worker], longest_s: float = 2.0) -> None:
+    """Waits until the processes have ended."""
+    ends_s = time.monotonic() + longest_s
+    while any(worker.process.is_running() for worker in workers) and time.monotonic() < ends_s:
+        time.sleep(0.01)
+
+
+def _ended() -> ServiceError:
+    return ServiceError("nursery_ended", "the process that loads the models has ended; the log says why")

@@ -1,0 +1,66 @@
+"""A worker's life: jobs come over its socket, one at a time, and answers go back, until the socket ends.
+
+Whatever it does when the socket ends, be it that the service has died, it ends with its aligner. The kernel refuses it
+memory past its limit, which becomes an answer of its own.
+"""
+
+import logging
+import os
+import select
+import socket
+import threading
+from typing import Never
+
+import psutil
+
+from ...errors import ServiceError, UnderstudyError
+from ...performance import Understudy
+from .answering import answered
+from .limits import limit_memory, too_large
+from .messages import Answer, Failed, Job, Ready, receive, send
+
+_LOGGER = logging.getLogger(__name__)
+
+
+def work(service: socket.socket, understudy: Understudy) -> None:
+    """Answers jobs until there are no more."""
+    threading.Thread(target=_end_with, args=(service,), daemon=True).start()
+    settings = understudy.acoustic.settings
+    limit_memory(settings.worker_memory_bytes)
+    understudy.acoustic.aligner.warm_up()
+    send(service, Ready(os.getpid(), psutil.Process().memory_info().rss))
+    while True:
+        try:
+            job, content, _ = receive(service)
+            assert isinstance(job, Job)
+            answer, body = _answer(understudy, job, bytes(content))
+            del content
+            send(service, answer, body)
+        except (EOFError, OSError):
+            break
+    _end()
+
+
+def _answer(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer | Failed, bytes]:
+    try:
+        return answered(understudy, job, content)
+    except UnderstudyError as error:
+        return Failed(error), b""
+    except MemoryError:
+        return Failed(too_large(understudy.acoustic.settings.worker_memory_bytes)), b""
+    except Exception:
+        _LOGGER.exception("a mistake of ours at a request to %s", job.task)
+        return Failed(ServiceError("internal_error", "see the log")), b""
+
+
+def _end_with(service: socket.socket) -> None:
+    poller = select.poll()
+    poller.register(service, 0)
+    poller.poll()  # returns when the other end has gone
+    _end()
+
+
+def _end() -> Never:
+    for child in psutil.Process().children(recursive=True):
+        child.kill()
+    os._exit(0)

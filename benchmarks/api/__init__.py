@@ -1,0 +1,1 @@
+"""The service measured from outside, under attack and under load. Begin with `under_attack.py`."""

@@ -1,0 +1,162 @@
+"""A service of our own to measure: started, watched from a process of its own, and ended.
+
+`/healthz` is asked every 20 ms on a connection that is kept, with the time of each answer; memory is that of all the
+service's processes, shared pages counted once (the sum of their proportional set sizes), every 50 ms.
+"""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from http.client import HTTPConnection, HTTPException
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+import psutil
+
+HOST = "127.0.0.1"
+_LISTENS = re.compile(rb"listening on http://[^:]+:(\d+)")
+PROBE_EVERY_S = 0.02
+MEMORY_EVERY_S = 0.05
+LONGEST_PROBE_S = 60.0
+
+
+@dataclass(frozen=True, slots=True)
+class Running:
+    """A service's process, and the port it listens on."""
+
+    process: subprocess.Popen[bytes]
+    port: int
+
+
+@dataclass(frozen=True, slots=True)
+class Watched:
+    """How long `/healthz` took, each time, and the most memory seen."""
+
+    health_s: tuple[float, ...]
+    peak_mb: float
+
+    @property
+    def worst_s(self) -> float:
+        return max(self.health_s, default=float("inf"))
+
+    def percentile_s(self, percent: float) -> float:
+        """The time that `percent` of the answers did not exceed."""
+        return percentile(self.health_s, percent)
+
+
+def percentile(values: tuple[float, ...], percent: float) -> float:
+    """The value that `percent` of them do not exceed; nan without any."""
+    ordered = sorted(values)
+    return ordered[min(len(ordered) - 1, int(len(ordered) * percent / 100))] if ordered else float("nan")
+
+
+@contextmanager
+def serving(settings: Mapping[str, str] | None = None, *, log: Path | None = None) -> Iterator[Running]:
+    """`understudy serve` on a free port, with `UNDERSTUDY_…` settings; ended, with all its processes, afterwards."""
+    named = {f"UNDERSTUDY_{name.upper()}": value for name, value in (settings or {}).items()}
+    path = log or Path(f"/tmp/understudy-serve-{os.getpid()}.log")
+    command = [sys.executable, "-m", "understudy.cli", "serve", "--port", "0"]
+    with path.open("wb") as out:
+        process = subprocess.Popen(command, env=os.environ | named, stdout=out, stderr=out)
+    children: list[psutil.Process] = []
+    try:
+        yield Running(process, _port(process, path))
+    finally:
+        if process.poll() is None:
+            children = psutil.Process(process.pid).children(recursive=True)
+            process.send_signal(signal.SIGTERM)
+        try:
+            process.wait(30)
+        except subprocess.TimeoutExpired:
+            process.kill()
+        for child in children:
+            if child.is_running():
+                child.kill()
+
+
+@contextmanager
+def watching(service: Running) -> Iterator[Callable[[], Watched]]:
+    """Watches until the function that is given is called."""
+    ours, theirs = get_context("spawn").Pipe()
+    watcher = get_context("spawn").Process(target=_watch, args=(theirs, service.process.pid, service.port), daemon=True)
+    watcher.start()
+    theirs.close()
+    ours.recv()
+
+    def seen() -> Watched:
+        ours.send("enough")
+        health_s, peak_mb = ours.recv()
+        return Watched(tuple(health_s), peak_mb)
+
+    try:
+        yield seen
+    finally:
+        ours.close()
+        watcher.join(LONGEST_PROBE_S + 5)
+        if watcher.is_alive():
+            watcher.kill()
+
+
+def memory_mb(pid: int) -> float:
+    """The memory of a process and all below it, shared pages counted once."""
+    total = 0
+    for process in _family(pid):
+        try:
+            total += process.memory_full_info().pss
+        except (psutil.NoSuchProcess, psutil.AccessDenied):
+            continue
+    return total / 1e6
+
+
+def _family(pid: int) -> list[psutil.Process]:
+    try:
+        whole = psutil.Process(pid)
+        return [whole, *whole.children(recursive=True)]
+    except psutil.NoSuchProcess:
+        return []
+
+
+def _port(process: subprocess.Popen[bytes], log: Path) -> int:
+    while process.poll() is None:
+        found = _LISTENS.search(log.read_bytes())
+        if found:
+            return int(found[1])
+        time.sleep(0.05)
+    raise RuntimeError(f"the service ended: {log.read_text()[-2000:]}")
+
+
+def _watch(pipe: Connection, pid: int, port: int) -> None:
+    """Asks and looks until told that it is enough."""
+    health_s: list[float] = []
+    peak_mb, looked_s = memory_mb(pid), time.monotonic()
+    pipe.send("ready")
+    connection = HTTPConnection(HOST, port, timeout=LONGEST_PROBE_S)
+    try:
+        while not pipe.poll(PROBE_EVERY_S):
+            health_s.append(_asked(connection))
+            if time.monotonic() - looked_s >= MEMORY_EVERY_S:
+                peak_mb, looked_s = max(peak_mb, memory_mb(pid)), time.monotonic()
+        pipe.send((health_s, peak_mb))
+    except (EOFError, OSError):
+        return
+
+
+def _asked(connection: HTTPConnection) -> float:
+    """Seconds until `/healthz` has answered; those of the longest wait where it has not."""
+    began_s = time.perf_counter()
+    try:
+        connection.request("GET", "/healthz")
+        answer = connection.getresponse()
+        alive = answer.status == 200 and json.loads(answer.read())["status"] == "alive"
+    except (OSError, HTTPException):
+        connection.close()
+        return time.perf_counter() - began_s if time.perf_counter() - began_s >= 1 else LONGEST_PROBE_S
+    return time.perf_counter() - began_s if alive else LONGEST_PROBE_S

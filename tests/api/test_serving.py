@@ -1,0 +1,94 @@
+"""The service as it is started, and how it ends: told to, and killed."""
+
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from http.client import HTTPConnection
+from os import environ
+from pathlib import Path
+
+import psutil
+
+from tests.support.jobs import LONG_BML
+
+PATIENCE_S = 60.0
+
+
+@dataclass(frozen=True, slots=True)
+class _Served:
+    process: subprocess.Popen[bytes]
+    port: int
+    log: Path
+
+    def ask(self, method: str, path: str, body: bytes | None = None) -> tuple[int, bytes]:
+        connection = HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE_S)
+        try:
+            connection.request(method, path, body, {"Content-Type": "application/xml"})
+            answer = connection.getresponse()
+            return answer.status, answer.read()
+        finally:
+            connection.close()
+
+
+@contextmanager
+def _serving(folder: Path, **settings: str) -> Iterator[_Served]:
+    log = folder / "log"
+    command = [sys.executable, "-m", "understudy.cli", "serve", "--port", "0"]
+    with log.open("wb") as out:
+        process = subprocess.Popen(command, stderr=out, env=environ | settings)
+    try:
+        yield _Served(process, _port(process, log), log)
+    finally:
+        process.kill()
+        process.wait()
+
+
+def _port(process: subprocess.Popen[bytes], log: Path) -> int:
+    while process.poll() is None:
+        found = re.search(r"listening on http://[^:]+:(\d+)", log.read_text())
+        if found:
+            return int(found[1])
+        time.sleep(0.05)
+    raise AssertionError(log.read_text())
+
+
+def _wait_until_gone(family: list[psutil.Process]) -> None:
+    _gone, alive = psutil.wait_procs(family, PATIENCE_S)
+    assert alive == []
+
+
+def test_told_to_stop_it_refuses_finishes_within_the_grace_and_leaves_nothing_behind(tmp_path: Path) -> None:
+    with _serving(tmp_path, UNDERSTUDY_GRACE_S="1", UNDERSTUDY_WORKERS="1") as served:
+        family = psutil.Process(served.process.pid).children(recursive=True)
+        answers: list[tuple[int, bytes]] = []
+        asking = threading.Thread(target=lambda: answers.append(served.ask("POST", "/realize", LONG_BML)))
+        asking.start()
+        while b"understudy_lines_in_work 1.0" not in served.ask("GET", "/metrics")[1]:
+            pass
+        served.process.send_signal(signal.SIGTERM)
+        while served.ask("GET", "/readyz")[0] != 503:
+            pass
+        status, body = served.ask("POST", "/realize", LONG_BML)
+        assert (status, b"service_stopping" in body) == (503, True)
+        asking.join()
+        [(status, body)] = answers
+        assert (status, b"service_stopping" in body) == (503, True)
+        assert served.process.wait(PATIENCE_S) == 0
+        _wait_until_gone(family)
+        assert "Traceback" not in served.log.read_text()
+
+
+def test_killed_it_leaves_nothing_behind(tmp_path: Path) -> None:
+    with _serving(tmp_path, UNDERSTUDY_WORKERS="2") as served:
+        family = psutil.Process(served.process.pid).children(recursive=True)
+        assert len(family) >= 3
+        for aligner in [each for each in family if "decoder_worker" in " ".join(each.cmdline())]:
+            aligner.suspend()
+        served.process.kill()
+        _wait_until_gone(family)

@@ -1,0 +1,213 @@
+"""Places, queue, deadlines, and no job lost whatever happens to the processes. The processes are real."""
+
+import asyncio
+import os
+import signal
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from typing import Any
+
+import psutil
+import pytest
+
+from tests.support.jobs import LONG, LONG_BML, SHORT, SHORT_TEXT
+from understudy.api.deadlines import Deadline
+from understudy.api.workers.messages import Answer
+from understudy.api.workers.pool import Pool
+from understudy.api.workers.processes import Nursery
+from understudy.errors import InputError, ServiceError, TooLargeError, UnderstudyError
+from understudy.settings import Settings
+
+PATIENCE_S = 20.0
+
+
+@asynccontextmanager
+async def _pool(nursery: Nursery, **settings: Any) -> AsyncIterator[Pool]:  # noqa: ANN401
+    async with Pool(nursery, Settings(**({"workers": 1} | settings))) as pool:
+        yield pool
+
+
+async def _until(holds: Callable[[], bool]) -> None:
+    for _ in range(int(PATIENCE_S / 0.01)):
+        if holds():
+            return
+        await asyncio.sleep(0.01)
+    raise AssertionError("it never came about")
+
+
+def _children(pool: Pool) -> set[int]:
+    return {child.pid for child in psutil.Process(pool.nursery.pid).children()}
+
+
+async def _begun(pool: Pool) -> "asyncio.Task[Any]":
+    """A long job that is being done."""
+    busy = pool.busy
+    running = asyncio.create_task(pool.run(LONG, LONG_BML, Deadline.starting_now(PATIENCE_S)))
+    await _until(lambda: pool.busy > busy)
+    return running
+
+
+async def _short(pool: Pool) -> Answer:
+    answer, body = await pool.run(SHORT, SHORT_TEXT, Deadline.starting_now(PATIENCE_S * 3))
+    assert b"negation" in body
+    return answer
+
+
+async def _code(waiting: Awaitable[object]) -> str:
+    with pytest.raises(UnderstudyError) as caught:
+        await waiting
+    return caught.value.code
+
+
+def test_jobs_past_the_queue_are_told_when_to_come_again_and_the_rest_wait(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery, queue=1) as pool:
+            first = await _begun(pool)
+            second = asyncio.create_task(_short(pool))
+            await _until(lambda: pool.waiting == 1)
+            with pytest.raises(ServiceError) as caught:
+                await _short(pool)
+            assert caught.value.code == "service_full"
+            assert caught.value.retry_after_s
+            first.cancel()
+            assert (await second).media_type == "application/json"
+
+    asyncio.run(scenario())
+
+
+def test_waiting_ends(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery, queue_s=0.05) as pool:
+            first = await _begun(pool)
+            assert await _code(_short(pool)) == "service_full"
+            assert pool.waiting == 0
+            first.cancel()
+
+    asyncio.run(scenario())
+
+
+def test_a_job_past_its_deadline_or_without_its_client_is_stopped_and_its_place_free(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery) as pool:
+            before = _children(pool)
+            assert await _code(pool.run(LONG, LONG_BML, Deadline.starting_now(0.1))) == "deadline_passed"
+            await _short(pool)
+            left = await _begun(pool)
+            left.cancel()
+            await _short(pool)
+            await _until(lambda: not before & _children(pool))
+
+    asyncio.run(scenario())
+
+
+def test_an_error_of_the_job_comes_out_and_its_worker_goes_on(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery) as pool:
+            before = _children(pool)
+            with pytest.raises(InputError) as caught:
+                await pool.run(SHORT, b'{"text": ""}', Deadline.starting_now(PATIENCE_S))
+            assert (caught.value.code, caught.value.field) == ("text_empty", "text")
+            assert _children(pool) == before
+
+    asyncio.run(scenario())
+
+
+def _kill(pool: Pool) -> None:
+    for pid in _children(pool):
+        os.kill(pid, signal.SIGKILL)
+
+
+def test_a_worker_that_is_killed_is_replaced_and_its_job_done_by_another(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery) as pool:
+            _kill(pool)
+            await _short(pool)
+            running = await _begun(pool)
+            _kill(pool)
+            answer, body = await running
+            assert answer.media_type == "application/json"
+            assert body.startswith(b"{")
+
+    asyncio.run(scenario())
+
+
+def test_a_job_that_loses_two_workers_is_given_up(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery) as pool:
+            running = await _begun(pool)
+            first = _children(pool)
+            _kill(pool)
+            await _until(lambda: pool.busy == 1 and not first & _children(pool))
+            _kill(pool)
+            assert await _code(running) == "worker_lost"
+            await _short(pool)
+
+    asyncio.run(scenario())
+
+
+def test_a_stopped_aligner_is_told_of_and_replaced(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery) as pool:
+            [worker] = [psutil.Process(pid) for pid in _children(pool)]
+            await _until(lambda: len(worker.children()) == 1)
+            [aligner] = worker.children()
+            aligner.suspend()
+            while not (told := await pool.trouble()):
+                await asyncio.sleep(0)
+            assert "worker" in told
+            await _until(lambda: not aligner.is_running())
+            await _short(pool)
+            assert await pool.trouble() is None
+
+    asyncio.run(scenario())
+
+
+def test_a_job_may_take_only_so_much_memory(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery, worker_memory_bytes=48 * 1024 * 1024) as pool:
+            with pytest.raises(TooLargeError) as caught:
+                await pool.run(LONG, LONG_BML, Deadline.starting_now(PATIENCE_S))
+            assert caught.value.code == "work_too_large"
+            await _short(pool)
+
+    asyncio.run(scenario())
+
+
+def test_a_worker_is_replaced_after_so_many_jobs(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery, worker_jobs=2) as pool:
+            before = _children(pool)
+            await _short(pool)
+            assert _children(pool) == before
+            await _short(pool)
+            await _short(pool)
+            await _until(lambda: not before & _children(pool))
+
+    asyncio.run(scenario())
+
+
+def test_when_the_service_stops_what_runs_has_its_grace(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery) as pool:
+            running = await _begun(pool)
+            stopping = asyncio.create_task(pool.stop(0.2))
+            await asyncio.sleep(0)
+            assert await _code(_short(pool)) == "service_stopping"
+            assert "stopping" in (await pool.trouble() or "")
+            assert await _code(running) == "service_stopping"
+            await stopping
+
+    asyncio.run(scenario())
+
+
+def test_a_nursery_that_is_killed_is_started_again() -> None:
+    async def scenario(own: Nursery) -> None:
+        async with _pool(own, queue_s=PATIENCE_S * 3) as pool:
+            _kill(pool)
+            os.kill(own.pid, signal.SIGKILL)
+            await _short(pool)
+            assert pool.nursery is not own
+            pool.nursery.close()
+
+    with Nursery.start(Settings()) as own:
+        asyncio.run(scenario(own))
