@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from itertools import product
 from math import dist, sqrt
 
+from .figures import Manner
 from .model import Hand, Level
 
 USUAL_AMOUNT = 0.5
@@ -75,11 +76,29 @@ class GestureForm:
     stroke_speed_m_s: float
     arms: Mapping[Hand, ArmEnds]
 
+    def in_manner(self, manner: Manner) -> "GestureForm":
+        """The form as a character makes it that takes more or less space and time for gestures."""
+        arms = {
+            arm: ArmEnds(_scaled(ends.stroke_start, manner.space), _scaled(ends.relax, manner.space))
+            for arm, ends in self.arms.items()
+        }
+        return GestureForm(
+            self.before_s / manner.pace,
+            self.after_s / manner.pace,
+            self.stroke_speed_m_s * manner.pace * manner.space,
+            arms,
+        )
+
     def size(self, amount: float | None) -> float:
         return playable_size(size_of(amount), self.stroke_speed_m_s)
 
     def speed_m_s(self, amount: float | None) -> float:
         return max(self.stroke_speed_m_s * self.size(amount), SLOWEST_STROKE_M_S)
+
+
+def _scaled(offset: Offset, factor: float) -> Offset:
+    x_m, y_m, z_m = offset
+    return factor * x_m, factor * y_m, factor * z_m
 
 
 Forms = tuple[GestureForm, ...]

@@ -83,11 +83,12 @@ def load_gesture_table(lexemes: Collection[str]) -> GestureTable:
 
 
 def load_realizer() -> Realizer:
-    """The body, gestures, face and rigs in use; raises AuthoringError with the mistakes of the first kind of file that
-    has any."""
+    """The bodies, gestures, face and rigs in use; raises AuthoringError with the mistakes of the first kind of file
+    that has any."""
     from .realizer.realizing import Realizer
 
-    return Realizer.with_library(load_gestures(), resource_folder("lexicon"))
+    figures = {character.name: character.figure for character in load_characters().by_name.values()}
+    return Realizer.with_library(load_gestures(), resource_folder("lexicon"), figures)
 
 
 def _authored(folder: Path) -> list[Path]:

@@ -200,7 +200,9 @@ def write_motion(
 
     Raises InputError `unknown_skeleton` and `unknown_avatar`, UndecodableError `avatar_undecodable`.
     """
-    motion, skeleton, schedule = realized.motion, realizer.skeleton, realized.schedule
+    motion, schedule = realized.motion, realized.schedule
+    performer = realizer.performer(schedule.character)
+    skeleton, looks = performer.skeleton, performer.looks
     rig = realizer.rig(wearer.rig or _RIGS.get(form, VRM))
     writers: Mapping[MotionFormat, Callable[[], bytes]] = {
         MotionFormat.BVH: lambda: to_bvh(
@@ -211,18 +213,19 @@ def write_motion(
         MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig, visemes=_viseme_weights(realized, realizer)),
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
         MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
-        MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule)),
+        MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule), looks=looks),
         MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),
     }
     return writers[form]()
 
 
 def _glb(realized: Realized, realizer: Realizer, avatar: bytes | None, keys: Keys) -> bytes:
-    """On the caller's avatar, or on our mannequin."""
+    """On the caller's avatar, or on the character's mannequin."""
+    performer = realizer.performer(realized.schedule.character)
     sparse_for = realized.schedule.behaviors if keys is Keys.SPARSE else None
     if avatar is None:
-        return to_glb(realized.motion, realizer.skeleton, sparse_for=sparse_for)
-    return to_avatar_glb(realized.motion, realizer.skeleton, avatar, realizer.rigs, sparse_for=sparse_for)
+        return to_glb(realized.motion, performer.skeleton, performer.looks, sparse_for=sparse_for)
+    return to_avatar_glb(realized.motion, performer.skeleton, avatar, realizer.rigs, sparse_for=sparse_for)
 
 
 def _viseme_weights(realized: Realized, realizer: Realizer) -> FloatArray | None:

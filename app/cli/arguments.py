@@ -287,8 +287,11 @@ def _add_gestures(add: Adding) -> None:
 def _add_characters(add: Adding) -> None:
     actions = add("characters", "who can perform").add_subparsers(dest="action", metavar="ACTION", required=True)
     _add(actions.add_parser, "list", "list them")
-    show = _add(actions.add_parser, "show", "show how one of them moves")
+    show = _add(actions.add_parser, "show", "show how one of them moves and looks")
     show.add_argument("name", metavar="NAME")
+    render = _add(actions.add_parser, "render", "draw what they look like")
+    render.add_argument("names", metavar="NAME", nargs="*", help="who is drawn (default: all)")
+    render.add_argument("-o", "--output", metavar="FILE.png", required=True, help="where the picture goes")
 
 
 def _add_serve(add: Adding) -> None:

@@ -4,16 +4,19 @@ Each controller takes the body's motion so far and returns a new one. Gestures a
 move, head movements are added to the current rotations, and a last pass resolves collisions of the arms with the body.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from math import ceil
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 
+from ..figures import PLAIN, Figure, Looks
 from ..model import Behavior, Channel, FloatArray, Schedule, SyncPoints
 from .arms.collisions import resolve_collisions
 from .body.motion import Decision, Motion, check_tail
+from .body.proportions import Proportions
 from .body.skeleton import Skeleton
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
@@ -36,32 +39,60 @@ _NOTICEABLE_S = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Realizer:
-    """The resources that realization needs, loaded once: skeleton, gesture library, face tables and export rigs."""
+class Performer:
+    """A character as it is realized: its body, its looks, and the gestures of the library in its manner."""
 
     skeleton: Skeleton
+    looks: Looks
+    library: Library
+
+    @classmethod
+    def of(cls, figure: Figure, library: Library) -> "Performer":
+        """The performer whose figure this is."""
+        return cls(Skeleton.standing(Proportions(figure.physique)), figure.looks, library.in_manner(figure.manner))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Realizer:
+    """The resources that realization needs, loaded once: performers by the names of their characters, the average one
+    for everybody else, gesture library, face tables and export rigs."""
+
+    average: Performer
+    performers: Mapping[str, Performer]
     library: Library
     face: FaceTables
     rigs: Mapping[str, Rig]
 
     @classmethod
-    def load(cls, lexicon: Path) -> "Realizer":
-        """Load everything from a lexicon folder.
+    def load(cls, lexicon: Path, figures: Mapping[str, Figure] = MappingProxyType({})) -> "Realizer":
+        """Load everything from a lexicon folder; `figures` are those of its characters.
 
         Raises AuthoringError with all mistakes of the first kind of file that has any.
         """
-        return cls.with_library(Library.load(lexicon / "gestures"), lexicon)
+        return cls.with_library(Library.load(lexicon / "gestures"), lexicon, figures)
 
     @classmethod
-    def with_library(cls, library: Library, lexicon: Path) -> "Realizer":
+    def with_library(
+        cls, library: Library, lexicon: Path, figures: Mapping[str, Figure] = MappingProxyType({})
+    ) -> "Realizer":
         """The same with gestures that are loaded already."""
-        skeleton = Skeleton.standing()
+        average = Performer.of(PLAIN, library)
         return cls(
-            skeleton=skeleton,
+            average=average,
+            performers={name: Performer.of(figure, library) for name, figure in figures.items()},
             library=library,
             face=FaceTables.load(lexicon / "face.yaml"),
-            rigs=load_rigs(lexicon / "retarget", skeleton),
+            rigs=load_rigs(lexicon / "retarget", average.skeleton),
         )
+
+    @property
+    def skeleton(self) -> Skeleton:
+        """The average body."""
+        return self.average.skeleton
+
+    def performer(self, character: str) -> Performer:
+        """Who performs as this character: the average performer where no file describes it."""
+        return self.performers.get(character, self.average)
 
     def rig(self, name: str) -> Rig:
         """The rig of this name, with its joint names. Raises InputError `unknown_skeleton`."""
@@ -77,9 +108,10 @@ def realize(
     """
     check_tail(tail_s)
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
-    plan = plan_gestures(realizer.library, schedule, seed=seed)
+    performer = realizer.performer(schedule.character)
+    plan = plan_gestures(performer.library, schedule, seed=seed)
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
-    skeleton = realizer.skeleton
+    skeleton = performer.skeleton
     body = idle_motion(skeleton, times_s, schedule, seed=seed)
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=1 - schedule.stillness)
     body = apply_gaze(skeleton, body, schedule, seed=seed)
@@ -97,6 +129,7 @@ def realize(
             *unplayable_behaviors(schedule),
             *unknown_faces(realizer.face.lexemes, schedule.behaviors),
             *moved,
+            *_unknown_body(realizer, schedule.character),
         ),
         lead_in_s=schedule.lead_in_s,
     )
@@ -132,3 +165,8 @@ def _cut(plan: GesturePlan, end_s: float) -> tuple[Decision, ...]:
         for name, over_s in late_s.items()
         if over_s > _NOTICEABLE_S
     )
+
+
+def _unknown_body(realizer: Realizer, character: str) -> Iterator[Decision]:
+    if realizer.performers and character not in realizer.performers:
+        yield Decision("", "replaced", f"no character is called {character!r}: an average body moves")

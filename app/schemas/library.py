@@ -47,6 +47,39 @@ class TableEntryResponse(ResponseModel):
     direction: str | None = None
 
 
+class BodyResponse(ResponseModel):
+    """The proportions of a body; widths and build are relative to the average of its height and sex."""
+
+    sex: str
+    age_years: int
+    height_m: Number
+    build: Number
+    shoulder_width: Number
+    hip_width: Number
+
+
+class LooksResponse(ResponseModel):
+    """Hair, clothes and sRGB colours."""
+
+    hair: str
+    legwear: str
+    hair_colour: str
+    skin_colour: str
+    eye_colour: str
+    top_colour: str
+    legwear_colour: str
+    shoe_colour: str
+
+
+class MannerResponse(ResponseModel):
+    """What a character makes of every gesture."""
+
+    space: Number
+    pace: Number
+    elbow_deg: Number
+    wrist_deg: Number
+
+
 class CharacterResponse(ResponseModel):
     """A character; `behaviors` are its overrides of the table's entries."""
 
@@ -59,12 +92,22 @@ class CharacterResponse(ResponseModel):
     stillness: Number
     eye_contact: Number
     rest_poses: list[str]
+    body: BodyResponse
+    looks: LooksResponse
+    gestures: MannerResponse
     behaviors: list[TableEntryResponse]
 
     @classmethod
     def of(cls, character: Character) -> Self:
-        told = {name: getattr(character, name) for name in cls.model_fields if name != "behaviors"}
-        return cls.model_validate({**told, "behaviors": list(character.entries.values())})
+        figure = character.figure
+        others = {
+            "body": figure.physique,
+            "looks": figure.looks,
+            "gestures": figure.manner,
+            "behaviors": list(character.entries.values()),
+        }
+        told = {name: getattr(character, name) for name in cls.model_fields if name not in others}
+        return cls.model_validate({**told, **others})
 
 
 class CharactersResponse(ResponseModel):

@@ -24,6 +24,7 @@ from resource import RUSAGE_SELF, getrusage
 import numpy as np
 
 from tests.support.hand_made_motion import BODY, waving
+from understudy.figures import PLAIN, Looks
 from understudy.model import FloatArray
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import Skeleton, forward
@@ -59,30 +60,32 @@ def main() -> None:
     if given.node_modules is None or shutil.which("node") is None:
         print("validator and three.js left out: needs node and --node-modules (npm install gltf-validator three)")
     else:
-        judge(given.node_modules.resolve(), rigs)
+        judge(given.node_modules.resolve(), rigs, BODY)
     weigh()
 
 
-def judge(modules: Path, rigs: Mapping[str, Rig]) -> None:
-    """Prints what the validator and three.js say of a short motion."""
+def judge(modules: Path, rigs: Mapping[str, Rig], skeleton: Skeleton, looks: Looks = PLAIN.looks) -> None:
+    """Prints what the validator and three.js say of a short motion of a body."""
     motion = shaken(SHORT_S)
-    ours, _turns = forward(BODY, motion.body.rotations[::STEP], motion.body.hips_m[::STEP])
+    ours, _turns = forward(skeleton, motion.body.rotations[::STEP], motion.body.hips_m[::STEP])
     with tempfile.TemporaryDirectory() as folder:
         files = [Path(folder) / f"motion{ending}" for ending in (".glb", ".vrma", ".bvh")]
         for file in files:
-            file.write_bytes(EXPORTS[file.suffix](motion, BODY, rigs))
+            glb = file.suffix == ".glb"
+            file.write_bytes(to_glb(motion, skeleton, looks) if glb else EXPORTS[file.suffix](motion, skeleton, rigs))
         script = Path(__file__).with_suffix(".mjs")
         command = ["node", str(script), str(modules), str(RATE_HZ), *map(str, files)]
         found = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     for ending in (".glb", ".vrma"):
         said = found[ending]
         print(f"{ending}  errors {said['errors']}  warnings {said['warnings']}  {' '.join(said['codes'])}")
-    glb = _positions(found[".glb"]["joints"], rigs["vrm"])
-    bvh = _positions(found[".bvh"]["joints"], rigs["mixamo"]) / 100
-    frames = min(len(glb), len(bvh), len(ours))
-    for name, first, second in (("GLB and ours", glb, ours), ("BVH and ours", bvh, ours), ("GLB and BVH", glb, bvh)):
+    of_glb = _positions(found[".glb"]["joints"], rigs["vrm"])
+    of_bvh = _positions(found[".bvh"]["joints"], rigs["mixamo"]) / 100
+    frames = min(len(of_glb), len(of_bvh), len(ours))
+    pairs = (("GLB and ours", of_glb, ours), ("BVH and ours", of_bvh, ours), ("GLB and BVH", of_glb, of_bvh))
+    for name, first, second in pairs:
         apart_mm = 1000 * np.linalg.norm(first[:frames] - second[:frames], axis=-1).max()
-        print(f"{name}: {apart_mm:.4f} mm apart in {frames} frames of {glb.shape[1]} joints")
+        print(f"{name}: {apart_mm:.4f} mm apart in {frames} frames of {of_glb.shape[1]} joints")
 
 
 def weigh() -> None:

@@ -30,6 +30,7 @@ import numpy as np
 
 from benchmarks.bml.schedule import Stages, performed, spoken_sentences
 from benchmarks.realizer.wrist_measures import WristMeasures, hellinger, measured, together
+from understudy.loading import load_realizer
 from understudy.model import Channel, FloatArray, Hand, Interval, Performance, Schedule, Viseme
 from understudy.performance import Line, Options, Understudy, perform
 from understudy.realization import Realizer, realize, schedule_of
@@ -45,7 +46,6 @@ from understudy.realizer.realizing import frame_times_s
 from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.torso.idle import idle_motion
-from understudy.resources import resource_folder
 from understudy.settings import Settings
 
 SHARED = Path(__file__).resolve().parents[3] / "shared" / "data"
@@ -77,12 +77,12 @@ def main() -> None:
     if options.minutes:
         report_long(long_schedule(options.character, options.sentences, options.minutes), options.fps)
         return
-    realizer = Realizer.load(resource_folder("lexicon"))
+    realizer = load_realizer()
     sentences = islice(of_sentences(options.character), options.sentences)
     schedules = [schedule_of(each) for each in chain(of_lines(options.lines, options.character), sentences)]
     realized_once(realizer, schedules[0], options.fps)
     realized = [realized_once(realizer, each, options.fps) for each in schedules]
-    report(realized, realizer.skeleton)
+    report(realized, realizer.performer(options.character).skeleton)
     report_keys(realizer, realized)
 
 
@@ -190,7 +190,8 @@ def report_keys(realizer: Realizer, realized: Sequence[Realized]) -> None:
 
 def off_keys_m(realizer: Realizer, schedule: Schedule) -> Iterator[float]:
     """Of one schedule, at 60 frames a second; arms smoothed as they are played, before anything collides."""
-    skeleton, plan = realizer.skeleton, plan_gestures(realizer.library, schedule, seed=0)
+    performer = realizer.performer(schedule.character)
+    skeleton, plan = performer.skeleton, plan_gestures(performer.library, schedule, seed=0)
     times_s = frame_times_s(schedule.duration_s, 60)
     body = apply_gestures(skeleton, idle_motion(skeleton, times_s, schedule, seed=0), plan, seed=0)
     for side in (Hand.LEFT, Hand.RIGHT):
@@ -288,7 +289,7 @@ def report_speed(realized: Sequence[Realized]) -> None:
 
 
 def report_long(schedule: Schedule, frame_rate_hz: int) -> None:
-    realizer = Realizer.load(resource_folder("lexicon"))
+    realizer = load_realizer()
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     found = realized_once(realizer, schedule, frame_rate_hz)
     most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss

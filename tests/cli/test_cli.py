@@ -177,7 +177,16 @@ def test_characters_are_listed_and_shown(capfdbinary: Captured) -> None:
     assert code == 0
     assert "default" in names
     code, out, _ = _run(capfdbinary, "characters", "show", names[0])
-    assert json.loads(out)["name"] == names[0]
+    shown = json.loads(out)
+    assert shown["name"] == names[0]
+    assert {"height_m", "build"} < shown["body"].keys()
+
+
+def test_characters_are_drawn(capfdbinary: Captured, tmp_path: Path) -> None:
+    picture = tmp_path / "elder.png"
+    code, _, err = _run(capfdbinary, "characters", "render", "formal_elder", "-o", str(picture))
+    assert (code, err.decode() if isinstance(err, bytes) else err) == (0, f"1 characters in {picture}\n")
+    assert picture.read_bytes().startswith(b"\x89PNG")
 
 
 MISTAKES: list[tuple[list[str], str]] = [

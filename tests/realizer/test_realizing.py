@@ -64,7 +64,7 @@ def test_nothing_ever_freezes_and_nothing_jumps(realized: Realized, understudy: 
 
 
 def test_joints_keep_their_limits_and_hands_stay_outside(realized: Realized, understudy: Understudy) -> None:
-    skeleton, body = understudy.realizer.skeleton, realized.motion.body
+    skeleton, body = understudy.realizer.performer("expansive").skeleton, realized.motion.body
     assert np.count_nonzero(violations(skeleton, body.rotations)) == 0
     assert np.max(penetrations_m(skeleton, body.rotations, body.hips_m)) < 0.01
 

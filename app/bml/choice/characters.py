@@ -11,11 +11,12 @@ from functools import partial
 from itertools import chain
 from pathlib import Path
 from types import MappingProxyType
-from typing import Literal, TypeVar
+from typing import Annotated, Literal, TypeVar
 
 from pydantic import Field
 
 from ...errors import AuthoringError, InputError, Mistake, shown
+from ...figures import AVERAGE_HEIGHT_M, PLAIN, Figure, Hair, Legwear, Looks, Manner, Physique, Sex
 from ...model import Channel, Hand
 from ...yaml_files import Entry, Source, all_or_every_mistake, did_you_mean
 from .saccades import TALKING
@@ -36,7 +37,7 @@ class Character:
 
     `strokes_per_unit` is the most before the hands rest, `amplitude` how large its movements are (1 as in the table, in
     `entries` already), `stillness` how little it moves without need (0 to 1), `eye_contact` the share of time in which
-    it looks at the listener while it talks, `rest_poses` the postures between which it changes.
+    it looks at the listener while it talks, `rest_poses` the postures between which it changes, `figure` its body.
     """
 
     name: str
@@ -49,6 +50,7 @@ class Character:
     eye_contact: float
     rest_poses: tuple[str, ...]
     entries: Mapping[str, BehaviorEntry]
+    figure: Figure
 
     @property
     def liveliness(self) -> float:
@@ -100,6 +102,36 @@ class Characters:
         return self.by_name[name]
 
 
+class _Body(Entry):
+    sex: Literal["female", "male", "neutral"] = "neutral"
+    age_years: int = Field(default=35, ge=16, le=100)
+    height_m: float = Field(default=AVERAGE_HEIGHT_M, ge=1.45, le=2.05)
+    build: float = Field(default=1.0, ge=0.85, le=1.4)
+    shoulder_width: float = Field(default=1.0, ge=0.85, le=1.2)
+    hip_width: float = Field(default=1.0, ge=0.85, le=1.2)
+
+
+_Colour = Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")]
+
+
+class _Looks(Entry):
+    hair: Literal["bald", "short", "bob", "long", "bun"] = "short"
+    legwear: Literal["trousers", "skirt"] = "trousers"
+    hair_colour: _Colour = PLAIN.looks.hair_colour
+    skin_colour: _Colour = PLAIN.looks.skin_colour
+    eye_colour: _Colour = PLAIN.looks.eye_colour
+    top_colour: _Colour = PLAIN.looks.top_colour
+    legwear_colour: _Colour = PLAIN.looks.legwear_colour
+    shoe_colour: _Colour = PLAIN.looks.shoe_colour
+
+
+class _Gestures(Entry):
+    space: float = Field(default=1.0, ge=0.7, le=1.3)
+    pace: float = Field(default=1.0, ge=0.8, le=1.25)
+    elbow_deg: float = Field(default=0.0, ge=-20, le=30)
+    wrist_deg: float = Field(default=0.0, ge=-20, le=20)
+
+
 class _CharacterFile(Entry):
     description: str = Field(min_length=1)
     handedness: Literal["left", "right"]
@@ -110,6 +142,17 @@ class _CharacterFile(Entry):
     eye_contact: float = Field(default=TALKING.eye_contact, ge=0.05, le=0.95)
     rest_poses: tuple[str, ...] = ("rest_on_left_leg", "rest_on_right_leg")
     behaviors: dict[str, BehaviorChange] = Field(default_factory=dict)
+    body: _Body = _Body()
+    looks: _Looks = _Looks()
+    gestures: _Gestures = _Gestures()
+
+    def figure(self) -> Figure:
+        body, looks = self.body.model_dump(), self.looks.model_dump()
+        return Figure(
+            Physique(**body | {"sex": Sex(self.body.sex)}),
+            Looks(**looks | {"hair": Hair(self.looks.hair), "legwear": Legwear(self.looks.legwear)}),
+            Manner(**self.gestures.model_dump()),
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,6 +190,7 @@ class _Sheet:
             eye_contact=self.file.eye_contact,
             rest_poses=self.file.rest_poses,
             entries=MappingProxyType(entries),
+            figure=self.file.figure(),
         )
 
     def _mistakes(self, table: BehaviorTable) -> Iterator[tuple[str, ...]]:

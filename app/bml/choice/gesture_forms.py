@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from itertools import chain
 
+from ...figures import Manner
 from ...gesture_limits import Forms, GestureTable
 from ...model import Channel, Hand, Level
 from .characters import Character
@@ -15,13 +16,15 @@ from .table import BehaviorEntry, Phase, Timing
 
 
 def with_forms(character: Character, table: GestureTable, level: Level) -> Character:
-    """The character with the forms of its gestures at a level of agitation."""
-    entries = {name: _with_forms(entry, table, level) for name, entry in character.entries.items()}
+    """The character with the forms of its gestures at a level of agitation, in its own manner."""
+    manner = character.figure.manner
+    entries = {name: _with_forms(entry, table, level, manner) for name, entry in character.entries.items()}
     return replace(character, entries=entries)
 
 
-def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level) -> BehaviorEntry:
-    forms = table.of(entry.lexeme, level) if entry.channel is Channel.GESTURE else {}
+def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level, manner: Manner) -> BehaviorEntry:
+    found = table.of(entry.lexeme, level) if entry.channel is Channel.GESTURE else {}
+    forms = {hand: tuple(form.in_manner(manner) for form in of_hand) for hand, of_hand in found.items()}
     return replace(entry, forms=forms, timing=_timing(entry.timing, _of_hands(forms, entry.hand))) if forms else entry
 
 

@@ -1,19 +1,39 @@
-"""`understudy characters`: who can perform, and how they move."""
+"""`understudy characters`: who can perform, how they move, and what they look like."""
 
 import argparse
 
 from ...authoring.catalogue import load_characters
 from ...schemas.library import CharacterResponse
-from ..files import write_standard
+from ..files import require_writable, write, write_standard
 from ..log import Log
+from ..plot import require_plot
 
 
-def run(arguments: argparse.Namespace, _log: Log) -> int:
-    characters = load_characters()
-    if arguments.action == "show":
-        character = characters.named(arguments.name)
-        write_standard(CharacterResponse.of(character).to_json(indent=2) + b"\n")
-    else:
-        listed = (f"{character.name:16s} {character.description}\n" for character in characters.by_name.values())
-        write_standard("".join(listed).encode())
+def run(arguments: argparse.Namespace, log: Log) -> int:
+    actions = {"list": _list, "show": _show, "render": _render}
+    actions[arguments.action](arguments, log)
     return 0
+
+
+def _list(_arguments: argparse.Namespace, _log: Log) -> None:
+    characters = load_characters().by_name.values()
+    write_standard("".join(f"{each.name:16s} {each.description}\n" for each in characters).encode())
+
+
+def _show(arguments: argparse.Namespace, _log: Log) -> None:
+    character = load_characters().named(arguments.name)
+    write_standard(CharacterResponse.of(character).to_json(indent=2) + b"\n")
+
+
+def _render(arguments: argparse.Namespace, log: Log) -> None:
+    from ...realizer.body.proportions import Proportions
+    from ...realizer.body.skeleton import Skeleton
+    from ...realizer.pictures.characters import draw_characters
+
+    require_plot(arguments.output)
+    require_writable(arguments.output, field="output")
+    characters = load_characters()
+    drawn = {name: characters.named(name).figure for name in arguments.names or characters.by_name}
+    bodies = {name: (Skeleton.standing(Proportions(each.physique)), each.looks) for name, each in drawn.items()}
+    write(arguments.output, draw_characters(bodies))
+    log.note(f"{len(bodies)} characters in {arguments.output}")

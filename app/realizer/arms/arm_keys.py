@@ -13,6 +13,7 @@ from functools import lru_cache, reduce
 
 import numpy as np
 
+from ...figures import Manner
 from ...model import Hand
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import slerp
@@ -97,19 +98,20 @@ def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
     said = [(key, arm_key(key, gesture.side)) for key in gesture.placed.clip.keys if _is_played(gesture, key)]
     played = [(key, of_arm) for key, of_arm in said if of_arm is not None]
     asked, placed = tuple(of_arm for _key, of_arm in played), gesture.placed
-    poses = _poses(skeleton, gesture.side, asked, amplitude(placed), placed.aim_m)
+    size, manner = amplitude(placed), placed.clip.manner
+    poses = _poses(skeleton, gesture.side, asked, size=size, aim_m=placed.aim_m, manner=manner)
     for (key, _of_arm), pose in zip(played, poses, strict=True):
         yield _Posed(_on_the_clock(gesture, key.time_s), key, pose)
 
 
 @lru_cache(maxsize=1024)
 def _poses(
-    skeleton: Skeleton, side: Hand, asked: tuple[ArmKey, ...], size: float, aim_m: Position | None
+    skeleton: Skeleton, side: Hand, asked: tuple[ArmKey, ...], *, size: float, aim_m: Position | None, manner: Manner
 ) -> tuple[PartialPose, ...]:
     """The poses of these keys. Cached, because lines repeat keys and each pose searches for an elbow swivel; never
     mutated."""
     from_hips_m = None if aim_m is None else np.array(aim_m) - skeleton.offsets_m[0]
-    return pose_arms(skeleton, side, asked, amplitude=size, aim_m=from_hips_m)
+    return pose_arms(skeleton, side, asked, amplitude=size, aim_m=from_hips_m, manner=manner)
 
 
 @lru_cache(maxsize=64)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...model import FloatArray, Hand
 from ..body.build import BUILD
-from ..body.contacts import LIMBS, PAIRS, RADII_M, Contacts, PosedBody, contacts, depths_m
+from ..body.contacts import LIMBS, PAIRS, Contacts, PosedBody, contacts, depths_m, radii_m
 from ..body.limits import MIRROR, clamped, swing_twist_deg
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import SIDES, Skeleton
@@ -103,7 +103,7 @@ def _cleared(skeleton: Skeleton, start: PosedBody, swell: int, taper: FloatArray
     least_m, rotations = float(found.depth_m.max()), start.rotations
     for _round in range(_ROUNDS):
         way_out = _way_out(found, way_out)
-        one_way = _one_way(found, way_out)
+        one_way = _one_way(found, way_out, radii_m(skeleton))
         pushes = {side: push.and_then(_push(one_way, side)) for side, push in pushes.items()}
         swelling = {side: push.swelling(swell, taper) for side, push in pushes.items()}
         body = start.with_arms(skeleton, _moved(skeleton, start, swelling))
@@ -140,10 +140,11 @@ def _way_out(found: Contacts, known: FloatArray) -> FloatArray:
     return way_out
 
 
-def _one_way(found: Contacts, way_out: FloatArray) -> Contacts:
-    """The contacts, with those that are nearer to the opposite side redirected through to this one."""
+def _one_way(found: Contacts, way_out: FloatArray, touching_m: FloatArray) -> Contacts:
+    """The contacts, with those that are nearer to the opposite side redirected through to this one; `touching_m` (P,)
+    is the distance at which each begins."""
     wrong = (found.depth_m > 0) & (np.einsum("...k,...k->...", found.out, way_out) < 0)
-    through_m = found.depth_m + 2 * (RADII_M - found.depth_m)
+    through_m = found.depth_m + 2 * (touching_m - found.depth_m)
     return replace(
         found, depth_m=np.where(wrong, through_m, found.depth_m), out=np.where(wrong[..., None], -found.out, found.out)
     )

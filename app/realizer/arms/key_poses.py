@@ -10,7 +10,7 @@ from ..geometry.rotations import IDENTITY
 from ..gestures.arm_joints import arm_joints
 from ..gestures.gesture import ArmKey, Clip, ClipKey
 from .arms import ArmTrack, TimedPose, arm_motion
-from .posing import pose_arm
+from .posing import PartialPose, pose_arm
 from .rest_poses import rest_pose
 
 REST = "at_side"
@@ -42,6 +42,10 @@ def _arm(skeleton: Skeleton, clip: Clip, keys: list[ClipKey], side: Hand) -> Flo
     track = [TimedPose(keys[0].time_s - PREPARATION_S, rest)]
     for key in keys:
         said = key.left if side is Hand.LEFT else key.right
-        pose = rest if said is None else pose_arm(skeleton, side, said, amplitude=clip.expressivity.amplitude)
+        pose = rest if said is None else _posed(skeleton, side, said, clip)
         track.append(TimedPose(key.time_s, pose, follow_through=False))
     return arm_motion(ArmTrack(side, tuple(track)), np.array([key.time_s for key in keys]), seed=0)
+
+
+def _posed(skeleton: Skeleton, side: Hand, said: ArmKey, clip: Clip) -> PartialPose:
+    return pose_arm(skeleton, side, said, amplitude=clip.expressivity.amplitude, manner=clip.manner)

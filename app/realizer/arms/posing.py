@@ -11,7 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...figures import PLAIN_MANNER, Manner
 from ...model import FloatArray, Hand
+from ..body.body_space import on_body_m
 from ..body.limits import MIRROR, swing_twist_deg
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, length, multiply, rotate
@@ -30,7 +32,7 @@ CENTRE = Place(Sideways.C, Height.CC, Depth.MIDDLE)
 _SWIVELS: FloatArray = np.radians(np.arange(-60.0, 76.0, 7.5))
 _AT_EASE_DEG: FloatArray = np.array([55.0, 14.0, 45.0])
 _ALONG_FOREARM: FloatArray = np.array([0.0, 0.35, 0.7])
-_HALF_WAIST_M, _FROM_WAIST_M = 0.06, 0.15
+_HALF_WAIST_M, _WAIST_M, _FROM_WAIST_M = 0.06, 0.10, 0.15
 _POINTING_PALM: FloatArray = np.array([-0.4, -1.0, 0.0])
 
 
@@ -66,14 +68,26 @@ class ArmPose:
 
 
 def pose_arm(
-    skeleton: Skeleton, side: Hand, key: ArmKey, *, amplitude: float = 1.0, aim_m: FloatArray | None = None
+    skeleton: Skeleton,
+    side: Hand,
+    key: ArmKey,
+    *,
+    amplitude: float = 1.0,
+    aim_m: FloatArray | None = None,
+    manner: Manner = PLAIN_MANNER,
 ) -> PartialPose:
     """The pose of one key for the arm `side`; see `pose_arms`."""
-    return pose_arms(skeleton, side, [key], amplitude=amplitude, aim_m=aim_m)[0]
+    return pose_arms(skeleton, side, [key], amplitude=amplitude, aim_m=aim_m, manner=manner)[0]
 
 
 def pose_arms(
-    skeleton: Skeleton, side: Hand, keys: Sequence[ArmKey], *, amplitude: float = 1.0, aim_m: FloatArray | None = None
+    skeleton: Skeleton,
+    side: Hand,
+    keys: Sequence[ArmKey],
+    *,
+    amplitude: float = 1.0,
+    aim_m: FloatArray | None = None,
+    manner: Manner = PLAIN_MANNER,
 ) -> tuple[PartialPose, ...]:
     """The pose of each key for the arm `side`; several keys cost hardly more than one.
 
@@ -81,15 +95,15 @@ def pose_arms(
     body (x to the character's left): if a key has a place, the wrist is put on the line from the shoulder to the
     target, as far out as the place is, and the fingers point along that line. A wrist without a place is oriented as if
     the arm were in front of the body's middle. Where joint limits do not allow a wrist orientation, even with another
-    elbow swivel, the nearest possible one is taken.
+    elbow swivel, the nearest possible one is taken. Elbow and wrist of `manner` are what they tend to.
     """
     bones = ArmBones.of(skeleton)
     aim_m = None if aim_m is None else np.asarray(aim_m) * _seen_from(side)
     parts = np.full((len(keys), len(PARTS), 4), np.nan)
     solving = [number for number, key in enumerate(keys) if key.place is not None or key.wrist is not None]
     if solving:
-        asked = [_asked(bones, keys[number], amplitude, aim_m) for number in solving]
-        for number, solved in zip(solving, _solved(bones, asked), strict=True):
+        asked = [_asked(skeleton, keys[number], amplitude, aim_m) for number in solving]
+        for number, solved in zip(solving, _solved(skeleton, asked, manner), strict=True):
             _add_arm(parts[number], keys[number], solved, aimed=aim_m is not None)
     for row, key in zip(parts, keys, strict=True):
         if key.place is None and key.shoulder is not None:
@@ -164,23 +178,25 @@ class _Asked:
     raised: float
 
 
-def _asked(bones: ArmBones, key: ArmKey, amplitude: float, aim_m: FloatArray | None) -> _Asked:
-    wrist_m = sector_m(key.place or CENTRE, amplitude)
+def _asked(skeleton: Skeleton, key: ArmKey, amplitude: float, aim_m: FloatArray | None) -> _Asked:
+    wrist_m = on_body_m(skeleton, sector_m(key.place or CENTRE, amplitude))
     finger_base, palm = _directions(key.wrist or Wrist())
     if aim_m is not None and key.place is not None:
-        wrist_m, finger_base = _on_the_line(bones, aim_m, wrist_m)
+        wrist_m, finger_base = _on_the_line(ArmBones.of(skeleton), aim_m, wrist_m)
         palm = _POINTING_PALM if palm is None else palm
     return _Asked(wrist_m, finger_base, palm, key.shoulder or 0.0)
 
 
-def _solved(bones: ArmBones, asked: Sequence[_Asked]) -> FloatArray:
-    """The first five parts (K, 5, 4) of each arm, at the elbow swivel that suits the wrist best."""
+def _solved(skeleton: Skeleton, asked: Sequence[_Asked], manner: Manner) -> FloatArray:
+    """The first five parts (K, 5, 4) of each arm, at the elbow swivel that suits the wrist and the manner best."""
+    bones = ArmBones.of(skeleton)
     wrists_m = np.stack([each.wrist_m for each in asked])[:, None]
     raised = np.array([each.raised for each in asked])[:, None]
     arms = reach(bones, np.repeat(wrists_m, len(_SWIVELS), axis=1), swivel_rad=_SWIVELS, raised=raised)
     turns = _turned(arms.forearm, asked)
-    best = np.arange(len(asked)), np.argmin(_discomfort(arms, turns, wrists_m), axis=1)
-    turn = WristAngles(turns.angles[best]).clamped()
+    crowded_m = _inside_trunk_m(skeleton, arms)
+    best = np.arange(len(asked)), np.argmin(_discomfort(arms, turns, wrists_m, crowded_m, manner), axis=1)
+    turn = WristAngles(turns.angles[best] + [0.0, 0.0, np.radians(manner.wrist_deg)]).clamped()
     return np.stack(
         (*(part[best] for part in (arms.collarbone, arms.upper_arm, arms.elbow)), turn.forearm, turn.hand), 1
     )
@@ -200,24 +216,27 @@ def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> WristAngles:
     return WristAngles(angles)
 
 
-def _discomfort(arms: Reach, turns: WristAngles, wrists_m: FloatArray) -> FloatArray:
+def _discomfort(
+    arms: Reach, turns: WristAngles, wrists_m: FloatArray, crowded_m: FloatArray, manner: Manner
+) -> FloatArray:
     """The cost of each swivel: wrist and forearm near or beyond their limits, wrist targets out of the shoulder's
-    range, a forearm too near to the trunk, and the swivel itself, so that the elbow hangs unless there is a reason."""
+    range, a forearm too near to the trunk, and the swivel itself, so that the elbow is as the manner has it unless
+    there is a reason."""
     strained = np.maximum(np.abs(np.degrees(turns.angles)) - _AT_EASE_DEG, 0.0) / 30.0
     impossible = np.degrees(turns.excess) / 10.0
     missed = length(arms.wrist_m - wrists_m)[..., 0] / 0.01
     missed = missed - missed.min(axis=-1, keepdims=True)
-    crowded = _inside_trunk_m(arms) / 0.02
-    cost = np.sum(strained**2 + impossible**2, axis=-1) + missed**2 + np.sum(crowded**2, axis=-1)
-    return np.asarray(cost + (_SWIVELS / np.radians(40.0)) ** 2)
+    cost = np.sum(strained**2 + impossible**2, axis=-1) + missed**2 + np.sum((crowded_m / 0.02) ** 2, axis=-1)
+    return np.asarray(cost + ((_SWIVELS - np.radians(manner.elbow_deg)) / np.radians(40.0)) ** 2)
 
 
-def _inside_trunk_m(arms: Reach) -> FloatArray:
+def _inside_trunk_m(skeleton: Skeleton, arms: Reach) -> FloatArray:
     """How far elbow, forearm and its middle are within a hand's breadth of the trunk's line from flank to flank."""
+    half_waist_m, _up, from_waist_m = on_body_m(skeleton, np.array([_HALF_WAIST_M, _WAIST_M, _FROM_WAIST_M]))
     along = arms.wrist_m - arms.elbow_m
     points = arms.elbow_m[..., None, :] + _ALONG_FOREARM[:, None] * along[..., None, :]
-    aside = np.maximum(np.abs(points[..., 0]) - _HALF_WAIST_M, 0.0)
-    return np.asarray(np.maximum(_FROM_WAIST_M - np.hypot(aside, points[..., 2]), 0.0))
+    aside = np.maximum(np.abs(points[..., 0]) - half_waist_m, 0.0)
+    return np.asarray(np.maximum(from_waist_m - np.hypot(aside, points[..., 2]), 0.0))
 
 
 def _add_arm(parts: FloatArray, key: ArmKey, solved: FloatArray, *, aimed: bool) -> None:

@@ -13,6 +13,7 @@ from types import MappingProxyType
 import numpy as np
 
 from ...model import Hand
+from ..body.body_space import on_body_m
 from ..body.build import Point
 from ..body.limits import MIRROR
 from ..body.skeleton import Skeleton
@@ -72,6 +73,7 @@ def rest_pose(skeleton: Skeleton, side: Hand, name: str) -> ArmPose:
     """The pose of the arm `side` at rest; `name` is one of `RESTS`. Cached per skeleton."""
     rest = RESTS[name][0 if side is Hand.LEFT else 1]
     wrist_m, finger_base, palm = np.array([rest.wrist_m, rest.finger_base, rest.palm])
+    wrist_m = on_body_m(skeleton, wrist_m)
     arm = solve_arm(ArmBones.of(skeleton), wrist_m, finger_base, palm, rest.swivel_deg)
     rotations = arm_rotations(np.concatenate([arm, hand_shape(rest.hand, rest.fingers)]))
     rotations = rotations if side is Hand.LEFT else rotations * MIRROR

@@ -1,4 +1,4 @@
-"""The body's volume as capsules around its bones, for the mannequin and for collision tests.
+"""The body's volume as capsules around its bones, for collision tests.
 
 Conventions: a capsule contains all points within `radius_m` of the segment from `start_m` to `end_m`, in metres in the
 space of its joint. Sided parts are the left's; the right's are their mirror images. Sizes fit the skeleton's adult of
@@ -6,6 +6,9 @@ space of its joint. Sided parts are the left's; the right's are their mirror ima
 """
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from .proportions import Proportions
 
 Point = tuple[float, float, float]
 
@@ -19,6 +22,21 @@ class Capsule:
     start_m: Point
     end_m: Point
     radius_m: float
+
+    def proportioned(self, to: Proportions) -> "Capsule":
+        """The part in a body: its radius is the depth, its segment makes up the width."""
+        radius_m = self.radius_m * to.depth(self.joint)
+        if self.start_m[0] < 0 < self.end_m[0]:
+            half_m = max(0.0, (self.end_m[0] + self.radius_m) * to.width(self.joint) - radius_m)
+            ends = ((-half_m, *self._lengthened(self.start_m, to)[1:]), (half_m, *self._lengthened(self.end_m, to)[1:]))
+        else:
+            ends = (self._lengthened(self.start_m, to), self._lengthened(self.end_m, to))
+        return replace(self, start_m=ends[0], end_m=ends[1], radius_m=radius_m)
+
+    def _lengthened(self, point_m: Point, to: Proportions) -> Point:
+        x, y, z = point_m
+        scale = to.head if self.joint == "head" else to.scale
+        return scale * x, scale * y, scale * z
 
     def mirrored(self) -> "Capsule":
         """The corresponding part of the right side."""
@@ -50,3 +68,10 @@ LEFT: tuple[Capsule, ...] = (
 """The parts of the left side; the hand's capsule contains the fingers of a loose fist."""
 
 BUILD: tuple[Capsule, ...] = (*TRUNK, *LEFT, *(capsule.mirrored() for capsule in LEFT))
+"""The average body's; every body has the same parts in the same order."""
+
+
+@lru_cache(maxsize=64)
+def build_of(proportions: Proportions) -> tuple[Capsule, ...]:
+    """The parts of a body, in the order of `BUILD`."""
+    return tuple(capsule.proportioned(proportions) for capsule in BUILD)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...model import FloatArray
 from ..geometry.rotations import cross, rotate
-from .build import BUILD, TRUNK
+from .build import BUILD, TRUNK, build_of
 from .skeleton import SIDES, Skeleton, forward, forward_again
 
 LIMBS = frozenset({"forearm", "hand"})
@@ -34,13 +34,17 @@ PAIRS: tuple[tuple[int, int], ...] = _pairs()
 
 _USED = sorted({number for pair in PAIRS for number in pair})
 _LIMB_COLUMN, _OTHER_COLUMN = (np.array([_USED.index(pair[end]) for pair in PAIRS]) for end in (0, 1))
-RADII_M = np.array([BUILD[limb].radius_m + BUILD[other].radius_m for limb, other in PAIRS])
-"""The distance (P,) at which each pair touches."""
 
 _CROSSING = np.array([float(BUILD[other].part in LIMBS) for _limb, other in PAIRS])
 _CENTRAL_M = 0.01
 _BLOCK = 2_000
 """Frames compared at a time, to limit memory in long motions."""
+
+
+def radii_m(skeleton: Skeleton) -> FloatArray:
+    """The distance (P,) at which each pair touches."""
+    build = build_of(skeleton.proportions)
+    return np.array([build[limb].radius_m + build[other].radius_m for limb, other in PAIRS])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,11 +96,12 @@ def contacts(skeleton: Skeleton, body: PosedBody) -> Contacts:
     along, other = (ends - starts)[_LIMB_COLUMN], (ends - starts)[_OTHER_COLUMN]
     on_limb, on_other = _nearest(along, other, start - other_start)
     apart = start - other_start + on_limb[..., None] * along - on_other[..., None] * other
-    depth_m = RADII_M[:, None] - np.sqrt(_dot(apart, apart))
+    touching_m = radii_m(skeleton)[:, None]
+    depth_m = touching_m - np.sqrt(_dot(apart, apart))
     out, inside = np.zeros_like(apart), np.nonzero(depth_m > 0)
     if len(inside[0]):
         aside = _aside(along[inside], other[inside], (start - other_start - other / 2)[inside], _CROSSING[inside[0]])
-        distance_m = (RADII_M[:, None] - depth_m)[inside][:, None]
+        distance_m = (touching_m - depth_m)[inside][:, None]
         out[inside] = _of_length_1(apart[inside] + aside * _CENTRAL_M * np.exp(-distance_m / _CENTRAL_M))
     return Contacts(depth_m.T, out.swapaxes(0, 1), on_limb.T, on_other.T)
 
@@ -117,10 +122,11 @@ def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray
 
 def _lines(skeleton: Skeleton, body: PosedBody) -> tuple[FloatArray, FloatArray]:
     """Both ends (parts, T, 3) of the segments of the compared parts, in the world."""
-    joints = [skeleton.index[BUILD[number].joint] for number in _USED]
+    build = build_of(skeleton.proportions)
+    joints = [skeleton.index[build[number].joint] for number in _USED]
     at = np.moveaxis(body.positions_m, 1, 0)[joints]
     turned = np.moveaxis(body.orientations, 1, 0)[joints]
-    ends = [[getattr(BUILD[number], end) for number in _USED] for end in ("start_m", "end_m")]
+    ends = [[getattr(build[number], end) for number in _USED] for end in ("start_m", "end_m")]
     starts, stops = (at + rotate(turned, np.array(end)[:, None]) for end in ends)
     return starts, stops
 

@@ -7,12 +7,14 @@ forward. Parents come before their children.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import copysign
 from types import MappingProxyType
 
 import numpy as np
 
 from ...model import FloatArray
 from ..geometry.rotations import multiply, rotate
+from .proportions import AVERAGE, Proportions
 
 Offset = tuple[float, float, float]
 
@@ -64,25 +66,42 @@ def _joints() -> dict[str, tuple[str | None, Offset]]:
     return found
 
 
+def _proportioned(joint: str, offset_m: Offset, to: Proportions) -> Offset:
+    """The offset of a joint in a body: shoulders and hips are as far apart as its widths say."""
+    x, y, z = (to.scale * part for part in offset_m)
+    match joint.removeprefix("left").removeprefix("right"):
+        case "neck":
+            return x, y, z + to.stoop_m
+        case "Eye":
+            return to.head * offset_m[0], to.head * offset_m[1], to.head * offset_m[2]
+        case "UpperLeg":
+            return to.hips * offset_m[0], y, z
+        case "UpperArm":
+            root_m = copysign(_LEFT["Shoulder"][1][0], x)
+            return to.shoulders * (offset_m[0] + root_m) - to.scale * root_m, y, z
+    return x, y, z
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Skeleton:
     """Joint names, the index of each joint's parent (-1 for the hips), and each joint's offset from its parent (J, 3);
-    for the hips, their position in the world."""
+    for the hips, their position in the world. `proportions` are those of the flesh around it as well."""
 
     names: tuple[str, ...]
     parents: tuple[int, ...]
     offsets_m: FloatArray
     index: Mapping[str, int]
+    proportions: Proportions = AVERAGE
 
     @classmethod
-    def standing(cls) -> "Skeleton":
-        """The default body: an adult of 1.73 m."""
+    def standing(cls, proportions: Proportions = AVERAGE) -> "Skeleton":
+        """A body of these proportions; the average is an adult of 1.73 m."""
         joints = _joints()
         index = {name: number for number, name in enumerate(joints)}
         parents = tuple(-1 if parent is None else index[parent] for parent, _offset in joints.values())
-        offsets = np.array([offset for _parent, offset in joints.values()])
+        offsets = np.array([_proportioned(name, offset, proportions) for name, (_parent, offset) in joints.items()])
         offsets.setflags(write=False)
-        return cls(tuple(joints), parents, offsets, MappingProxyType(index))
+        return cls(tuple(joints), parents, offsets, MappingProxyType(index), proportions)
 
     def chain(self, *names: str) -> list[int]:
         """The indices of the joints with these names."""

@@ -23,7 +23,7 @@ from ..geometry.rotations import (
     rotate,
     shortest_rotation,
 )
-from ..mannequin.body import t_pose_m
+from ..mannequin.carrying import t_pose_m
 from .animations import Layer, NodeTrack, animations, joint_track
 from .avatar_reading import Avatar, read_avatar, turn_and_scale
 from .gltf import Accessors, Json, to_glb_bytes

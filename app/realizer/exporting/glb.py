@@ -9,19 +9,23 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from ...figures import PLAIN, Looks
 from ...model import Behavior
 from ..body.motion import Motion
 from ..body.skeleton import Skeleton
-from ..mannequin.body import t_pose_m
+from ..mannequin.carrying import t_pose_m
+from ..mannequin.colours import MATERIALS, Colour
 from ..mannequin.face import FACE_SHAPES
-from ..mannequin.mannequin import COLOURS, Mannequin, Part, joined
+from ..mannequin.mannequin import Mannequin, Part, joined
 from .animations import Layer, NodeTrack, animations, joint_track
 from .gltf import Accessors, Json, joint_nodes, to_glb_bytes
 
 
-def to_glb(motion: Motion, skeleton: Skeleton, *, sparse_for: Sequence[Behavior] | None = None) -> bytes:
+def to_glb(
+    motion: Motion, skeleton: Skeleton, looks: Looks = PLAIN.looks, *, sparse_for: Sequence[Behavior] | None = None
+) -> bytes:
     """The GLB file, baked, or with sparse keys and markers for these behaviours (`animations`)."""
-    mannequin = Mannequin.around(skeleton)
+    mannequin = Mannequin.around(skeleton, looks)
     accessors = Accessors()
     nodes = joint_nodes(skeleton)
     still = joined(tuple(part for part in mannequin.parts if not part.shapes))
@@ -34,7 +38,7 @@ def to_glb(motion: Motion, skeleton: Skeleton, *, sparse_for: Sequence[Behavior]
         "scenes": [{"name": "Understudy", "nodes": [0, face - 1, face]}],
         "nodes": nodes,
         "meshes": meshes,
-        "materials": [_material(name) for name in COLOURS],
+        "materials": [_material(name, colour) for name, colour in mannequin.colours.items()],
         "skins": [_skin(skeleton, accessors)],
         "animations": animations(_tracks(motion, skeleton, face), motion, accessors, sparse_for),
     }
@@ -60,7 +64,7 @@ def _primitive(part: Part, accessors: Accessors) -> Json:
     primitive: dict[str, Json] = {
         "attributes": attributes,
         "indices": accessors.indices(surface.triangles),
-        "material": list(COLOURS).index(part.material),
+        "material": MATERIALS.index(part.material),
     }
     if part.shapes:
         nothing = np.zeros_like(surface.positions_m)
@@ -70,11 +74,11 @@ def _primitive(part: Part, accessors: Accessors) -> Json:
     return primitive
 
 
-def _material(name: str) -> Json:
+def _material(name: str, colour: Colour) -> Json:
     return {
         "name": name,
         "pbrMetallicRoughness": {
-            "baseColorFactor": [*COLOURS[name], 1.0],
+            "baseColorFactor": [*colour, 1.0],
             "metallicFactor": 0.0,
             "roughnessFactor": 0.35 if name in _GLOSSY else 0.8,
         },

@@ -6,10 +6,12 @@ lasts until the last `hold` frame, or there is none.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
+from ...figures import Manner
 from ...model import Hand, Level
 from .gesture import ArmKey, Clip, ClipKey, Definition, Expressivity, Frame, FrameType, Markers
 from .gesture_space import sector_m
@@ -24,7 +26,7 @@ LEADING = Hand.RIGHT
 def clip(definition: Definition, level: Level, hand: Hand, category: str) -> Clip:
     """The gesture as made by `hand`. One-handed definitions are mirrored for the left or for both hands; of two-handed
     ones, a single hand plays the leading hand's part. Raises KeyError for a level that the definition does not suit."""
-    expressivity = definition.levels[level]
+    expressivity = _in_manner(definition.levels[level], definition.manner)
     scale_s = definition.duration_s / expressivity.tempo
     markers = relative_markers(definition.frames)
     in_seconds = Markers(*(scale_s * getattr(markers, name) for name in Markers.__slots__))
@@ -38,6 +40,13 @@ def clip(definition: Definition, level: Level, hand: Hand, category: str) -> Cli
         expressivity=expressivity,
         stroke_speed_m_s=_stroke_speed_m_s(definition.frames, markers, expressivity, scale_s),
         aimed=definition.aimed,
+        manner=definition.manner,
+    )
+
+
+def _in_manner(expressivity: Expressivity, manner: Manner) -> Expressivity:
+    return replace(
+        expressivity, amplitude=expressivity.amplitude * manner.space, tempo=expressivity.tempo * manner.pace
     )
 
 

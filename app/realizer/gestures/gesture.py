@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
+from ...figures import PLAIN_MANNER, Manner
 from ...model import Hand, Level
 
 
@@ -193,7 +194,7 @@ class Expressivity:
 class Definition:
     """A gesture as defined in a file. `categories` are the BML lexemes that it shows; `levels` its expressivity at each
     level of agitation that it suits; `hand` None is either hand alone; `aimed` hands point at the target by inverse
-    kinematics."""
+    kinematics. `manner` is that of the character whose gesture it is."""
 
     gesture_class: str
     name: str
@@ -205,6 +206,7 @@ class Definition:
     aimed: bool = False
     path: Path | None = None
     line: int = 1
+    manner: Manner = PLAIN_MANNER
 
 
 @dataclass(frozen=True, slots=True)
@@ -236,7 +238,8 @@ class ClipKey:
 class Clip:
     """A playable gesture: a definition at one level of agitation, made by one hand or both.
 
-    `stroke_speed_m_s` is the mean speed of the leading hand from `stroke_start` to `stroke_end` (paper §3.8, v).
+    `stroke_speed_m_s` is the mean speed of the leading hand from `stroke_start` to `stroke_end` (paper §3.8, v). Space
+    and pace of the `manner` are in `expressivity` and in the times already.
     """
 
     name: str
@@ -248,3 +251,4 @@ class Clip:
     expressivity: Expressivity
     stroke_speed_m_s: float
     aimed: bool = False
+    manner: Manner = PLAIN_MANNER

@@ -6,12 +6,13 @@ The folder holds `*.gesture` files, also in subfolders, and optionally `aliases.
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
 from types import MappingProxyType
 
 from ...errors import AuthoringError, InputError, Mistake
+from ...figures import Manner
 from ...model import Hand, Level
 from .aliases import ALIASES, read_aliases
 from .checking import duplicate_names
@@ -51,6 +52,14 @@ class Library:
                 found[category].append(one)
         by_category = {category: tuple(found[category]) for category in sorted(found)}
         return cls(listed, MappingProxyType(by_category), MappingProxyType(dict(aliases)))
+
+    def in_manner(self, manner: Manner) -> "Library":
+        """The gestures of a character: these, made in its manner.
+
+        The paper has two sets of 29 recordings, by a woman and by a man (§3.8). What differs between them is how much
+        space a gesture takes, how fast it is, and how elbow and wrist are held: here each character has its own.
+        """
+        return Library.of((replace(one, manner=manner) for one in self.definitions), self.aliases)
 
     @property
     def categories(self) -> tuple[str, ...]:

@@ -5,13 +5,15 @@ the mirror image. Clothes and skin are meshed separately, so that their borders 
 the body.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum, auto
 
 import numpy as np
 
+from ...figures import Legwear, Sex
 from ...model import FloatArray
 from ..body.skeleton import FINGERS, Offset, Skeleton
+from .carrying import t_pose_m
 from .surface import Capsule
 
 HERE: Offset = (0.0, 0.0, 0.0)
@@ -42,13 +44,15 @@ class Bone:
 
 @dataclass(frozen=True, slots=True)
 class Garment:
-    """A surface of one material: `middle` bones occur once, `left` bones are mirrored."""
+    """A surface of one material: `middle` bones occur once, `left` bones are mirrored. What `hangs` moves with the hips
+    above and with both shins below."""
 
     material: str
     blend_m: float
     grid_m: float
     middle: tuple[Bone, ...] = ()
     left: tuple[Bone, ...] = ()
+    hangs: bool = False
 
 
 JUMPER = Garment(
@@ -70,7 +74,7 @@ JUMPER = Garment(
 )
 
 TROUSERS = Garment(
-    "trousers",
+    "legwear",
     blend_m=0.012,
     grid_m=0.018,
     middle=(Bone("hips", "hips", 0.102, 0.100, (0, 0.01, 0.0), (0, -0.06, -0.008), (1.42, 0.8, 1.02)),),
@@ -78,6 +82,24 @@ TROUSERS = Garment(
         Bone("leftUpperLeg", "leftLowerLeg", 0.080, 0.054, (-0.006, -0.065, -0.004), (0, 0, 0.0)),
         Bone("leftLowerLeg", "leftFoot", 0.053, 0.046, (0, 0, 0), (0, 0.03, 0.004)),
     ),
+)
+
+SKIRT = Garment(
+    "legwear",
+    blend_m=0.012,
+    grid_m=0.018,
+    middle=(
+        Bone("hips", "hips", 0.100, 0.106, (0, 0.00, 0.0), (0, -0.12, -0.004), (1.42, 0.8, 1.02), Use.DRAWN),
+        Bone("hips", "hips", 0.098, 0.178, (0, -0.06, 0.0), (0, -0.80, -0.010), (1.34, 0.15, 1.0), Use.DRAWN),
+    ),
+    hangs=True,
+)
+
+STOCKINGS = Garment(
+    "skin",
+    blend_m=0.012,
+    grid_m=0.014,
+    left=(Bone("leftLowerLeg", "leftFoot", 0.045, 0.036, (0, -0.22, -0.016), (0, 0.02, 0.004)),),
 )
 
 SHOES = Garment(
@@ -141,7 +163,14 @@ NECK = Garment(
     ),
 )
 
-GARMENTS: tuple[Garment, ...] = (JUMPER, TROUSERS, SHOES, HANDS, NECK)
+_BUST = (Bone("upperChest", "upperChest", 0.052, 0.050, (0.052, -0.030, 0.068), (0.062, -0.036, 0.068)),)
+
+
+def garments_of(sex: Sex, legwear: Legwear) -> tuple[Garment, ...]:
+    """What is worn over what, and the skin that is seen."""
+    jumper = replace(JUMPER, left=(*JUMPER.left, *_BUST)) if sex is Sex.FEMALE else JUMPER
+    below = (SKIRT, STOCKINGS) if legwear is Legwear.SKIRT else (TROUSERS,)
+    return jumper, *below, SHOES, HANDS, NECK
 
 
 def drawn_capsules(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
@@ -161,14 +190,6 @@ def _capsules(garment: Garment, skeleton: Skeleton, *, besides: Use) -> tuple[Ca
     return (*middle, *left, *(_mirrored(capsule) for capsule in left))
 
 
-def t_pose_m(skeleton: Skeleton) -> FloatArray:
-    """The joints' positions in the T-pose (J, 3)."""
-    places = np.zeros_like(skeleton.offsets_m)
-    for joint, parent in enumerate(skeleton.parents):
-        places[joint] = skeleton.offsets_m[joint] + (places[parent] if parent >= 0 else 0.0)
-    return places
-
-
 def _capsule(bone: Bone, skeleton: Skeleton, places_m: FloatArray) -> Capsule:
     start = places_m[skeleton.index[bone.joint]] + np.array(bone.start_m)
     end = places_m[skeleton.index[bone.towards]] + np.array(bone.end_m)
@@ -177,7 +198,7 @@ def _capsule(bone: Bone, skeleton: Skeleton, places_m: FloatArray) -> Capsule:
 
 def _mirrored(capsule: Capsule) -> Capsule:
     return Capsule(
-        "right" + capsule.joint.removeprefix("left"),
+        capsule.joint.replace("left", "right"),
         (-capsule.start_m[0], *capsule.start_m[1:]),
         (-capsule.end_m[0], *capsule.end_m[1:]),
         capsule.start_radius_m,

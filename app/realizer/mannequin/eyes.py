@@ -89,7 +89,7 @@ def lids(eye_m: FloatArray, side: str) -> tuple[tuple[str, Surface, Tissue], ...
     return (
         ("skin", *_shell(eye_m, side, upper=True)),
         ("skin", *_shell(eye_m, side, upper=False)),
-        ("hair", *_lashes(eye_m, side)),
+        ("lashes", *_lashes(eye_m, side)),
     )
 
 

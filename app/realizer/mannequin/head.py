@@ -1,4 +1,4 @@
-"""The mannequin's head: a skull of capsules, skin in rings around the mouth, ears, hair.
+"""The mannequin's head: a skull of capsules, skin in rings around the mouth, ears.
 
 Conventions: metres in the space of the head joint. The skin's mesh is polar: rings around the mouth, from the back of
 the mouth through the closed lips over the face to the back of the head; columns count counter-clockwise from the left
@@ -48,10 +48,6 @@ SKULL: tuple[Capsule, ...] = (
 
 EARS: tuple[Capsule, ...] = _pair(
     Capsule("head", (0.079, 0.080, -0.010), (0.077, 0.058, -0.004), 0.016, 0.010, (0.40, 1.0, 1.0))
-)
-HAIR: tuple[Capsule, ...] = (
-    _rod((0, 0.118, -0.020), (0, 0.128, 0.000), 0.080, 0.077),
-    _rod((0, 0.056, -0.036), (0, 0.085, -0.022), 0.044, 0.066),
 )
 
 
@@ -111,11 +107,6 @@ def skin() -> tuple[tuple[str, Surface, Tissue], ...]:
 def ears() -> Surface:
     """Both ears."""
     return mesh(EARS, blend_m=0.004, grid_m=0.008)
-
-
-def hair() -> Surface:
-    """A cap of short hair, which ends where it meets the skin."""
-    return mesh(HAIR, blend_m=0.012, grid_m=0.010)
 
 
 def skin_from_front_m(places: FloatArray) -> FloatArray:

@@ -1,24 +1,28 @@
 """The mannequin: procedural skinned surfaces around a skeleton, and their deformation in a pose.
 
-Conventions: metres, in the T-pose of the skeleton (`understudy.realizer.body.skeleton`); colours are linear, in [0, 1].
+Conventions: metres, in the T-pose of the skeleton (`understudy.realizer.body.skeleton`). Surfaces are made around the
+average body and carried over to the one at hand.
 Each vertex is influenced by at most four joints, whose weights sum to 1.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from types import MappingProxyType
 
 import numpy as np
 
+from ...figures import PLAIN, Hair, Legwear, Looks
 from ...model import FloatArray
 from ..body.motion import SHAPES
 from ..body.skeleton import SIDES, Skeleton, forward
 from ..geometry.rotations import rotate
 from . import head as mannequin_head
-from .body import GARMENTS, drawn_capsules, skinning_capsules, t_pose_m
+from .body import drawn_capsules, garments_of, skinning_capsules
+from .carrying import carried, on_head, t_pose_m
+from .colours import Colour, colours_of
 from .eyes import ball, brow, lids
 from .face import displacements_m
+from .hair import HANGS_FROM_M, HANGS_TO_M, hair
 from .mouth import teeth, tongue
 from .surface import Capsule, IntArray, Surface, distances_m, mesh
 
@@ -27,22 +31,8 @@ INFLUENCES = 4
 SOFTNESS_M = 0.009
 """The distance from a joint over which skinning blends into the next one."""
 
-COLOURS: Mapping[str, tuple[float, float, float]] = MappingProxyType(
-    {
-        "skin": (0.56, 0.345, 0.245),
-        "jumper": (0.10, 0.20, 0.27),
-        "trousers": (0.055, 0.065, 0.085),
-        "shoes": (0.03, 0.03, 0.035),
-        "hair": (0.045, 0.03, 0.022),
-        "lips": (0.44, 0.19, 0.155),
-        "mouth": (0.10, 0.02, 0.02),
-        "teeth": (0.80, 0.77, 0.70),
-        "tongue": (0.45, 0.14, 0.13),
-        "eye_white": (0.82, 0.82, 0.80),
-        "iris": (0.10, 0.17, 0.20),
-        "pupil": (0.008, 0.008, 0.01),
-    }
-)
+FLESH_SOFTNESS_M = 0.03
+"""The same for the thickness of the flesh, which changes slowly."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,54 +49,87 @@ class Part:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Mannequin:
-    """The complete figure."""
+    """The complete figure, and the colours of its materials."""
 
     skeleton: Skeleton
     parts: tuple[Part, ...]
+    colours: Mapping[str, Colour]
 
     @classmethod
-    def around(cls, skeleton: Skeleton) -> "Mannequin":
-        """The default mannequin on this skeleton."""
-        return cls(skeleton, _parts(skeleton))
+    def around(cls, skeleton: Skeleton, looks: Looks = PLAIN.looks) -> "Mannequin":
+        """The mannequin on this skeleton, of its proportions."""
+        return cls(skeleton, _parts(skeleton, looks.hair, looks.legwear), colours_of(looks))
 
 
-@lru_cache(maxsize=2)
-def _parts(skeleton: Skeleton) -> tuple[Part, ...]:
-    """Cached per skeleton, since building takes a second; never mutated."""
-    bones = tuple(capsule for garment in GARMENTS for capsule in skinning_capsules(garment, skeleton))
+@lru_cache(maxsize=8)
+def _parts(skeleton: Skeleton, hair: Hair, legwear: Legwear) -> tuple[Part, ...]:
+    """Cached, since building takes a second; never mutated."""
+    garments = garments_of(skeleton.proportions.physique.sex, legwear)
+    average = Skeleton.standing()
+    bones = tuple(capsule for garment in garments for capsule in skinning_capsules(garment, average))
     parts = []
-    for garment in GARMENTS:
-        surface = mesh(drawn_capsules(garment, skeleton), blend_m=garment.blend_m, grid_m=garment.grid_m)
-        parts.append(Part(garment.material, surface, *_skinned(surface.positions_m, bones, skeleton)))
-    return (*parts, *_head_parts(skeleton))
+    for garment in garments:
+        surface = mesh(drawn_capsules(garment, average), blend_m=garment.blend_m, grid_m=garment.grid_m)
+        closeness = _hanging(surface, average) if garment.hangs else _closeness(surface, bones, average, SOFTNESS_M)
+        flesh = closeness if garment.hangs else _closeness(surface, bones, average, FLESH_SOFTNESS_M)
+        shares = flesh / flesh.sum(axis=1, keepdims=True)
+        parts.append(Part(garment.material, carried(surface, shares, skeleton), *_most(closeness)))
+    return (*parts, *_head_parts(skeleton, hair))
 
 
-def _head_parts(skeleton: Skeleton) -> tuple[Part, ...]:
+def _hanging(surface: Surface, skeleton: Skeleton) -> FloatArray:
+    """The joints' shares (V, J) in what hangs from the hips."""
+    shares = np.zeros((len(surface.positions_m), len(skeleton.names)))
+    low_m, high_m = (t_pose_m(skeleton)[skeleton.index[name], 1] for name in ("leftLowerLeg", "hips"))
+    from_hips = np.clip((surface.positions_m[:, 1] - low_m) / (high_m - low_m), 0.0, 1.0)
+    shares[:, skeleton.index["hips"]] = from_hips
+    shares[:, skeleton.chain("leftLowerLeg", "rightLowerLeg")] = (1 - from_hips[:, None]) / 2
+    return shares
+
+
+def _head_parts(skeleton: Skeleton, style: Hair) -> tuple[Part, ...]:
     """Everything attached to the head joint, and the eyeballs."""
+    average = Skeleton.standing()
     moving = list(mannequin_head.skin())
     moving += [("teeth", *teeth(upper=upper)) for upper in (True, False)]
     moving.append(("tongue", *tongue()))
-    fixed = [("skin", mannequin_head.ears(), "head"), ("hair", mannequin_head.hair(), "head")]
+    fixed = [("skin", mannequin_head.ears(), "head")]
     for side in SIDES:
-        eye_m = skeleton.offsets_m[skeleton.index[f"{side}Eye"]]
-        moving += [*lids(eye_m, side), ("hair", *brow(side))]
+        eye_m = average.offsets_m[average.index[f"{side}Eye"]]
+        moving += [*lids(eye_m, side), ("brows", *brow(side))]
         fixed += [(material, surface, f"{side}Eye") for material, surface in ball(eye_m)]
-    head_m = t_pose_m(skeleton)[skeleton.index["head"]]
-    rigid = [_rigid(material, surface, skeleton.index[joint], head_m) for material, surface, joint in fixed]
-    carried = [
-        replace(_rigid(material, surface, skeleton.index["head"], head_m), shapes=displacements_m(tissue))
+    rigid = [_on_head(material, surface, skeleton, joint) for material, surface, joint in fixed]
+    grown = hair(style)
+    hanging = () if grown is None else (_falling(_on_head("hair", grown, skeleton, "head"), grown, skeleton),)
+    carried_along = [
+        replace(_on_head(material, surface, skeleton, "head"), shapes=_scaled(displacements_m(tissue), skeleton))
         for material, surface, tissue in moving
     ]
-    return (*rigid, *carried)
+    return (*rigid, *hanging, *carried_along)
 
 
-def _rigid(material: str, surface: Surface, joint: int, origin_m: FloatArray) -> Part:
-    """A part attached to one joint, whose surface is given relative to `origin_m`."""
+def _scaled(shapes: Mapping[str, FloatArray], skeleton: Skeleton) -> dict[str, FloatArray]:
+    return {name: skeleton.proportions.head * moved for name, moved in shapes.items()}
+
+
+def _on_head(material: str, surface: Surface, skeleton: Skeleton, joint: str) -> Part:
+    """A part attached to one joint, whose surface is given in the space of the average head."""
     count = len(surface.positions_m)
     joints = np.zeros((count, INFLUENCES), dtype=np.int64)
-    joints[:, 0] = joint
+    joints[:, 0] = skeleton.index[joint]
     weights = np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
-    return Part(material, replace(surface, positions_m=surface.positions_m + origin_m), joints, weights)
+    head_m = t_pose_m(skeleton)[skeleton.index["head"]]
+    positions_m = head_m + on_head(surface.positions_m, skeleton.proportions)
+    return Part(material, replace(surface, positions_m=positions_m), joints, weights)
+
+
+def _falling(part: Part, grown: Surface, skeleton: Skeleton) -> Part:
+    """Hair that follows the chest below the chin."""
+    below = np.clip((HANGS_FROM_M - grown.positions_m[:, 1]) / (HANGS_FROM_M - HANGS_TO_M), 0.0, 1.0)
+    joints, weights = part.joints.copy(), part.weights.copy()
+    joints[:, 1] = skeleton.index["upperChest"]
+    weights[:, :2] = np.stack([1 - below, below], axis=1)
+    return replace(part, joints=joints, weights=weights)
 
 
 def joined(parts: tuple[Part, ...]) -> tuple[Part, ...]:
@@ -151,14 +174,19 @@ def _posed(part: Part, turns: FloatArray, moves: FloatArray, weight: Mapping[str
     return Surface(positions, normals / np.linalg.norm(normals, axis=-1, keepdims=True), part.surface.triangles)
 
 
-def _skinned(points_m: FloatArray, bones: tuple[Capsule, ...], skeleton: Skeleton) -> tuple[IntArray, FloatArray]:
-    """The joints (V, 4) that influence the points, and their weights: the nearer to a bone's surface, the more."""
-    distances = distances_m(bones, points_m)
-    closeness = np.zeros((len(points_m), len(skeleton.names)))
+def _closeness(surface: Surface, bones: tuple[Capsule, ...], skeleton: Skeleton, softness_m: float) -> FloatArray:
+    """How close each joint is to each vertex (V, J): 1 is the nearest, and the nearer to a bone's surface, the more."""
+    distances = distances_m(bones, surface.positions_m)
+    closeness = np.zeros((len(surface.positions_m), len(skeleton.names)))
     nearest = distances.min(axis=0)
     for bone, distance in zip(bones, distances, strict=True):
         joint = skeleton.index[bone.joint]
-        closeness[:, joint] = np.maximum(closeness[:, joint], np.exp((nearest - distance) / SOFTNESS_M))
+        closeness[:, joint] = np.maximum(closeness[:, joint], np.exp((nearest - distance) / softness_m))
+    return closeness
+
+
+def _most(closeness: FloatArray) -> tuple[IntArray, FloatArray]:
+    """The joints (V, 4) with the most influence, and their weights."""
     joints = np.argsort(-closeness, axis=1)[:, :INFLUENCES]
     weights = np.take_along_axis(closeness, joints, axis=1)
     weights[weights < 0.02] = 0.0

@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...figures import PLAIN, Looks
 from ...model import Channel, FloatArray, Schedule, Word
 from ..body.motion import SHAPES, Motion
-from ..body.skeleton import HIPS_HEIGHT_M, Skeleton, forward
+from ..body.skeleton import Skeleton, forward
 from ..geometry.rotations import rotate
-from ..mannequin.mannequin import COLOURS, Mannequin, posed
+from ..mannequin.mannequin import Mannequin, posed
 from .rasterizer import Camera, ColouredMesh, draw
 
 if TYPE_CHECKING:
@@ -48,7 +49,12 @@ class Still:
 
 
 def draw_sheet(
-    motion: Motion, skeleton: Skeleton, moments: Sequence[tuple[float, str]], *, faces: bool = True
+    motion: Motion,
+    skeleton: Skeleton,
+    moments: Sequence[tuple[float, str]],
+    *,
+    looks: Looks = PLAIN.looks,
+    faces: bool = True,
 ) -> bytes:
     """The poses at the given times (seconds, caption), as PNG."""
     body = motion.body
@@ -57,7 +63,7 @@ def draw_sheet(
         Still(f"{time_s:.2f} s  {caption}", body.rotations[frame], body.hips_m[frame], motion.shapes[frame])
         for frame, (time_s, caption) in zip(frames, moments, strict=True)
     ]
-    return draw_stills(stills, skeleton, faces=faces)
+    return draw_stills(stills, skeleton, looks=looks, faces=faces)
 
 
 def moments_of(motion: Motion, schedule: Schedule, *, at_most: int = AT_MOST) -> tuple[tuple[float, str], ...]:
@@ -90,32 +96,49 @@ def draw_stills(
     stills: Sequence[Still],
     skeleton: Skeleton,
     *,
+    looks: Looks = PLAIN.looks,
     faces: bool = True,
     columns: int = COLUMNS,
     charts: Sequence[Callable[[Axes], None]] = (),
 ) -> bytes:
     """The poses side by side, at most `columns` per row, and below them a row for each chart, as PNG."""
-    mannequin = Mannequin.around(skeleton)
+    mannequin = Mannequin.around(skeleton, looks)
+    cells = [cell(mannequin, still, faces=faces) for still in stills]
+    return draw_cells(cells, stills, columns=columns, charts=charts)
+
+
+def draw_cells(
+    cells: list[FloatArray],
+    stills: Sequence[Still],
+    *,
+    columns: int = COLUMNS,
+    charts: Sequence[Callable[[Axes], None]] = (),
+) -> bytes:
+    """Pictures of the stills beside each other with their captions, and below them the charts, as PNG."""
     columns = min(columns, len(stills))
-    cells = [_cell(mannequin, still, faces=faces) for still in stills]
     blank = np.broadcast_to(BACKGROUND, cells[0].shape)
-    cells += [blank] * (-len(cells) % columns)
+    cells = cells + [blank] * (-len(cells) % columns)
     rows = [np.concatenate(cells[k : k + columns], axis=1) for k in range(0, len(cells), columns)]
     return _lettered(np.concatenate(rows), stills, columns, charts)
 
 
-def _cell(mannequin: Mannequin, still: Still, *, faces: bool) -> FloatArray:
+def cell(
+    mannequin: Mannequin, still: Still, *, faces: bool, cameras: tuple[Camera, ...] = (FRONT, THREE_QUARTERS)
+) -> FloatArray:
     """The views of one pose above each other, and space for the caption."""
-    hips_m = np.array([0.0, HIPS_HEIGHT_M, 0.0]) if still.hips_m is None else still.hips_m
+    hips_m = mannequin.skeleton.offsets_m[0] if still.hips_m is None else still.hips_m
     shapes = np.zeros(len(SHAPES)) if still.shapes is None else still.shapes
     surfaces = posed(mannequin, still.rotations, hips_m, shapes)
     paints = tuple(
         ColouredMesh(
-            each.positions_m, each.normals, each.triangles, np.tile(COLOURS[part.material], (len(each.normals), 1))
+            each.positions_m,
+            each.normals,
+            each.triangles,
+            np.tile(mannequin.colours[part.material], (len(each.normals), 1)),
         )
         for part, each in zip(mannequin.parts, surfaces, strict=True)
     )
-    views = [(FRONT, BODY_HEIGHT), (THREE_QUARTERS, BODY_HEIGHT)]
+    views = [(camera, BODY_HEIGHT) for camera in cameras]
     if faces:
         views.append((_face_camera(mannequin.skeleton, still, hips_m), FACE_HEIGHT))
     pictures = [draw(paints, camera, height=height, width=CELL_WIDTH, ground=BACKGROUND) for camera, height in views]

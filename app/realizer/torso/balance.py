@@ -33,15 +33,24 @@ class Footing:
 Feet = tuple[Footing, Footing]
 """The left and the right foot."""
 
-STANDING: Feet = (Footing((0.115, 0.08, -0.012), 0.16), Footing((-0.110, 0.08, -0.038), -0.12))
-"""Slightly apart, toes out, the left foot a little in front."""
+_STANDING: Feet = (Footing((0.115, 0.08, -0.012), 0.16), Footing((-0.110, 0.08, -0.038), -0.12))
 
 
-def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, feet: Feet = STANDING) -> FloatArray:
+def standing(skeleton: Skeleton) -> Feet:
+    """Slightly apart, toes out, the left foot a little in front."""
+    scale, hips = skeleton.proportions.scale, skeleton.proportions.hips
+    left, right = (
+        Footing((hips * foot.ankle_m[0], scale * foot.ankle_m[1], scale * foot.ankle_m[2]), foot.yaw)
+        for foot in _STANDING
+    )
+    return left, right
+
+
+def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, feet: Feet | None = None) -> FloatArray:
     """The height (T,) of hips at the horizontal position `hips_m` (T, 3) with orientations `turned` (T, 4): as high as
-    the weight-bearing leg reaches."""
+    the weight-bearing leg reaches. The feet are those of `standing` unless given."""
     heights = []
-    for side, foot in zip(SIDES, feet, strict=True):
+    for side, foot in zip(SIDES, feet or standing(skeleton), strict=True):
         hip_m = rotate(turned, skeleton.offsets_m[skeleton.index[f"{side}UpperLeg"]])
         across = np.asarray(foot.ankle_m) - hips_m - hip_m
         reach_m = STRETCHED * sum(_lengths_m(skeleton, side))
@@ -50,13 +59,13 @@ def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, fe
     return np.asarray(-_SOFTNESS_M * np.logaddexp(-heights[0] / _SOFTNESS_M, -heights[1] / _SOFTNESS_M))
 
 
-def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet = STANDING) -> FloatArray:
+def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet | None = None) -> FloatArray:
     """The rotations (T, 6, 4) of `LEG_JOINTS` that keep the feet in place for any movement of the hips.
 
     Feet beyond the legs' reach leave their places; at heights up to `hips_height_m` this does not happen.
     """
     found = []
-    for side, foot in zip(SIDES, feet, strict=True):
+    for side, foot in zip(SIDES, feet or standing(skeleton), strict=True):
         hip_m = hips_m + rotate(turned, skeleton.offsets_m[skeleton.index[f"{side}UpperLeg"]])
         flat = from_axis_angle((0.0, 1.0, 0.0), np.array(foot.yaw))
         thigh, knee = _leg(skeleton, side, rotate(inverse(flat), np.asarray(foot.ankle_m) - hip_m))

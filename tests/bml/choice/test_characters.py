@@ -4,6 +4,7 @@ import pytest
 
 from understudy.bml.choice.characters import Characters
 from understudy.errors import AuthoringError, InputError
+from understudy.figures import PLAIN
 from understudy.model import Hand
 
 LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
@@ -98,3 +99,38 @@ def test_the_documented_example_loads(tmp_path: Path) -> None:
     page = (LEXICON.parent / "docs" / "characters.md").read_text(encoding="utf-8")
     example = page.split("```yaml\n")[1].split("```")[0]
     assert Characters.load(lexicon(tmp_path, example=example)).named("example").handedness is Hand.LEFT
+
+
+def test_no_two_characters_look_alike() -> None:
+    figures = [each.figure for each in Characters.load(LEXICON).by_name.values()]
+    for part in ("physique", "looks", "manner"):
+        assert len({getattr(figure, part) for figure in figures}) == 4, part
+
+
+def test_who_says_nothing_of_a_body_has_an_average_one(tmp_path: Path) -> None:
+    assert Characters.load(lexicon(tmp_path, plain=SHEET)).named("plain").figure == PLAIN
+
+
+@pytest.mark.parametrize(
+    ("line", "place", "message"),
+    [
+        ("body: {height_m: 1.44}", (4, 18), "greater than or equal to 1.45"),
+        ("body: {height_m: 2.06}", (4, 18), "less than or equal to 2.05"),
+        ("body: {height_m: nan}", (4, 18), ""),
+        ("body: {age_years: 12}", (4, 19), "greater than or equal to 16"),
+        ("body: {sex: man}", (4, 13), "'female', 'male' or 'neutral'"),
+        ("body: {girth: 1}", (4, 15), "unknown key"),
+        ('looks: {top_colour: "red"}', (4, 21), "match pattern"),
+        ("looks: {hair: mohawk}", (4, 15), "'bald', 'short', 'bob', 'long' or 'bun'"),
+        ("gestures: {space: 1.31}", (4, 19), "less than or equal to 1.3"),
+        ("gestures: {wrist_deg: -21}", (4, 23), "greater than or equal to -20"),
+    ],
+)
+def test_what_no_body_can_be_is_told_with_its_place(
+    tmp_path: Path, line: str, place: tuple[int, int], message: str
+) -> None:
+    with pytest.raises(AuthoringError) as caught:
+        Characters.load(lexicon(tmp_path, wrong=f"{SHEET}{line}\n"))
+    (mistake,) = caught.value.mistakes
+    assert (mistake.line, mistake.column) == place
+    assert message in mistake.message

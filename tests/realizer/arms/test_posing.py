@@ -5,6 +5,7 @@ from itertools import product
 import numpy as np
 import pytest
 
+from understudy.figures import Manner
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.arm_reach import ArmBones
 from understudy.realizer.arms.posing import WRIST_ROWS, arm_rotations, parts_of, pose_arm, pose_arms, wrist_of
@@ -29,6 +30,7 @@ from understudy.realizer.gestures.gesture import (
 from understudy.realizer.gestures.gesture_space import sector_m
 
 BODY = Skeleton.standing()
+EASY = rest_pose(BODY, Hand.LEFT, "open").as_partial()
 SECTORS = [Place(*sector) for sector in product(Sideways, Height, Depth)]
 LOW = (Height.LOWER_P, Height.LOWER_EP)
 FORWARD = Place(Sideways.C, Height.UPPER_C, Depth.FAR)
@@ -159,3 +161,18 @@ def test_a_pointing_hand_is_on_the_line_to_its_target(aim_m: tuple[float, float,
     assert np.dot(along, to_target) > np.cos(np.radians(8))
     shoulder_m = at[BODY.index["leftUpperArm"]]
     assert np.linalg.norm(wrist_m - shoulder_m) > 0.9 * ArmBones.of(BODY).length_m
+
+
+def test_a_manner_turns_elbows_out_and_bends_hands_back() -> None:
+    key = ArmKey(place=Place(Sideways.C, Height.CC, Depth.MIDDLE), wrist=Wrist())
+    close, plain, wide = (
+        placed(arm_rotations(pose_arm(BODY, Hand.LEFT, key, manner=manner).over(EASY).parts))[0]
+        for manner in (Manner(elbow_deg=-20), Manner(), Manner(elbow_deg=30))
+    )
+    elbow, wrist = BODY.chain("leftLowerArm", "leftHand")
+    assert close[elbow, 0] < plain[elbow, 0] - 0.02 < wide[elbow, 0] - 0.06
+    assert np.allclose(close[wrist], wide[wrist], atol=0.002), "the hand is where it was"
+    straight, bent = (pose_arm(BODY, Hand.LEFT, key, manner=Manner(wrist_deg=deg)).parts[4] for deg in (0, 15))
+    assert np.degrees(angle_between(straight, bent)) == pytest.approx(15.0)
+    limit = pose_arm(BODY, Hand.LEFT, ArmKey(place=key.place, wrist=STOP), manner=Manner(wrist_deg=20))
+    assert not violations(BODY, whole(arm_rotations(limit.over(EASY).parts))).any()

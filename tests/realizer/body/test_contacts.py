@@ -6,7 +6,7 @@ from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.posing import arm_rotations, pose_arm
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.build import BUILD
-from understudy.realizer.body.contacts import LIMBS, PAIRS, RADII_M, PosedBody, contacts, penetrations_m
+from understudy.realizer.body.contacts import LIMBS, PAIRS, PosedBody, contacts, penetrations_m, radii_m
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.geometry.rotations import IDENTITY
 from understudy.realizer.gestures.arm_joints import arm_joints
@@ -30,7 +30,7 @@ def test_pairs_are_limbs_against_the_body_and_the_other_arm() -> None:
     for limb, other in PAIRS:
         assert BUILD[limb].part in LIMBS
         assert BUILD[limb].joint[:4] != BUILD[other].joint[:4] or BUILD[other].part == "upper leg"
-    assert len(RADII_M) == len(PAIRS) == 4 * 8 + 4
+    assert len(radii_m(BODY)) == len(PAIRS) == 4 * 8 + 4
 
 
 def test_a_hand_before_the_belly_is_clear_and_one_moved_into_it_is_inside_by_as_much() -> None:

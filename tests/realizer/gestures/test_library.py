@@ -8,6 +8,7 @@ from tests.support.gesture_files import gesture
 from understudy.authoring.catalogue import load_gestures
 from understudy.bml.writing.smartbody import GESTURES as SMARTBODY
 from understudy.errors import AuthoringError, InputError
+from understudy.figures import Manner
 from understudy.model import Hand, Level
 from understudy.realizer.gestures.library import LAST_RESORT, Library
 
@@ -121,3 +122,14 @@ def test_every_alias_is_found_however_it_is_spelt() -> None:
     found = load_gestures()
     for lexeme, category in found.aliases.items():
         assert found.nearest(lexeme.lower().replace("_", "-")) == category
+
+
+def test_a_manner_makes_every_gesture_larger_and_faster_and_leaves_the_library_as_it_is(tmp_path: Path) -> None:
+    found = library(tmp_path, gesture("CATEGORY BEAT", name="one"))
+    (plain,) = found.clips("BEAT", Level.MEDIUM, Hand.LEFT)
+    (lively,) = found.in_manner(Manner(space=1.2, pace=1.25, elbow_deg=10)).clips("BEAT", Level.MEDIUM, Hand.LEFT)
+    assert lively.expressivity.amplitude == pytest.approx(1.2 * plain.expressivity.amplitude)
+    assert lively.markers.end == pytest.approx(plain.markers.end / 1.25)
+    assert lively.stroke_speed_m_s == pytest.approx(1.2 * 1.25 * plain.stroke_speed_m_s)
+    assert lively.manner.elbow_deg == 10
+    assert found.clips("BEAT", Level.MEDIUM, Hand.LEFT) == (plain,)

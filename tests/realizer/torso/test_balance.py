@@ -6,7 +6,7 @@ import pytest
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.angles import from_pitch_yaw_roll
 from understudy.realizer.geometry.rotations import IDENTITY, to_rotation_vector
-from understudy.realizer.torso.balance import LEG_JOINTS, STANDING, hips_height_m, legs
+from understudy.realizer.torso.balance import LEG_JOINTS, hips_height_m, legs, standing
 
 BODY = Skeleton.standing()
 COUNT = 200
@@ -21,7 +21,7 @@ def test_feet_stay_flat_and_in_place_under_hips_that_move_and_turn() -> None:
     hips_m[:, 1] = hips_height_m(BODY, hips_m, rotations[:, 0])
     rotations[:, BODY.chain(*LEG_JOINTS)] = legs(BODY, rotations[:, 0], hips_m)
     places_m, turned = forward(BODY, rotations, hips_m)
-    for side, foot in zip(("left", "right"), STANDING, strict=True):
+    for side, foot in zip(("left", "right"), standing(BODY), strict=True):
         sole = BODY.index[f"{side}Foot"]
         assert np.allclose(places_m[:, sole], foot.ankle_m, atol=1e-9)
         assert np.allclose(to_rotation_vector(turned[:, sole]), [0, foot.yaw, 0], atol=1e-9)

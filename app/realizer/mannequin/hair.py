@@ -1,0 +1,57 @@
+"""The mannequin's hair: a cap of capsules for each style, in metres in the space of the average head's joint."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from ...figures import Hair
+from .surface import Capsule, Surface, mesh
+
+BLEND_M, GRID_M = 0.012, 0.010
+
+HANGS_FROM_M, HANGS_TO_M = -0.02, -0.12
+"""Between these heights long hair passes from the head's movement to the chest's."""
+
+
+def _rod(start: tuple[float, float, float], end: tuple[float, float, float], first: float, last: float) -> Capsule:
+    return Capsule("head", start, end, first, last)
+
+
+def _both(start: tuple[float, float, float], end: tuple[float, float, float], radius_m: float) -> tuple[Capsule, ...]:
+    (x, y, z), (u, v, w) = start, end
+    return _rod(start, end, radius_m, radius_m), _rod((-x, y, z), (-u, v, w), radius_m, radius_m)
+
+
+_CAP = (
+    _rod((0, 0.118, -0.020), (0, 0.128, 0.000), 0.080, 0.077),
+    _rod((0, 0.056, -0.036), (0, 0.085, -0.022), 0.044, 0.066),
+)
+_FULL_CAP = (
+    _rod((0, 0.116, -0.022), (0, 0.130, 0.000), 0.086, 0.081),
+    _rod((0, 0.056, -0.036), (0, 0.085, -0.022), 0.050, 0.070),
+)
+STYLES: Mapping[Hair, tuple[Capsule, ...]] = MappingProxyType(
+    {
+        Hair.BALD: (),
+        Hair.SHORT: _CAP,
+        Hair.BOB: (
+            *_FULL_CAP,
+            *_both((0.064, 0.105, -0.014), (0.068, 0.010, -0.022), 0.026),
+            *_both((0.040, 0.080, -0.062), (0.044, 0.004, -0.055), 0.036),
+        ),
+        Hair.LONG: (
+            *_FULL_CAP,
+            *_both((0.066, 0.105, -0.016), (0.074, -0.060, -0.040), 0.026),
+            *_both((0.036, 0.080, -0.066), (0.048, -0.170, -0.100), 0.040),
+        ),
+        Hair.BUN: (
+            *_CAP,
+            _rod((0, 0.150, -0.104), (0, 0.158, -0.114), 0.034, 0.032),
+        ),
+    }
+)
+
+
+def hair(style: Hair) -> Surface | None:
+    """The hair's surface; None for the bald."""
+    capsules = STYLES[style]
+    return mesh(capsules, blend_m=BLEND_M, grid_m=GRID_M) if capsules else None
