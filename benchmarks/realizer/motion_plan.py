@@ -17,12 +17,12 @@ from itertools import islice
 from pathlib import Path
 
 from benchmarks.realizer.motion import LINES, of_lines, of_sentences
+from understudy.loading import load_realizer
 from understudy.model import Channel, Performance, Schedule
 from understudy.realization import schedule_of
 from understudy.realizer.gestures.gesture_plan import ArmGesture, GesturePlan
 from understudy.realizer.gestures.library import Library
 from understudy.realizer.scheduling.planning import plan_gestures
-from understudy.resources import resource_folder
 
 PEOPLE = {
     "preparation": (0.53, 0.30, 1.05),
@@ -124,7 +124,7 @@ def main() -> None:
     arguments.add_argument("--character", default="default")
     arguments.add_argument("--seed", type=int, default=0)
     options = arguments.parse_args()
-    library = Library.load(resource_folder("lexicon") / "gestures")
+    library = load_realizer().performer(options.character).library
     report(
         [planned(library, each, options.seed) for each in islice(of_sentences(options.character), options.sentences)]
     )

@@ -80,7 +80,8 @@ def test_what_is_scheduled_is_played(
     ]
     behaviors = schedule(offers, utterance(words, level), with_forms(lively, TABLE, level), seed=seed)
     kept = tuple(each for each in stilled(behaviors, stillness) if each.kept)
-    plan = plan_gestures(LIBRARY, Schedule(kept, 30.0, agitation=level), seed=seed)
+    own = LIBRARY.in_manner(lively.figure.manner)
+    plan = plan_gestures(own, Schedule(kept, 30.0, agitation=level), seed=seed)
     asked = {each.id: each.sync for each in kept if each.kind is Channel.GESTURE}
     assert plan.realized.keys() == asked.keys()
     assert not [each for each in plan.decisions if each.action in ("dropped", "late")]
