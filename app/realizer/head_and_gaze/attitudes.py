@@ -6,7 +6,7 @@ movement and returns to none. Between phrases and in silence it changes now and 
 
 Conventions: degrees in the constants, else radians; pitch, yaw and roll as in
 `understudy.realizer.geometry.angles`; seconds. The angles are ours, chosen by how far the heads of five storytellers
-move relative to their trunks (`benchmarks/realizer/head_life.py`).
+move relative to their trunks (`benchmarks/realizer/liveliness.py`).
 """
 
 from collections.abc import Iterator, Sequence
@@ -85,12 +85,12 @@ def _held(times_s: FloatArray, phrases: Sequence[Interval], generator: np.random
 
 
 def _changes_s(end_s: float, phrases: Sequence[Interval], generator: np.random.Generator) -> Iterator[float]:
-    """When attitudes change: as phrases begin, and in between."""
-    begins_s = [phrase.start_s - _BEFORE_PHRASE_S for phrase in phrases]
+    """When attitudes change: as phrases begin, as the last one ends, and in between."""
+    begins_s = [phrase.start_s - _BEFORE_PHRASE_S for phrase in phrases] + [each.end_s for each in phrases[-1:]]
     last_s = -_AT_LEAST_S
     while last_s < end_s:
         due_s = last_s + float(generator.uniform(_AT_LEAST_S, _AT_MOST_S))
-        last_s = next((at_s for at_s in begins_s if last_s + _AT_LEAST_S / 2 < at_s <= due_s), due_s)
+        last_s = next((at_s for at_s in begins_s if last_s + _MOVING_S[0] < at_s <= due_s), due_s)
         yield last_s
 
 

@@ -1,0 +1,60 @@
+"""One recording, heard once, performed and realized by everybody in every mood: what breaks?"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from tests.support.bml_checker import check
+from tests.support.motion_limits import broken_limits
+from understudy.analysis import Analysis, Options
+from understudy.model import Agitation, Level, Performance
+from understudy.performance import Understudy, perform_analysis, write_bml
+from understudy.realization import schedule_of
+from understudy.realizer.body.contacts import penetrations_m
+from understudy.realizer.realizing import realize
+from understudy.rules.derivation import understand
+
+DEEPEST_M = 0.01
+"""How far a hand or forearm may be inside the body."""
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """Who performs a line, how agitated, by which luck."""
+
+    character: str
+    level: Level
+    seed: int
+
+
+def variants(characters: Sequence[str], seeds: int) -> Iterator[Variant]:
+    """Everybody, in every mood, by so many seeds."""
+    return (Variant(*each) for each in product(characters, Level, range(seeds)))
+
+
+def broken_by(understudy: Understudy, analysis: Analysis, variant: Variant) -> list[str]:
+    """What is wrong with the performance or its motion, in words."""
+    performance = performed(understudy, analysis, variant)
+    schedule, realizer = schedule_of(performance), understudy.realizer
+    motion = realize(realizer, schedule, seed=variant.seed)
+    body = motion.body
+    deepest_m = float(np.max(penetrations_m(realizer.skeleton, body.rotations, body.hips_m)))
+    deep = [f"a hand or forearm {100 * deepest_m:.1f} cm inside the body"] if deepest_m > DEEPEST_M else []
+    return [*_broken_schedule(performance), *broken_limits(motion, realizer.skeleton), *deep]
+
+
+def performed(understudy: Understudy, analysis: Analysis, variant: Variant) -> Performance:
+    """The performance of a line that was heard, as `perform` has it with the variant's agitation."""
+    level = Agitation(**{name.value: float(name is variant.level) for name in Level})
+    utterance = replace(analysis.utterance, agitation=level)
+    known = understand(understudy.language.rules, utterance)
+    analysis = replace(analysis, utterance=utterance, functions=known.functions, facts=known.facts)
+    return perform_analysis(understudy, analysis, Options(character=variant.character, seed=variant.seed))
+
+
+def _broken_schedule(performance: Performance) -> Iterator[str]:
+    names = {behavior.id for behavior in performance.behaviors}
+    yield from (f"{each.id} lost to nobody" for each in performance.behaviors if each.lost_to not in {None, *names})
+    yield from check(write_bml(performance, Options().form))
