@@ -1,6 +1,5 @@
 """What a performance is asked for, and what comes of its analysis, before any movement is chosen: values alone."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from .acoustic.agitation.speaker import SpeakerReference
@@ -24,13 +23,6 @@ from .model import (
     Word,
 )
 from .rules.knowledge import Fact
-
-Progress = Callable[[str], None]
-"""Told the name of each stage as it begins."""
-
-
-def no_progress(_stage: str) -> None:
-    """The progress of a performance that nobody watches."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,9 +14,10 @@ from .acoustic.signal.decoding import AudioLimits, decode
 from .acoustic.stress.emphasis import Measure, with_emphasis
 from .acoustic.stress.prominence import prominence
 from .acoustic.stress.stress import stress
-from .analysis import AlignedLine, Line, Progress, SignalAnalysis, Timings, no_progress
+from .analysis import AlignedLine, Line, SignalAnalysis, Timings
 from .model import Audio, StressThresholds, Word
 from .on_demand import OnDemand
+from .progress import Progress, no_progress
 from .resources import resource_folder
 from .settings import Settings
 from .transcript import read_transcript

@@ -26,10 +26,8 @@ from .analysis import (
     Analysis,
     Line,
     Options,
-    Progress,
     SignalAnalysis,
     Timings,
-    no_progress,
 )
 from .bml.choice.characters import DEFAULT_CHARACTER, Character, Characters
 from .bml.choice.gesture_forms import with_forms
@@ -57,6 +55,7 @@ from .model import (
     Utterance,
 )
 from .on_demand import OnDemand
+from .progress import Progress, no_progress
 from .resources import resource_folder
 from .rules.derivation import understand
 from .rules.mapping import MappingRules, offer_movements

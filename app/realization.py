@@ -4,12 +4,14 @@ BML of the core says no words' times, no phones and no agitation: with the recor
 lips stay shut, and a Notice says so.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
-from .analysis import Progress, SignalAnalysis, no_progress
 from .bml.choice.characters import DEFAULT_CHARACTER
 from .bml.choice.delivery import emphases_s, phrases
 from .bml.choice.stillness import check_stillness, stilled
@@ -17,9 +19,9 @@ from .bml.choice.visemes import visemes
 from .bml.markup.speech import speech_of
 from .bml.reading.reader import read_bml
 from .bml.reading.resolving import Resolved, resolve
-from .hearing import AcousticModels, align_words, analyze_signal
 from .model import Behavior, FloatArray, Level, Notice, Performance, Schedule, Word
 from .motion_formats import FileOptions, Keys, MotionFormat, format_of
+from .progress import Progress, no_progress
 from .realizer.body.motion import Motion
 from .realizer.exporting.arkit_csv import to_arkit_csv
 from .realizer.exporting.avatar import to_avatar_glb
@@ -34,6 +36,10 @@ from .realizer.pictures.contact_sheet import draw_sheet, moments_of
 from .realizer.pictures.speed_plot import draw_speeds
 from .realizer.realizing import Realizer, realize
 from .transcript import read_transcript
+
+if TYPE_CHECKING:
+    from .analysis import SignalAnalysis
+    from .hearing import AcousticModels
 
 __all__ = [
     "AvatarOptions",
@@ -155,6 +161,8 @@ def _heard(
     """What the recording says, and the words of the speech where it has them."""
     if audio is None or acoustic is None:
         return None, (), ()
+    from .hearing import align_words, analyze_signal  # what hears takes long to import, and only recordings need it
+
     heard = analyze_signal(acoustic, audio, progress)
     if not text:
         message = "the BML says no words to look for in the recording; give its <speech> a <text>"

@@ -10,9 +10,7 @@ from ..analysis import Line
 from ..hearing import audio_limits
 from ..loading import load_characters
 from ..model import GivenFunction
-from ..realizer.body.skeleton import Skeleton
-from ..realizer.exporting.retargeting import find_rig, load_rigs
-from ..resources import RULES, resource_folder
+from ..resources import RULES
 from ..rules.given import given_facts
 from ..rules.priorities import Priorities
 from ..settings import Settings
@@ -33,12 +31,6 @@ def require_usable(line: Line, settings: Settings) -> None:
 def require_character(name: str) -> None:
     """Raises InputError `unknown_character`."""
     load_characters().named(name)
-
-
-def require_skeleton(name: str | None) -> None:
-    """Raises InputError `unknown_skeleton`."""
-    if name is not None:
-        find_rig(load_rigs(resource_folder("lexicon") / "retarget", Skeleton.standing()), name)
 
 
 def _require_functions(given: tuple[GivenFunction, ...], words: int) -> None:

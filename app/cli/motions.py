@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 from ..loading import load_realizer
 from ..motion_formats import PICTURES, FileOptions, Keys, format_of
 from ..realizer.body.motion import Decision, check_tail
-from .early import require_skeleton
+from ..realizer.body.skeleton import Skeleton
+from ..realizer.exporting.retargeting import find_rig, load_rigs
+from ..resources import resource_folder
 from .files import read_bytes, require_writable, write
 from .log import Log
 from .plot import require_plot
@@ -28,6 +30,12 @@ def require_motions(names: Sequence[str], *, field: str) -> None:
         if format_of(name) in PICTURES:
             require_plot(name)
         require_writable(name, field=field)
+
+
+def require_skeleton(name: str | None) -> None:
+    """Raises InputError `unknown_skeleton`."""
+    if name is not None:
+        find_rig(load_rigs(resource_folder("lexicon") / "retarget", Skeleton.standing()), name)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..analysis import Analysis, SignalAnalysis
 from ..errors import InputError, ServiceError
 from ..model import (
     EMPHASISED,
@@ -30,6 +29,8 @@ from ..model import (
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from ..analysis import Analysis, SignalAnalysis
 
 FORMAT = ".png"
 INCHES_PER_S = 1.7

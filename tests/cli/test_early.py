@@ -18,6 +18,8 @@ BML = '<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b"><head id="h
 WATCHED = ("spacy", "pocketsphinx", "librosa", "numba", "sklearn", "scipy.fft", "scipy.ndimage", "matplotlib", "lark")
 LARGE = {"spacy", "pocketsphinx", "librosa", "numba", "sklearn", "scipy.fft", "scipy.ndimage", "matplotlib"}
 REALIZER = "understudy.realizer.realizing"
+HEARING, PARSER, RULES = "understudy.hearing", "understudy.syntax", "understudy.rules"
+STAGES = (HEARING, PARSER, RULES)
 
 
 def loaded_by(*argv: str, cwd: Path) -> tuple[int, str, set[str]]:
@@ -25,7 +27,7 @@ def loaded_by(*argv: str, cwd: Path) -> tuple[int, str, set[str]]:
     code = (
         "import json, sys; from understudy.cli.main import main\n"
         "ended = main(['--json-log', *sys.argv[1:]])\n"
-        f"print('LOADED', json.dumps([ended, sorted({{*{(*WATCHED, REALIZER)!r}}} & {{*sys.modules}})]))"
+        f"print('LOADED', json.dumps([ended, sorted({{*{(*WATCHED, REALIZER, *STAGES)!r}}} & {{*sys.modules}})]))"
     )
     done = subprocess.run([sys.executable, "-c", code, *argv], cwd=cwd, capture_output=True, text=True, check=False)
     assert "LOADED" in done.stdout, done.stderr
@@ -90,7 +92,7 @@ def test_what_is_wrong_is_told_before_anything_large_is_loaded(argv: Sequence[st
         (("rules", "check"), set()),
         (("gestures", "list"), set()),
         (("characters", "list"), set()),
-        (("realize", "line.bml", "-o", "a.bvh"), {"scipy.ndimage", REALIZER}),
+        (("realize", "line.bml", "-o", "a.bvh"), {REALIZER}),
         (("pitch", AUDIO), {"scipy.fft"}),
         (("perform", *LINE), {"spacy", "pocketsphinx", "scipy.fft"}),
     ],
@@ -100,4 +102,11 @@ def test_a_command_loads_what_it_uses(argv: Sequence[str], used: set[str], folde
     loaded_by(*argv, cwd=folder)
     ended, told, loaded = loaded_by(*argv, cwd=folder)
     assert (ended, told) == (0, "")
-    assert loaded == used
+    assert loaded - {*STAGES} == used
+
+
+def test_to_play_bml_neither_parser_nor_rules_are_loaded_and_what_hears_only_for_a_recording(folder: Path) -> None:
+    assert {*STAGES} & loaded_by("realize", "line.bml", "-o", "a.bvh", cwd=folder)[2] == set()
+    with_audio = loaded_by("realize", "line.bml", "--audio", AUDIO, "-o", "a.bvh", cwd=folder)[2]
+    assert HEARING in with_audio
+    assert with_audio & {PARSER, "spacy"} == set()

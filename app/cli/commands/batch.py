@@ -21,8 +21,9 @@ from ...errors import InputError
 from ...model import Level, Mode
 from ...settings import Settings, read_settings
 from ..batch_progress import progress_for
-from ..early import require_character, require_skeleton
+from ..early import require_character
 from ..log import Log
+from ..motions import require_skeleton
 from ..plot import require_plot
 
 SOME_FAILED = 1

@@ -16,6 +16,7 @@ from ..log import Log
 from ..motions import MotionOptions, require_motions, write_motions
 
 if TYPE_CHECKING:
+    from ...hearing import AcousticModels
     from ...realization import PreparedSchedule
 
 
@@ -40,13 +41,12 @@ def _prepared(
     bml: bytes, audio: bytes | None, arguments: argparse.Namespace, settings: Settings, log: Log
 ) -> PreparedSchedule:
     """The schedule; what hears is loaded only where there is something to hear."""
-    from ...hearing import AcousticModels
     from ...realization import BmlInput, prepare_schedule
 
     sheet = BmlInput(bml, Path("standard input" if arguments.bml == STANDARD else arguments.bml), audio)
     level = arguments.agitation and Level(arguments.agitation)
     with ExitStack() as stack:
-        acoustic = None if audio is None else stack.enter_context(AcousticModels.load(settings))
+        acoustic = None if audio is None else stack.enter_context(_acoustic(settings))
         return prepare_schedule(
             acoustic,
             sheet,
@@ -55,3 +55,9 @@ def _prepared(
             stillness=arguments.stillness,
             progress=log.stage,
         )
+
+
+def _acoustic(settings: Settings) -> AcousticModels:
+    from ...hearing import AcousticModels  # takes long to import, and only a recording needs it
+
+    return AcousticModels.load(settings)

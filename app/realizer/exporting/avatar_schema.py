@@ -18,7 +18,7 @@ Index = Annotated[int, Strict(), Field(ge=0, lt=2**31)]
 
 
 class _Part(BaseModel):
-    model_config = ConfigDict(frozen=True)
+    model_config = ConfigDict(frozen=True, defer_build=True)
 
 
 class Node(_Part):

@@ -6,7 +6,6 @@ Only the breathing of the collarbones is kept from the idle arms.
 from dataclasses import replace
 
 import numpy as np
-import scipy
 
 from ...model import FloatArray, Hand
 from ..arms.arm_keys import arm_track
@@ -15,6 +14,7 @@ from ..arms.posing import wrist_of
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import inverse, multiply, normalized
+from ..geometry.smoothing import smoothed
 from ..gestures.arm_joints import arm_joints
 from ..gestures.gesture_plan import GesturePlan
 from ..torso.trunk import with_trunk_following
@@ -44,7 +44,7 @@ def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
     if len(times_s) < 2:
         return rotations
     width = _MUSCLE_S / float(times_s[1] - times_s[0])
-    return normalized(scipy.ndimage.gaussian_filter1d(rotations, width, axis=0, mode="nearest"))
+    return normalized(smoothed(rotations, width))
 
 
 def _breath(collarbone: FloatArray) -> FloatArray:

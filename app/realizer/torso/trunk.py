@@ -12,12 +12,12 @@ from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
-import scipy
 
 from ...model import FloatArray
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import from_rotation_vector, multiply
+from ..geometry.smoothing import smoothed
 from .balance import LEG_JOINTS, hips_height_m, legs
 
 SHARES: Mapping[str, float] = MappingProxyType({"spine": 0.4, "chest": 0.35, "upperChest": 0.25})
@@ -70,5 +70,5 @@ def _followed(times_s: FloatArray, course: FloatArray, width_s: float) -> FloatA
     """A curve (T, C), smoothed and shifted slightly ahead."""
     if len(times_s) < 2:
         return course
-    smooth = scipy.ndimage.gaussian_filter1d(course, width_s / float(times_s[1] - times_s[0]), axis=0, mode="nearest")
+    smooth = smoothed(course, width_s / float(times_s[1] - times_s[0]))
     return np.stack([np.interp(times_s + _AHEAD_S, times_s, column) for column in smooth.T], axis=-1)

@@ -1,0 +1,15 @@
+"""Smoothing is scipy's Gaussian filter, however many curves there are."""
+
+import numpy as np
+import pytest
+import scipy.ndimage
+
+from understudy.realizer.geometry.smoothing import smoothed
+
+
+@pytest.mark.parametrize("shape", [(200, 3), (200, 19, 4), (5, 1), (2, 19, 4)])
+@pytest.mark.parametrize("width", [0.9, 1.8, 13.2])
+def test_curves_are_smoothed_as_by_scipy(shape: tuple[int, ...], width: float) -> None:
+    curves = np.random.default_rng(0).normal(size=shape)
+    expected = scipy.ndimage.gaussian_filter1d(curves, width, axis=0, mode="nearest")
+    assert np.abs(smoothed(curves, width) - expected).max() < 1e-12
