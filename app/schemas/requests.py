@@ -232,7 +232,7 @@ def _checked(model: type[Checked], fields: dict[str, Any]) -> Checked:
     except ValidationError as error:
         found = error.errors()[0]
     where = [str(part)[:LONGEST_SHOWN] for part in found["loc"]]
-    raise InputError("value_wrong", f"{'.'.join(where)}: {_reason(found, model)}", field=where[0])
+    raise InputError("value_wrong", f"{'.'.join(where) or repr('')}: {_reason(found, model)}", field=where[0])
 
 
 def _reason(found: ErrorDetails, model: type[BaseModel]) -> str:

@@ -63,7 +63,7 @@ def line(**fields: str | bytes | tuple[str, bytes]) -> Body:
 
 def bml(inside: str) -> Body:
     """A BML block with its content."""
-    begin = '<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b1" character="c">'
+    begin = '<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="block" characterId="default">'
     return "application/xml", f"{begin}{inside}</bml>".encode()
 
 

@@ -108,7 +108,7 @@ def watching(service: Running) -> Iterator[Callable[[], Watched]]:
 def memory_mb(pid: int) -> float:
     """The memory of a process and all below it, shared pages counted once."""
     total = 0
-    for process in _family(pid):
+    for process in family(pid):
         try:
             total += process.memory_full_info().pss
         except (psutil.NoSuchProcess, psutil.AccessDenied):
@@ -116,7 +116,7 @@ def memory_mb(pid: int) -> float:
     return total / 1e6
 
 
-def _family(pid: int) -> list[psutil.Process]:
+def family(pid: int) -> list[psutil.Process]:
     try:
         whole = psutil.Process(pid)
         return [whole, *whole.children(recursive=True)]

@@ -11,6 +11,7 @@ import signal
 import socket
 import sys
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Never
 
 from ...authoring.catalogue import Catalogue, Kind
@@ -37,7 +38,8 @@ def main(control: socket.socket) -> None:
     except UnderstudyError as error:
         send(control, Failed(error))
         return
-    send(control, Loaded(_library(understudy)))
+    with suppress(BrokenPipeError):  # the service has ended meanwhile, as the next message that does not come tells
+        send(control, Loaded(_library(understudy)))
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # workers that end are nobody's to wait for
     while True:
         try:

@@ -25,7 +25,9 @@ def synchronized(stated: Sequence[StatedPoints], document: Document) -> list[Sta
 
 
 def _tie(refs: list[Reference], by_id: dict[str, StatedPoints]) -> None:
-    """Express the points of `refs` that have no time relative to one of them."""
+    """Express the points of `refs` that have no time relative to one of them; there may be none."""
+    if not refs:
+        return
     told = [ref for ref in refs if ref.behavior not in by_id or ref.point in by_id[ref.behavior].times]
     anchor = (told or refs)[0]
     for ref in refs:

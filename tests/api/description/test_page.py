@@ -2,6 +2,7 @@
 
 import re
 
+import pytest
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
 
@@ -37,9 +38,18 @@ def test_the_policy_lets_nothing_in_from_elsewhere() -> None:
 
 
 def test_what_it_loads_names_no_other_host_to_load_from() -> None:
-    style = (page.FOLDER / "swagger-ui.css").read_text(encoding="utf-8")
+    style = _client().get("/docs/swagger-ui.css").text
     assert [url for url in LOADED.findall(style) if not url.startswith("data:")] == []
     assert "validatorUrl: null" in (page.FOLDER / "page.js").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", ["swagger-ui.css", "swagger-ui-bundle.js"])
+def test_it_is_sent_as_it_is_taken(name: str) -> None:
+    plain, packed = (_client().get(f"/docs/{name}", headers={"Accept-Encoding": coding}) for coding in ("x", "gzip"))
+    assert "content-encoding" not in plain.headers
+    assert packed.headers["content-encoding"] == "gzip"
+    assert plain.content == packed.content
+    assert int(packed.headers["content-length"]) < len(plain.content) / 2
 
 
 def test_there_is_nothing_else_under_it() -> None:

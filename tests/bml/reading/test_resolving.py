@@ -105,6 +105,12 @@ def test_constraints_tie_points_together_and_wishes_are_checked() -> None:
     assert [notice.code for notice in found.notices] == ["bml_constraint_missed"]
 
 
+def test_a_constraint_may_tie_times_alone() -> None:
+    found = resolved("""<head id="h" lexeme="NOD" start="1"/>
+    <constraint><synchronize><sync ref="1.5"/></synchronize></constraint>""")
+    assert [each.id for each in found.behaviors] == ["h"]
+
+
 def test_what_is_not_played_is_said() -> None:
     inside = '<locomotion id="l" target="door"/><head id="h" lexeme="NOD" start="x:y:end"/>'
     with pytest.raises(WrongBmlError):

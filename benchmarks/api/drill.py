@@ -1,0 +1,91 @@
+"""The service under everything at once: broken inputs, a long soak, killed workers, attacks; a table of the bars.
+
+    python -m benchmarks.drill [--inputs 100000] [--soak 10000] [--kills 20] [--seed 0] [--clients 4] [--no-attacks]
+                               [--no-load] [--keep FOLDER]
+
+Starts services of its own on free ports of 127.0.0.1, with the settings that a service has by default. Every answer but
+a 5xx other than 503 and 504 is right, as long as it is a problem with a code or has content, and JSON where it says so;
+inputs that are answered otherwise are kept in FOLDER (default out/drill). `benchmarks.api.inputs` has the inputs,
+`benchmarks.api.attacks` the attacks of issue 15. Ends with 1 if a bar is missed.
+"""
+
+import argparse
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from .asking import Client, in_threads
+from .attacks import ATTACKS, hold_headers, hold_uploads
+from .bars import Bar, watched
+from .endurance import killed, soaked
+from .fuzzing import fuzzed
+from .lines import usual
+from .load import freed, loaded
+from .watching import HOST, Watched, serving, watching
+
+OUT = Path(__file__).resolve().parents[2] / "out" / "drill"
+
+
+def attacked(only: str) -> Iterator[Bar]:
+    """Each attack on one service, and the connections that never finish."""
+    worst_s, peak_mb, wrong = 0.0, 0.0, list[str]()
+    with serving() as service, Client(service.port) as client:
+        client.ask(usual()[1])
+        for attack in ATTACKS:
+            if only not in attack.name:
+                continue
+            with watching(service) as enough:
+                told = client.ask(attack)
+                seen = enough()
+            worst_s, peak_mb = max(worst_s, seen.worst_s), max(peak_mb, seen.peak_mb)
+            wrong += [f"{attack.name}: {told.status}"] if told.status >= 500 and told.status not in (503, 504) else []
+            print(f"  {attack.name:28s} {told.status} in {told.took_s:6.2f} s, /healthz {seen.worst_s * 1000:5.0f} ms")
+        if not only:
+            for hold in (hold_uploads, hold_headers):
+                with watching(service) as enough, hold(HOST, service.port):
+                    seen = enough()
+                worst_s, peak_mb = max(worst_s, seen.worst_s), max(peak_mb, seen.peak_mb)
+    yield from watched("attacks", Watched((worst_s,), peak_mb))
+    yield Bar("5xx to attacks, but 503 and 504", ", ".join(wrong) or "0", "0", not wrong)
+
+
+def drill(options: argparse.Namespace) -> list[Bar]:
+    """Every part that is asked for."""
+    bars: list[Bar] = []
+    with serving() as service:
+        with Client(service.port) as client:
+            list(in_threads(client.ask_until_taken, usual() * 2, 2))
+        if options.inputs:
+            keep, seed = options.keep, options.seed
+            bars += fuzzed(service, options.inputs, seed=seed, clients=options.clients, keep=keep)
+        if options.soak:
+            bars += soaked(service, options.soak, options.clients)
+        if options.kills:
+            bars += killed(service, options.kills, options.seed)
+        runs = service.process.poll() is None
+        bars.append(Bar("the service at the end", "runs" if runs else "ended", "runs", runs))
+    if not options.no_attacks:
+        bars += attacked(options.only)
+    if not options.no_load:
+        bars += [*freed(), *loaded(24)]
+    return bars
+
+
+def main(argv: list[str] | None = None) -> int:
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("--inputs", type=int, default=100_000, help="broken inputs")
+    arguments.add_argument("--soak", type=int, default=10_000, help="usual requests")
+    arguments.add_argument("--kills", type=int, default=20, help="workers that are killed")
+    arguments.add_argument("--seed", type=int, default=0)
+    arguments.add_argument("--clients", type=int, default=4, help="requests at the same time")
+    arguments.add_argument("--only", default="", help="attacks with this in their names")
+    arguments.add_argument("--no-attacks", action="store_true")
+    arguments.add_argument("--no-load", action="store_true", help="neither throughput nor freed places")
+    arguments.add_argument("--keep", type=Path, default=OUT, help="where inputs that were answered wrong are kept")
+    bars = drill(arguments.parse_args(argv))
+    print("\n| what | measured | floor | |\n|---|---|---|---|", *bars, sep="\n")
+    return 0 if all(bar.met for bar in bars) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

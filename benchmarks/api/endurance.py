@@ -1,0 +1,83 @@
+"""A service that works for long, and one whose workers are killed while they work."""
+
+import random
+import statistics
+import time
+from collections import Counter
+from collections.abc import Iterator
+from itertools import cycle, islice
+from threading import Event, Thread
+
+import psutil
+
+from .asking import Client, in_threads
+from .bars import Bar, watched
+from .lines import usual
+from .watching import Running, family, memory_mb, watching
+
+
+def soaked(service: Running, count: int, clients: int) -> Iterator[Bar]:
+    """So many usual requests, with memory and descriptors looked at fifty times."""
+    looks, statuses = list[tuple[float, int]](), Counter[int]()
+    part = max(1, count // 50)
+    asked = cycle(usual())
+    began_s = time.monotonic()
+    for _ in range(0, count, part):
+        with Client(service.port) as client:
+            statuses.update(told.status for told in in_threads(client.ask_until_taken, islice(asked, part), clients))
+            looks.append((memory_mb(service.process.pid), descriptors(service.process.pid)))
+    print(f"{count} requests of soak in {time.monotonic() - began_s:.0f} s: {dict(statuses)}")
+    fifth = max(1, len(looks) // 5)
+    for name, at in (("memory", 0), ("descriptors", 1)):
+        values = [look[at] for look in looks]
+        early, late = statistics.median(values[fifth : 2 * fifth]), statistics.median(values[-fifth:])
+        growth = late / early - 1
+        print(f"  {name}: {early:.0f} in the second fifth, {late:.0f} in the last, {max(values):.0f} at most")
+        yield Bar(f"{name} over {count} requests", f"{growth:+.1%}", "5 %", growth <= 0.05)
+    failed = sum(number for status, number in statuses.items() if status not in (200, 415))
+    yield Bar(f"failures in {count} requests of soak", str(failed), "0", failed == 0)
+
+
+def descriptors(pid: int) -> int:
+    """Files and sockets that the service's processes hold open together."""
+    total = 0
+    for process in family(pid):
+        try:
+            total += process.num_fds()
+        except (psutil.NoSuchProcess, psutil.AccessDenied):
+            continue
+    return total
+
+
+def killed(service: Running, count: int, seed: int) -> Iterator[Bar]:
+    """Workers killed one after another while lines are performed."""
+    rng, done, stop = random.Random(seed), Counter[int](), Event()
+    line = usual()[1]
+
+    def keep_asking() -> None:
+        while not stop.is_set():
+            done[client.ask_until_taken(line).status] += 1
+
+    askers = [Thread(target=keep_asking) for _ in range(3)]
+    with Client(service.port) as client, watching(service) as enough:
+        for asker in askers:
+            asker.start()
+        for _ in range(count):
+            time.sleep(rng.uniform(0.2, 1.0))
+            kill_one(service, rng)
+        time.sleep(1)
+        stop.set()
+        for asker in askers:
+            asker.join()
+        seen = enough()
+    print(f"{count} workers killed: {dict(done)}")
+    lost = sum(number for status, number in done.items() if status != 200)
+    yield Bar(f"requests lost in {count} kills, of {sum(done.values())}", str(lost), "0", lost == 0)
+    yield from watched("kills", seen)
+
+
+def kill_one(service: Running, rng: random.Random) -> None:
+    """Kills a worker, which is a child of the process that forks them."""
+    workers = [each for child in psutil.Process(service.process.pid).children() for each in child.children()]
+    if workers:
+        rng.choice(workers).kill()

@@ -1,0 +1,40 @@
+"""What docs/operations.md says of deploy/ and of settings is so: the files are well formed, every setting exists."""
+
+import re
+from pathlib import Path
+
+import pytest
+import yaml
+
+from understudy.settings import PREFIX, Settings
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = (ROOT / "docs" / "operations.md").read_text(encoding="utf-8")
+DEPLOYED = sorted((ROOT / "deploy").iterdir())
+
+
+@pytest.mark.parametrize(
+    "path", [ROOT / "docs" / "operations.md", ROOT / "Dockerfile", *DEPLOYED], ids=lambda path: path.name
+)
+def test_every_setting_it_names_exists(path: Path) -> None:
+    named = set(re.findall(rf"{PREFIX}([A-Z_]+[A-Z])", path.read_text(encoding="utf-8")))
+    assert {name.lower() for name in named} <= Settings.model_fields.keys()
+
+
+@pytest.mark.parametrize("path", [path for path in DEPLOYED if path.suffix == ".yaml"], ids=lambda path: path.name)
+def test_it_is_yaml(path: Path) -> None:
+    documents = list(yaml.safe_load_all(path.read_text(encoding="utf-8")))
+    assert all(isinstance(document, dict) for document in documents)
+
+
+def test_the_page_is_about_every_file_that_is_deployed() -> None:
+    assert "compose" in PAGE
+    assert [path.name for path in DEPLOYED] == ["compose.yaml", "kubernetes.yaml", "nginx.conf"]
+
+
+def test_nginx_allows_what_the_service_does() -> None:
+    nginx = (ROOT / "deploy" / "nginx.conf").read_text(encoding="utf-8")
+    megabytes = int(re.findall(r"client_max_body_size (\d+)m;", nginx)[0])
+    assert megabytes << 20 >= Settings.model_fields["max_body_bytes"].default
+    assert int(re.findall(r"proxy_read_timeout (\d+)s;", nginx)[0]) > Settings.model_fields["deadline_s"].default
+    assert int(re.findall(r"keepalive_timeout (\d+)s;", nginx)[0]) < Settings.model_fields["idle_s"].default
