@@ -16,7 +16,7 @@ from ..pronunciation.pronunciation import Pronouncer, Pronunciation
 from .boundaries import BoundaryModel
 from .decoder_process import Decoded, DecodedPhone, DecoderProcess
 from .decoder_signal import FRAMES_PER_S
-from .fit import check_fit
+from .fit import check_fit, check_found
 from .pieces import decode_in_pieces
 from .spreading import spread
 
@@ -88,6 +88,7 @@ class Aligner:
         spoken, notices = self._pronounced(words)
         decoded = self._decoded(audio.samples, spoken)
         if decoded is None:
+            check_found(audio)
             timed, fit_notices = spread(audio, _expected(spoken))
             fillers: tuple[Filler, ...] = ()
         else:
@@ -97,6 +98,10 @@ class Aligner:
             fillers = tuple(Filler(each.label, _interval(each, audio.duration_s)) for each in decoded.fillers)
         in_time = {word.index: word for word in timed}
         return Alignment(tuple(in_time.get(word.index, word) for word in words), notices + fit_notices, fillers)
+
+    def decode(self, audio: Audio, words: tuple[Word, ...]) -> Decoded | None:
+        """The phones of the words where the decoder has them, whether they fit or not; None if it finds no path."""
+        return self._decoded(audio.samples, self._pronounced(words)[0])
 
     def _decoded(self, samples: FloatArray, spoken: list[_Spoken]) -> Decoded | None:
         """The phones of the words; None if the decoder finds no path."""

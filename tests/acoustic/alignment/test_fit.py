@@ -5,14 +5,15 @@ import pytest
 
 from understudy.acoustic.alignment.decoder_process import DecodedPhone
 from understudy.acoustic.alignment.fit import (
-    MISMATCH_SCORE,
-    SUSPECT_SCORE,
-    alignment_score,
+    REFUSED,
+    SUSPECT,
     check_fit,
+    check_found,
     is_telephone,
     power_outside,
     signal_to_noise_db,
 )
+from understudy.acoustic.alignment.misfit import misfit
 from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, Audio, Interval, Phone, Word
 
@@ -35,28 +36,37 @@ def _scored(per_frame: float) -> list[list[DecodedPhone]]:
     return [[DecodedPhone("AH", 25, FRAMES, round(per_frame * FRAMES))]]
 
 
-def test_the_score_is_per_frame_of_speech() -> None:
-    decoded = [[DecodedPhone("AH", 0, 10, -100)], [DecodedPhone("T", 10, 30, -900)]]
-    assert alignment_score(decoded) == -25.0
+def _score_at(log_odds: float) -> float:
+    """The score per frame at which one phone of `FRAMES` says that."""
+    scores = np.arange(-200, 0, 0.5)
+    return float(max(score for score in scores if misfit(_scored(score)[0]) > log_odds))
 
 
 def test_a_fitting_text_passes() -> None:
     assert check_fit(_audio(), (_word(),), _scored(-12)) == ()
 
 
-def test_a_text_below_the_limit_is_refused_and_just_above_it_suspect() -> None:
+def test_a_text_beyond_the_limit_is_refused_and_just_before_it_suspect() -> None:
+    score = _score_at(REFUSED)
     with pytest.raises(InputError) as caught:
-        check_fit(_audio(), (_word(),), _scored(MISMATCH_SCORE - 1))
+        check_fit(_audio(), (_word(),), _scored(score))
     assert (caught.value.code, caught.value.field) == ("transcript_mismatch", "text")
-    (notice,) = check_fit(_audio(), (_word(),), _scored(MISMATCH_SCORE + 1))
+    (notice,) = check_fit(_audio(), (_word(),), _scored(score + 1))
     assert notice.code == "transcript_suspect"
     assert "worst at word 0 (ah)" in notice.message
 
 
-def test_noise_lowers_the_limits_and_refuses_nothing() -> None:
+def test_a_text_without_a_path_is_refused_but_in_noise() -> None:
+    with pytest.raises(InputError) as caught:
+        check_found(_audio())
+    assert caught.value.code == "transcript_mismatch"
+    check_found(_audio(noise=0.2))
+
+
+def test_noise_moves_the_limits_and_refuses_nothing() -> None:
     noisy = _audio(noise=0.2)
     assert signal_to_noise_db(noisy) < 12
-    assert check_fit(noisy, (_word(),), _scored(SUSPECT_SCORE - 4)) == ()
+    assert check_fit(noisy, (_word(),), _scored(_score_at(SUSPECT))) == ()
     (notice,) = check_fit(noisy, (_word(),), _scored(-150))
     assert "word 0 (ah)" in notice.message
 
@@ -77,8 +87,9 @@ def test_silence_has_no_sound_outside() -> None:
     assert power_outside(Audio(np.zeros(SAMPLE_RATE_HZ)), (_word(),)) == 0.0
 
 
-def test_a_narrow_band_lowers_the_limit_of_suspicion() -> None:
+def test_a_narrow_band_moves_the_limit_of_suspicion() -> None:
     wide, narrow = _audio(noise=1e-2), _audio(noise=1e-5)
     assert (is_telephone(wide), is_telephone(narrow)) == (False, True)
-    assert check_fit(narrow, (_word(),), _scored(SUSPECT_SCORE - 7)) == ()
-    assert check_fit(wide, (_word(),), _scored(SUSPECT_SCORE - 7)) != ()
+    doubtful = _scored(_score_at(SUSPECT))
+    assert check_fit(narrow, (_word(),), doubtful) == ()
+    assert check_fit(wide, (_word(),), doubtful) != ()

@@ -1,0 +1,54 @@
+"""How likely it is that a text is not what is said, judged by its aligned phones.
+
+The aligner finds a path for nearly any text, so how the phones fit must decide. A wrong text fits badly nearly
+everywhere, and its phones are squeezed and stretched; a right one in a bad recording fits badly here and there. The
+weights are those of a logistic regression on clean, acted, synthetic and noisy speech with right and wrong texts
+(`python -m training.alignment.misfit`). Scores are log likelihoods per frame of .01 s, relative to those of the sounds
+that fit best.
+"""
+
+from collections.abc import Sequence
+from math import log
+
+import numpy as np
+
+from .decoder_process import DecodedPhone
+
+FRAMES_PER_S = 100
+POOR_SCORE = -40.0
+"""A phone that fits worse fits poorly: one in eleven of a right text, two in three of a wrong one."""
+
+SHORTEST_FRAMES = 3
+"""A phone of the acoustic model has three states, each a frame at least."""
+
+EVIDENCE = (
+    "mean score of frames",
+    "score of the tenth of the phones that fits worst",
+    "score of the quarter of the phones that fits worst",
+    "share of phones that fit poorly",
+    "log of phones a second",
+    "share of phones as short as can be",
+    "spread of the log of durations",
+)
+WEIGHTS = (-0.1141, -0.0376, -0.0452, 6.688, -0.9222, 2.325, 10.6103)
+BIAS = -16.408
+
+
+def misfit(phones: Sequence[DecodedPhone]) -> float:
+    """The log-odds that the text with these phones, one at least, is another than what is said."""
+    return BIAS + float(np.dot(WEIGHTS, evidence(phones)))
+
+
+def evidence(phones: Sequence[DecodedPhone]) -> tuple[float, ...]:
+    """What `EVIDENCE` names, in its order."""
+    frames = np.array([phone.frames for phone in phones])
+    scores = np.array([phone.score / phone.frames for phone in phones])
+    return (
+        float((scores * frames).sum() / frames.sum()),
+        float(np.percentile(scores, 10)),
+        float(np.percentile(scores, 25)),
+        float((scores < POOR_SCORE).mean()),
+        log(len(phones) / frames.sum() * FRAMES_PER_S),
+        float((frames <= SHORTEST_FRAMES).mean()),
+        float(np.log(frames).std()),
+    )

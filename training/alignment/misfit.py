@@ -1,0 +1,87 @@
+"""Fits how likely it is that a text is not what is said, by its aligned phones (`app/acoustic/alignment/misfit.py`).
+
+    python -m training.alignment.misfit [--shared ../shared]
+
+A logistic regression on what `evidence` says of right texts and of others (`transcripts.py`); a right text counts as
+much as three wrong ones, for it must not be refused. Prints how each half of the material fares by the weights of the
+other half, then the weights of all, which are those in the code. Ten minutes on one core.
+"""
+
+import argparse
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+from sklearn.linear_model import LogisticRegression
+
+from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.fit import REFUSED, SUSPECT
+from understudy.acoustic.alignment.misfit import EVIDENCE, evidence
+from understudy.model import FloatArray
+from understudy.transcript import read_transcript
+
+from .transcripts import OTHERS, OWN, Recording, read_recordings, texts_for
+
+ROOT = Path(__file__).resolve().parents[2]
+PENALTY = 1.0
+RIGHT_COUNTS = 3.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Example:
+    """What the phones of a text say of it, `half` of the material it is in, and whether it is another text."""
+
+    seen: FloatArray
+    half: int
+    is_other: bool
+
+
+def examples_of(aligner: Aligner, recordings: list[Recording]) -> Iterable[Example]:
+    """Of each recording with its own text and with others, but for those for which there is no path."""
+    for number, recording in enumerate(recordings):
+        for kind, text in texts_for(recordings, number):
+            if kind in (OWN, *OTHERS):
+                decoded = aligner.decode(recording.audio, read_transcript(text, max_characters=10_000))
+                if decoded is not None:
+                    seen = np.array(evidence(list(chain.from_iterable(decoded.words))))
+                    yield Example(seen, recording.half, kind != OWN)
+
+
+def fitted(examples: list[Example]) -> FloatArray:
+    """The weights (E,) of the evidence, and after them the bias."""
+    seen, is_other = np.array([each.seen for each in examples]), [each.is_other for each in examples]
+    middle, spread = seen.mean(axis=0), seen.std(axis=0)
+    regression = LogisticRegression(C=PENALTY, class_weight={False: RIGHT_COUNTS, True: 1.0}, max_iter=1000)
+    regression.fit((seen - middle) / spread, is_other)
+    weights = regression.coef_[0] / spread
+    return np.append(weights, regression.intercept_[0] - weights @ middle)
+
+
+def print_halves(examples: list[Example]) -> None:
+    """How each half fares by the weights of the other."""
+    own: list[float] = []
+    others: list[float] = []
+    for half in (0, 1):
+        weights = fitted([each for each in examples if each.half != half])
+        for each in examples:
+            if each.half == half:
+                (others if each.is_other else own).append(float(weights[:-1] @ each.seen + weights[-1]))
+    right, wrong = np.array(own), np.array(others)
+    print(f"own text, {len(own)}: above {REFUSED} {(right > REFUSED).sum()}, above {SUSPECT} {(right > SUSPECT).sum()}")
+    print(f"another text, {len(others)}: not above {REFUSED} {(wrong <= REFUSED).sum()}")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--shared", type=Path, default=ROOT.parent / "shared")
+    with Aligner(ROOT / "models", ROOT / "lexicon" / "en", refined=False) as aligner:
+        examples = list(examples_of(aligner, read_recordings(parser.parse_args().shared)))
+    print_halves(examples)
+    for name, weight in zip((*EVIDENCE, "bias"), fitted(examples), strict=True):
+        print(f"{weight:10.4f}  {name}")
+
+
+if __name__ == "__main__":
+    main()
