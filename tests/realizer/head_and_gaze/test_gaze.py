@@ -1,5 +1,7 @@
 """The eyes get to the target first and stay on it; the head follows; both keep within what they can."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -125,3 +127,28 @@ def test_the_gaze_takes_the_place_of_what_the_head_did_before_and_leaves_the_bod
     assert np.allclose(apply_gaze(BODY, shaken, schedule()).rotations, apply_gaze(BODY, calm, schedule()).rotations)
     others = [joint for joint in range(len(BODY.names)) if joint not in BODY.chain("neck", "head", *EYES)]
     assert np.allclose(apply_gaze(BODY, calm, schedule()).rotations[:, others], calm.rotations[:, others], atol=1e-9)
+
+
+def test_a_line_that_opens_with_a_turn_begins_beside_the_listener_and_looks_at_him() -> None:
+    body = gazing(schedule(look("SHIFT", 0.0, 0.1)))
+    assert missed(body)[0] > np.radians(6)
+    assert missed(body)[(TIMES_S > 0.3)].max() < TWO_DEGREES
+    assert abs(head_yaw(body)[0] - head_yaw(body)[-1]) > 4
+    still = gazing(replace(schedule(look("SHIFT", 0.0, 0.1)), stillness=1.0))
+    assert missed(still).max() < TWO_DEGREES
+
+
+@pytest.mark.parametrize("first", [look("LOOK", 0.0, 0.1, 0.4, 0.5), look("SHIFT", 2.0, 2.1)], ids=["a look", "later"])
+def test_any_other_line_begins_with_the_listener(first: Behavior) -> None:
+    assert missed(gazing(schedule(first))).max() < TWO_DEGREES
+
+
+def test_neck_head_and_chest_have_their_shares_of_a_look() -> None:
+    body = gazing(schedule(look("LOOK", 1.0, 1.25, 5.0, 5.25, direction="LEFT", amount=0.6)))
+    there, before = (np.searchsorted(TIMES_S, at_s) for at_s in (3.0, 0.9))
+    yaws = {
+        name: float(np.degrees(to_pitch_yaw_roll(body.rotations[[before, there], BODY.index[name]])[1][1]))
+        for name in ("chest", "neck", "head")
+    }
+    assert 1 < yaws["chest"] < yaws["neck"] < yaws["head"]
+    assert head_yaw(body)[there] > 20

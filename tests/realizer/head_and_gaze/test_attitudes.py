@@ -1,0 +1,58 @@
+"""What heads do by themselves: never still, otherwise with every phrase, forward on stress, and nothing at a stillness
+of 1."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.support.movements import TIMES_S, schedule
+from understudy.model import FloatArray, Interval, Schedule
+from understudy.realizer.head_and_gaze.attitudes import FORWARD_DEGREES, HeadAttitude, head_attitude
+
+PLAIN = schedule()
+FORWARD = np.radians(FORWARD_DEGREES)
+
+
+def angles(attitude: HeadAttitude) -> FloatArray:
+    """All angles (T, 10)."""
+    return np.column_stack([attitude.trunk, attitude.neck, attitude.head, attitude.forward])
+
+
+def test_the_same_seed_moves_alike_and_another_otherwise() -> None:
+    one, same, other = (angles(head_attitude(TIMES_S, PLAIN, seed=seed)) for seed in (1, 1, 2))
+    assert np.array_equal(one, same)
+    assert not np.allclose(one, other, atol=0.01)
+
+
+def test_at_a_stillness_of_one_nothing_moves() -> None:
+    still = angles(head_attitude(TIMES_S, Schedule((), 6.0, emphases_s=(2.0,), stillness=1.0), seed=1))
+    assert np.array_equal(still[:, :-1], np.zeros_like(still[:, :-1]))
+    assert still[:, -1] == pytest.approx(FORWARD)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_attitude_changes_as_a_phrase_begins_and_nothing_jumps(seed: int) -> None:
+    begins_s = 0.6
+    phrased = replace(PLAIN, phrases=(Interval(begins_s, 5.0),))
+    course = head_attitude(TIMES_S, phrased, seed=seed).trunk
+    moving = np.linalg.norm(np.diff(course, axis=0), axis=1) > 1e-9
+    assert moving[np.searchsorted(TIMES_S, begins_s + 0.1)]
+    assert np.degrees(np.abs(np.diff(angles(head_attitude(TIMES_S, phrased, seed=seed)), axis=0))).max() * 60 < 60
+
+
+def test_stress_thrusts_the_head_forward_and_down_and_it_comes_back() -> None:
+    plain, stressed = (
+        angles(head_attitude(TIMES_S, each, seed=1)) for each in (PLAIN, replace(PLAIN, emphases_s=(2.0,)))
+    )
+    thrust = np.degrees(stressed - plain)
+    assert 3 < thrust[:, -1].max() < 7
+    assert abs(TIMES_S[np.argmax(thrust[:, -1])] - 2.0) <= 1 / 60
+    assert np.abs(thrust[(TIMES_S < 1.8) | (TIMES_S > 2.4)]).max() < 1e-6
+
+
+def test_a_head_is_somewhere_else_every_few_seconds() -> None:
+    course = head_attitude(np.arange(0, 60, 1 / 30), Schedule((), 60.0), seed=3)
+    yaw = np.degrees(course.neck + course.head)[:, 1]
+    assert 1.5 < yaw.std() < 5
+    assert np.abs(np.degrees(course.trunk)).max() < 4
