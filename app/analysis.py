@@ -19,10 +19,12 @@ from .model import (
     Level,
     Mode,
     Notice,
+    Target,
     Utterance,
     Word,
 )
 from .rules.knowledge import Fact
+from .targets import check_targets
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,10 +51,10 @@ class Line:
 class Options:
     """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
     it usually sounds. `lead_in_s` is how long before the recording the performance begins,
-    `stillness` (0 to 1) how much less than usual moves. `played_by` has our characters by the names of listeners that
-    are none of ours.
+    `stillness` (0 to 1) how much less than usual moves, `targets` are where things and listeners are. `played_by` has
+    our characters by the names of listeners that are none of ours.
 
-    Raises InputError `value_wrong`.
+    Raises InputError `value_wrong` and `target_wrong`.
     """
 
     character: str = DEFAULT_CHARACTER
@@ -65,12 +67,14 @@ class Options:
     lead_in_s: float = 0.0
     stillness: float = 0.0
     played_by: tuple[tuple[str, str], ...] = ()
+    targets: tuple[Target, ...] = ()
 
     def __post_init__(self) -> None:
         if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:
             message = f"lead_in_s: {self.lead_in_s:g}; give 0 to {LONGEST_LEAD_IN_S:g} seconds"
             raise InputError("value_wrong", message, field="lead_in_s")
         check_stillness(self.stillness)
+        check_targets(self.targets)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,7 +7,7 @@ OSError. docs/python.md has examples.
 """
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import Any, Literal, TypedDict, Unpack
@@ -56,6 +56,7 @@ from .realization import write_motion as _write_motion
 from .schemas.requests import RealizeOptions, check_options, check_realize_options, read_timings
 from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse, ResponseModel
 from .settings import Settings, read_settings
+from .targets import targets_of
 
 FileSource = bytes | str | os.PathLike[str]
 """A file: its content, or its name."""
@@ -69,7 +70,8 @@ class PerformKeywords(TypedDict, total=False):
     `character` names the performer (lexicon/characters), `agitation` overrides what the voice says, `seed` chooses
     among movements that serve equally, `mode` says where gestures come from, `listener` has the names of those who
     listen, and `reference` is how the speaker usually sounds (`make_reference`). The performance begins `lead_in_s` (0
-    to 3) before the recording; `stillness` (0 to 1) is how much less than usual moves.
+    to 3) before the recording; `stillness` (0 to 1) is how much less than usual moves. `targets` are where things and
+    listeners are, [x, y, z] in metres by name: Y up, the character at the origin facing +Z, its left +X.
     """
 
     character: str
@@ -80,18 +82,21 @@ class PerformKeywords(TypedDict, total=False):
     reference: SpeakerReference | None
     lead_in_s: float
     stillness: float
+    targets: Mapping[str, Sequence[float]]
 
 
 class RealizeKeywords(TypedDict, total=False):
     """How BML is to be played: `agitation` overrides what the voice says, `character` who is named in the file;
     `fps` is 30 or 60, `seed` varies what the body does by itself, `stillness` (0 to 1) is how much less of it all,
-    `tail_s` (0 to 10) is how long the motion goes on after the recording."""
+    `targets` are where things are (as for performances), `tail_s` (0 to 10) is how long the motion goes on after the
+    recording."""
 
     agitation: LevelName | None
     character: str | None
     fps: Literal[30, 60]
     seed: int
     stillness: float
+    targets: Mapping[str, Sequence[float]]
     tail_s: float
 
 
@@ -204,6 +209,7 @@ def realize_bml(
         agitation=checked.agitation,
         character=checked.character,
         stillness=checked.stillness,
+        targets=targets_of(checked.targets),
     )
     return _played(models, prepared, checked)
 

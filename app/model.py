@@ -354,7 +354,7 @@ class Movement:
     """A behaviour class, `name` in its table, that could show a function (paper §3.4), clock and neighbours aside.
 
     Its stroke falls on word `stroke`; where that is None, on the word of its span that the table says. `moment` is the
-    id of the moment it makes visible.
+    id of the moment it makes visible, `target` what it is at if not what the table says.
     """
 
     name: str
@@ -365,6 +365,7 @@ class Movement:
     function: str | None
     stroke: int | None = None
     moment: str | None = None
+    target: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -454,6 +455,15 @@ class Behavior:
 
 
 @dataclass(frozen=True, slots=True)
+class Target:
+    """A named point of the scene, [x, y, z] in metres: the performer stands at the origin and faces +Z, Y is up, its
+    left is +X."""
+
+    name: str
+    position_m: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
 class Viseme:
     """A shape of the mouth, one of fifteen (shared/motion.md). `articulation` says how much of the shape is reached,
     `opening` how wide the jaw is open, both in [0, 1]."""
@@ -486,6 +496,7 @@ class Performance:
     listeners: tuple[Listening, ...] = ()
     moments: tuple[Moment, ...] = ()
     stillness: float = 0.0
+    targets: tuple[Target, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -495,7 +506,7 @@ class Schedule:
 
     `phrases` are stretches of speech between pauses, `emphases_s` the moments of stress in it, `agitation` the level at
     which clips are chosen, `character` who moves. The recording starts at `lead_in_s`. `stillness` (0 to 1) is how much
-    less than usual the body does by itself: at 1 it only breathes.
+    less than usual the body does by itself: at 1 it only breathes. `targets` are where it looks and points.
     """
 
     behaviors: tuple[Behavior, ...]
@@ -508,3 +519,4 @@ class Schedule:
     character: str = "default"
     lead_in_s: float = 0.0
     stillness: float = 0.0
+    targets: tuple[Target, ...] = ()

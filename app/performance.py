@@ -21,6 +21,7 @@ from .acting.candidates import Stage, candidates_of
 from .acting.families import Families
 from .acting.notes import check_direction, conflicts, directed, unplayed_notes
 from .acting.planning import Planner, plan
+from .acting.targets import mentions, pointing_candidates, without_overlapped
 from .analysis import (
     AlignedLine,
     Analysis,
@@ -29,6 +30,7 @@ from .analysis import (
     SignalAnalysis,
     Timings,
 )
+from .bml.choice.addressees import addressed, placed_listeners
 from .bml.choice.characters import DEFAULT_CHARACTER, Character, Characters
 from .bml.choice.gesture_forms import with_forms
 from .bml.choice.head_rates import HeadRates
@@ -221,11 +223,24 @@ def perform_analysis(
     character = with_forms(behavior.characters.named(options.character), behavior.gestures, level)
     progress("plan")
     moments = plan_moments(behavior, analysis, character, direction)
+    targets = placed_listeners(options.listeners, options.targets)
     utterance = with_lead_in(analysis.utterance, options.lead_in_s)
     progress("mapping")
     candidates = _candidates(behavior, replace(analysis, utterance=utterance), moments, character, seed=options.seed)
+    named = mentions(utterance, options.targets)
+    pointing = tuple(pointing_candidates(named, analysis.functions))
+    candidates = (*without_overlapped(candidates, named), *pointing)
+    moments += tuple(each.moment for each in pointing if each.moment)
     progress("schedule")
-    behaviors = schedule(candidates, utterance, character, seed=options.seed, mode=options.mode)
+    behaviors = schedule(
+        candidates,
+        utterance,
+        character,
+        seed=options.seed,
+        mode=options.mode,
+        several_listeners=len(options.listeners) > 1,
+    )
+    behaviors = addressed(behaviors, options.listeners, targets)
     lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
     performance = Performance(
         utterance=utterance,
@@ -236,6 +251,7 @@ def perform_analysis(
         notices=analysis.notices + lip_notices + unplayed_notes(moments, behaviors),
         visemes=lips,
         moments=moments,
+        targets=targets,
     )
     performance = reduce(partial(_heard_by, behavior, dict(options.played_by)), options.listeners, performance)
     return with_stillness(performance, options.stillness)

@@ -17,9 +17,10 @@ from .bml.choice.delivery import emphases_s, phrases
 from .bml.choice.stillness import check_stillness, stilled
 from .bml.choice.visemes import visemes
 from .bml.markup.speech import speech_of
+from .bml.reading.pawns import scene_of
 from .bml.reading.reader import read_bml
 from .bml.reading.resolving import Resolved, resolve
-from .model import Behavior, FloatArray, Level, Notice, Performance, Schedule, Word
+from .model import Behavior, FloatArray, Level, Notice, Performance, Schedule, Target, Word
 from .motion_formats import FileOptions, Keys, MotionFormat, format_of
 from .progress import Progress, no_progress
 from .realizer.body.motion import Motion
@@ -35,6 +36,7 @@ from .realizer.face.lips import viseme_weights
 from .realizer.pictures.contact_sheet import draw_sheet, moments_of
 from .realizer.pictures.speed_plot import draw_speeds
 from .realizer.realizing import Realizer, realize
+from .targets import check_targets
 from .transcript import read_transcript
 
 if TYPE_CHECKING:
@@ -116,6 +118,7 @@ def schedule_of(performance: Performance) -> Schedule:
         character=performance.character,
         lead_in_s=utterance.lead_in_s,
         stillness=performance.stillness,
+        targets=performance.targets,
     )
 
 
@@ -126,15 +129,18 @@ def prepare_schedule(
     agitation: Level | None = None,
     character: str | None = None,
     stillness: float = 0.0,
+    targets: tuple[Target, ...] = (),
     progress: Progress = no_progress,
 ) -> PreparedSchedule:
     """What a BML file has the body do, in the time of its recording.
 
     `agitation` overrides what the voice says, and `character` who is named in the file; `stillness` (0 to 1) is how
-    much less than it says moves; `acoustic` may be None where there is no recording to hear. Raises WrongBmlError,
-    TooLargeError, and InputError for audio, words or a stillness that cannot be used.
+    much less than it says moves; `targets` are where things are, beside and before the file's own; `acoustic` may be
+    None where there is no recording to hear. Raises WrongBmlError, TooLargeError, and InputError for audio, words,
+    targets or a stillness that cannot be used.
     """
     check_stillness(stillness)
+    check_targets(targets)
     document, notices = read_bml(sheet.bml, sheet.name)
     speech = speech_of(document)
     heard, words, word_notices = _heard(acoustic, sheet.audio, speech.text if speech else "", progress)
@@ -147,6 +153,7 @@ def prepare_schedule(
         behaviors=stilled(schedule.behaviors, stillness),
         character=character or resolved.character or DEFAULT_CHARACTER,
         stillness=stillness,
+        targets=scene_of(resolved.behaviors, targets, resolved.targets),
     )
     unheard_lips = _lips_unheard() if speech and not heard and not schedule.visemes else ()
     heard_notices = heard.notices if heard else ()

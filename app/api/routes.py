@@ -18,9 +18,9 @@ router = APIRouter()
 async def post_perform(request: Request, shared: Shared) -> Response:
     """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation,
     seed, mode, listener (a list of names; then only JSON is answered), dialect, timing, lead_in_s (0 to 3), stillness
-    (0 to 1), reference (what `understudy reference` writes). The file `reference` is the same as a .json, or another
-    recording of the speaker; `functions` are functions known already, `direction` is a director's notes
-    (docs/directing.md).
+    (0 to 1), targets (names, each with [x, y, z] in metres), reference (what `understudy reference` writes). The file
+    `reference` is the same as a .json, or another recording of the speaker; `functions` are functions known already,
+    `direction` is a director's notes (docs/directing.md).
     """
     chosen(request.headers.get("accept"), (XML, JSON), "a performance")
     return await worked(request, shared, Task.PERFORM)
@@ -29,8 +29,8 @@ async def post_perform(request: Request, shared: Shared) -> Response:
 @router.post("/realize")
 async def post_realize(request: Request, shared: Shared) -> Response:
     """BML in, motion out: the BML alone as the body, or a form with `bml`, the `audio` of its speech, an `avatar`
-    (GLB or VRM) and `options` (JSON: agitation, character, fps, seed, skeleton, stillness). Answers a clip as JSON, GLB
-    or BVH.
+    (GLB or VRM) and `options` (JSON: agitation, character, fps, seed, skeleton, stillness, targets).
+    Answers a clip as JSON, GLB or BVH.
     """
     chosen(request.headers.get("accept"), (JSON, GLB, BVH), "motion")
     return await worked(request, shared, Task.REALIZE)

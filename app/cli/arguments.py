@@ -116,6 +116,7 @@ def _add_manner(parser: argparse.ArgumentParser) -> None:
         help="begin that long before the recording, so that the first words' gestures have time (0 to 3, default 0)",
     )
     _add_stillness(parser)
+    _add_targets(parser)
 
 
 def _add_realize(add: Adding) -> None:
@@ -139,6 +140,7 @@ def _add_realize(add: Adding) -> None:
     _add_agitation(parser)
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other variants (default 0)")
     _add_stillness(parser)
+    _add_targets(parser)
     _add_motion(parser)
 
 
@@ -168,6 +170,17 @@ def _add_rate(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=int, choices=rates, default=max(rates), help="frames a second of the motion")
     parser.add_argument(
         "--skeleton", metavar="NAME", help="whose names joints go by (default: mixamo in BVH, vrm in JSON)"
+    )
+
+
+def _add_targets(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--target",
+        metavar="NAME=X,Y,Z",
+        action="append",
+        default=[],
+        help="where something or somebody is, to look and point at, such as door=1.2,1.4,2.0: metres, Y up, the "
+        "character at 0,0,0 facing +Z, its left +X; repeatable",
     )
 
 

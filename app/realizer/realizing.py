@@ -24,7 +24,8 @@ from .face.face import face_weights
 from .face.face_tables import FaceTables
 from .gestures.gesture_plan import GesturePlan
 from .gestures.library import Library
-from .head_and_gaze.gaze import apply_gaze
+from .head_and_gaze.gaze import apply_gaze, eyes_in_t_pose_m
+from .head_and_gaze.gaze_targets import LISTENER, LISTENER_M, Position
 from .head_and_gaze.head import apply_head_movements
 from .head_and_gaze.head_movements import realized_heads
 from .scheduling.gesture_controller import apply_gestures
@@ -109,12 +110,13 @@ def realize(
     check_tail(tail_s)
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
     performer = realizer.performer(schedule.character)
-    plan = plan_gestures(performer.library, schedule, seed=seed)
+    targets_m = _targets_m(schedule, performer.skeleton)
+    plan = plan_gestures(performer.library, schedule, seed=seed, targets_m=targets_m)
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
     skeleton = performer.skeleton
     body = idle_motion(skeleton, times_s, schedule, seed=seed)
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=1 - schedule.stillness)
-    body = apply_gaze(skeleton, body, schedule, seed=seed)
+    body = apply_gaze(skeleton, body, schedule, targets_m=targets_m, seed=seed)
     body = apply_head_movements(skeleton, body, schedule, seed=seed)
     body, moved = resolve_collisions(skeleton, body)
     shapes = face_weights(realizer.face, schedule, body, skeleton, seed=seed)
@@ -126,7 +128,7 @@ def realize(
         decisions=(
             *plan.decisions,
             *_cut(plan, schedule.duration_s),
-            *unplayable_behaviors(schedule),
+            *unplayable_behaviors(schedule, targets_m=targets_m),
             *unknown_faces(realizer.face.lexemes, schedule.behaviors),
             *moved,
             *_unknown_body(realizer, schedule.character),
@@ -165,6 +167,13 @@ def _cut(plan: GesturePlan, end_s: float) -> tuple[Decision, ...]:
         for name, over_s in late_s.items()
         if over_s > _NOTICEABLE_S
     )
+
+
+def _targets_m(schedule: Schedule, skeleton: Skeleton) -> dict[str, Position]:
+    """Where the targets are; the listener whom nobody placed is at the height of the performer's eyes."""
+    x, _y, z = LISTENER_M
+    placed = {target.name: target.position_m for target in schedule.targets}
+    return {LISTENER: (x, float(eyes_in_t_pose_m(skeleton)[1]), z), **placed}
 
 
 def _unknown_body(realizer: Realizer, character: str) -> Iterator[Decision]:

@@ -3,6 +3,7 @@
 import json
 import re
 from collections.abc import Sequence
+from functools import partial
 from pathlib import PurePath
 from typing import Annotated, Any, Literal, TypeVar
 
@@ -16,6 +17,7 @@ from ..bml.writing.writer import BmlForm
 from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
 from ..model import Level, Mode
 from ..motion_formats import FileOptions, Keys
+from ..targets import MOST_TARGETS, NAME, targets_of
 from ..yaml_files import did_you_mean
 from .references import ReferenceForm
 
@@ -49,6 +51,18 @@ ListenerNames = Annotated[
         },
     ),
 ]
+Positions = Annotated[
+    dict[str, Annotated[tuple[float, float, float], Field(strict=False)]],
+    Field(
+        description="Where things and listeners are, to look and point at: metres, Y up, the character at 0, 0, 0, "
+        "facing +Z, its left +X.",
+        examples=[{"door": [1.2, 1.4, 2.0]}],
+        json_schema_extra={
+            "maxProperties": MOST_TARGETS,
+            "propertyNames": {"pattern": f"^{NAME.pattern}$"},
+        },
+    ),
+]
 Checked = TypeVar("Checked", bound=BaseModel)
 
 
@@ -77,6 +91,7 @@ class PerformOptions(BaseModel):
         ),
     ] = 0.0
     stillness: Stillness = 0.0
+    targets: Positions = {}
 
     def to_options(self) -> Options:
         return Options(
@@ -89,6 +104,7 @@ class PerformOptions(BaseModel):
             form=BmlForm(self.dialect, self.timing),
             lead_in_s=self.lead_in_s,
             stillness=self.stillness,
+            targets=targets_of(self.targets),
         )
 
 
@@ -103,6 +119,7 @@ class RealizeOptions(BaseModel):
     seed: Seed = 0
     skeleton: Annotated[str | None, Field(description="Whose names joints go by.", examples=["mixamo", "vrm"])] = None
     stillness: Stillness = 0.0
+    targets: Positions = {}
     tail_s: Annotated[float, Field(description="Seconds of motion after the recording, at most 10.")] = 0.0
     t_pose: Annotated[bool, Field(description="Whether BVH begins with a frame in the T-pose.")] = False
     root_at_origin: Annotated[
@@ -190,7 +207,7 @@ def read_json(content: bytes, field: str) -> object:
     Raises UndecodableError `not_json`, InputError `text_surrogate` (anywhere in it).
     """
     try:
-        value = json.loads(content)
+        value = json.loads(content, object_pairs_hook=partial(_once, field))
         json.dumps(value, ensure_ascii=False).encode()
     except UnicodeEncodeError as error:
         message = f"{field} holds the lone surrogate {error.object[error.start]!a}; send well-formed Unicode"
@@ -198,6 +215,16 @@ def read_json(content: bytes, field: str) -> object:
     except (ValueError, RecursionError) as error:
         raise UndecodableError("not_json", f"{field} is not JSON: {error}", field=field) from None
     return value
+
+
+def _once(field: str, pairs: Sequence[tuple[str, object]]) -> dict[str, object]:
+    """An object's keys and values; raises InputError `value_wrong` for a key that comes twice, which would be lost."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _value in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise InputError("value_wrong", f"{field}: the key {shown(twice)} comes twice", field=field)
+    return found
 
 
 def read_request(fields: dict[str, Any]) -> FunctionsRequest:

@@ -355,7 +355,8 @@ class ListeningResponse(ResponseModel):
 class PerformanceResponse(AnalysisResponse):
     """The complete performance: the analysis, and the chosen behaviours with their reasons.
 
-    The recording starts at `lead_in_s`; all times are from the start of the performance.
+    The recording starts at `lead_in_s`; all times are from the start of the performance. `targets` are where things and
+    listeners are, metres, Y up, the performer at the origin facing +Z.
     """
 
     character: str
@@ -366,6 +367,7 @@ class PerformanceResponse(AnalysisResponse):
     behaviors: list[BehaviorResponse]
     visemes: list[VisemeResponse]
     listeners: list[ListeningResponse] | None = None
+    targets: dict[str, tuple[float, float, float]] | None = None
 
     @classmethod
     def of_performance(cls, performance: Performance) -> Self:
@@ -373,7 +375,9 @@ class PerformanceResponse(AnalysisResponse):
         names = ("character", "seed", "stillness", "moments", "behaviors", "visemes")
         chosen = {name: getattr(performance, name) for name in names}
         begun = {"lead_in_s": performance.utterance.lead_in_s}
-        return cls.model_validate(understood | chosen | begun | {"listeners": performance.listeners or None})
+        targets = {target.name: target.position_m for target in performance.targets}
+        others = {"listeners": performance.listeners or None, "targets": targets or None}
+        return cls.model_validate(understood | chosen | begun | others)
 
 
 class PerformResponse(ResponseModel):

@@ -118,7 +118,11 @@ def _elements(root: etree._Element) -> Iterator[str]:
 
 
 def _parts(behavior: etree._Element) -> Iterator[str]:
+    descriptions = behavior.findall(CORE + "description")
+    free = {inside for description in descriptions for inside in description.iterdescendants("*")}
     for part in behavior.iterdescendants("*"):
+        if part in free:
+            continue
         if part.tag == SYNC:
             yield from _attributes(part, Kind(optional=frozenset({"ref"}), identified="ref" not in _given(part)))
         elif part.tag in PARTS:

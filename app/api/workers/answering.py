@@ -23,6 +23,7 @@ from ...schemas.requests import (
     read_timings,
 )
 from ...schemas.responses import FunctionsResponse, PerformResponse
+from ...targets import targets_of
 from ..bodies import BML_TYPES, form_limits, media_type_of
 from ..negotiation import BVH, GLB, JSON, XML, chosen
 from .form import Part, read_form
@@ -96,6 +97,7 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
         agitation=question.agitation,
         character=question.character,
         stillness=question.stillness,
+        targets=targets_of(question.targets),
     )
     motion = realize(realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed, tail_s=question.tail_s)
     realized = Realized(staged.schedule, replace(motion, notices=staged.notices))

@@ -60,6 +60,7 @@ def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], nam
         rule=movement.rule,
         function=movement.function,
         moment=movement.moment,
+        target=movement.target or entry.target,
         kept=bool(words) and late_s <= LATEST_S,
         reason=_late(late_s) if late_s > LATEST_S else hurry if words else "none of its words is spoken",
     )

@@ -24,6 +24,9 @@ _SHORTEST_PAUSE_S = 0.2
 _SHORTEST_BREATH_S = 0.35
 _SHORTEST_BETWEEN_BREATHS_S = 4.0
 _SHORTEST_BETWEEN_SHIFTS_S = 5.0
+_TURN_S = 0.35
+_TURNING_WAITS_S = (0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5)
+"""How long after its beginning a sentence may be turned to somebody."""
 _SENTENCE_ENDS = (".", "?", "!", "…")
 
 
@@ -44,10 +47,14 @@ def idle_behaviors(
     *,
     rest_poses: Sequence[str] = (),
     blinks_asked_s: Sequence[float] = (),
+    turning_beside: Sequence[Interval] | None = None,
 ) -> Iterator[IdleBehavior]:
     """All of it until the sound or the last of the `timed` words ends; without `rest_poses` the posture stays, and near
-    the moments `blinks_asked_s` there is a blink already."""
+    the moments `blinks_asked_s` there is a blink already. With `turning_beside` there are several listeners: the
+    speaker turns to the next with each sentence, when none of these other looks is going on."""
     yield IdleBehavior("gaze_opening", 0.0, timed[0].index, "looks at the listener as the line begins")
+    if turning_beside is not None:
+        yield from _turns(timed, turning_beside)
     yield from _breaths([(word.index, word.interval) for word in timed if word.interval is not None])
     yield from _shifts(timed, rest_poses)
     yield from blinks(utterance, timed, f"{seed}", asked_s=blinks_asked_s)
@@ -65,6 +72,20 @@ def blinks(
     for at_s in _blinks(sorted(chances), sorted(asked_s), end_s, generator):
         word = max((index for index, interval in intervals if interval.start_s <= at_s), default=intervals[0][0])
         yield IdleBehavior("blink", at_s, word, chances.get(at_s, "blinks now and then"))
+
+
+def _turns(timed: tuple[Word, ...], others: Sequence[Interval]) -> Iterator[IdleBehavior]:
+    for word, following in pairwise(timed):
+        if following.interval is not None and _ends_sentence(word.text):
+            times_s = (following.interval.start_s + wait_s for wait_s in _TURNING_WAITS_S)
+            free = (time_s for time_s in times_s if not any(_near_turn(time_s, other) for other in others))
+            at_s = next(free, None)
+            if at_s is not None:
+                yield IdleBehavior("gaze_opening", at_s, following.index, "turns to another listener")
+
+
+def _near_turn(time_s: float, other: Interval) -> bool:
+    return other.start_s - _TURN_S < time_s < other.end_s + _TURN_S
 
 
 def _breaths(intervals: list[tuple[int, Interval]]) -> Iterator[IdleBehavior]:

@@ -9,7 +9,7 @@ in `idle_behaviors.py`.
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ...model import Behavior, BehaviorCandidates, Channel, Mode, Utterance
+from ...model import Behavior, BehaviorCandidates, Channel, Interval, Mode, Utterance
 from .candidates import PlacedBehavior, interval_of, placed_idle
 from .characters import Character
 from .choosing import Line, choose
@@ -36,6 +36,7 @@ def schedule(
     *,
     seed: int,
     mode: Mode = Mode.SEMANTIC,
+    several_listeners: bool = False,
 ) -> tuple[Behavior, ...]:
     """The behaviours in order of time, those that were dropped among them; none at all when no word has a time.
 
@@ -55,19 +56,26 @@ def schedule(
     kept, needless = needed(kept, candidates)
     usual = replace(line, most_gestures=most_gestures(character, spoken_s))
     kept, lost = in_mode(mode, (kept, (*lost, *needless)), usual, seed)
-    kept, own_lost = resolve(_idle(kept, utterance, usual, seed), kept)
+    kept, own_lost = resolve(_idle(kept, utterance, usual, seed, several_listeners=several_listeners), kept)
     kept = eased(kept)
     rest = Rest.of(utterance, timed, character, f"{seed} rest")
     kept += fillers(kept, rest, replace(TALKING, eye_contact=character.eye_contact))
     return numbered([*(candidate.behavior for candidate in kept), *lost, *own_lost])
 
 
-def _idle(kept: Kept, utterance: Utterance, line: Line, seed: int) -> list[PlacedBehavior]:
+def _idle(kept: Kept, utterance: Utterance, line: Line, seed: int, *, several_listeners: bool) -> list[PlacedBehavior]:
     """What the body does by itself beside the kept."""
     character = line.character
+    gazes = [each.behavior.sync for each in kept if each.behavior.kind is Channel.GAZE]
+    looks = [Interval(sync.start, sync.end) for sync in gazes]
     blinks_asked_s = [each.placing.at_s for each in kept if each.behavior.lexeme == BLINK]
     behaviors = idle_behaviors(
-        utterance, line.timed, seed, rest_poses=character.rest_poses, blinks_asked_s=blinks_asked_s
+        utterance,
+        line.timed,
+        seed,
+        rest_poses=character.rest_poses,
+        blinks_asked_s=blinks_asked_s,
+        turning_beside=looks if several_listeners else None,
     )
     return [
         placed_idle(each, character.entries[each.name], f"own.{number:04d}") for number, each in enumerate(behaviors)

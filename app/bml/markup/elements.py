@@ -20,6 +20,12 @@ SBM = "http://ict.usc.edu"
 """The namespace of SmartBody's additional attributes, `sbm:` in its files."""
 
 
+OURS = "urn:understudy:performance"
+RECORD_TYPE = "application/vnd.understudy.performance+xml"
+"""The namespace, and the type of the `description` of a speech, of what our realizer needs and the core cannot say.
+Other realizers skip a description whose type they do not know."""
+
+
 class Kind(StrEnum):
     """The type of an attribute's value."""
 

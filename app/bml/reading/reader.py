@@ -14,7 +14,7 @@ from pathlib import Path
 from ...errors import Mistake, TooLargeError, WrongBmlError
 from ...model import Notice
 from ..markup.documents import Document, Element, Place, Value
-from ..markup.elements import DIALECTS, Dialect, ElementKind
+from ..markup.elements import DIALECTS, OURS, Dialect, ElementKind
 from ..markup.mistakes import is_foreign, kind_of, local_name, mistakes_of, typed_attributes
 from ..markup.parsing import NotXmlError, ReadingLimits, parse
 
@@ -109,7 +109,7 @@ def _foreign_names(element: Element, kind: ElementKind, dialect: Dialect) -> Ite
         inside = kind_of(part, kind)
         if inside:
             yield from _foreign_names(part, inside, dialect)
-        else:
+        elif not part.name.startswith(f"{{{OURS}}}"):
             yield f"<{part.name}>", part.place or place
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TypeGuard
 
-from ...model import Behavior, Channel, Interval, Level, Notice, SyncPoints, Viseme, Word
+from ...model import Behavior, Channel, Interval, Level, Notice, SyncPoints, Target, Viseme, Word
 from ..choice.lead_in import later_word
 from ..choice.table import GLANCE, SHIFT
 from ..choice.visemes import OPENINGS
@@ -21,6 +21,7 @@ from ..markup.elements import DIALECTS, ElementKind
 from ..markup.speech import Speech, behaviors_of, mark_s, speech_of
 from .constraints import synchronized, violated_constraints
 from .element_behaviors import SHIFTS, to_behavior
+from .pawns import pawns_of, recorded_targets
 from .phase_completion import Points, StatedPoints, resolve_times, usual_s
 
 GUESSED_WORD_S = 0.35
@@ -45,6 +46,7 @@ class Resolved:
     character: str | None
     notices: tuple[Notice, ...]
     speech_start_s: float = 0.0
+    targets: tuple[Target, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +65,9 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
     stated = synchronized([each.stated for each in asked], document)
     points, lost = resolve_times([*([spoken] if spoken else []), *stated], {})
     elements = {each.stated.id: each.element for each in asked}
-    behaviors = _lasting(list(_behaviors(elements, points)), document.dialect)
+    aimed = recorded_targets(document.root)
+    played = (replace(each, target=each.target or aimed.get(each.id)) for each in _behaviors(elements, points))
+    behaviors = _lasting(list(played), document.dialect)
     start_s = points[spoken.id]["start"] if spoken and spoken.id in points else 0.0
     notices = (
         *_guessed(stated, speech, words),
@@ -79,6 +83,7 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
         character=_character(document.root),
         notices=notices,
         speech_start_s=start_s,
+        targets=pawns_of(document.root),
     )
 
 

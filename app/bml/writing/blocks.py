@@ -8,9 +8,10 @@ are omitted; the JSON of the performance has them all.
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from ...model import Behavior, Channel, Hand, Performance, Word
+from ...model import Behavior, Channel, Hand, Performance, Target, Word
 from ..choice.faces import ACTION_UNITS
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
+from ..markup.elements import OURS, RECORD_TYPE
 from ..markup.marks import SPEECH, time_formatter, to_milli
 
 GAZE_RANGE_DEGREES = 60.0
@@ -36,14 +37,33 @@ def to_core(performance: Performance, timing: TimeForm) -> Document:
     words, lead_in_s = performance.utterance.words, performance.utterance.lead_in_s
     timed = time_formatter(words, timing, mark="w{}".format, speech_start_s=lead_in_s)
     behaviors = (_element(each, timed(each.sync)) for each in performance.behaviors if each.kept)
-    speech = (_speech(words, lead_in_s),) if words else ()
+    speech = (_speech(words, lead_in_s, _scene(performance)),) if words else ()
     attributes: dict[str, Value] = {"id": "bml1", "characterId": performance.character}
     return Document(DialectName.BML, Element("bml", attributes, (*speech, *behaviors)))
 
 
-def _speech(words: tuple[Word, ...], start_s: float) -> Element:
+def _speech(words: tuple[Word, ...], start_s: float, scene: Element | None) -> Element:
     text = Element("text", content=tuple(_marked(words)))
-    return Element("speech", {"id": SPEECH, "start": to_milli(start_s)}, (text,))
+    return Element("speech", {"id": SPEECH, "start": to_milli(start_s)}, (text, *((scene,) if scene else ())))
+
+
+def _scene(performance: Performance) -> Element | None:
+    """Where targets are, and which gestures are at them, which BML cannot say, in a description of the speech."""
+    pawns = [_ours("pawn", {"name": each.name, **_place(each)}) for each in performance.targets]
+    gestures = (each for each in performance.behaviors if each.kept and each.kind is Channel.GESTURE)
+    aimed = [_ours("behavior", {"ref": each.id, "target": each.target}) for each in gestures if each.target]
+    if not pawns:
+        return None
+    content = (_ours("performance", {}, (*pawns, *aimed)),)
+    return Element("description", {"priority": 1, "type": RECORD_TYPE}, content)
+
+
+def _ours(name: str, attributes: Mapping[str, Value], content: tuple[Element, ...] = ()) -> Element:
+    return Element(f"{{{OURS}}}{name}", attributes, content)
+
+
+def _place(target: Target) -> dict[str, Value]:
+    return dict(zip("xyz", target.position_m, strict=True))
 
 
 def _marked(words: tuple[Word, ...]) -> Iterator[Element | str]:

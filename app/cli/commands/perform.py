@@ -12,6 +12,7 @@ from ...errors import InputError
 from ...model import Level, Mode, Performance
 from ...schemas.requests import listener_names
 from ...settings import Settings, read_settings
+from ...targets import read_targets
 from ..distinct_files import OutputFile, require_distinct
 from ..early import require_character, require_usable
 from ..files import STANDARD, require_writable, write
@@ -51,6 +52,7 @@ def _options(arguments: argparse.Namespace) -> Options:
         form=_form(arguments),
         lead_in_s=arguments.lead_in,
         stillness=arguments.stillness,
+        targets=read_targets(arguments.target),
     )
 
 

@@ -11,6 +11,7 @@ from ...bml.choice.stillness import check_stillness
 from ...errors import InputError
 from ...model import Level
 from ...settings import Settings, read_settings
+from ...targets import read_targets
 from ..files import STANDARD, read_bytes
 from ..log import Log
 from ..motions import MotionOptions, require_motions, write_motions
@@ -53,6 +54,7 @@ def _prepared(
             agitation=level,
             character=arguments.character,
             stillness=arguments.stillness,
+            targets=read_targets(arguments.target),
             progress=log.stage,
         )
 

@@ -20,13 +20,15 @@ AT_THE_LISTENER = "YOU"
 
 def with_target(placed: PlacedGesture, targets_m: Mapping[str, Position]) -> PlacedGesture:
     """The gesture with its target position; if the target's position is unknown, the gesture as defined."""
-    target = placed.request.target or (LISTENER if placed.clip.category == AT_THE_LISTENER else None)
+    at_a_person = placed.clip.category == AT_THE_LISTENER
+    target = placed.request.target or (LISTENER if at_a_person else None)
     if target is None or not placed.clip.aimed:
         return placed
-    if target == LISTENER and target not in targets_m:
-        x, y, z = LISTENER_M
-        return replace(placed, aim_m=(x, y - BELOW_THE_EYES_M, z))
-    return replace(placed, aim_m=targets_m.get(target))
+    aim_m = targets_m.get(target, LISTENER_M if target == LISTENER else None)
+    if aim_m is not None and (at_a_person or target == LISTENER):
+        x, y, z = aim_m
+        aim_m = (x, y - BELOW_THE_EYES_M, z)
+    return replace(placed, aim_m=aim_m)
 
 
 def unknown_target(placed: PlacedGesture) -> Iterator[Decision]:

@@ -50,7 +50,7 @@ def apply_gaze(
 
     `targets_m` has the world positions of targets; any other target is the other person (`LISTENER_M`).
     """
-    times_s, from_m = body.times_s, _eyes_in_t_pose(skeleton)
+    times_s, from_m = body.times_s, eyes_in_t_pose_m(skeleton)
     before = (1 - schedule.stillness) * _elsewhere(np.random.default_rng(seed + 8))
     line, head, trunk = _courses(times_s, gaze_targets(schedule, from_m, targets_m, before=before))
     rotations = body.rotations.copy()
@@ -95,7 +95,7 @@ def _elsewhere(generator: np.random.Generator) -> FloatArray:
     return np.asarray(np.radians(OPENING_DEGREES) * generator.uniform(0.5, 1.0, 2) * [1.0, side])
 
 
-def _eyes_in_t_pose(skeleton: Skeleton) -> FloatArray:
+def eyes_in_t_pose_m(skeleton: Skeleton) -> FloatArray:
     """The point between the eyes (3,)."""
     down = skeleton.chain("hips", "spine", "chest", "upperChest", "neck", "head")
     return np.asarray(skeleton.offsets_m[down].sum(axis=0) + skeleton.offsets_m[skeleton.chain(*EYES)].mean(axis=0))

@@ -156,5 +156,6 @@ def _aside(gaze: Behavior) -> FloatArray:
 
 
 def _at(target: str | None, from_m: FloatArray, targets_m: Mapping[str, Position]) -> FloatArray:
-    way_m = np.array(targets_m.get(target or LISTENER, LISTENER_M)) - from_m
+    other_m = targets_m.get(LISTENER, LISTENER_M)
+    way_m = np.array(targets_m.get(target or LISTENER, other_m)) - from_m
     return np.array([*pitch_and_yaw(way_m), 1.0 / np.linalg.norm(way_m)])
