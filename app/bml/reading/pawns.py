@@ -50,7 +50,7 @@ def scene_of(behaviors: Iterable[Behavior], given: Sequence[Target], pawns: Sequ
     known = {target.name for target in scene}
     aimed = [each for each in behaviors if each.target and each.kind in {Channel.GAZE, Channel.GESTURE}]
     unplaced = [each for each in aimed if each.target not in {LISTENER, *known}]
-    alone = len({each.target for each in unplaced}) == 1 and all(each.target != LISTENER for each in aimed)
+    alone = len({each.target for each in aimed if each.kind is Channel.GAZE}) == 1
     if scene and unplaced and not alone:
         behavior = unplaced[0]
         told = f"{behavior.id}: no target is called {shown(behavior.target or '')}"

@@ -71,4 +71,6 @@ def test_bml_of_others_places_nothing_and_is_played(targets: tuple[str, ...]) ->
 
 
 def test_one_other_person_needs_no_place() -> None:
-    assert scene_of([gaze("speaker"), gaze("door")], [DOOR], []) == (DOOR,)
+    assert scene_of([gaze("speaker"), gaze("speaker")], [DOOR], []) == (DOOR,)
+    with pytest.raises(InputError, match="no target is called 'speaker'"):
+        scene_of([gaze("speaker"), gaze("door")], [DOOR], [])
