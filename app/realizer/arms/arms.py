@@ -22,6 +22,8 @@ FOLLOW_THROUGH_S = 0.3
 
 _SHARE_OF_INTERVAL = 0.35
 _NOISE_HZ = 0.7
+_BLOCK = 1_000
+"""Frames interpolated at a time, to limit memory in long motions."""
 
 
 def _delay(part: str) -> float:
@@ -74,8 +76,12 @@ def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int, noise_scale: 
     key_times_s = _shifted(track)
     through = [(row, said[:, row]) for row in range(len(PARTS))]
     curves = [Curve(key_times_s[keyed, row], keys[keyed, row], shapes[keyed]) for row, keyed in through]
-    noisy = _stirred(track, splines(curves, times_s), times_s, seed, noise_scale=noise_scale)
-    return with_continuous_signs(arm_rotations(noisy))
+    found = np.empty((len(times_s), len(PARTS) - 1, 4))
+    for first in range(0, len(times_s), _BLOCK):
+        block = slice(first, first + _BLOCK)
+        parts = splines(curves, times_s[block])
+        found[block] = arm_rotations(_stirred(track, parts, times_s[block], seed, noise_scale=noise_scale))
+    return with_continuous_signs(found)
 
 
 def _shifted(track: ArmTrack) -> FloatArray:

@@ -27,6 +27,7 @@ _SWELL_S = 0.18
 _ROUNDS = 8
 _ELBOW_AT_LEAST_M = 0.12
 _FARTHEST_M = 0.22
+_STRIDE, _NEAR_M = 3, 0.012
 _FASTEST_RAD_S = 19.0
 _TOLERATED_M = 0.001
 _MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])
@@ -68,12 +69,12 @@ def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion
     motion, so the displacement stays smooth however many rounds are needed.
     """
     body = replace(body, rotations=clamped(skeleton, body.rotations))
-    depth_m = depths_m(skeleton, body.rotations, body.hips_m)
+    depth_m = depths_where_near_m(skeleton, body)
     decisions = _decisions(depth_m, body.times_s)
     if not decisions:
         return body, ()
     swell = _swell_frames(body.times_s)
-    rotations = body.rotations.copy()
+    rotations = body.rotations  # a copy already, and stretches do not overlap
     for first, past in _stretches(_around(depth_m.max(axis=1) > 0, 2 * swell)):
         there, ends = slice(first, past), (first > 0, past < len(rotations))
         posed = PosedBody.of(skeleton, body.rotations[there], body.hips_m[there])
@@ -81,6 +82,23 @@ def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion
         if left_m > _TOLERATED_M:
             decisions = (*decisions, _unsolved(body.times_s[there], left_m))
     return replace(body, rotations=rotations), decisions
+
+
+def depths_where_near_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
+    """The depths (T, P) in all frames in which a limb may be inside something; the others', -1, are not looked at.
+
+    Every `_STRIDE`th frame is, and if one has a limb within `_NEAR_M` of something, the frames around it: how far
+    limbs accelerate towards something from one of these frames to the next is less.
+    """
+    frames = len(body.rotations)
+    looked_at = np.zeros(frames, dtype=bool)
+    looked_at[::_STRIDE] = looked_at[-1] = True
+    found = np.full((frames, len(PAIRS)), -1.0)
+    found[looked_at] = depths_m(skeleton, body.rotations[looked_at], body.hips_m[looked_at])
+    near = _around(found.max(axis=1) > -_NEAR_M, _STRIDE) & ~looked_at
+    if near.any():
+        found[near] = depths_m(skeleton, body.rotations[near], body.hips_m[near])
+    return found
 
 
 def _taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:

@@ -12,6 +12,7 @@ _WIDTHS = 4.0
 """Where the Gaussian is cut off, in standard deviations."""
 
 _FEW_COLUMNS = 8
+_BLOCK = 200
 
 
 def smoothed(values: FloatArray, width: float) -> FloatArray:
@@ -28,12 +29,14 @@ def smoothed(values: FloatArray, width: float) -> FloatArray:
 
 
 def _sum_of_shifted(values: FloatArray, padded: FloatArray, weights: FloatArray) -> FloatArray:
-    """The weighted sum of whole shifted arrays: with many columns, faster than one curve after the other."""
-    frames, radius = len(values), len(weights) // 2
+    """The weighted sum of shifted arrays: with many columns, faster than one curve after the other. In blocks, which
+    stay in the processor's cache."""
+    radius = len(weights) // 2
     found = weights[radius] * values
-    pair = np.empty_like(found)
-    for shift in range(1, radius + 1):
-        np.add(padded[radius - shift :][:frames], padded[radius + shift :][:frames], out=pair)
-        pair *= weights[radius + shift]
-        found += pair
+    for first in range(0, len(values), _BLOCK):
+        block, near = found[first : first + _BLOCK], padded[first : first + _BLOCK + 2 * radius]
+        for shift in range(1, radius + 1):
+            pair = near[radius - shift :][: len(block)] + near[radius + shift :][: len(block)]
+            pair *= weights[radius + shift]
+            block += pair
     return np.asarray(found)

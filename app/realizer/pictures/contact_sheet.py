@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...figures import PLAIN, Looks
 from ...model import Channel, FloatArray, Schedule, Word
@@ -36,6 +37,11 @@ SHOWN = (Channel.GESTURE, Channel.HEAD, Channel.FACE, Channel.GAZE, Channel.POST
 
 FACE_ABOVE_HEAD_M = np.array([0.0, 0.09, 0.0])
 DOTS_PER_INCH = 100
+_COMPRESSION = 3
+"""Of 0 to 9: more takes longer, for a tenth fewer bytes."""
+
+_LIGHT_STEPS = 4096
+"""How finely linear light is told apart: enough for each of the 256 display values but the darkest few."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -163,9 +169,8 @@ def _lettered(
     (height, width), rows = picture.shape[:2], -(-len(stills) // columns)
     wide, high = max(width, NARROWEST_CHART * bool(charts)), height + CHART_HEIGHT * len(charts)
     figure = Figure(figsize=(wide / DOTS_PER_INCH, high / DOTS_PER_INCH), dpi=DOTS_PER_INCH)
-    axes = figure.add_axes((0, 1 - height / high, width / wide, height / high))
+    axes = figure.add_axes((0, 1 - height / high, width / wide, height / high), xlim=(0, width), ylim=(height, 0))
     axes.set_axis_off()
-    axes.imshow(_display(picture), interpolation="none", aspect="auto", extent=(0, width, height, 0))
     for number, still in enumerate(stills):
         row, column = divmod(number, columns)
         left, bottom = column * CELL_WIDTH, (row + 1) * height / rows
@@ -173,11 +178,27 @@ def _lettered(
     for number, chart in enumerate(charts):
         bottom = high - height - (number + 1) * CHART_HEIGHT + CHART_MARGIN
         chart(figure.add_axes((0.1, bottom / high, 0.88, (CHART_HEIGHT - CHART_MARGIN - 10) / high)))
+    drawn = io.BytesIO()
+    figure.savefig(drawn, format="rgba", dpi=DOTS_PER_INCH, facecolor="none")
+    return _png(_display(picture), np.frombuffer(drawn.getbuffer(), dtype=np.uint8).reshape(high, wide, 4))
+
+
+def _png(picture: NDArray[np.uint8], drawn: NDArray[np.uint8]) -> bytes:
+    """A picture at the top of a white sheet, and over it what is drawn (height, width, 4)."""
+    from PIL import Image
+
+    sheet = np.full((*drawn.shape[:2], 3), 255, dtype=np.uint8)
+    sheet[: len(picture), : picture.shape[1]] = picture
+    there = np.nonzero(drawn[..., 3])
+    over, cover = drawn[there][:, :3], drawn[there][:, 3:] / 255
+    sheet[there] = np.round(cover * over + (1 - cover) * sheet[there])
     content = io.BytesIO()
-    figure.savefig(content, format="png", dpi=DOTS_PER_INCH)
+    Image.fromarray(sheet).save(content, format="png", compress_level=_COMPRESSION)
     return content.getvalue()
 
 
-def _display(light: FloatArray) -> FloatArray:
+def _display(light: FloatArray) -> NDArray[np.uint8]:
     """Linear light converted to display values."""
-    return np.asarray(np.clip(light, 0, 1) ** (1 / 2.2))
+    steps = np.linspace(0, 1, _LIGHT_STEPS)
+    shown = np.round(255 * steps ** (1 / 2.2)).astype(np.uint8)
+    return np.asarray(shown[(np.clip(light, 0, 1) * (_LIGHT_STEPS - 1) + 0.5).astype(np.uint16)])

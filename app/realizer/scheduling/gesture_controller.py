@@ -3,8 +3,6 @@
 Only the breathing of the collarbones is kept from the idle arms.
 """
 
-from dataclasses import replace
-
 import numpy as np
 
 from ...model import FloatArray, Hand
@@ -27,16 +25,17 @@ def apply_gestures(
 ) -> BodyMotion:
     """The body with the plan's arm motion, and the trunk following it. Deterministic for a seed. `noise_scale` (0 to
     1) scales the arms' noise."""
-    rotations = body.rotations.copy()
-    wrists_m = []
+    arms: dict[Hand, FloatArray] = {}
     for side in (Hand.LEFT, Hand.RIGHT):
-        joints = skeleton.chain(*arm_joints(side))
         arm = arm_motion(arm_track(skeleton, side, plan), body.times_s, seed=seed, noise_scale=noise_scale)
-        arm = _smooth(arm, body.times_s)
-        wrists_m.append(wrist_of(skeleton, side, arm))
+        arms[side] = _smooth(arm, body.times_s)
+    wrists_m = [wrist_of(skeleton, side, arm) for side, arm in arms.items()]
+    followed = with_trunk_following(skeleton, body, *wrists_m)
+    for side, arm in arms.items():
+        joints = skeleton.chain(*arm_joints(side))
         arm[:, 0] = multiply(arm[:, 0], _breath(body.rotations[:, joints[0]]))
-        rotations[:, joints] = arm
-    return with_trunk_following(skeleton, replace(body, rotations=rotations), *wrists_m)
+        followed.rotations[:, joints] = arm
+    return followed
 
 
 def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:

@@ -5,10 +5,10 @@ import pytest
 
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.arms import ArmTrack, TimedPose, arm_motion
-from understudy.realizer.arms.collisions import resolve_collisions
+from understudy.realizer.arms.collisions import depths_where_near_m, resolve_collisions
 from understudy.realizer.arms.posing import PartialPose, pose_arm
 from understudy.realizer.arms.rest_poses import rest_pose
-from understudy.realizer.body.contacts import penetrations_m
+from understudy.realizer.body.contacts import depths_m, penetrations_m
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
@@ -98,3 +98,11 @@ def test_what_cannot_be_cleared_without_a_jump_is_told() -> None:
     assert fastest[1] <= max(20.0, fastest[0] + 1e-6)
     assert (deepest_m(cleared) > 0.001) == ("kept" in {decision.action for decision in decisions})
     assert deepest_m(cleared) < deepest_m(BodyMotion(TIMES_S, through, body.hips_m))
+
+
+@pytest.mark.parametrize("keys", [((Hand.LEFT, INSIDE),), ((Hand.LEFT, MIDDLE), (Hand.RIGHT, MIDDLE))])
+def test_no_frame_in_which_a_hand_is_inside_something_is_overlooked(keys: tuple[tuple[Hand, Place], ...]) -> None:
+    body = moving(*keys)
+    everywhere, looked_at = depths_m(BODY, body.rotations, body.hips_m), depths_where_near_m(BODY, body)
+    assert np.maximum(looked_at, 0.0) == pytest.approx(np.maximum(everywhere, 0.0), abs=1e-12)
+    assert np.mean(looked_at.max(axis=1) == -1.0) > 0.3
