@@ -38,11 +38,10 @@ def broken_by(understudy: Understudy, analysis: Analysis, variant: Variant) -> l
     """What is wrong with the performance or its motion, in words."""
     performance = performed(understudy, analysis, variant)
     schedule, realizer = schedule_of(performance), understudy.realizer
-    motion = realize(realizer, schedule, seed=variant.seed)
-    body = motion.body
-    deepest_m = float(np.max(penetrations_m(realizer.skeleton, body.rotations, body.hips_m)))
+    motion, skeleton = realize(realizer, schedule, seed=variant.seed), realizer.performer(schedule.character).skeleton
+    deepest_m = float(np.max(penetrations_m(skeleton, motion.body.rotations, motion.body.hips_m)))
     deep = [f"a hand or forearm {100 * deepest_m:.1f} cm inside the body"] if deepest_m > DEEPEST_M else []
-    return [*_broken_schedule(performance), *broken_limits(motion, realizer.skeleton), *deep]
+    return [*_broken_schedule(performance), *broken_limits(motion, skeleton), *deep]
 
 
 def performed(understudy: Understudy, analysis: Analysis, variant: Variant) -> Performance:
