@@ -304,7 +304,9 @@ def _add_characters(add: Adding) -> None:
     show.add_argument("name", metavar="NAME")
     render = _add(actions.add_parser, "render", "draw what they look like")
     render.add_argument("names", metavar="NAME", nargs="*", help="who is drawn (default: all)")
-    render.add_argument("-o", "--output", metavar="FILE.png", required=True, help="where the picture goes")
+    render.add_argument(
+        "-o", "--output", metavar="FILE.png", type=OutputFile, required=True, help="where the picture goes"
+    )
 
 
 def _add_serve(add: Adding) -> None:

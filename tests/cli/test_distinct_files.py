@@ -23,6 +23,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "soft.bml").symlink_to("a.flac")
     (tmp_path / "dangling.bml").symlink_to("later.bml")
     (tmp_path / "inner").mkdir()
+    (tmp_path / "inner" / "report.csv").write_text("id,text\na,No.\n")
+    (tmp_path / "soft.csv").symlink_to("inner/report.csv")
     (tmp_path / "w.json").write_text("{}")
     (tmp_path / "in.bml").write_text("<bml/>")
     monkeypatch.chdir(tmp_path)
@@ -47,6 +49,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         ("realize", "in.bml", "--avatar", "a.glb", "-o", "a.glb"),
         ("analyze", *LINE[1:], "--plot", "a.flac"),
         ("reference", "a.flac", "-o", "hard.bml"),
+        ("batch", "inner/report.csv", "--audio", ".", "--out", "inner"),
+        ("batch", "soft.csv", "--audio", ".", "--out", "inner"),
     ],
     ids=" ".join,
 )

@@ -29,25 +29,31 @@ _FUNCTIONS: Json = {
     "description": "What words do that is known already.",
 }
 
+LINES = "Lines"
+
 _EVERYWHERE = {401, 421, 500}
 _WORK = {400, 406, 408, 413, 415, 422, 429, 503, 504} | _EVERYWHERE
 
 
 @dataclass(frozen=True, slots=True)
 class Operation:
-    """`answers` are the responses when all is well."""
+    """`answers` are the responses when all is well; `is_open` where no key is asked."""
 
     id: str
+    tag: str
     summary: str
     answers: Json
     statuses: frozenset[int] = frozenset(_EVERYWHERE)
     body: Json = field(default_factory=dict)
+    is_open: bool = False
 
     def described(self) -> Json:
         """The operation's object in an OpenAPI document."""
         body = {"requestBody": {"required": True, "content": self.body}} if self.body else {}
         responses = self.answers | errors(self.statuses)
-        return {"operationId": self.id, "summary": self.summary, **body, "responses": responses}
+        security: Json = {"security": []} if self.is_open else {}
+        named = {"operationId": self.id, "tags": [self.tag], "summary": self.summary}
+        return {**named, **body, "responses": responses, **security}
 
 
 def _form(required: list[str], parts: dict[str, Json], example: Json) -> Json:
@@ -62,6 +68,7 @@ def _named(name: str) -> Json:
 
 _PERFORM = Operation(
     "perform",
+    LINES,
     "Perform a line",
     answer(
         "The performance: BML, or JSON by `Accept`.",
@@ -85,6 +92,7 @@ _PERFORM = Operation(
 )
 _REALIZE = Operation(
     "realize",
+    LINES,
     "Play BML",
     answer(
         "The motion, by `Accept`: a clip as JSON, GLB or BVH.",
@@ -108,6 +116,7 @@ _REALIZE = Operation(
 )
 _FIND_FUNCTIONS = Operation(
     "find_functions",
+    LINES,
     "What words alone do",
     answer("The communicative functions of the text.", _named("FunctionsResponse")),
     frozenset(_WORK - {406}),
@@ -116,7 +125,12 @@ _FIND_FUNCTIONS = Operation(
 
 
 def _listing(operation_id: str, summary: str, response: str) -> Operation:
-    return Operation(operation_id, summary, answer(summary, _named(response)))
+    return Operation(operation_id, "Library", summary, answer(summary, _named(response)))
+
+
+def _probe(operation_id: str, summary: str, statuses: frozenset[int]) -> Operation:
+    answers = answer(f"{summary}.", _named("StatusResponse"))
+    return Operation(operation_id, "Operations", summary, answers, statuses, is_open=True)
 
 
 OPERATIONS: Mapping[tuple[str, str], Operation] = MappingProxyType(
@@ -128,12 +142,11 @@ OPERATIONS: Mapping[tuple[str, str], Operation] = MappingProxyType(
         ("get", "/gestures"): _listing("list_gestures", "The library of gestures", "GesturesResponse"),
         ("get", "/rules"): _listing("list_rules", "Rules, mappings and table entries", "RulesResponse"),
         ("get", "/lexicon"): _listing("list_words", "Words and phrases", "RulesResponse"),
-        ("get", "/healthz"): Operation("is_alive", "The process answers", answer("It does.", _named("StatusResponse"))),
-        ("get", "/readyz"): Operation(
-            "is_ready", "Lines can be performed", answer("They can.", _named("StatusResponse")), frozenset({503})
-        ),
+        ("get", "/healthz"): _probe("is_alive", "The process answers", frozenset({500})),
+        ("get", "/readyz"): _probe("is_ready", "Lines can be performed", frozenset({500, 503})),
         ("get", "/metrics"): Operation(
             "read_metrics",
+            "Operations",
             "Figures for Prometheus",
             answer("The figures.", {"text/plain": {"schema": {"type": "string"}}}),
         ),

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ...analysis import Options
 from ...batch.batch import run_batch
-from ...batch.layout import USUAL, Layout
+from ...batch.layout import OURS, USUAL, Layout
 from ...batch.manifest.entries import Entry, State
 from ...batch.matching.joining import Choice
 from ...batch.matching.patterns import Pattern
@@ -21,6 +21,7 @@ from ...errors import InputError
 from ...model import Level, Mode
 from ...settings import Settings, read_settings
 from ..batch_progress import progress_for
+from ..distinct_files import OutputFile, require_distinct
 from ..early import require_character
 from ..log import Log
 from ..motions import require_skeleton
@@ -31,6 +32,7 @@ SOME_FAILED = 1
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
+    require_distinct(arguments, [OutputFile(Path(arguments.out) / name) for name in sorted(OURS)])
     request = _request(arguments)
     require_character(request.options.character)
     require_skeleton(request.motion.skeleton)

@@ -11,6 +11,7 @@ from fastapi import FastAPI
 from fastapi.routing import APIRoute
 
 from tests.support.hand_made_motion import BODY, waving
+from understudy.api.admission.admission import PROBES
 from understudy.api.description.document import describe
 from understudy.api.description.operations import OPERATIONS
 from understudy.api.routes import router
@@ -72,6 +73,12 @@ def test_operation_ids_are_names_that_clients_can_use() -> None:
     assert len(set(ids)) == len(ids)
     assert all(re.fullmatch("[a-z]+(_[a-z]+)*", each) for each in ids)
     assert OPERATIONS["post", "/perform"].id == "perform"
+
+
+def test_probes_ask_for_no_key_and_all_others_may() -> None:
+    is_open = {path for path, told in DOCUMENT["paths"].items() if told.get("get", {}).get("security") == []}
+    assert is_open == PROBES
+    assert DOCUMENT["security"] == [{}, {"key": []}]
 
 
 def test_every_reference_leads_somewhere() -> None:
