@@ -5,7 +5,7 @@ import statistics
 import time
 from collections import Counter
 from collections.abc import Iterator
-from itertools import cycle, islice
+from itertools import chain, cycle, islice
 from threading import Event, Thread
 
 import psutil
@@ -14,6 +14,9 @@ from .asking import Client, in_threads
 from .bars import Bar, watched
 from .lines import usual
 from .watching import Running, family, memory_mb, watching
+
+ASKERS = 3
+"""While workers are killed: one more than there are usually workers, so that one waits."""
 
 
 def soaked(service: Running, count: int, clients: int) -> Iterator[Bar]:
@@ -50,26 +53,31 @@ def descriptors(pid: int) -> int:
 
 
 def killed(service: Running, count: int, seed: int) -> Iterator[Bar]:
-    """Workers killed one after another while lines are performed."""
-    rng, done, stop = random.Random(seed), Counter[int](), Event()
+    """Workers killed one after another while lines are performed. The next is killed when every line that was under way
+    at the last has been answered: a line that is killed is done once more, one that is killed twice is answered 503."""
+    rng, stop = random.Random(seed), Event()
+    answers: list[list[int]] = [[] for _ in range(ASKERS)]
     line = usual()[1]
 
-    def keep_asking() -> None:
+    def keep_asking(statuses: list[int]) -> None:
         while not stop.is_set():
-            done[client.ask_until_taken(line).status] += 1
+            statuses.append(client.ask(line).status)
 
-    askers = [Thread(target=keep_asking) for _ in range(3)]
+    askers = [Thread(target=keep_asking, args=(statuses,)) for statuses in answers]
     with Client(service.port) as client, watching(service) as enough:
         for asker in askers:
             asker.start()
         for _ in range(count):
-            time.sleep(rng.uniform(0.2, 1.0))
+            before = [len(statuses) for statuses in answers]
+            time.sleep(rng.uniform(0.1, 0.4))
             kill_one(service, rng)
-        time.sleep(1)
+            while any(len(statuses) < had + 2 for had, statuses in zip(before, answers, strict=True)):
+                time.sleep(0.05)
         stop.set()
         for asker in askers:
             asker.join()
         seen = enough()
+    done = Counter(chain.from_iterable(answers))
     print(f"{count} workers killed: {dict(done)}")
     lost = sum(number for status, number in done.items() if status != 200)
     yield Bar(f"requests lost in {count} kills, of {sum(done.values())}", str(lost), "0", lost == 0)
