@@ -21,20 +21,25 @@ def smoothed(values: FloatArray, width: float) -> FloatArray:
     radius = int(_WIDTHS * width + 0.5)
     weights = np.exp(-0.5 * (np.arange(-radius, radius + 1) / width) ** 2)
     weights /= weights.sum()
-    padded = np.concatenate([np.repeat(values[:1], radius, axis=0), values, np.repeat(values[-1:], radius, axis=0)])
     if values[0].size <= _FEW_COLUMNS:
-        columns = padded.reshape(len(padded), -1).T
+        columns = _frames(values, -radius, len(values) + radius).reshape(len(values) + 2 * radius, -1).T
         return np.stack([np.convolve(column, weights, "valid") for column in columns], axis=-1).reshape(values.shape)
-    return _sum_of_shifted(values, padded, weights)
+    return _sum_of_shifted(values, weights)
 
 
-def _sum_of_shifted(values: FloatArray, padded: FloatArray, weights: FloatArray) -> FloatArray:
+def _frames(values: FloatArray, first: int, past: int) -> FloatArray:
+    """The frames from `first` to `past`; those before the first and after the last are like these."""
+    return values[np.clip(np.arange(first, past), 0, len(values) - 1)]
+
+
+def _sum_of_shifted(values: FloatArray, weights: FloatArray) -> FloatArray:
     """The weighted sum of shifted arrays: with many columns, faster than one curve after the other. In blocks, which
     stay in the processor's cache."""
     radius = len(weights) // 2
     found = weights[radius] * values
     for first in range(0, len(values), _BLOCK):
-        block, near = found[first : first + _BLOCK], padded[first : first + _BLOCK + 2 * radius]
+        block = found[first : first + _BLOCK]
+        near = _frames(values, first - radius, first + len(block) + radius)
         for shift in range(1, radius + 1):
             pair = near[radius - shift :][: len(block)] + near[radius + shift :][: len(block)]
             pair *= weights[radius + shift]

@@ -11,7 +11,7 @@ from ..arms.arms import arm_motion
 from ..arms.posing import wrist_of
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import inverse, multiply, normalized
+from ..geometry.rotations import inverse, length, multiply, normalized
 from ..geometry.smoothing import smoothed
 from ..gestures.arm_joints import arm_joints
 from ..gestures.gesture_plan import GesturePlan
@@ -43,7 +43,9 @@ def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
     if len(times_s) < 2:
         return rotations
     width = _MUSCLE_S / float(times_s[1] - times_s[0])
-    return normalized(smoothed(rotations, width))
+    smooth = smoothed(rotations, width)
+    smooth /= length(smooth)
+    return smooth
 
 
 def _breath(collarbone: FloatArray) -> FloatArray:
