@@ -49,9 +49,8 @@ from .realization import (
     Realizer,
     format_of,
     prepare_schedule,
-    schedule_of,
+    realize_prepared,
 )
-from .realization import realize as _realize
 from .realization import write_motion as _write_motion
 from .schemas.requests import RealizeOptions, check_options, check_realize_options, read_timings
 from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse, ResponseModel
@@ -187,9 +186,9 @@ def realize(
 
     `realized.motion.decisions` tells what could not be played as it was asked for, and why.
     """
-    prepared = PreparedSchedule(schedule_of(performance), performance.notices)
-    seed = performance.seed if seed is None else seed
-    return _played(models, prepared, check_realize_options({"fps": fps, "seed": seed, "tail_s": tail_s}))
+    checked = check_realize_options({"fps": fps, "seed": seed, "tail_s": tail_s})
+    prepared = PreparedSchedule.of(performance)
+    return _played(models, prepared if seed is None else replace(prepared, seed=seed), checked)
 
 
 def realize_bml(
@@ -210,6 +209,7 @@ def realize_bml(
         character=checked.character,
         stillness=checked.stillness,
         targets=targets_of(checked.targets),
+        seed=checked.seed,
     )
     return _played(models, prepared, checked)
 
@@ -316,10 +316,7 @@ def _bml_form(dialect: str, timing: str, audio_name: str | None) -> BmlForm:
 
 
 def _played(models: Understudy | Realizer, prepared: PreparedSchedule, options: RealizeOptions) -> Realized:
-    motion = _realize(
-        _realizer(models), prepared.schedule, frame_rate_hz=options.fps, seed=options.seed, tail_s=options.tail_s
-    )
-    return Realized(prepared.schedule, replace(motion, notices=prepared.notices))
+    return realize_prepared(_realizer(models), prepared, frame_rate_hz=options.fps, tail_s=options.tail_s)
 
 
 def _realizer(models: Understudy | Realizer) -> Realizer:

@@ -1,12 +1,13 @@
 """From a schedule to motion and its files (paper §3.8): ours straight from a performance, anybody's from BML.
 
-BML of the core says no words' times, no phones and no agitation: with the recording these are heard; without it the
-lips stay shut, and a Notice says so.
+BML of the core says no words' times, no phones and no agitation. Ours has them in the record of its speech, so that
+realizing it makes the very motion of the performance; of others they are heard in the recording, without which the lips
+stay shut, and a Notice says so.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -14,13 +15,16 @@ from typing import TYPE_CHECKING
 
 from .bml.choice.characters import DEFAULT_CHARACTER
 from .bml.choice.delivery import emphases_s, phrases
+from .bml.choice.lead_in import later_s
 from .bml.choice.stillness import check_stillness, stilled
 from .bml.choice.visemes import visemes
+from .bml.markup.documents import Document
 from .bml.markup.speech import speech_of
 from .bml.reading.pawns import scene_of
 from .bml.reading.reader import read_bml
+from .bml.reading.record import Record, read_record
 from .bml.reading.resolving import Resolved, resolve
-from .model import Behavior, FloatArray, Level, Notice, Performance, Schedule, Target, Word
+from .model import Behavior, Channel, FloatArray, Level, Notice, Performance, Schedule, Target, Word
 from .motion_formats import FileOptions, Keys, MotionFormat, format_of
 from .progress import Progress, no_progress
 from .realizer.body.motion import Motion
@@ -33,14 +37,15 @@ from .realizer.exporting.viseme_list import to_viseme_text
 from .realizer.exporting.vrma import to_vrma
 from .realizer.face.diphthongs import with_glides
 from .realizer.face.lips import viseme_weights
+from .realizer.gestures.library import LAST_RESORT
 from .realizer.pictures.contact_sheet import draw_sheet, moments_of
 from .realizer.pictures.speed_plot import draw_speeds
 from .realizer.realizing import Realizer, realize
 from .targets import check_targets
 from .transcript import read_transcript
+from .yaml_files import did_you_mean
 
 if TYPE_CHECKING:
-    from .analysis import SignalAnalysis
     from .hearing import AcousticModels
 
 __all__ = [
@@ -55,6 +60,7 @@ __all__ = [
     "format_of",
     "prepare_schedule",
     "realize",
+    "realize_prepared",
     "schedule_of",
     "write_motion",
 ]
@@ -97,10 +103,16 @@ class BmlInput:
 
 @dataclass(frozen=True, slots=True)
 class PreparedSchedule:
-    """A schedule ready for the realizer, and what was guessed or left out on the way."""
+    """A schedule ready for the realizer, what was guessed or left out on the way, and the seed of all chance."""
 
     schedule: Schedule
     notices: tuple[Notice, ...]
+    seed: int = 0
+
+    @classmethod
+    def of(cls, performance: Performance) -> PreparedSchedule:
+        """What a performance has the body do."""
+        return cls(schedule_of(performance), performance.notices, performance.seed)
 
 
 def schedule_of(performance: Performance) -> Schedule:
@@ -130,59 +142,127 @@ def prepare_schedule(
     character: str | None = None,
     stillness: float = 0.0,
     targets: tuple[Target, ...] = (),
+    seed: int | None = None,
     progress: Progress = no_progress,
 ) -> PreparedSchedule:
     """What a BML file has the body do, in the time of its recording.
 
-    `agitation` overrides what the voice says, and `character` who is named in the file; `stillness` (0 to 1) is how
-    much less than it says moves; `targets` are where things are, beside and before the file's own; `acoustic` may be
-    None where there is no recording to hear. Raises WrongBmlError, TooLargeError, and InputError for audio, words,
-    targets or a stillness that cannot be used.
+    `agitation` overrides what the voice says, `character` who is named in the file, and `seed` the one it records;
+    `stillness` (0 to 1) is how much less than it says moves; `targets` are where things are, beside and before the
+    file's own; `acoustic` may be None where there is no recording to hear. Raises WrongBmlError, TooLargeError, and
+    InputError for audio, words, targets or a stillness that cannot be used.
     """
     check_stillness(stillness)
     check_targets(targets)
     document, notices = read_bml(sheet.bml, sheet.name)
-    speech = speech_of(document)
-    heard, words, word_notices = _heard(acoustic, sheet.audio, speech.text if speech else "", progress)
+    record = read_record(document)
+    speech = _speech(acoustic, sheet.audio, document, record, progress)
     progress("resolve")
-    resolved = resolve(document, words)
-    level = agitation or resolved.agitation or (heard.agitation.level if heard else Level.MEDIUM)
-    schedule, lip_notices = _schedule(resolved, heard, level)
-    named = replace(
+    resolved = resolve(document, speech.words)
+    schedule, lip_notices = _schedule(resolved, speech)
+    behaviors = tuple(map(record.completed, schedule.behaviors)) if record else schedule.behaviors
+    prepared = replace(
         schedule,
-        behaviors=stilled(schedule.behaviors, stillness),
+        behaviors=stilled(behaviors, stillness),
+        agitation=agitation or schedule.agitation,
         character=character or resolved.character or DEFAULT_CHARACTER,
-        stillness=stillness,
-        targets=scene_of(resolved.behaviors, targets, resolved.targets),
+        stillness=_together(record.stillness if record else 0.0, stillness),
+        targets=scene_of(behaviors, targets, resolved.targets),
     )
-    unheard_lips = _lips_unheard() if speech and not heard and not schedule.visemes else ()
-    heard_notices = heard.notices if heard else ()
-    return PreparedSchedule(
-        named, (*notices, *heard_notices, *word_notices, *resolved.notices, *lip_notices, *unheard_lips)
-    )
+    told = (*notices, *speech.notices, *resolved.notices, *lip_notices)
+    recorded = record.seed if record and record.seed is not None else 0
+    return PreparedSchedule(prepared, told, recorded if seed is None else seed)
 
 
-def _heard(
-    acoustic: AcousticModels | None, audio: bytes | None, text: str, progress: Progress
-) -> tuple[SignalAnalysis | None, tuple[Word, ...], tuple[Notice, ...]]:
-    """What the recording says, and the words of the speech where it has them."""
+def realize_prepared(
+    realizer: Realizer, prepared: PreparedSchedule, *, frame_rate_hz: int = 60, tail_s: float = 0.0
+) -> Realized:
+    """The motion of a schedule, whose notices tell also which gestures are not those that were asked for."""
+    schedule = prepared.schedule
+    motion = realize(realizer, schedule, frame_rate_hz=frame_rate_hz, seed=prepared.seed, tail_s=tail_s)
+    notices = (*prepared.notices, *_unknown_gestures(realizer, schedule), *_unplayed_gestures(motion, schedule))
+    return Realized(schedule, replace(motion, notices=notices))
+
+
+def _unknown_gestures(realizer: Realizer, schedule: Schedule) -> Iterator[Notice]:
+    library = realizer.library
+    for gesture in _gestures(schedule):
+        if library.nearest(gesture.lexeme) == LAST_RESORT and gesture.lexeme != LAST_RESORT:
+            hint = did_you_mean(gesture.lexeme, library.categories)
+            message = f"{gesture.id} is played as a {LAST_RESORT}: no gesture is called {gesture.lexeme!r}{hint}"
+            yield Notice("gesture_unknown", message)
+
+
+def _unplayed_gestures(motion: Motion, schedule: Schedule) -> Iterator[Notice]:
+    names = {gesture.id for gesture in _gestures(schedule)}
+    for told in motion.decisions:
+        if told.behavior in names and told.action == "dropped":
+            yield Notice("gesture_not_played", f"{told.behavior} is not played: {told.reason}")
+
+
+def _gestures(schedule: Schedule) -> Iterator[Behavior]:
+    return (each for each in schedule.behaviors if each.kept and each.kind is Channel.GESTURE)
+
+
+@dataclass(frozen=True, slots=True)
+class _Speech:
+    """What is known of a speech: its words from the start of the recording, how long that is and how agitated, and
+    whether the notices tell of its lips too."""
+
+    words: tuple[Word, ...] = ()
+    duration_s: float | None = None
+    agitation: Level | None = None
+    notices: tuple[Notice, ...] = ()
+    complete: bool = False
+
+
+def _speech(
+    acoustic: AcousticModels | None,
+    audio: bytes | None,
+    document: Document,
+    record: Record | None,
+    progress: Progress,
+) -> _Speech:
+    """The speech as the file records it, unless its words or the recording are others; then as it is heard."""
+    recorded = _recorded(record) if record else _Speech()
     if audio is None or acoustic is None:
-        return None, (), ()
+        spoken = speech_of(document) is not None and not recorded.words
+        return replace(recorded, notices=recorded.notices + (_lips_unheard() if spoken else ()))
+    if recorded.words and recorded.duration_s == _duration_s(acoustic, audio):
+        return recorded
+    found = speech_of(document)
+    return _heard(acoustic, audio, found.text if found else "", progress)
+
+
+def _recorded(record: Record) -> _Speech:
+    return _Speech(record.words, record.duration_s, record.agitation, record.notices, complete=True)
+
+
+def _duration_s(acoustic: AcousticModels, audio: bytes) -> float:
+    from .acoustic.signal.decoding import decode
+    from .hearing import audio_limits
+
+    return decode(audio, audio_limits(acoustic.settings))[0].duration_s
+
+
+def _heard(acoustic: AcousticModels, audio: bytes, text: str, progress: Progress) -> _Speech:
+    """What the recording says, and the words of the speech where it has them."""
     from .hearing import align_words, analyze_signal  # what hears takes long to import, and only recordings need it
 
     heard = analyze_signal(acoustic, audio, progress)
+    speech = _Speech((), heard.audio.duration_s, heard.agitation.level, heard.notices)
     if not text:
         message = "the BML says no words to look for in the recording; give its <speech> a <text>"
-        return heard, (), (Notice("speech_missing", message),)
+        return replace(speech, notices=(*speech.notices, Notice("speech_missing", message)))
     transcript = read_transcript(text, max_characters=acoustic.settings.max_text_characters)
     timed, _thresholds = align_words(acoustic, heard, transcript, None, progress)
-    return heard, timed.words, timed.notices
+    return replace(speech, words=timed.words, notices=speech.notices + timed.notices)
 
 
-def _schedule(resolved: Resolved, heard: SignalAnalysis | None, level: Level) -> tuple[Schedule, tuple[Notice, ...]]:
+def _schedule(resolved: Resolved, speech: _Speech) -> tuple[Schedule, tuple[Notice, ...]]:
     spoken_s = [word.interval.end_s for word in resolved.words if word.interval]
-    heard_s = resolved.speech_start_s + heard.audio.duration_s if heard else 0.0
-    lips, notices = visemes(resolved.words, heard_s) if heard else ((), ())
+    heard_s = later_s(speech.duration_s, resolved.speech_start_s) if speech.duration_s else 0.0
+    lips, notices = visemes(resolved.words, heard_s) if heard_s else ((), ())
     schedule = Schedule(
         behaviors=resolved.behaviors,
         duration_s=heard_s or max([_last_s(resolved.behaviors), *spoken_s]),
@@ -190,10 +270,15 @@ def _schedule(resolved: Resolved, heard: SignalAnalysis | None, level: Level) ->
         visemes=resolved.visemes or lips,
         phrases=phrases(resolved.words),
         emphases_s=emphases_s(resolved.words),
-        agitation=level,
+        agitation=resolved.agitation or speech.agitation or Level.MEDIUM,
         lead_in_s=resolved.speech_start_s,
     )
-    return schedule, notices
+    return schedule, () if speech.complete else notices
+
+
+def _together(recorded: float, stillness: float) -> float:
+    """How still a body is that was made so still twice."""
+    return 1 - (1 - recorded) * (1 - stillness) if stillness else recorded
 
 
 def _last_s(behaviors: tuple[Behavior, ...]) -> float:

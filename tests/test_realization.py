@@ -1,21 +1,28 @@
 """Schedules for the realizer: our own performance and the BML written of it must have the body do the same."""
 
+import io
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+import soundfile
 
+from tests.support.bml_records import without_record
 from understudy.errors import InputError
-from understudy.model import Behavior, Channel, Level, Performance
-from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.model import Channel, Level, Mode, Performance
+from understudy.performance import BmlForm, Line, Options, TimeForm, Understudy, perform, write_bml
 from understudy.realization import (
     BmlInput,
     MotionFormat,
+    PreparedSchedule,
     Realized,
     format_of,
     prepare_schedule,
     realize,
+    realize_prepared,
     schedule_of,
     write_motion,
 )
@@ -30,33 +37,83 @@ def performance(understudy: Understudy) -> Performance:
     return perform(understudy, Line(AUDIO, TEXT), Options(character="expansive"))
 
 
-def in_core_bml(behavior: Behavior) -> Behavior:
-    """What BML has no attribute for is not known of a behaviour that was read."""
-    amount = None if behavior.kind is Channel.GESTURE else behavior.amount and round(behavior.amount, 3)
-    return replace(
-        behavior, amount=amount, priority=0.0, first=0, last=0, rule=None, function=None, reason=None, repetitions=None
-    )
+WAYS = {
+    "as it is": Options(),
+    "lead-in": Options(lead_in_s=0.8, seed=5),
+    "still": Options(character="expansive", stillness=0.3, lead_in_s=1.2345),
+    "agitated": Options(character="reserved", agitation=Level.HIGH),
+    "by chance": Options(mode=Mode.RANDOM, seed=3),
+}
+FORMATS = (MotionFormat.BVH, MotionFormat.JSON, MotionFormat.GLB)
 
 
-def test_bml_with_its_recording_is_staged_as_performed(understudy: Understudy, performance: Performance) -> None:
+@pytest.mark.parametrize("options", WAYS.values(), ids=WAYS)
+def test_our_bml_is_realized_as_performed_byte_for_byte(understudy: Understudy, options: Options) -> None:
+    performance = perform(understudy, Line(AUDIO, TEXT), options)
+    direct = realize_prepared(understudy.realizer, PreparedSchedule.of(performance), frame_rate_hz=30)
+    for audio in (None, AUDIO):
+        staged = prepare_schedule(understudy.acoustic, BmlInput(write_bml(performance), Path("a.bml"), audio))
+        assert staged == PreparedSchedule.of(performance)
+    read = realize_prepared(understudy.realizer, staged, frame_rate_hz=30)
+    for form in FORMATS:
+        files = [write_motion(realized, understudy.realizer, form) for realized in (direct, read)]
+        assert files[0] == files[1]
+
+
+def test_times_by_marks_are_read_as_performed_too(performance: Performance) -> None:
+    bml = write_bml(performance, BmlForm(timing=TimeForm.SYNC))
+    assert prepare_schedule(None, BmlInput(bml, Path("a.bml"))) == PreparedSchedule.of(performance)
+
+
+def test_another_recording_of_the_words_is_heard_anew(understudy: Understudy, performance: Performance) -> None:
+    samples, rate = soundfile.read(io.BytesIO(AUDIO), dtype="int16")
+    later = io.BytesIO()
+    soundfile.write(later, np.concatenate([np.zeros(rate // 2, np.int16), samples]), rate, format="FLAC")
+    bml = write_bml(performance, BmlForm(timing=TimeForm.SYNC))
+    staged = prepare_schedule(understudy.acoustic, BmlInput(bml, Path("a.bml"), later.getvalue())).schedule
     direct = schedule_of(performance)
-    staged = prepare_schedule(understudy.acoustic, BmlInput(write_bml(performance), Path("a.bml"), AUDIO))
-    assert staged.notices == ()
-    assert staged.schedule.words == direct.words
-    assert staged.schedule.visemes == direct.visemes
-    assert (staged.schedule.phrases, staged.schedule.emphases_s) == (direct.phrases, direct.emphases_s)
-    assert (staged.schedule.character, staged.schedule.agitation) == ("expansive", direct.agitation)
-    found = {behavior.id: in_core_bml(behavior) for behavior in staged.schedule.behaviors}
-    for behavior in direct.behaviors:
-        expected, read = in_core_bml(behavior), found[behavior.id]
-        assert read.lexeme == expected.lexeme
-        assert read.sync.start == pytest.approx(expected.sync.start, abs=1e-3)
-        assert (read.hand, read.target, read.direction, read.amount) == (
-            expected.hand,
-            expected.target,
-            expected.direction,
-            expected.amount,
-        )
+    assert staged.duration_s == pytest.approx(direct.duration_s + 0.5, abs=1e-3)
+    read = {behavior.id: behavior for behavior in staged.behaviors}
+    for before in direct.behaviors:
+        if before.kind is Channel.GESTURE:
+            after = read[before.id]
+            assert after.priority == before.priority
+            assert after.sync.stroke == pytest.approx((before.sync.stroke or 0.0) + 0.5, abs=0.1)
+
+
+def test_words_that_are_others_than_those_of_the_record_are_not_known(performance: Performance) -> None:
+    bml = write_bml(performance).replace(b"guess", b"really guess")
+    staged = prepare_schedule(None, BmlInput(bml, Path("a.bml")))
+    assert staged.schedule.words == ()
+    assert "lips_unheard" in {notice.code for notice in staged.notices}
+
+
+def test_a_body_that_is_made_still_twice_is_stiller(understudy: Understudy) -> None:
+    performance = perform(understudy, Line(AUDIO, TEXT), Options(stillness=0.5))
+    sheet = BmlInput(write_bml(performance), Path("a.bml"))
+    assert prepare_schedule(None, sheet, stillness=0.5).schedule.stillness == pytest.approx(0.75)
+
+
+def test_a_lexeme_that_nobody_knows_is_told_with_the_nearest(understudy: Understudy, performance: Performance) -> None:
+    bml = re.sub(rb'(<gesture id="gesture1" lexeme=)"[A-Z_]+"', rb'\1"NEGATON"', write_bml(performance))
+    realized = realize_prepared(understudy.realizer, prepare_schedule(None, BmlInput(bml, Path("a.bml"))))
+    (told,) = (notice for notice in realized.motion.notices if notice.code == "gesture_unknown")
+    assert "gesture1 is played as a BEAT: no gesture is called 'NEGATON'; did you mean 'NEGATION'?" in told.message
+
+
+def test_a_gesture_that_is_moved_onto_another_says_which_and_what_would_help(
+    understudy: Understudy, performance: Performance
+) -> None:
+    schedule = schedule_of(performance)
+    first, second = [each for each in schedule.behaviors if each.kind is Channel.GESTURE][:2]
+    assert first.sync.stroke is not None
+    assert second.sync.stroke is not None
+    moved = replace(second, sync=second.sync.shifted(first.sync.stroke - second.sync.stroke + 0.6))
+    behaviors = tuple(moved if each is second else each for each in schedule.behaviors)
+    realized = realize_prepared(understudy.realizer, PreparedSchedule(replace(schedule, behaviors=behaviors), ()))
+    (told,) = realized.motion.notices
+    assert told.code == "gesture_not_played"
+    assert f"Both are played if {second.id} comes" in told.message
 
 
 def test_what_the_caller_says_goes_before_what_is_heard(understudy: Understudy, performance: Performance) -> None:
@@ -65,8 +122,8 @@ def test_what_the_caller_says_goes_before_what_is_heard(understudy: Understudy, 
     assert (staged.schedule.agitation, staged.schedule.character) == (Level.HIGH, "reserved")
 
 
-def test_without_the_recording_lips_stay_shut_and_it_is_said(understudy: Understudy, performance: Performance) -> None:
-    staged = prepare_schedule(understudy.acoustic, BmlInput(write_bml(performance), Path("a.bml")))
+def test_without_record_and_recording_lips_stay_shut_and_it_is_said(performance: Performance) -> None:
+    staged = prepare_schedule(None, BmlInput(without_record(write_bml(performance)), Path("a.bml")))
     assert staged.schedule.visemes == ()
     assert [notice.code for notice in staged.notices] == ["lips_unheard"]
 

@@ -138,7 +138,9 @@ def _add_realize(add: Adding) -> None:
     )
     parser.add_argument("--character", metavar="NAME", help="who moves (default: whom the BML names)")
     _add_agitation(parser)
-    parser.add_argument("--seed", type=int, default=0, help="another number chooses other variants (default 0)")
+    parser.add_argument(
+        "--seed", type=int, help="another number chooses other variants (default: that of the performance, or 0)"
+    )
     _add_stillness(parser)
     _add_targets(parser)
     _add_motion(parser)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ..loading import load_realizer
@@ -40,11 +40,10 @@ def require_skeleton(name: str | None) -> None:
 
 @dataclass(frozen=True, slots=True)
 class MotionOptions:
-    """How motion is made and written: frames a second, the seed, how much longer than the recording, the skeleton's
-    name, the content of the avatar's file, and what is special in files."""
+    """How motion is made and written: frames a second, how much longer than the recording, the skeleton's name, the
+    content of the avatar's file, and what is special in files."""
 
     frame_rate_hz: int
-    seed: int
     tail_s: float
     skeleton: str | None
     avatar: bytes | None
@@ -58,29 +57,23 @@ class MotionOptions:
         name = arguments.avatar
         avatar = read_bytes(name, limit=LARGEST_AVATAR_BYTES, field="avatar") if name else None
         files = FileOptions(arguments.t_pose, arguments.root_at_origin, Keys(arguments.keys))
-        return cls(arguments.fps, arguments.seed, arguments.tail, arguments.skeleton, avatar, files)
+        return cls(arguments.fps, arguments.tail, arguments.skeleton, avatar, files)
 
 
 def write_motions(names: Sequence[str], staged: PreparedSchedule, options: MotionOptions, log: Log) -> None:
     """Realizes the schedule once and writes it to every name; decisions are told."""
-    from ..realization import AvatarOptions, Realized, realize, write_motion
+    from ..realization import AvatarOptions, realize_prepared, write_motion
 
     realizer = load_realizer()
     log.stage("realize")
-    motion = realize(
-        realizer,
-        staged.schedule,
-        frame_rate_hz=options.frame_rate_hz,
-        seed=options.seed,
-        tail_s=options.tail_s,
-    )
-    realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
+    realized = realize_prepared(realizer, staged, frame_rate_hz=options.frame_rate_hz, tail_s=options.tail_s)
+    log.warnings(realized.motion.notices[len(staged.notices) :])
     log.stage("export")
     wearer = AvatarOptions(options.skeleton, options.avatar)
     for name in names:
         write(name, write_motion(realized, realizer, format_of(name), wearer, options.files))
-    if motion.decisions:
-        log.note("\n".join(_told(decision) for decision in motion.decisions))
+    if realized.motion.decisions:
+        log.note("\n".join(_told(decision) for decision in realized.motion.decisions))
 
 
 def _told(decision: Decision) -> str:

@@ -116,7 +116,7 @@ class RealizeOptions(BaseModel):
     agitation: AgitationName = None
     character: Annotated[str | None, Field(description="Left out or null: whom the BML names.")] = None
     fps: Annotated[Literal[30, 60], Field(description="Frames a second.")] = 60
-    seed: Seed = 0
+    seed: Annotated[Seed | None, Field(description="Left out or null: that of the performance, or 0.")] = None
     skeleton: Annotated[str | None, Field(description="Whose names joints go by.", examples=["mixamo", "vrm"])] = None
     stillness: Stillness = 0.0
     targets: Positions = {}

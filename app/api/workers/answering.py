@@ -10,7 +10,7 @@ from types import MappingProxyType
 from ...errors import InputError, UnsupportedFormatError
 from ...model import Notice
 from ...performance import Line, Options, Understudy, find_functions, perform, write_bml, write_listener
-from ...realization import AvatarOptions, BmlInput, MotionFormat, Realized, prepare_schedule, realize, write_motion
+from ...realization import AvatarOptions, BmlInput, MotionFormat, prepare_schedule, realize_prepared, write_motion
 from ...realizer.body.motion import check_tail
 from ...schemas.direction import read_direction
 from ...schemas.given_functions import read_functions
@@ -98,12 +98,12 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
         character=question.character,
         stillness=question.stillness,
         targets=targets_of(question.targets),
+        seed=question.seed,
     )
-    motion = realize(realizer, staged.schedule, frame_rate_hz=question.fps, seed=question.seed, tail_s=question.tail_s)
-    realized = Realized(staged.schedule, replace(motion, notices=staged.notices))
+    realized = realize_prepared(realizer, staged, frame_rate_hz=question.fps, tail_s=question.tail_s)
     wearer = AvatarOptions(question.skeleton, asked.avatar)
     body = write_motion(realized, realizer, _MOTION_FORMATS[media_type], wearer, question.files)
-    return Answer(media_type, _headers(staged.notices)), body
+    return Answer(media_type, _headers(realized.motion.notices)), body
 
 
 def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:

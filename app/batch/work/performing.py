@@ -7,7 +7,6 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
 
 import numpy as np
 
@@ -25,7 +24,7 @@ from ...performance import (
     write_bml_json,
     write_listener,
 )
-from ...realization import AvatarOptions, PreparedSchedule, Realized, realize, schedule_of, write_motion
+from ...realization import AvatarOptions, PreparedSchedule, Realized, realize_prepared, write_motion
 from .files import write_files
 from .formats import LineFormat, beside, needs_motion
 from .jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
@@ -62,11 +61,8 @@ def _realized(job: LineJob, models: Understudy, performance: Performance) -> Map
         return {}
     found = {}
     for name, part in _parts(performance):
-        prepared = PreparedSchedule(schedule_of(part), part.notices)
-        motion = realize(
-            models.realizer, prepared.schedule, frame_rate_hz=job.motion.frame_rate_hz, seed=performance.seed
-        )
-        found[name] = Realized(prepared.schedule, replace(motion, notices=prepared.notices))
+        prepared = PreparedSchedule.of(part)
+        found[name] = realize_prepared(models.realizer, prepared, frame_rate_hz=job.motion.frame_rate_hz)
     return found
 
 

@@ -16,7 +16,8 @@ _DECIMALS = 6
 
 def with_lead_in(utterance: Utterance, lead_in_s: float) -> Utterance:
     """The utterance as it lies on the clock of a performance that begins `lead_in_s` before its recording, whatever
-    lead-in it has; with 0 that is the recording's own."""
+    lead-in it has; with 0 that is the recording's own. Whole milliseconds, as BML has them."""
+    lead_in_s = round(lead_in_s, 3)
     delay_s = lead_in_s - utterance.lead_in_s
     if not delay_s:
         return utterance
@@ -24,7 +25,7 @@ def with_lead_in(utterance: Utterance, lead_in_s: float) -> Utterance:
         utterance,
         words=tuple(later_word(word, delay_s) for word in utterance.words),
         fillers=tuple(replace(each, interval=_later(each.interval, delay_s)) for each in utterance.fillers),
-        duration_s=None if utterance.duration_s is None else round(utterance.duration_s + delay_s, _DECIMALS),
+        duration_s=None if utterance.duration_s is None else later_s(utterance.duration_s, delay_s),
         lead_in_s=lead_in_s,
     )
 
@@ -37,5 +38,10 @@ def later_word(word: Word, delay_s: float) -> Word:
     return replace(word, interval=_later(word.interval, delay_s), phones=phones)
 
 
+def later_s(time_s: float, delay_s: float) -> float:
+    """The time `delay_s` later; without a delay exactly the same."""
+    return round(time_s + delay_s, _DECIMALS) if delay_s else time_s
+
+
 def _later(interval: Interval, delay_s: float) -> Interval:
-    return Interval(round(interval.start_s + delay_s, _DECIMALS), round(interval.end_s + delay_s, _DECIMALS))
+    return Interval(later_s(interval.start_s, delay_s), later_s(interval.end_s, delay_s))

@@ -19,6 +19,7 @@ from .idle_behaviors import idle_behaviors
 from .modes import in_mode
 from .necessity import BLINK, needed
 from .saccades import TALKING
+from .stillness import to_thousandths
 from .transitions import eased
 
 PLANNED_MORE = 1.6
@@ -108,6 +109,11 @@ def numbered(behaviors: Iterable[Behavior]) -> tuple[Behavior, ...]:
         counts[behavior.kind] += 1
         names[behavior.id] = f"{behavior.kind}{counts[behavior.kind]}"
     return tuple(
-        replace(behavior, id=names[behavior.id], lost_to=behavior.lost_to and names[behavior.lost_to])
+        replace(
+            behavior,
+            id=names[behavior.id],
+            lost_to=behavior.lost_to and names[behavior.lost_to],
+            amount=behavior.amount if behavior.amount is None else to_thousandths(behavior.amount),
+        )
         for behavior in in_time
     )

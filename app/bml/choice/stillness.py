@@ -73,4 +73,9 @@ def _left_out(behavior: Behavior, stillness: float) -> Behavior:
 def _smaller(behavior: Behavior, stillness: float) -> Behavior:
     usual = USUAL_AMOUNT if behavior.kind in _SIZED else None
     amount = usual if behavior.amount is None else behavior.amount
-    return behavior if amount is None else replace(behavior, amount=amount * (1 - stillness))
+    return behavior if amount is None else replace(behavior, amount=to_thousandths(amount * (1 - stillness)))
+
+
+def to_thousandths(amount: float) -> float:
+    """The amount as BML says it, which is exact enough for any eye."""
+    return round(amount, 3)

@@ -18,12 +18,10 @@ CORE = "http://www.bml-initiative.org/bml/bml-1.0"
 CORE_EXTENSIONS = "http://www.bml-initiative.org/bml/coreextensions-1.0"
 SBM = "http://ict.usc.edu"
 """The namespace of SmartBody's additional attributes, `sbm:` in its files."""
-
-
 OURS = "urn:understudy:performance"
 RECORD_TYPE = "application/vnd.understudy.performance+xml"
-"""The namespace, and the type of the `description` of a speech, of what our realizer needs and the core cannot say.
-Other realizers skip a description whose type they do not know."""
+"""The namespace, and the type of the `description` of a speech, of what our realizer needs and the core cannot say
+(`understudy.bml.writing.record`). Other realizers skip a description whose type they do not know."""
 
 
 class Kind(StrEnum):
@@ -34,6 +32,9 @@ class Kind(StrEnum):
     NUMBER = "a fixed decimal"
     SHARE = "a fixed decimal from 0 to 1"
     COUNT = "a whole number"
+    WHOLE = "a whole number, with - before it if need be"
+    PHONES = "phones: of each its label, start and end"
+    DURATIONS = "durations: fixed decimals"
     TIME = "a time: fixed decimal seconds, or behaviour:point, with + or - seconds after it if need be"
 
 
@@ -51,7 +52,7 @@ class Attribute:
 @dataclass(frozen=True, slots=True)
 class ElementKind:
     """The type of an element: its attributes in the order of writing, with its sync points `syncs` in order of time.
-    `mixed` permits text between its parts; `free` permits any content."""
+    `mixed` permits text between its parts; `free` permits any content beside its parts."""
 
     name: str
     namespace: str
@@ -130,7 +131,47 @@ _GAZE = {
     "offsetDirection": _one_of("LEFT RIGHT UP DOWN UPLEFT UPRIGHT DOWNLEFT DOWNRIGHT POLAR"),
 }
 
-_DESCRIPTION = _kind("description", {"priority": Attribute(Kind.COUNT, required=True), "type": _NEEDED}, free=True)
+_RECORD = _kind(
+    "performance",
+    {
+        "agitation": _one_of("low medium high"),
+        "stillness": _SHARE,
+        "seed": Attribute(Kind.WHOLE),
+        "duration": _NUMBER,
+    },
+    parts=[
+        _kind(
+            "word",
+            {
+                **dict.fromkeys(("start", "end", "emphasis", "prominence", "stressedRatio"), _NUMBER),
+                "spread": _one_of("true"),
+                "phones": Attribute(Kind.PHONES),
+            },
+            namespace=OURS,
+        ),
+        _kind(
+            "behavior",
+            {
+                "ref": _ID,
+                "priority": _NUMBER,
+                "amount": _SHARE,
+                "first": _COUNT,
+                "last": _COUNT,
+                "phases": Attribute(Kind.DURATIONS),
+                **dict.fromkeys(("target", "rule", "function", "moment", "reason"), _TEXT),
+            },
+            namespace=OURS,
+        ),
+        _kind("notice", {"code": _NEEDED, "message": _NEEDED}, namespace=OURS),
+    ],
+    namespace=OURS,
+)
+_DESCRIPTION = _kind(
+    "description",
+    {"priority": Attribute(Kind.COUNT, required=True), "type": _NEEDED},
+    parts=[_RECORD],
+    free=True,
+)
 _MARK = _kind("sync", {"id": _ID})
 _SPOKEN = _kind("text", parts=[_MARK], mixed=True)
 _STANCE = _kind("stance", {"type": _one_of("STANDING SITTING CROUCHING LYING", required=True)})

@@ -91,9 +91,7 @@ def _in_element(element: Element, kind: ElementKind, dialect: Dialect) -> Found:
     place = element.place or _NOWHERE
     for message in _in_attributes(element, kind, dialect):
         yield place, f"{_shown(element)}: {message}"
-    if kind.free:
-        return
-    if not kind.mixed:
+    if not kind.mixed and not kind.free:
         yield from _stray_text(element)
     if kind.needs and kind.needs not in {local_name(part.name) for part in element.children}:
         yield place, f"{_shown(element)}: no <{kind.needs}> in it"
@@ -101,7 +99,7 @@ def _in_element(element: Element, kind: ElementKind, dialect: Dialect) -> Found:
         inside = kind_of(part, kind)
         if inside:
             yield from _in_element(part, inside, dialect)
-        elif not is_foreign(part.name, dialect):
+        elif not kind.free and not is_foreign(part.name, dialect):
             name = local_name(part.name)
             unknown = f"<{_short(name)}> may not stand in <{kind.name}>"
             yield part.place or _NOWHERE, f"{unknown}{_hint(name, kind.parts)}"

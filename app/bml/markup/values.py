@@ -5,6 +5,7 @@ around a value is ignored, and runs of it inside count as one space.
 """
 
 import re
+from collections.abc import Mapping
 from decimal import Decimal
 from math import isfinite
 
@@ -13,9 +14,19 @@ from .elements import Attribute, Kind
 
 PLACES = 3
 
-_ID = re.compile(r"[A-Za-z][A-Za-z0-9_.]*")
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)", re.ASCII)
-_COUNT = re.compile(r"\d{1,9}", re.ASCII)
+_DECIMAL = r"\d+(?:\.\d*)?"
+_PHONE = rf"[A-Z]+\d? {_DECIMAL} {_DECIMAL}"
+_TEXTS: Mapping[Kind, re.Pattern[str]] = {
+    Kind.TEXT: re.compile(".*"),
+    Kind.ID: re.compile(r"[A-Za-z][A-Za-z0-9_.]*"),
+    Kind.PHONES: re.compile(rf"{_PHONE}(?: {_PHONE})*", re.ASCII),
+    Kind.DURATIONS: re.compile(rf"{_DECIMAL}(?: {_DECIMAL})*", re.ASCII),
+}
+_WHOLES: Mapping[Kind, re.Pattern[str]] = {
+    Kind.COUNT: re.compile(r"\d{1,9}", re.ASCII),
+    Kind.WHOLE: re.compile(r"-?\d{1,19}", re.ASCII),
+}
 _REFERENCE = re.compile(
     r"(?:(?P<block>[A-Za-z_][\w.-]*):)?(?P<behavior>[A-Za-z_][\w.-]*):(?P<point>[A-Za-z_][\w.-]*?)"
     r"(?:\s*(?P<sign>[+-])\s*(?P<offset>\d+(?:\.\d*)?|\.\d+))?",
@@ -51,12 +62,10 @@ def text_of(value: Value) -> str:
 
 def _value(text: str, kind: Kind) -> Value:
     match kind:
-        case Kind.TEXT:
-            return text
-        case Kind.ID:
-            return _matching(_ID, text)
-        case Kind.COUNT:
-            return int(_matching(_COUNT, text))
+        case Kind.TEXT | Kind.ID | Kind.PHONES | Kind.DURATIONS:
+            return _matching(_TEXTS[kind], text)
+        case Kind.COUNT | Kind.WHOLE:
+            return int(_matching(_WHOLES[kind], text))
         case Kind.NUMBER:
             return _number(text)
         case Kind.SHARE:

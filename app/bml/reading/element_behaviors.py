@@ -12,6 +12,7 @@ from types import MappingProxyType
 
 from ...model import Behavior, Channel, Hand, SyncPoints
 from ..choice.faces import ACTION_UNITS
+from ..choice.stillness import to_thousandths
 from ..choice.table import GLANCE, LOOK, SHIFT
 from ..markup.documents import Element
 from ..markup.elements import SBM
@@ -87,7 +88,7 @@ def _gaze(element: Element, blank: Behavior, *, shifts: bool = False) -> Behavio
         lexeme=GLANCE if joints == _EYES_ALONE and not shifts else SHIFT if shifts else LOOK,
         target=_text(element, "target"),
         direction=direction if aside else None,
-        amount=min(1.0, abs(angle) / GAZE_RANGE_DEGREES) if aside and angle is not None else None,
+        amount=to_thousandths(min(1.0, abs(angle) / GAZE_RANGE_DEGREES)) if aside and angle is not None else None,
     )
 
 

@@ -59,7 +59,10 @@ def _dialect_of(root: Element) -> tuple[Dialect, ElementKind] | None:
 def _element(element: Element, kind: ElementKind | None) -> Element:
     """The element with typed attribute values and its name in the table."""
     if kind is None or kind.free:
-        parts = tuple(part if isinstance(part, str) else _element(part, None) for part in element.content)
+        parts = tuple(
+            part if isinstance(part, str) else _element(part, kind_of(part, kind) if kind else None)
+            for part in element.content
+        )
     else:
         parts = tuple(_content(element, kind))
     if kind is None:

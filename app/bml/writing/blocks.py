@@ -1,18 +1,18 @@
 """Converts the schedule of a performance to a BML 1.0 core document: the speech, then the kept behaviours in order of
 time.
 
-The speech has a mark before every word, `w0`, `w1`, …, and one after the last. Attributes without a counterpart in BML
-are omitted; the JSON of the performance has them all.
+The speech has a mark before every word, `w0`, `w1`, …, and one after the last. What has no counterpart in BML is in the
+speech's description (`record.py`).
 """
 
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from ...model import Behavior, Channel, Hand, Performance, Target, Word
+from ...model import Behavior, Channel, Hand, Performance, Word
 from ..choice.faces import ACTION_UNITS
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
-from ..markup.elements import OURS, RECORD_TYPE
 from ..markup.marks import SPEECH, time_formatter, to_milli
+from .record import record
 
 GAZE_RANGE_DEGREES = 60.0
 """The offset from its target of a gaze with amount 1."""
@@ -37,33 +37,15 @@ def to_core(performance: Performance, timing: TimeForm) -> Document:
     words, lead_in_s = performance.utterance.words, performance.utterance.lead_in_s
     timed = time_formatter(words, timing, mark="w{}".format, speech_start_s=lead_in_s)
     behaviors = (_element(each, timed(each.sync)) for each in performance.behaviors if each.kept)
-    speech = (_speech(words, lead_in_s, _scene(performance)),) if words else ()
+    speech = (_speech(performance),) if words else ()
     attributes: dict[str, Value] = {"id": "bml1", "characterId": performance.character}
     return Document(DialectName.BML, Element("bml", attributes, (*speech, *behaviors)))
 
 
-def _speech(words: tuple[Word, ...], start_s: float, scene: Element | None) -> Element:
-    text = Element("text", content=tuple(_marked(words)))
-    return Element("speech", {"id": SPEECH, "start": to_milli(start_s)}, (text, *((scene,) if scene else ())))
-
-
-def _scene(performance: Performance) -> Element | None:
-    """Where targets are, and which gestures are at them, which BML cannot say, in a description of the speech."""
-    pawns = [_ours("pawn", {"name": each.name, **_place(each)}) for each in performance.targets]
-    gestures = (each for each in performance.behaviors if each.kept and each.kind is Channel.GESTURE)
-    aimed = [_ours("behavior", {"ref": each.id, "target": each.target}) for each in gestures if each.target]
-    if not pawns:
-        return None
-    content = (_ours("performance", {}, (*pawns, *aimed)),)
-    return Element("description", {"priority": 1, "type": RECORD_TYPE}, content)
-
-
-def _ours(name: str, attributes: Mapping[str, Value], content: tuple[Element, ...] = ()) -> Element:
-    return Element(f"{{{OURS}}}{name}", attributes, content)
-
-
-def _place(target: Target) -> dict[str, Value]:
-    return dict(zip("xyz", target.position_m, strict=True))
+def _speech(performance: Performance) -> Element:
+    text = Element("text", content=tuple(_marked(performance.utterance.words)))
+    start_s = to_milli(performance.utterance.lead_in_s)
+    return Element("speech", {"id": SPEECH, "start": start_s}, (text, record(performance)))
 
 
 def _marked(words: tuple[Word, ...]) -> Iterator[Element | str]:

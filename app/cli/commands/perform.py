@@ -67,9 +67,9 @@ def _performed(
 
 
 def _realize(performance: Performance, names: Sequence[str], motion: MotionOptions, log: Log) -> None:
-    from ...realization import PreparedSchedule, schedule_of
+    from ...realization import PreparedSchedule
 
-    write_motions(names, PreparedSchedule(schedule_of(performance), performance.notices), motion, log)
+    write_motions(names, PreparedSchedule.of(performance), motion, log)
 
 
 def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespace) -> None:

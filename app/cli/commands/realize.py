@@ -55,6 +55,7 @@ def _prepared(
             character=arguments.character,
             stillness=arguments.stillness,
             targets=read_targets(arguments.target),
+            seed=arguments.seed,
             progress=log.stage,
         )
 

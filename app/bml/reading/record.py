@@ -1,0 +1,117 @@
+"""Reads the record that our writer puts into the description of a speech (`understudy.bml.writing.record`).
+
+Behaviours that somebody added have no record, and a record of what somebody deleted is nobody's. Where the words of the
+speech are no longer those of the record, their times are not known.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+
+from ...model import Behavior, Channel, Interval, Level, Notice, Phone, Word
+from ..markup.documents import Document, Element, Value
+from ..markup.elements import RECORD_TYPE
+from ..markup.speech import behaviors_of, speech_of
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """What a file says of its performance beyond the core; times are seconds from the start of the recording."""
+
+    words: tuple[Word, ...]
+    duration_s: float | None
+    agitation: Level | None
+    stillness: float
+    seed: int | None
+    notices: tuple[Notice, ...]
+    behaviors: Mapping[str, Element]
+
+    def completed(self, behavior: Behavior) -> Behavior:
+        """The behaviour with what its own element cannot say."""
+        own = self.behaviors.get(behavior.id)
+        if own is None:
+            return behavior
+        found = own.attributes
+        gesture = behavior.kind is Channel.GESTURE
+        return replace(
+            behavior,
+            priority=_number(found, "priority") or 0.0,
+            first=_count(found, "first") or 0,
+            last=_count(found, "last") or 0,
+            amount=_number(found, "amount") if gesture else behavior.amount,
+            target=behavior.target or (_text(found, "target") if gesture else None),
+            rule=_text(found, "rule"),
+            function=_text(found, "function"),
+            moment=_text(found, "moment"),
+            reason=_text(found, "reason"),
+        )
+
+
+def read_record(document: Document) -> Record | None:
+    """The record of a document, if it has one."""
+    found = next((each for each in behaviors_of(document) if each.name == "speech"), None)
+    descriptions = (part for part in found.children if part.attributes.get("type") == RECORD_TYPE) if found else ()
+    performance = next((part for each in descriptions for part in each.children if part.name == "performance"), None)
+    if performance is None:
+        return None
+    level = _text(performance.attributes, "agitation")
+    parts = list(performance.children)
+    return Record(
+        words=tuple(_words(document, [part for part in parts if part.name == "word"])),
+        duration_s=_number(performance.attributes, "duration"),
+        agitation=Level(level) if level else None,
+        stillness=_number(performance.attributes, "stillness") or 0.0,
+        seed=_count(performance.attributes, "seed"),
+        notices=tuple(_notice(part.attributes) for part in parts if part.name == "notice"),
+        behaviors=MappingProxyType(
+            {str(part.attributes.get("ref")): part for part in parts if part.name == "behavior"}
+        ),
+    )
+
+
+def _words(document: Document, recorded: list[Element]) -> Iterator[Word]:
+    speech = speech_of(document)
+    texts = speech.text.split() if speech else []
+    if len(texts) == len(recorded):
+        for index, (text, element) in enumerate(zip(texts, recorded, strict=True)):
+            yield _word(index, text, element.attributes)
+
+
+def _word(index: int, text: str, found: Mapping[str, Value]) -> Word:
+    start_s, end_s = _number(found, "start"), _number(found, "end")
+    return Word(
+        index=index,
+        text=text,
+        interval=None if start_s is None or end_s is None else Interval(start_s, end_s),
+        phones=tuple(_phones(_text(found, "phones") or "")),
+        stressed_ratio=_number(found, "stressedRatio"),
+        prominence=_number(found, "prominence"),
+        emphasis=_number(found, "emphasis"),
+        spread="spread" in found,
+    )
+
+
+def _phones(text: str) -> Iterator[Phone]:
+    parts = text.split()
+    for name, start_s, end_s in zip(parts[::3], parts[1::3], parts[2::3], strict=True):
+        label = name.rstrip("0123456789")
+        yield Phone(label, Interval(float(start_s), float(end_s)), int(name[len(label) :]) if name != label else None)
+
+
+def _notice(found: Mapping[str, Value]) -> Notice:
+    return Notice(_text(found, "code") or "", _text(found, "message") or "")
+
+
+def _number(found: Mapping[str, Value], name: str) -> float | None:
+    value = found.get(name)
+    return float(value) if isinstance(value, int | float) else None
+
+
+def _count(found: Mapping[str, Value], name: str) -> int | None:
+    value = found.get(name)
+    return value if isinstance(value, int) else None
+
+
+def _text(found: Mapping[str, Value], name: str) -> str | None:
+    value = found.get(name)
+    return value if isinstance(value, str) else None
