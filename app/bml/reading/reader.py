@@ -17,6 +17,7 @@ from ..markup.documents import Document, Element, Place, Value
 from ..markup.elements import DIALECTS, OURS, Dialect, ElementKind
 from ..markup.mistakes import is_foreign, kind_of, local_name, mistakes_of, typed_attributes
 from ..markup.parsing import NotXmlError, ReadingLimits, parse
+from .moved_points import with_following_points
 
 MOST_MISTAKES = 100
 """The maximum number of reported mistakes, and of foreign names, per file."""
@@ -28,7 +29,8 @@ _DEFAULT_LIMITS = ReadingLimits()
 def read_bml(
     content: bytes, path: Path, limits: ReadingLimits = _DEFAULT_LIMITS
 ) -> tuple[Document, tuple[Notice, ...]]:
-    """The document, and a Notice `bml_foreign` for every name that is not in its dialect.
+    """The document, a Notice `bml_point_moved` for every behaviour of ours of which a point was moved by hand, and a
+    Notice `bml_foreign` for every name that is not in its dialect.
 
     `path` names the file in messages. Raises WrongBmlError `bml_wrong` with all mistakes, and TooLargeError
     `bml_too_large`.
@@ -45,10 +47,11 @@ def read_bml(
         message = f"the outermost element is <{root.name[:100]}>; write <bml> of BML 1.0, or SmartBody's <act>"
         raise _wrong_bml(content, path, [(root.place or Place(1, 1), message)])
     dialect, kind = found
+    root, moves = with_following_points(root, kind)
     mistakes = list(islice(mistakes_of(root, kind, dialect), MOST_MISTAKES))
     if mistakes:
         raise _wrong_bml(content, path, mistakes)
-    return Document(dialect.name, _element(root, kind)), _foreign(root, kind, dialect)
+    return Document(dialect.name, _element(root, kind)), (*moves, *_foreign(root, kind, dialect))
 
 
 def _dialect_of(root: Element) -> tuple[Dialect, ElementKind] | None:
