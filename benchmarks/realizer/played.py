@@ -75,8 +75,9 @@ def _every() -> Iterator[Options]:
 
 def _plans(understudy: Understudy, analyses: list[Analysis], ways: list[Options]) -> Iterator[tuple[int, GesturePlan]]:
     """How many gestures a performance has, and their plan."""
-    library = load_gestures()
     for analysis, options in product(analyses, ways):
+        manner = understudy.behavior.characters.named(options.character).figure.manner
+        library = load_gestures().in_manner(manner)
         schedule = schedule_of(perform_analysis(understudy, _at_level(analysis, options.agitation), options))
         asked = sum(each.kind is Channel.GESTURE for each in schedule.behaviors)
         for seed in SEEDS:
