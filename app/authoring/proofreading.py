@@ -18,6 +18,7 @@ from ..bml.choice.table import BehaviorEntry, load_table
 from ..errors import AuthoringError, InputError, Mistake
 from ..loading import AUTHORED, load_characters, load_function_rules, load_gestures, load_mapping_rules
 from ..model import Channel, Hand, Level
+from ..realizer.body.movement_style import MovementStyle
 from ..realizer.body.skeleton import Skeleton
 from ..realizer.exporting.retargeting import load_rigs
 from ..realizer.face.face_tables import FaceTables
@@ -57,6 +58,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "abbreviations.yaml": lambda file: Normaliser.load(file, ()),
         "behaviors.yaml": load_table,
         "face.yaml": FaceTables.load,
+        "movement.yaml": MovementStyle.load,
         "families.yaml": lambda file: load_families(
             file, load_table(resource_folder("lexicon") / "behaviors.yaml").lines
         ),
@@ -84,6 +86,7 @@ def check_files_in_use() -> None:
         lambda: load_mapping_rules(load_characters().behavior_names),
         load_gestures,
         partial(FaceTables.load, lexicon / "face.yaml"),
+        partial(MovementStyle.load, lexicon / "movement.yaml"),
         lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),
         lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),

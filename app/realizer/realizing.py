@@ -13,9 +13,10 @@ from types import MappingProxyType
 import numpy as np
 
 from ..figures import PLAIN, Figure, Looks
-from ..model import Behavior, Channel, FloatArray, Schedule, SyncPoints
+from ..model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
 from .arms.collisions import resolve_collisions
 from .body.motion import Decision, Motion, check_tail
+from .body.movement_style import MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
 from .exporting.retargeting import Rig, find_rig, load_rigs
@@ -28,10 +29,11 @@ from .head_and_gaze.gaze import apply_gaze, eyes_in_t_pose_m
 from .head_and_gaze.gaze_targets import LISTENER, LISTENER_M, Position
 from .head_and_gaze.head import apply_head_movements
 from .head_and_gaze.head_movements import realized_heads
-from .scheduling.gesture_controller import apply_gestures
+from .scheduling.gesture_controller import accents_of, apply_gestures
 from .scheduling.planning import plan_gestures
 from .scheduling.unplayable import unplayable_behaviors
 from .torso.idle import idle_motion
+from .torso.neck import with_neck_reaching
 
 _DECIMALS = 6
 """To which a number of frames is known: a recording of 2 s has 120 frames at 60 a second, not 121 by rounding."""
@@ -41,16 +43,19 @@ _NOTICEABLE_S = 0.02
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Performer:
-    """A character as it is realized: its body, its looks, and the gestures of the library in its manner."""
+    """A character as it is realized: its body, its looks, the gestures of the library in its manner, and the hand that
+    leads in those of both."""
 
     skeleton: Skeleton
     looks: Looks
     library: Library
+    leading: Hand
 
     @classmethod
     def of(cls, figure: Figure, library: Library) -> "Performer":
         """The performer whose figure this is."""
-        return cls(Skeleton.standing(Proportions(figure.physique)), figure.looks, library.in_manner(figure.manner))
+        skeleton = Skeleton.standing(Proportions(figure.physique))
+        return cls(skeleton, figure.looks, library.in_manner(figure.manner), figure.leading)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,6 +67,7 @@ class Realizer:
     performers: Mapping[str, Performer]
     library: Library
     face: FaceTables
+    style: MovementStyle
     rigs: Mapping[str, Rig]
 
     @classmethod
@@ -83,6 +89,7 @@ class Realizer:
             performers={name: Performer.of(figure, library) for name, figure in figures.items()},
             library=library,
             face=FaceTables.load(lexicon / "face.yaml"),
+            style=MovementStyle.load(lexicon / "movement.yaml"),
             rigs=load_rigs(lexicon / "retarget", average.skeleton),
         )
 
@@ -109,15 +116,17 @@ def realize(
     """
     check_tail(tail_s)
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
-    performer = realizer.performer(schedule.character)
-    targets_m = _targets_m(schedule, performer.skeleton)
-    plan = plan_gestures(performer.library, schedule, seed=seed, targets_m=targets_m)
+    performer, style, lively = realizer.performer(schedule.character), realizer.style, 1 - schedule.stillness
+    skeleton, leading = performer.skeleton, performer.leading
+    targets_m = _targets_m(schedule, skeleton)
+    plan = plan_gestures(performer.library, schedule, seed=seed, targets_m=targets_m, leading=leading, style=style)
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
-    skeleton = performer.skeleton
-    body = idle_motion(skeleton, times_s, schedule, seed=seed)
-    body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=1 - schedule.stillness)
+    accents = accents_of(plan, times_s, style.stroke, scale=lively)
+    body = idle_motion(skeleton, times_s, schedule, seed=seed, life=style.idle)
+    body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
     body = apply_gaze(skeleton, body, schedule, targets_m=targets_m, seed=seed)
     body = apply_head_movements(skeleton, body, schedule, seed=seed)
+    body = with_neck_reaching(skeleton, body, schedule, accents.neck, seed=seed, life=style.idle)
     body, moved = resolve_collisions(skeleton, body)
     shapes = face_weights(realizer.face, schedule, body, skeleton, seed=seed)
     return Motion(

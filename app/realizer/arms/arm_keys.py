@@ -16,11 +16,11 @@ import numpy as np
 from ...figures import Manner
 from ...model import Hand
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import slerp
+from ..geometry.rotations import from_rotation_vector, multiply, slerp
 from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType, KeyCurve
 from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, Repeat
 from .arms import ArmTrack, TimedPose
-from .posing import PartialPose, pose_arms
+from .posing import HAND_ROWS, PartialPose, pose_arms
 from .rest_poses import rest_pose
 from .wrist_paths import amplitude, arm_key
 
@@ -30,6 +30,10 @@ _SHORTEST_KEY_S = 0.02
 """Keys closer together than this are merged: they add no information and would distort the curve between them."""
 _BACK = 0.5
 """The share of a repetition that the backward movement takes."""
+FINGER_ROWS = 12
+"""The last rows of a pose: four fingers of three joints."""
+_USUAL_SHARE, _MOST_SHARE = 0.35, 0.6
+"""Of the way to hanging that a repetition goes back: where the length of the way is unknown, and at most."""
 
 
 def arm_track(skeleton: Skeleton, side: Hand, plan: GesturePlan) -> ArmTrack:
@@ -88,8 +92,9 @@ def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose
     yield from (_timed(gesture, each) for each in posed if not markers.stroke_end < each.key.time_s == markers.relax)
     start = _together(each.pose for each in posed if each.key.time_s <= markers.stroke_start)
     end = _together(each.pose for each in posed if each.key.time_s <= markers.relax)
-    for repeat in gesture.placed.repeats:
-        yield from _repeat_keys(repeat, start, end)
+    hanging = _resting(skeleton, gesture.side, "at_side")
+    for repeat in (*gesture.placed.repeats, *gesture.beats):
+        yield from _repeat_keys(repeat, start, end, hanging)
     held = next((each.key.curve for each in posed if each.key.time_s == markers.relax), KeyCurve())
     yield _shaped(TimedPose(gesture.markers.relax, end, noise=HOLD_NOISE), held)
 
@@ -101,7 +106,26 @@ def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
     size, manner = amplitude(placed), placed.clip.manner
     poses = _poses(skeleton, gesture.side, asked, size=size, aim_m=placed.aim_m, manner=manner)
     for (key, _of_arm), pose in zip(played, poses, strict=True):
-        yield _Posed(_on_the_clock(gesture, key.time_s), key, pose)
+        made = _part_of_the_way(skeleton, gesture.side, pose, placed.share) if placed.follows else pose
+        made = _bent(made, gesture.side, placed.bends_deg) if placed.bends_deg else made
+        yield _Posed(_on_the_clock(gesture, key.time_s), key, made)
+
+
+def _part_of_the_way(skeleton: Skeleton, side: Hand, pose: PartialPose, share: float) -> PartialPose:
+    """A pose of a hand that only follows: between hanging and `pose`, with relaxed fingers."""
+    hanging = _resting(skeleton, side, "at_side").parts
+    parts = slerp(hanging, pose.parts, np.array(share))
+    parts[HAND_ROWS] = hanging[HAND_ROWS]
+    return PartialPose(parts)
+
+
+def _bent(pose: PartialPose, side: Hand, bends_deg: tuple[float, ...]) -> PartialPose:
+    """The pose with its fingers bent further, all three joints of each alike."""
+    turns = np.zeros((FINGER_ROWS, 3))
+    turns[:, 2] = np.radians(np.repeat(bends_deg, 3)) * (-1.0 if side is Hand.LEFT else 1.0)
+    parts = pose.parts.copy()
+    parts[-FINGER_ROWS:] = multiply(parts[-FINGER_ROWS:], from_rotation_vector(turns))
+    return PartialPose(parts, pose.wrist_m)
 
 
 @lru_cache(maxsize=1024)
@@ -166,13 +190,24 @@ def _curve(expressivity: Expressivity, kind: FrameType) -> tuple[float, float]:
     return 0.5 - expressivity.fluidity, 0.0
 
 
-def _repeat_keys(repeat: Repeat, start: PartialPose, end: PartialPose) -> Iterator[TimedPose]:
-    """Hold, move back towards the start of the stroke, and strike again on the emphasis."""
+def _repeat_keys(repeat: Repeat, start: PartialPose, end: PartialPose, hanging: PartialPose) -> Iterator[TimedPose]:
+    """Hold, move back towards the start of the stroke or towards hanging, and strike again on the emphasis."""
     turn_s = repeat.start_s + _BACK * (repeat.end_s - repeat.start_s)
-    back = slerp(end.parts, start.over(end).parts, np.array(repeat.amplitude))
+    towards, share = start.over(end), repeat.amplitude
+    if repeat.way_m is not None:
+        towards, share = hanging, _share_of_way(end, hanging, repeat.way_m)
+    back = slerp(end.parts, towards.parts, np.array(share))
+    back[HAND_ROWS] = end.parts[HAND_ROWS]
     yield TimedPose(repeat.start_s, end, noise=HOLD_NOISE)
     yield TimedPose(turn_s, PartialPose(back), noise=STROKE_NOISE)
     yield TimedPose(repeat.end_s, end, noise=HOLD_NOISE, marked=True)
+
+
+def _share_of_way(end: PartialPose, hanging: PartialPose, way_m: float) -> float:
+    """The share of the way to hanging that is about `way_m` long."""
+    if end.wrist_m is None or hanging.wrist_m is None:
+        return _USUAL_SHARE
+    return min(_MOST_SHARE, way_m / max(float(np.linalg.norm(end.wrist_m - hanging.wrist_m)), 1e-6))
 
 
 def _together(poses: Iterable[PartialPose]) -> PartialPose:

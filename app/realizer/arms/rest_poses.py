@@ -39,7 +39,7 @@ class Rest:
 
 
 _CURVED = tuple((finger, Bend.CURVED) for finger in _FOUR)
-_AT_SIDE = Rest((0.256, -0.090, 0.042), (-0.08, -1.0, 0.20), (-1.0, 0.05, -0.45), -18.0)
+HANGING = Rest((0.256, -0.090, 0.042), (-0.08, -1.0, 0.20), (-1.0, 0.05, -0.45), -18.0)
 _STIFF = HandShape(HandForm.FLAT, Thumb.OUT)
 _IN_POCKETS = Rest((0.232, 0.015, 0.065), (-0.10, -1.0, 0.20), (-1.0, 0.1, -0.1), 5.0, _STIFF)
 _ON_HIPS = Rest((0.225, 0.090, 0.010), (-0.35, -0.45, 0.85), (-0.7, -0.6, -0.5), 46.0, _STIFF)
@@ -47,7 +47,7 @@ _OPEN = Rest((0.250, 0.110, 0.200), (-0.35, -0.15, 1.0), (-0.9, 0.25, -0.3))
 
 RESTS: Mapping[str, tuple[Rest, Rest]] = MappingProxyType(
     {
-        "at_side": (_AT_SIDE, _AT_SIDE),
+        "at_side": (HANGING, HANGING),
         "clasped": (
             Rest((0.124, 0.075, 0.230), (-0.90, -0.40, 0.10), (-0.1, -0.3, -1.0), 8.0, _EASY, _CURVED),
             Rest((0.132, 0.046, 0.162), (-0.90, -0.40, 0.05), (-0.1, 0.1, -1.0), 8.0, _EASY, _CURVED),

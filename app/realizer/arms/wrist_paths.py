@@ -11,6 +11,7 @@ from ..body.skeleton import HIPS_HEIGHT_M
 from ..gestures.gesture import ArmKey, Clip, ClipKey, Depth, Height, Place, Sideways
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
+from .rest_poses import HANGING
 
 _UNPLACED = Place(Sideways.C, Height.CC, Depth.MIDDLE)
 """The place assumed for a hand that is given by joint angles."""
@@ -31,8 +32,11 @@ def amplitude(placed: PlacedGesture) -> float:
 
 def wrist_m(placed: PlacedGesture, side: Hand, time_s: float) -> FloatArray:
     """The wrist's position (3,) at `time_s` of the clip; for an aimed gesture, on the line from the shoulder to its
-    target."""
+    target; of a hand that follows, on the way there from hanging."""
     place_m = _wrist_m(placed.clip, side, time_s, amplitude(placed))
+    if placed.follows:
+        hanging_m = np.array(HANGING.wrist_m)
+        return np.asarray(hanging_m + placed.share * (place_m - hanging_m))
     if placed.aim_m is None:
         return place_m
     out = 1.0 if side is Hand.LEFT else -1.0

@@ -18,11 +18,11 @@ from .statements import FrameTree, GestureTree, LocatedMistake, Statement, Word
 
 MEDIUM = Expressivity(repetition=0.35)
 FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(
-    {Level.LOW: (0.8, 0.85), Level.MEDIUM: (1.0, 1.0), Level.HIGH: (1.2, 1.2)}
+    {Level.LOW: (0.9, 0.95), Level.MEDIUM: (1.0, 1.0), Level.HIGH: (1.2, 1.2)}
 )
 """Amplitude and tempo of a level, as factors of medium's."""
 SUMMANDS: Mapping[Level, tuple[float, float, float]] = MappingProxyType(
-    {Level.LOW: (0.2, -0.2, -0.2), Level.MEDIUM: (0.0, 0.0, 0.0), Level.HIGH: (-0.15, 0.25, 0.3)}
+    {Level.LOW: (0.2, -0.2, -0.05), Level.MEDIUM: (0.0, 0.0, 0.0), Level.HIGH: (-0.15, 0.25, 0.3)}
 )
 """Fluidity, power and repetition of a level, added to medium's."""
 RANGES: Mapping[str, tuple[float, float]] = MappingProxyType(

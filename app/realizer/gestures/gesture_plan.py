@@ -34,23 +34,34 @@ class GestureRequest:
 @dataclass(frozen=True, slots=True)
 class Repeat:
     """A partial repetition of the stroke (Gesture Engine §5.1): back from `start_s`, and forth until `end_s`, which is
-    on an emphasis; `amplitude` is a share of the first stroke's."""
+    on an emphasis; `amplitude` is a share of the first stroke's. One with `way_m` goes that far back towards hanging
+    instead."""
 
     start_s: float
     end_s: float
     amplitude: float
+    way_m: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class PlacedGesture:
     """A clip A_i for a request G_i, its stroke at the desired time; `relax_s` is the earliest end of its hold. `aim_m`
-    is the world position that it points at; None plays it as defined."""
+    is the world position that it points at; None plays it as defined. `share` is how far of the way from hanging the
+    hand goes: less than 1 in a hand that only follows the other. Where the hand does not lead, its fingers from index
+    to little are bent by `bends_deg` more."""
 
     request: GestureRequest
     clip: Clip
     relax_s: float
     repeats: tuple[Repeat, ...] = ()
     aim_m: Position | None = None
+    share: float = 1.0
+    bends_deg: tuple[float, ...] = ()
+
+    @property
+    def follows(self) -> bool:
+        """Whether it is what the other hand makes of a gesture of one hand."""
+        return self.share < 1.0
 
     @property
     def offset_s(self) -> float:
@@ -82,7 +93,8 @@ class PlacedGesture:
 class ArmGesture:
     """A placed gesture as played by one arm. `blended_from` and `blended_to` are the gestures that the arm comes from
     and goes to without rest; None is from or to rest. `initial_progress` is the share of the way to the stroke start
-    that the arm has already covered in the first frame, when the first stroke of a line leaves no time for it."""
+    that the arm has already covered in the first frame, when the first stroke of a line leaves no time for it. `beats`
+    fill a long hold."""
 
     side: Hand
     placed: PlacedGesture
@@ -90,6 +102,7 @@ class ArmGesture:
     blended_from: str | None = None
     blended_to: str | None = None
     initial_progress: float = 0.0
+    beats: tuple[Repeat, ...] = ()
 
     @property
     def behavior(self) -> str:
@@ -132,6 +145,7 @@ class GestureUnit:
 @dataclass(frozen=True, slots=True)
 class GesturePlan:
     """What the arms do from the first frame to `end_s`, when both are at rest; gestures and rests are in order of time.
+    `following` are those that an arm makes because the other one gestures.
     `realized` has the sync points of every gesture that is played, by BML id; `decisions` explain those that are not
     played as requested."""
 
@@ -142,10 +156,12 @@ class GesturePlan:
     decisions: tuple[Decision, ...]
     realized: Mapping[str, SyncPoints]
     end_s: float
+    following: tuple[ArmGesture, ...] = ()
 
     def of_arm(self, side: Hand) -> tuple[tuple[ArmGesture, ...], tuple[ArmRest, ...]]:
-        """The gestures and rests of one arm."""
-        gestures = tuple(each for each in self.gestures if each.side is side)
+        """The gestures of one arm, with those in which it follows, and its rests."""
+        made = (each for each in (*self.gestures, *self.following) if each.side is side)
+        gestures = tuple(sorted(made, key=lambda each: each.markers.stroke_start))
         return gestures, tuple(each for each in self.rests if each.side is side)
 
 

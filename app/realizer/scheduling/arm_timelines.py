@@ -68,7 +68,12 @@ def rest_changes(units: Sequence[Sequence[PlacedGesture]], setting: TransitionCo
     """The rest poses from the first frame on: they change at the end of a unit and with postures of the schedule."""
     ends_s = [0.0, *(max(each.relax_s for each in unit) for unit in units)]
     starts_s = [min(each.stroke_start_s for each in unit) for unit in units]
-    poses = [rest_pose_for_gap(start_s - end_s) for end_s, start_s in zip(ends_s, starts_s, strict=False)]
+    two_handed = [False, *(any(len(each.arms) == 2 for each in unit) for unit in units)]
+    gaps_s = [start_s - end_s for end_s, start_s in zip(ends_s, starts_s, strict=False)]
+    poses = [
+        rest_pose_for_gap(gap_s, together=before or after)
+        for gap_s, (before, after) in zip(gaps_s, pairwise(two_handed), strict=True)
+    ]
     by_gap = tuple(zip(ends_s, [*poses, AT_SIDE], strict=True))
     times_s = sorted({*ends_s, *(from_s for from_s, _pose in setting.postures)})
     changes = [
@@ -82,10 +87,9 @@ def _in_force(poses: Iterable[tuple[float, str]], time_s: float) -> str:
 
 
 def arm_timeline(
-    side: Hand, gestures: Iterable[PlacedGesture], changes: tuple[RestChange, ...], setting: TransitionContext
+    side: Hand, own: Sequence[PlacedGesture], changes: tuple[RestChange, ...], setting: TransitionContext
 ) -> ArmTimeline:
-    """The timeline of one arm; `gestures` are those of both."""
-    own = [each for each in gestures if side in each.arms]
+    """The timeline of one arm with its `own` gestures."""
     if not own:
         return ArmTimeline((), tuple(_rests(side, 0.0, inf, changes)))
     between = [_between(first, second, side, changes, setting) for first, second in pairwise(own)]

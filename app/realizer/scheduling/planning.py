@@ -16,6 +16,7 @@ import numpy as np
 
 from ...model import Hand, Schedule, SyncPoints
 from ..body.motion import Decision
+from ..body.movement_style import PLAIN, MovementStyle
 from ..gestures.gesture_plan import (
     ArmGesture,
     GesturePlan,
@@ -28,39 +29,52 @@ from ..gestures.gesture_plan import (
 from ..head_and_gaze.aiming import unknown_target, with_target
 from .arm_timelines import arm_timeline, rest_changes, units_of
 from .pruning import Admission, admit
-from .repetition import repeats_until_s, with_repeats
+from .repetition import let_go_in_time, repeats_until_s, with_beats, with_repeats
 from .rests import posture_changes
+from .second_hand import HandHabits, led_by, of_arm
 from .selection import Clips, candidate_clips, in_time, place_clip, requests_of, shuffled
 from .transitions import TransitionContext, natural_preparation_s, way_m
 
 SIDES = (Hand.LEFT, Hand.RIGHT)
 
+_STILL = 0.5
+"""The stillness above which a hand goes back to rest instead of beating time in a long hold."""
 _NOTICEABLE_S = 0.02
 _ON_TIME_S = 0.01
 """Differences from the schedule below this are not reported."""
 
 
 def plan_gestures(
-    library: Clips, schedule: Schedule, *, seed: int, targets_m: Mapping[str, Position] = MappingProxyType({})
+    library: Clips,
+    schedule: Schedule,
+    *,
+    seed: int,
+    targets_m: Mapping[str, Position] = MappingProxyType({}),
+    leading: Hand = Hand.RIGHT,
+    style: MovementStyle = PLAIN,
 ) -> GesturePlan:
     """What the arms do during a schedule. The stroke of every gesture that is played is at its time in the BML, except
     at the very start, where it may be late.
 
-    `targets_m` has the world positions of pointing targets, as for the gaze.
+    `targets_m` has the world positions of pointing targets, as for the gaze; `leading` is the hand that the character
+    prefers.
     """
     setting = TransitionContext(schedule.phrases, posture_changes(schedule), schedule.duration_s)
     chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
-    gestures = tuple(_repeated(chosen.kept, schedule, setting))
+    gestures = tuple(led_by(each, leading) for each in _repeated(chosen.kept, schedule, setting, style))
     units = units_of(gestures, setting)
     changes = rest_changes(units, setting)
-    timelines = [arm_timeline(side, gestures, changes, setting) for side in SIDES]
-    arms = tuple(sorted((each for line in timelines for each in line.gestures), key=lambda each: each.markers.start))
+    habits = HandHabits(leading, style, seed)
+    timelines = [arm_timeline(side, of_arm(side, gestures, changes, habits), changes, setting) for side in SIDES]
+    played = (each for line in timelines for each in line.gestures)
+    made = sorted(_beating(played, gestures, schedule, habits), key=lambda each: each.markers.start)
+    arms = tuple(each for each in made if not each.placed.follows)
     rests = [rest for line in timelines for rest in line.rests]
     end_s = max(schedule.duration_s, *(rest.start_s for rest in rests))
     return GesturePlan(
         gestures=arms,
         rests=tuple(replace(rest, end_s=end_s) if isinf(rest.end_s) else rest for rest in rests),
-        transitions=tuple(transition for side in SIDES for transition in _transitions(side, arms)),
+        transitions=tuple(transition for side in SIDES for transition in _transitions(side, made)),
         units=tuple(_unit(unit, arms) for unit in units),
         decisions=(
             *chosen.decisions,
@@ -69,6 +83,7 @@ def plan_gestures(
         ),
         realized={gesture.request.behavior: _realized(gesture, arms) for gesture in gestures},
         end_s=end_s,
+        following=tuple(each for each in made if each.placed.follows),
     )
 
 
@@ -100,25 +115,38 @@ def _late(kept: Iterable[PlacedGesture], request: GestureRequest) -> Iterator[De
 
 
 def _repeated(
-    gestures: tuple[PlacedGesture, ...], schedule: Schedule, setting: TransitionContext
+    gestures: tuple[PlacedGesture, ...], schedule: Schedule, setting: TransitionContext, style: MovementStyle
 ) -> Iterator[PlacedGesture]:
     for number, gesture in enumerate(gestures):
         until_s = min(schedule.duration_s, repeats_until_s(gesture, gestures[number + 1 :], setting))
-        yield with_repeats(gesture, schedule.emphases_s, until_s)
+        repeated = with_repeats(gesture, schedule.emphases_s, until_s)
+        yield let_go_in_time(repeated, style.holds) if schedule.stillness > _STILL else repeated
+
+
+def _beating(
+    arms: Iterable[ArmGesture], gestures: Iterable[PlacedGesture], schedule: Schedule, habits: HandHabits
+) -> Iterator[ArmGesture]:
+    """The gestures of arms, with beats in long holds unless the body is to be still."""
+    strokes_s = {each.request.behavior: each.request.stroke_s for each in gestures}
+    for arm in arms:
+        lag_s = arm.placed.request.stroke_s - strokes_s[arm.behavior]
+        holds, rng = habits.style.holds, habits.drawn(arm.placed)
+        still = schedule.stillness > _STILL
+        yield arm if still else with_beats(arm, schedule.emphases_s, holds, rng, lag_s=lag_s)
 
 
 def _transitions(side: Hand, arms: Iterable[ArmGesture]) -> Iterator[Transition]:
     """The blends of one arm with their actual speeds."""
     own = (each for each in arms if each.side is side)
     for first, second in pairwise(own):
-        if second.blended_from is not None:
+        if second.blended_from is not None and not (first.placed.follows or second.placed.follows):
             start_s, end_s = first.markers.relax, second.markers.stroke_start
             speed_m_s = way_m(first.placed, second.placed, side) / (end_s - start_s)
             yield Transition(side, first.behavior, second.behavior, start_s, end_s, speed_m_s)
 
 
 def _of_behavior(gesture: PlacedGesture, arms: Iterable[ArmGesture]) -> list[ArmGesture]:
-    return [each for each in arms if each.placed is gesture]
+    return [each for each in arms if each.behavior == gesture.request.behavior]
 
 
 def _unit(unit: tuple[PlacedGesture, ...], arms: tuple[ArmGesture, ...]) -> GestureUnit:
@@ -131,14 +159,16 @@ def _unit(unit: tuple[PlacedGesture, ...], arms: tuple[ArmGesture, ...]) -> Gest
 
 
 def _realized(gesture: PlacedGesture, arms: Iterable[ArmGesture]) -> SyncPoints:
-    """The sync points of a gesture over both arms: the earliest start and the latest end."""
+    """The sync points of a gesture: the stroke of the hand that leads, the earliest start and the latest end of both
+    arms."""
     own = [each.markers for each in _of_behavior(gesture, arms)]
+    leads = min(own, key=lambda markers: markers.stroke)
     return SyncPoints(
         start=min(markers.start for markers in own),
-        ready=max(markers.ready for markers in own),
-        stroke_start=own[0].stroke_start,
-        stroke=own[0].stroke,
-        stroke_end=own[0].stroke_end,
+        ready=min(leads.stroke_start, max(markers.ready for markers in own)),
+        stroke_start=leads.stroke_start,
+        stroke=leads.stroke,
+        stroke_end=leads.stroke_end,
         relax=max(markers.relax for markers in own),
         end=max(markers.end for markers in own),
     )
@@ -166,6 +196,9 @@ def _told(arm: ArmGesture) -> Iterator[Decision]:
     if gesture.repeats:
         times = ", ".join(f"{repeat.end_s:.2f}" for repeat in gesture.repeats)
         yield Decision(arm.behavior, "repeated", f"strokes again on the emphases at {times} s")
+    if arm.beats:
+        times = ", ".join(f"{beat.end_s:.2f}" for beat in arm.beats)
+        yield Decision(arm.behavior, "repeated", f"beats instead of a long hold, at {times} s")
     if markers.relax - gesture.relax_s > _NOTICEABLE_S:
         reason = f"{markers.relax - gesture.relax_s:.2f} s longer, to reach {arm.blended_to} at the speed of its stroke"
         yield Decision(arm.behavior, "held", reason)

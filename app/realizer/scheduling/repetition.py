@@ -2,13 +2,18 @@
 repeats part of the stroke, smaller each time, ending on the emphasis.
 
 It applies to gestures whose expressivity includes repetition and to beats, until the next gesture or the phrase's end.
+A hold that would last too long becomes repetitions too, of a size that shows, or the hand retracts where the body is to
+be still: a person's hand does not stand in the air (`Holds`).
 """
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import inf
 
-from ..gestures.gesture_plan import PlacedGesture, Repeat
+import numpy as np
+
+from ..body.movement_style import Holds
+from ..gestures.gesture_plan import ArmGesture, PlacedGesture, Repeat
 from .transitions import TransitionContext, transition_s
 
 AMPLITUDES = (0.6, 0.4, 0.25)
@@ -17,6 +22,8 @@ SHORTEST_SPACING_S = 0.35
 """Between the ends of two strokes: enough to move back and forth at a human speed."""
 LONGEST_SPACING_S = 1.5
 """A later emphasis is not part of the gesture any more."""
+LONGEST_BEAT_S = 0.7
+"""How long a repetition in a hold takes at most."""
 AFTER_S = 0.1
 """The hold after the last repetition."""
 BEATS = frozenset({"BEAT", "BEAT_HIGH", "RHYTHM", "PRECISION", "CHOP", "PALM_BEAT"})
@@ -64,3 +71,38 @@ def repeats_until_s(placed: PlacedGesture, later: Iterable[PlacedGesture], setti
         if second is not None:
             ends_s.append(second.stroke_start_s - transition_s(placed, second, side))
     return min(ends_s)
+
+
+def let_go_in_time(placed: PlacedGesture, holds: Holds) -> PlacedGesture:
+    """The gesture with its hold cut to the longest one."""
+    return replace(placed, relax_s=min(placed.relax_s, _held_from_s(placed) + holds.longest_s))
+
+
+def with_beats(
+    arm: ArmGesture, emphases_s: Iterable[float], holds: Holds, rng: np.random.Generator, *, lag_s: float
+) -> ArmGesture:
+    """The gesture with repetitions in a hold that is too long: on the emphases in it, or else at even steps; an arm
+    that does not lead makes them `lag_s` later."""
+    start_s, relax_s = _held_from_s(arm.placed), arm.markers.relax
+    if relax_s - start_s <= holds.longest_s:
+        return arm
+    step_s, (least_m, most_m) = max(SHORTEST_SPACING_S, float(rng.uniform(*holds.spacing_s))), holds.way_m
+    ends_s = list(_spaced((each + lag_s for each in sorted(emphases_s)), start_s, relax_s - AFTER_S))
+    ends_s = ends_s or list(_spaced(np.arange(start_s + step_s, relax_s, step_s), start_s, relax_s - AFTER_S))
+    ways_m = arm.placed.share * np.linspace(most_m, least_m, len(ends_s))
+    last_s, beats = start_s, []
+    for end_s, way_m in zip(ends_s, ways_m, strict=True):
+        beats.append(Repeat(max(last_s, end_s - LONGEST_BEAT_S), float(end_s), 0.0, float(way_m)))
+        last_s = end_s
+    return replace(arm, beats=tuple(beats))
+
+
+def _held_from_s(placed: PlacedGesture) -> float:
+    return max([placed.stroke_end_s, *(repeat.end_s for repeat in placed.repeats)])
+
+
+def _spaced(times_s: Iterable[float], after_s: float, until_s: float) -> Iterator[float]:
+    for time_s in times_s:
+        if after_s + SHORTEST_SPACING_S <= time_s <= until_s:
+            yield float(time_s)
+            after_s = time_s

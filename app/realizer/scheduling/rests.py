@@ -37,16 +37,16 @@ POSTURES: Mapping[str, str | None] = MappingProxyType(
 )
 """The rest pose of a posture; None lets the gap's length decide again."""
 
-PREPARATION_SPEED_M_S = 0.6
-RETRACTION_SPEED_M_S = 0.6
-"""So that typical ways take about as long as in people's stories (shared/motion.md: .53 s in either direction)."""
-TOP_SPEED_M_S = 1.1
+PREPARATION_SPEED_M_S = 1.1
+RETRACTION_SPEED_M_S = 1.0
+"""Ours, for wrists as fast as storytellers' (docs/measurements.md, Life in the body)."""
+TOP_SPEED_M_S = 1.25
 """The fastest mean speed of a way. Its peak is 1.9 times the mean: 2 m/s, people's 99th percentile."""
-CHANGE_SPEED_M_S = 0.45
+CHANGE_SPEED_M_S = 0.6
 """Between two rest poses, without hurry."""
-SHORTEST_PREPARATION_S = 0.45
+SHORTEST_PREPARATION_S = 0.35
 HURRIED_PREPARATION_S = 0.15
-SHORTEST_RETRACTION_S = 0.45
+SHORTEST_RETRACTION_S = 0.40
 SHORTEST_CHANGE_S = 0.6
 SHORTEST_REST_S = 0.3
 """A shorter rest looks like a twitch."""
@@ -60,9 +60,10 @@ class RestChange:
     pose: str
 
 
-def rest_pose_for_gap(gap_s: float) -> str:
-    """The rest pose for a gap of this length until the next unit."""
-    if gap_s < SMALL_GAP_S:
+def rest_pose_for_gap(gap_s: float, *, together: bool = True) -> str:
+    """The rest pose for a gap of this length until the next unit. Hands are clasped only where both gesture before or
+    after it (`together`), which is ours: by the paper's rule the second hand stays before the belly alone."""
+    if gap_s < SMALL_GAP_S and together:
         return CLASPED
     return AT_SIDE if gap_s < MEDIUM_GAP_S else IN_POCKETS
 

@@ -15,6 +15,7 @@ import numpy as np
 from ...model import FloatArray, Hand, Schedule
 from ..arms.rest_poses import rest_pose
 from ..body.motion import BodyMotion
+from ..body.movement_style import PLAIN, IdleLife
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.angles import from_pitch_yaw_roll
 from ..geometry.noise import perlin
@@ -29,7 +30,6 @@ Degrees = tuple[float, float, float]
 """Pitch, yaw and roll of the left side; yaw and roll change sign on the right."""
 
 UNEVEN_WEIGHT = 0.4
-_WANDERING_WEIGHT, _WANDERING_HZ = 0.5, 0.06
 """Nobody puts equal weight on both legs; which leg bears more is random and changes slowly."""
 
 _HIPS_OVER_LEG_M = 0.05
@@ -47,11 +47,10 @@ _BREATH: Mapping[str, Degrees] = MappingProxyType(
     {"spine": (0.4, 0.0, 0.0), "chest": (-1.4, 0.0, 0.0), "upperChest": (-0.7, 0.0, 0.0)}
 )
 """Rotations with full lungs."""
-_COLLARBONE_BREATH: Degrees = (0.0, 0.0, 2.0)
 
-_SWAY_HZ = 0.23
-_SWAY_M = 0.018
-_SWAY_DEGREES = 2.0
+_SLUMP: Mapping[str, float] = MappingProxyType({"hips": 0.0, "spine": 0.0, "chest": 0.45, "upperChest": 0.55})
+"""The joints' shares of a rounded upper back."""
+
 _STIRRING_HZ = 0.6
 _STIRRING_DEGREES = 1.2
 """Noise of trunk and arms; the typical deviation is a quarter of the amplitude."""
@@ -63,35 +62,41 @@ _STIRRED: Mapping[str, Degrees] = MappingProxyType(
 """Noise of the arm joints, about the axes in which they can rotate: the forearm twists."""
 
 
-def idle_motion(skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: int) -> BodyMotion:
+def idle_motion(
+    skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: int, life: IdleLife = PLAIN.idle
+) -> BodyMotion:
     """The idle motion at `times_s` (T,), with the schedule's postures, and breaths in its speech pauses. The feet stay
     in place. Deterministic for a seed."""
     generator = np.random.default_rng(seed)
     held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
-    wandering = _WANDERING_WEIGHT * perlin(times_s, frequency_hz=_WANDERING_HZ, seed=seed + 2)[:, 0]
+    wandering = life.weight * perlin(times_s, frequency_hz=life.weight_hz, seed=seed + 2)[:, 0]
     held = replace(held, weight=held.weight + (1 - schedule.stillness) * wandering)
     cycle_s, lively = QUIET_CYCLE_S / IDLE_ACTIVITY[schedule.agitation], idle_activity(schedule)
     breath = lung_volume(times_s, schedule.phrases, generator, cycle_s=cycle_s)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
-    sway = lively * perlin(times_s, frequency_hz=_SWAY_HZ, seed=seed, channels=14, in_step=False)
-    _hold_trunk(skeleton, rotations, held, breath, sway[:, :12])
+    sway = lively * perlin(times_s, frequency_hz=life.sway_hz, seed=seed, channels=14, in_step=False)
+    bent_m = life.bob_m * lively * (1 + perlin(times_s, frequency_hz=life.bob_hz, seed=seed + 3)[:, 0])
+    bends = np.radians(life.bend_deg) * sway[:, :12].reshape(-1, len(_TRUNK), 3)
+    slump = 0.5 + 2 * lively * perlin(times_s, frequency_hz=life.slump_hz, seed=seed + 5)[:, 0]
+    bends[:, :, 0] += np.radians(life.slump_deg) * slump[:, None] * list(_SLUMP.values())
+    _hold_trunk(skeleton, rotations, held, breath, bends)
     stirring = lively * perlin(
         times_s, frequency_hz=_STIRRING_HZ, seed=seed + 1, channels=2 * len(_STIRRED), in_step=False
     )
-    _stir_arms(skeleton, rotations, breath, stirring)
+    _stir_arms(skeleton, rotations, np.radians(life.breath_deg) * breath, stirring)
     hips_m = np.zeros((len(times_s), 3))
-    hips_m[:, 0] = _HIPS_OVER_LEG_M * held.weight + _SWAY_M * sway[:, 12]
-    hips_m[:, 2] = -_HIPS_BACK_M * held.forward + _SWAY_M * sway[:, 13]
-    hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0])
+    hips_m[:, 0] = _HIPS_OVER_LEG_M * held.weight + life.sway_m * sway[:, 12]
+    hips_m[:, 2] = -_HIPS_BACK_M * held.forward + life.sway_m * sway[:, 13]
+    hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0]) - bent_m
     rotations[:, skeleton.chain(*LEG_JOINTS)] = legs(skeleton, rotations[:, 0], hips_m)
     return BodyMotion(times_s, rotations, hips_m)
 
 
 def _hold_trunk(
-    skeleton: Skeleton, rotations: FloatArray, held: TrunkPosture, breath: FloatArray, sway: FloatArray
+    skeleton: Skeleton, rotations: FloatArray, held: TrunkPosture, breath: FloatArray, bends: FloatArray
 ) -> None:
-    """Set lean, weight shift, breath and sway (T, 12) of the joints from the hips up."""
-    angles = np.radians(_SWAY_DEGREES) * sway.reshape(len(sway), len(_TRUNK), 3)
+    """Set lean, weight shift, breath and further `bends` (T, 4, 3) of the joints from the hips up."""
+    angles = bends
     for number, joint in enumerate(_TRUNK):
         angles[:, number] += np.radians(_BREATH.get(joint, (0.0, 0.0, 0.0))) * breath[:, None]
         angles[:, number, 0] += _LEAN.get(joint, 0.0) * held.forward
@@ -111,10 +116,10 @@ def _hanging(skeleton: Skeleton) -> FloatArray:
 
 
 def _stir_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, stirring: FloatArray) -> None:
-    """Raise the collarbones with the breath and add noise (T, 2 × stirred) to the arm joints."""
+    """Raise the collarbones by the breath, in radians, and add noise (T, 2 × stirred) to the arm joints."""
     for side, noise in zip(SIDES, np.split(stirring, 2, axis=1), strict=True):
         stirs = np.radians(_STIRRING_DEGREES) * noise[:, :, None] * (_mirrored(side) * list(_STIRRED.values()))
-        stirs[:, 0] += np.radians(_COLLARBONE_BREATH) * _mirrored(side) * breath[:, None]
+        stirs[:, 0, 2] += _mirrored(side)[2] * breath
         stirred = skeleton.chain(*(side + name for name in _STIRRED))
         rotations[:, stirred] = multiply(rotations[0, stirred], from_pitch_yaw_roll(*np.moveaxis(stirs, -1, 0)))
 

@@ -18,6 +18,7 @@ from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import from_rotation_vector, multiply
 from ..geometry.smoothing import smoothed
+from .accents import AccentCourse
 from .balance import LEG_JOINTS, hips_height_m, legs
 
 SHARES: Mapping[str, float] = MappingProxyType({"spine": 0.4, "chest": 0.35, "upperChest": 0.25})
@@ -41,17 +42,24 @@ _WEIGHT_SMOOTHING_S = 0.40
 _AHEAD_S = 0.08
 
 
-def with_trunk_following(skeleton: Skeleton, body: BodyMotion, left_m: FloatArray, right_m: FloatArray) -> BodyMotion:
-    """The body with its trunk following the wrists (T, 3); the feet stay in place."""
+def with_trunk_following(
+    skeleton: Skeleton, body: BodyMotion, left_m: FloatArray, right_m: FloatArray, accents: AccentCourse | None = None
+) -> BodyMotion:
+    """The body with its trunk following the wrists (T, 3), and what strokes add to it; the feet stay in place."""
     left, right = left_m - _AT_EASE_M, right_m - _AT_EASE_M
     turns = _followed(body.times_s, _turns(left, right), _SMOOTHING_S)
+    turns = turns if accents is None else turns + accents.turns
     rotations = body.rotations.copy()
     for joint, share in SHARES.items():
         index = skeleton.index[joint]
         rotations[:, index] = multiply(rotations[:, index], from_rotation_vector(share * turns))
     aside_m = _followed(body.times_s, WEIGHT_M_M * (left[:, :1] - right[:, :1]), _WEIGHT_SMOOTHING_S)
     hips_m = body.hips_m + aside_m * [1.0, 0.0, 0.0]
-    hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0])
+    bent_m = hips_height_m(skeleton, body.hips_m, rotations[:, 0]) - body.hips_m[:, 1]
+    if accents is not None:
+        hips_m[:, 0] += accents.aside_m
+        bent_m = bent_m + accents.dip_m
+    hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0]) - bent_m
     rotations[:, skeleton.chain(*LEG_JOINTS)] = legs(skeleton, rotations[:, 0], hips_m)
     return replace(body, rotations=rotations, hips_m=hips_m)
 

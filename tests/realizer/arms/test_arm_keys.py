@@ -9,11 +9,21 @@ from tests.support.gesture_clips import clip, gesture, library, place
 from understudy.model import Behavior, Hand, Schedule
 from understudy.realizer.arms.arm_keys import HOLD_NOISE, arm_track
 from understudy.realizer.arms.arms import TimedPose
-from understudy.realizer.arms.posing import pose_arm
+from understudy.realizer.arms.posing import pose_arm, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.geometry.rotations import angle_between
-from understudy.realizer.gestures.gesture import ArmKey, Clip, ClipKey, Expressivity, FrameType, KeyCurve
+from understudy.realizer.gestures.gesture import (
+    ArmKey,
+    Clip,
+    ClipKey,
+    Expressivity,
+    FrameType,
+    HandForm,
+    HandShape,
+    KeyCurve,
+)
+from understudy.realizer.gestures.gesture_plan import Repeat
 from understudy.realizer.scheduling.planning import plan_gestures
 
 SKELETON = Skeleton.standing()
@@ -66,9 +76,9 @@ def test_a_hold_has_one_pose_and_stirs() -> None:
 
 def test_an_idle_arm_only_rests() -> None:
     poses = [key.pose.parts for key in keys_of(clip(), gesture("g1", 2.0, 3.2), side=Hand.LEFT)]
-    clasped, at_side = (rest_pose(SKELETON, Hand.LEFT, name).as_partial().parts for name in ("clasped", "at_side"))
-    assert angle_between(poses[0], clasped).max() < 1e-6
-    assert angle_between(poses[-1], at_side).max() < 1e-6
+    at_side = rest_pose(SKELETON, Hand.LEFT, "at_side").as_partial().parts
+    for pose in poses:
+        assert angle_between(pose, at_side).max() < 1e-6
 
 
 def test_a_hand_underway_is_raised_in_the_first_frame() -> None:
@@ -101,3 +111,29 @@ def test_what_a_frame_says_of_the_curve_takes_the_place_of_expressivity() -> Non
     first, last = [key for key in keys_of(said, gesture("g1", 2.0, 3.2)) if key.marked]
     assert (first.tension, first.continuity, first.bias) == (0.5, 0.0, 0.0)
     assert (last.tension, last.continuity, last.bias) == (-0.2, 0.4, 0.25)
+
+
+def test_fingers_of_a_hand_that_does_not_lead_are_bent_differently() -> None:
+    shaped = replace(clip(), keys=tuple(_with_hand(key) for key in clip().keys))
+    plan = plan_gestures(library(shaped), Schedule((gesture("g1", 2.0, 3.2),), 9.0), seed=0)
+    (arm,) = plan.gestures
+    bends_deg = (9.0, 3.0, -2.0, 6.0)
+    bent = replace(plan, gestures=(replace(arm, placed=replace(arm.placed, bends_deg=bends_deg)),))
+    before, after = (arm_track(SKELETON, Hand.RIGHT, each).keys[2].pose.parts for each in (plan, bent))
+    turned = np.degrees(angle_between(before, after))
+    assert np.nanmax(turned[:8]) < 1e-6
+    assert turned[8:] == pytest.approx(np.abs(np.repeat(bends_deg, 3)), abs=1e-6)
+
+
+def _with_hand(key: ClipKey) -> ClipKey:
+    return replace(key, right=replace(key.right or ArmKey(), hand=HandShape(HandForm.FLAT)))
+
+
+def test_a_beat_in_a_hold_goes_back_by_its_way_towards_hanging() -> None:
+    plan = plan_gestures(library(clip()), Schedule((gesture("g1", 2.0, 4.2),), 9.0), seed=0)
+    (arm,) = plan.gestures
+    beating = replace(plan, gestures=(replace(arm, beats=(Repeat(2.6, 3.2, 0.0, way_m=0.2),)),))
+    keys = {round(key.time_s, 3): key.pose for key in arm_track(SKELETON, Hand.RIGHT, beating).keys}
+    held, back = (wrist_of(SKELETON, Hand.RIGHT, keys[time_s].parts) for time_s in (2.6, 2.9))
+    assert np.linalg.norm(held - back) == pytest.approx(0.2, rel=0.25)
+    assert back[1] < held[1] - 0.1

@@ -75,7 +75,7 @@ def test_the_arm_begins_and_ends_at_rest() -> None:
     body = moved(plan)
     for side in (Hand.LEFT, Hand.RIGHT):
         joints = SKELETON.chain(*arm_joints(side))
-        first = angle_between(body.rotations[0, joints], rest_pose(SKELETON, side, "clasped").rotations)
+        first = angle_between(body.rotations[0, joints], rest_pose(SKELETON, side, "at_side").rotations)
         last = angle_between(body.rotations[-1, joints], rest_pose(SKELETON, side, "at_side").rotations)
         assert np.degrees(max(first.max(), last.max())) < 5
 

@@ -1,12 +1,15 @@
 """Strokes repeated on further emphases."""
 
+import numpy as np
 import pytest
 
-from tests.support.gesture_clips import clip, gesture
+from tests.support.gesture_clips import clip, gesture, library
 from understudy.model import Schedule
+from understudy.realizer.body.movement_style import Holds
 from understudy.realizer.gestures.gesture import Expressivity
-from understudy.realizer.gestures.gesture_plan import PlacedGesture
-from understudy.realizer.scheduling.repetition import most_repeats, with_repeats
+from understudy.realizer.gestures.gesture_plan import ArmGesture, PlacedGesture, Repeat
+from understudy.realizer.scheduling.planning import plan_gestures
+from understudy.realizer.scheduling.repetition import let_go_in_time, most_repeats, with_beats, with_repeats
 from understudy.realizer.scheduling.selection import place_clip, requests_of
 
 
@@ -51,3 +54,36 @@ def test_the_hold_follows_the_last_repetition() -> None:
 )
 def test_how_often_is_the_expressivitys_to_say(category: str, repetition: float, most: int) -> None:
     assert most_repeats(struck(category, repetition)) == most
+
+
+HOLDS = Holds(longest_s=1.0, way_m=(0.15, 0.25), spacing_s=(0.8, 0.8))
+
+
+def held_until(relax_s: float) -> ArmGesture:
+    (arm,) = plan_gestures(library(clip()), Schedule((gesture("g", 2.0, relax_s),), 9.0), seed=0).gestures
+    return arm
+
+
+def beats(relax_s: float, emphases_s: tuple[float, ...] = (), lag_s: float = 0.0) -> list[Repeat]:
+    return list(with_beats(held_until(relax_s), emphases_s, HOLDS, np.random.default_rng(0), lag_s=lag_s).beats)
+
+
+def test_a_long_hold_becomes_beats_that_show_each_smaller() -> None:
+    """The stroke ends at 2.2 s: held for 2.4 s, with beats every .8 s, the last one not at the very end."""
+    found = beats(4.6)
+    assert [beat.end_s for beat in found] == pytest.approx([3.0, 3.8])
+    assert [beat.way_m for beat in found] == pytest.approx([0.25, 0.15])
+    assert all(beat.start_s < beat.end_s for beat in found)
+
+
+def test_beats_fall_on_emphases_where_there_are_any() -> None:
+    assert [beat.end_s for beat in beats(4.6, (2.3, 3.1, 3.2, 4.0))] == pytest.approx([3.1, 4.0])
+    assert [beat.end_s for beat in beats(4.6, (3.1, 4.0), lag_s=0.08)] == pytest.approx([3.18, 4.08])
+
+
+def test_a_short_hold_is_held() -> None:
+    assert beats(3.1) == []
+
+
+def test_a_body_that_is_to_be_still_lets_go_instead() -> None:
+    assert let_go_in_time(held_until(4.6).placed, HOLDS).relax_s == pytest.approx(3.2)
