@@ -18,7 +18,7 @@ from .statements import FrameTree, GestureTree, LocatedMistake, Statement, Word
 
 MEDIUM = Expressivity(repetition=0.35)
 FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(
-    {Level.LOW: (0.9, 0.95), Level.MEDIUM: (1.0, 1.0), Level.HIGH: (1.2, 1.2)}
+    {Level.LOW: (0.92, 0.97), Level.MEDIUM: (1.0, 1.0), Level.HIGH: (1.2, 1.2)}
 )
 """Amplitude and tempo of a level, as factors of medium's."""
 SUMMANDS: Mapping[Level, tuple[float, float, float]] = MappingProxyType(
