@@ -29,7 +29,10 @@ ELBOW_FLEXION_DEG = (12.0, 136.0)
 
 _MOST_BENT_DEG, _STRAIGHT_DEG = 149.0, 2.0
 _SOFTENED_M = 0.02
-_RAISED_DEG, _PROTRACTED_DEG, _RETRACTED_DEG = 24.0, 16.0, 12.0
+_RAISED = (-1.0, -0.6, 0.0, 0.3, 0.6, 0.9), (0.0, 5.5, 8.0, 10.0, 18.0, 24.0)
+"""Heights of the hand over the shoulder in arm lengths, and the collarbone's elevation in degrees: hanging, before the
+belly, at the shoulder, the head, overhead."""
+_PROTRACTED_DEG, _RETRACTED_DEG = 16.0, 12.0
 _SHRUG_DEG, _SLUMP_DEG = 18.0, 8.0
 
 
@@ -121,8 +124,8 @@ def collarbone_for(bones: ArmBones, wrist_m: FloatArray, raised: FloatArray | fl
     ahead = (wrist_m - bones.shoulder_m) / bones.length_m
     outwards, up, away = ahead[..., 0], ahead[..., 1], ahead[..., 2]
     far = np.hypot(np.maximum(away, 0.0), np.maximum(-outwards, 0.0))
-    up_deg = _RAISED_DEG * _ease(up + 0.1) + np.where(np.asarray(raised) > 0, _SHRUG_DEG, _SLUMP_DEG) * raised
-    forward_deg = _PROTRACTED_DEG * _ease((far - 0.5) / 0.5) - _RETRACTED_DEG * _ease(-away / 0.5)
+    up_deg = np.interp(up, *_RAISED) + np.where(np.asarray(raised) > 0, _SHRUG_DEG, _SLUMP_DEG) * raised
+    forward_deg = _PROTRACTED_DEG * _ease((far - 0.2) / 0.8) - _RETRACTED_DEG * _ease(-away / 0.5)
     forward = from_axis_angle((0.0, -1.0, 0.0), np.radians(forward_deg))
     return multiply(forward, from_axis_angle((0.0, 0.0, 1.0), np.radians(up_deg)))
 

@@ -28,7 +28,7 @@ _BLOCK = 1_000
 
 def _delay(part: str) -> float:
     """The delay of a part between the collarbone (0), which moves first, and the fingertips (1)."""
-    first = {"Shoulder": -0.3, "UpperArm": -0.15, "Elbow": 0.0, "LowerArm": 0.15, "Hand": 0.15}
+    first = {"Shoulder": -0.3, "UpperArm": -0.15, "Elbow": 0.0, "LowerArm": 0.15, "Hand": 0.25}
     return first[part] if part in first else {"Distal": 0.7, "Intermediate": 0.55}.get(part[-6:], 0.4)
 
 
@@ -37,8 +37,7 @@ class TimedPose:
     """A key of a track.
 
     `tension`, `continuity` and `bias` in [-1, 1] shape the spline at the key. With `follow_through`, collarbone and
-    shoulder reach the pose before its time, wrist and fingers after it; in `marked` keys, which stand for sync points,
-    shoulder, elbow and wrist are on time nevertheless. `noise` in [0, 1] is the amount of Perlin noise at the key,
+    shoulder reach the pose before its time, wrist and fingers after it. `marked` keys stand for sync points. `noise` in [0, 1] is the amount of Perlin noise at the key,
     interpolated linearly between keys.
     """
 
@@ -93,9 +92,7 @@ def _shifted(track: ArmTrack) -> FloatArray:
     most_s = np.minimum(FOLLOW_THROUGH_S, _SHARE_OF_INTERVAL * np.minimum(until_next_s, since_last_s))
     most_s *= [key.follow_through for key in track.keys]
     delays = np.array([_delay(part) for part in PARTS])
-    kept = np.where([part in {"UpperArm", "LowerArm", "Hand"} for part in PARTS], 0.0, delays)
-    marked = np.array([key.marked for key in track.keys])[:, None]
-    return np.asarray(times_s[:, None] + most_s[:, None] * np.where(marked, kept, delays))
+    return np.asarray(times_s[:, None] + most_s[:, None] * delays)
 
 
 def _stir_deg() -> FloatArray:

@@ -39,7 +39,7 @@ class Rest:
 
 
 _CURVED = tuple((finger, Bend.CURVED) for finger in _FOUR)
-HANGING = Rest((0.256, -0.090, 0.042), (-0.08, -1.0, 0.20), (-1.0, 0.05, -0.45), -18.0)
+HANGING = Rest((0.266, -0.094, 0.030), (-0.06, -1.0, 0.16), (-1.0, 0.05, -0.45), -18.0)
 _STIFF = HandShape(HandForm.FLAT, Thumb.OUT)
 _IN_POCKETS = Rest((0.232, 0.015, 0.065), (-0.10, -1.0, 0.20), (-1.0, 0.1, -0.1), 5.0, _STIFF)
 _ON_HIPS = Rest((0.225, 0.090, 0.010), (-0.35, -0.45, 0.85), (-0.7, -0.6, -0.5), 46.0, _STIFF)

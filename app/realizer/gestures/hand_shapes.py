@@ -24,10 +24,10 @@ ThumbBends = tuple[float, float, float, float, float]
 _CLOSED: FingerBends = (85.0, 100.0, 60.0, 0.0)
 _STRAIGHT: FingerBends = (0.0, 3.0, 2.0, 0.0)
 _RELAXED: tuple[FingerBends, ...] = (
-    (14.0, 24.0, 12.0, 2.0),
-    (20.0, 28.0, 15.0, 0.0),
-    (25.0, 32.0, 17.0, -2.0),
-    (29.0, 34.0, 18.0, -6.0),
+    (16.0, 27.0, 13.0, 1.0),
+    (25.0, 33.0, 17.0, 0.0),
+    (29.0, 37.0, 20.0, -1.0),
+    (27.0, 33.0, 18.0, -5.0),
 )
 _FIST = (_CLOSED,) * 4
 _OPEN: tuple[FingerBends, ...] = (
@@ -81,7 +81,7 @@ _THUMBS: Mapping[Thumb, ThumbBends] = MappingProxyType(
 )
 _OWN_THUMBS: Mapping[HandForm, ThumbBends] = MappingProxyType(
     {
-        HandForm.DEFAULT: (10.0, 14.0, 8.0, 10.0, 12.0),
+        HandForm.DEFAULT: (20.0, 14.0, 8.0, 14.0, 16.0),
         HandForm.FIST: _OVER_THE_FIST,
         HandForm.FLAT: (24.0, 4.0, 0.0, 2.0, 2.0),
         HandForm.SPREAD: (-14.0, 4.0, 0.0, -4.0, -4.0),

@@ -37,8 +37,8 @@ def test_the_whole_header(tmp_path: Path) -> None:
 def test_levels_are_made_from_medium(tmp_path: Path) -> None:
     levels = read_one(tmp_path, gesture("EXPRESSIVITY medium amplitude 0.5 tempo 2 fluidity 0.9 power 0.1")).levels
     low, medium, high = (levels[level] for level in Level)
-    assert (low.amplitude, medium.amplitude, high.amplitude) == pytest.approx((0.4, 0.5, 0.6))
-    assert (low.tempo, medium.tempo, high.tempo) == pytest.approx((1.7, 2.0, 2.4))
+    assert (low.amplitude, medium.amplitude, high.amplitude) == pytest.approx((0.46, 0.5, 0.6))
+    assert (low.tempo, medium.tempo, high.tempo) == pytest.approx((1.94, 2.0, 2.4))
     assert (low.fluidity, medium.fluidity, high.fluidity) == pytest.approx((1.0, 0.9, 0.75))
     assert (low.power, medium.power, high.power) == pytest.approx((0.0, 0.1, 0.35))
 
