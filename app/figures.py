@@ -8,6 +8,8 @@ those within which the body was tested (docs/characters.md).
 from dataclasses import dataclass
 from enum import StrEnum
 
+from .model import Hand
+
 AVERAGE_HEIGHT_M = 1.73
 
 
@@ -79,11 +81,12 @@ PLAIN_MANNER = Manner()
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """Body, looks and manner of one character."""
+    """Body, looks and manner of one character, and the hand that it prefers (`leading`)."""
 
     physique: Physique = Physique()
     looks: Looks = Looks()
     manner: Manner = PLAIN_MANNER
+    leading: Hand = Hand.RIGHT
 
 
 PLAIN = Figure()

@@ -14,9 +14,8 @@ import numpy as np
 from PIL import Image
 
 from benchmarks.realizer.liveliness import realized_lines, recorded_lines
-from understudy.realization import Realizer
+from understudy.loading import load_realizer
 from understudy.realizer.pictures.contact_sheet import draw_sheet
-from understudy.resources import resource_folder
 
 LINES = ("jfk", "austen-0880", "meld-test-239-10", "meld-test-156-2", "style-dev-03", "style-dev-13")
 MOMENTS = 8
@@ -31,11 +30,13 @@ def main() -> None:
     arguments.add_argument("--seed", type=int, default=0)
     options = arguments.parse_args()
     lines = {name: line for name, line in recorded_lines().items() if name in LINES}
-    realizer = Realizer.load(resource_folder("lexicon"))
+    realizer = load_realizer()
+    performer = realizer.performer(options.character)
     for name, realized in zip(lines, realized_lines(realizer, lines, options.character, options.seed), strict=True):
         motion = realized.motion
         at_s = np.linspace(0.0, realized.schedule.duration_s, MOMENTS)
-        picture = draw_sheet(motion, realizer.skeleton, [(float(time_s), name) for time_s in at_s], faces=False)
+        moments = [(float(time_s), name) for time_s in at_s]
+        picture = draw_sheet(motion, performer.skeleton, moments, looks=performer.looks, faces=False)
         path = options.folder / f"{options.prefix}-{name}.png"
         path.write_bytes(compact(picture))
         print(f"{path}: {path.stat().st_size // 1000} kB")

@@ -23,12 +23,12 @@ import numpy as np
 from benchmarks.realizer.motion import Realized, realized_once, report_soundness, report_wrists, wrists_of
 from benchmarks.realizer.storytellers import RATE_HZ, Take, storytellers
 from benchmarks.realizer.wrist_measures import measured, together
+from understudy.loading import load_realizer
 from understudy.model import Channel, FloatArray, Interval
 from understudy.performance import Line, Options, Understudy, perform
 from understudy.realization import Realizer, schedule_of
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.rotations import angle_between
-from understudy.resources import resource_folder
 from understudy.settings import Settings
 
 SHARED = Path(__file__).resolve().parents[3] / "shared"
@@ -59,9 +59,9 @@ def main() -> None:
     arguments.add_argument("--recordings-only", action="store_true")
     options = arguments.parse_args()
     lines = recorded_lines(recordings_only=options.recordings_only)
-    realizer = Realizer.load(resource_folder("lexicon"))
+    realizer = load_realizer()
     realized = list(realized_lines(realizer, lines, options.character, options.seed))
-    report(realized, realizer.skeleton)
+    report(realized, realizer.performer(options.character).skeleton)
 
 
 def recorded_lines(*, recordings_only: bool = False) -> dict[str, Line]:

@@ -42,6 +42,7 @@ from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.rotations import angle_between
 from understudy.realizer.gestures.arm_joints import arm_joints
+from understudy.realizer.gestures.gesture_plan import GesturePlan
 from understudy.realizer.realizing import frame_times_s
 from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
@@ -188,10 +189,15 @@ def report_keys(realizer: Realizer, realized: Sequence[Realized]) -> None:
     print(f"most {figures[2]:.2f} cm, of {len(off_m)}")
 
 
+def _planned(realizer: Realizer, schedule: Schedule) -> GesturePlan:
+    performer = realizer.performer(schedule.character)
+    return plan_gestures(performer.library, schedule, seed=0, leading=performer.leading, style=realizer.style)
+
+
 def off_keys_m(realizer: Realizer, schedule: Schedule) -> Iterator[float]:
     """Of one schedule, at 60 frames a second; arms smoothed as they are played, before anything collides."""
     performer = realizer.performer(schedule.character)
-    skeleton, plan = performer.skeleton, plan_gestures(performer.library, schedule, seed=0)
+    skeleton, plan = performer.skeleton, _planned(realizer, schedule)
     times_s = frame_times_s(schedule.duration_s, 60)
     body = apply_gestures(skeleton, idle_motion(skeleton, times_s, schedule, seed=0), plan, seed=0)
     for side in (Hand.LEFT, Hand.RIGHT):

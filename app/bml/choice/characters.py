@@ -152,6 +152,7 @@ class _CharacterFile(Entry):
             Physique(**body | {"sex": Sex(self.body.sex)}),
             Looks(**looks | {"hair": Hair(self.looks.hair), "legwear": Legwear(self.looks.legwear)}),
             Manner(**self.gestures.model_dump()),
+            Hand(self.handedness),
         )
 
 

@@ -37,8 +37,8 @@ class TimedPose:
     """A key of a track.
 
     `tension`, `continuity` and `bias` in [-1, 1] shape the spline at the key. With `follow_through`, collarbone and
-    shoulder reach the pose before its time, wrist and fingers after it. `marked` keys stand for sync points. `noise` in [0, 1] is the amount of Perlin noise at the key,
-    interpolated linearly between keys.
+    shoulder reach the pose before its time, wrist and fingers after it. `marked` keys stand for sync points. `noise` in
+    [0, 1] is the amount of Perlin noise at the key, interpolated linearly between keys.
     """
 
     time_s: float
