@@ -108,7 +108,8 @@ def test_no_two_characters_look_alike() -> None:
 
 
 def test_who_says_nothing_of_a_body_has_an_average_one(tmp_path: Path) -> None:
-    assert Characters.load(lexicon(tmp_path, plain=SHEET)).named("plain").figure == PLAIN
+    figure = Characters.load(lexicon(tmp_path, plain=SHEET)).named("plain").figure
+    assert figure == replace(PLAIN, leading=Hand.LEFT)
 
 
 @pytest.mark.parametrize(

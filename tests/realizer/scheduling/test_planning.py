@@ -239,8 +239,8 @@ def test_a_first_stroke_that_would_start_before_the_first_frame_starts_with_it(s
 
 
 def test_a_first_preparation_is_shortened_rather_than_begun_before_the_first_frame() -> None:
-    """.33 s to the stroke start, and the clip's preparation takes .4 s."""
-    plan = planned([gesture("g1", 0.63, 1.1)])
+    """.36 s to the stroke start, and the clip's preparation takes .4 s."""
+    plan = planned([gesture("g1", 0.66, 1.1)])
     (arm,) = plan.gestures
     assert arm.markers.start == 0.0
     assert arm.initial_progress == 0.0
