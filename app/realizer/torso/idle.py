@@ -55,6 +55,9 @@ _STIRRING_HZ = 0.6
 _STIRRING_DEGREES = 1.2
 """Noise of trunk and arms; the typical deviation is a quarter of the amplitude."""
 
+_LOWERED = 0.6
+"""How far the bobbing hips are lowered on average, as a share of the bob: they never rise beyond the legs' reach."""
+
 _TRUNK = ("hips", "spine", "chest", "upperChest")
 _STIRRED: Mapping[str, Degrees] = MappingProxyType(
     {"Shoulder": (0.0, 1.0, -1.0), "UpperArm": (1.0, 1.0, -1.0), "LowerArm": (2.0, 0.0, 0.0)}
@@ -75,7 +78,7 @@ def idle_motion(
     breath = lung_volume(times_s, schedule.phrases, generator, cycle_s=cycle_s)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
     sway = lively * perlin(times_s, frequency_hz=life.sway_hz, seed=seed, channels=14, in_step=False)
-    bent_m = life.bob_m * lively * (1 + perlin(times_s, frequency_hz=life.bob_hz, seed=seed + 3)[:, 0])
+    bent_m = life.bob_m * lively * (_LOWERED + perlin(times_s, frequency_hz=life.bob_hz, seed=seed + 3)[:, 0])
     bends = np.radians(life.bend_deg) * sway[:, :12].reshape(-1, len(_TRUNK), 3)
     slump = 0.5 + 2 * lively * perlin(times_s, frequency_hz=life.slump_hz, seed=seed + 5)[:, 0]
     bends[:, :, 0] += np.radians(life.slump_deg) * slump[:, None] * list(_SLUMP.values())
