@@ -16,12 +16,13 @@ from ..settings import Settings
 from .casting.voices import keep_learnt, read_learnt
 from .manifest.entries import Entry, State, WrittenFile
 from .manifest.hashes import KnownRecording, input_hash, installation_hash, settings_hash
-from .manifest.store import Manifest
+from .manifest.store import FILE, Manifest
 from .planning import Plan, entry_of, hopeless_entries, plan_batch, with_voices
-from .reports.writing import write_reports
+from .reports.writing import REPORTS, write_reports
 from .request import BatchRequest
 from .running.engine import Engine
 from .running.supervising import Done, supervise
+from .thumbnails import read_thumbnails, remove_other_thumbnails, thumbnail_jobs, thumbnail_paths
 from .work.files import clear_unfinished, write_files
 from .work.formats import extension_of
 from .work.jobs import Failure, LineJob, LineOutcome
@@ -33,6 +34,9 @@ class Watcher(Protocol):
 
     def planned(self, plan: Plan) -> None:
         """The script was read and its lines have their recordings."""
+
+    def learning(self, voices: int) -> None:
+        """The voices of so many speakers are learnt first."""
 
     def begun(self, entries: int, done: int) -> None:
         """So many lines can be performed, and so many of them are done already."""
@@ -61,23 +65,65 @@ def run_batch(
     with Manifest(request.out) as manifest, ExitStack() as stack:
         engine = OnDemand(lambda: stack.enter_context(closing(make_engine())))
         clear_unfinished(request.out)
-        plan = with_voices(plan, _voices(plan.voices, engine, request.out))
         before = manifest.entries()
-        work = _work(plan, settings, manifest)
-        hopeless = list(hopeless_entries(plan))
-        waiting = [each for each in work if request.again or not _is_done(before.get(each.entry.id), each, request.out)]
-        ids = {each.entry.id for each in work} | {entry.id for entry in hopeless}
-        manifest.remove(before.keys() - ids)
-        manifest.put([*hopeless, *_begun(work, waiting, before)])
-        watcher.begun(len(work), len(work) - len(waiting))
-        for entry in _performed(waiting, engine, request.out):
-            _remove_old(before.get(entry.id), entry, request.out)
-            manifest.put([entry])
-            watcher.ended(entry)
-        clear_unfinished(request.out)
+        plan = with_voices(plan, _voices(plan.voices, engine, request.out, watcher))
+        _perform(request, settings, plan, manifest, engine, watcher=watcher)
         entries = tuple(manifest.entries().values())
-    write_reports(request.out, request.script.name, entries)
+        thumbnails = _thumbnails(request, plan, entries, engine)
+        clear_unfinished(request.out)
+    if list(before.values()) != list(entries) or thumbnails or not _are_there(request.out):
+        write_reports(request.out, request.script.name, entries, thumbnails)
     return entries
+
+
+def entries_before(out: Path) -> dict[str, Entry]:
+    """The rows of an earlier run, none where there was none; raises InputError as `Manifest` does."""
+    if not (out / FILE).exists():
+        return {}
+    with Manifest(out) as manifest:
+        return manifest.entries()
+
+
+def _perform(
+    request: BatchRequest,
+    settings: Settings,
+    plan: Plan,
+    manifest: Manifest,
+    engine: OnDemand[Engine],
+    *,
+    watcher: Watcher,
+) -> None:
+    """Performs what is not done, and writes every row."""
+    before = manifest.entries()
+    work = _work(plan, settings, manifest)
+    hopeless = list(hopeless_entries(plan))
+    waiting = [each for each in work if request.again or not _is_done(before.get(each.entry.id), each, request.out)]
+    ids = {each.entry.id for each in work} | {entry.id for entry in hopeless}
+    manifest.remove(before.keys() - ids)
+    manifest.put([*hopeless, *_begun(work, waiting, before)])
+    watcher.begun(len(work), len(work) - len(waiting))
+    for entry in _performed(waiting, engine, request.out):
+        _remove_old(before.get(entry.id), entry, request.out)
+        manifest.put([entry])
+        watcher.ended(entry)
+
+
+def _thumbnails(
+    request: BatchRequest, plan: Plan, entries: Sequence[Entry], engine: OnDemand[Engine]
+) -> dict[str, bytes]:
+    """Contact sheets of the lines that need a look first, drawn where they are not there yet."""
+    paths = thumbnail_paths(entries, request.thumbnails)
+    jobs = list(thumbnail_jobs([job for _take, job in plan.jobs], paths, request.out))
+    if jobs:
+        for done in supervise(jobs, lambda job: engine.get().submit(job), places=engine.get().places):
+            if done.result is not None:
+                write_files(request.out, done.result.files)
+    remove_other_thumbnails(paths, request.out)
+    return read_thumbnails(paths, request.out)
+
+
+def _are_there(out: Path) -> bool:
+    return all((out / name).is_file() for name in REPORTS)
 
 
 def _work(plan: Plan, settings: Settings, manifest: Manifest) -> list[Work]:
@@ -125,11 +171,14 @@ def _begun(work: Sequence[Work], waiting: Sequence[Work], before: dict[str, Entr
             yield replace(known, place=entry.place, row=entry.row)
 
 
-def _voices(jobs: Sequence[ReferenceJob], engine: OnDemand[Engine], out: Path) -> dict[str, SpeakerReference]:
+def _voices(
+    jobs: Sequence[ReferenceJob], engine: OnDemand[Engine], out: Path, watcher: Watcher
+) -> dict[str, SpeakerReference]:
     """How speakers usually sound; what was not learnt before is learnt now. A voice that cannot be heard has none."""
     voices = read_learnt(out, jobs)
     unknown = [job for job in jobs if job.speaker not in voices]
     if unknown:
+        watcher.learning(len(unknown))
         for done in supervise(unknown, engine.get().learn, places=engine.get().places):
             if done.result is not None:
                 keep_learnt(out, done.job.speaker, done.result)

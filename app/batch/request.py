@@ -17,7 +17,7 @@ class BatchRequest:
     """A script, where its recordings are (a folder, or one recording that lines are cut out of), where to write, and
     how. `options` are those that all lines have in common, `cast` the file that says who performs whom. `has_partners`
     makes listeners of those who speak next to a line in its scene, `learns_voices` learns how speakers usually sound;
-    `again` performs what is done as well."""
+    `again` performs what is done as well; `thumbnails` is how many lines of the report are shown."""
 
     script: Path
     audio: Path
@@ -33,3 +33,4 @@ class BatchRequest:
     has_partners: bool = True
     learns_voices: bool = True
     again: bool = False
+    thumbnails: int = 0

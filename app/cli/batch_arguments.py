@@ -65,5 +65,14 @@ def _add_casting(parser: argparse.ArgumentParser) -> None:
 
 def _add_running(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--workers", metavar="N", type=int, help="processes (default: as many as processors)")
+    engine = parser.add_mutually_exclusive_group()
+    engine.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="the workers of a dask cluster instead")
+    engine.add_argument("--service", metavar="URL", help="an understudy service instead; N lines are posted at a time")
+    parser.add_argument(
+        "--shared-files", action="store_true", help="the cluster's workers see the same folders: nothing is sent"
+    )
     parser.add_argument("--dry-run", action="store_true", help="say what would be done and what is missing; do nothing")
+    parser.add_argument(
+        "--thumbnails", metavar="N", type=int, default=0, help="show key poses of N lines in report.html, urgent first"
+    )
     parser.add_argument("--again", action="store_true", help="perform every line again, done or not")

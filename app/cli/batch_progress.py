@@ -39,6 +39,9 @@ class BatchProgress:
         if len(problems) > MOST_TOLD:
             self._log.problem(f"and {len(problems) - MOST_TOLD} more; report.csv has all")
 
+    def learning(self, voices: int) -> None:
+        self._log.event("voices", {"speakers": voices}, f"learning how {voices} speakers usually sound")
+
     def begun(self, entries: int, done: int) -> None:
         self._total, self._done = entries, done
         self._began_s = self._told_s = time.monotonic()

@@ -3,7 +3,6 @@
 import csv
 import json
 import shutil
-from concurrent.futures import Future
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,55 +12,16 @@ import soundfile
 import understudy
 from understudy.batch.batch import run_batch
 from understudy.batch.manifest.entries import Entry, State
-from understudy.batch.planning import Plan
 from understudy.batch.request import BatchRequest
 from understudy.batch.work.formats import LineFormat
-from understudy.batch.work.jobs import LineJob, LineOutcome
-from understudy.batch.work.performing import perform_job
-from understudy.batch.work.speaking import ReferenceJob, learn_reference
 from understudy.errors import InputError
-from understudy.performance import Line, Options, SpeakerReference, Understudy, perform, write_bml
+from understudy.performance import Line, Options, Understudy, perform, write_bml
 from understudy.settings import Settings
+
+from ..support.batches import Silent, ThisProcess
 
 AUDIO = Path(__file__).parents[1] / "audio"
 TEXT = (AUDIO / "figure8.txt").read_text(encoding="utf-8").strip()
-
-
-class ThisProcess:
-    """An engine that does jobs here, with models that are loaded already."""
-
-    places = 1
-
-    def __init__(self, models: Understudy) -> None:
-        self.models = models
-        self.performed: list[str] = []
-
-    def submit(self, job: LineJob) -> "Future[LineOutcome]":
-        self.performed.append(job.id)
-        future: Future[LineOutcome] = Future()
-        future.set_result(perform_job(job, self.models))
-        return future
-
-    def learn(self, job: ReferenceJob) -> "Future[SpeakerReference | None]":
-        future: Future[SpeakerReference | None] = Future()
-        future.set_result(learn_reference(job, self.models.acoustic))
-        return future
-
-    def close(self) -> None:
-        pass
-
-
-class Silent:
-    """Nobody watches."""
-
-    def planned(self, plan: Plan) -> None:
-        pass
-
-    def begun(self, entries: int, done: int) -> None:
-        pass
-
-    def ended(self, entry: Entry) -> None:
-        pass
 
 
 class Batch:

@@ -13,8 +13,23 @@ from ..work.jobs import LineJob, MotionForm
 
 DIGEST_BYTES = 16
 _CHUNK_BYTES = 1 << 20
-_NOT_OF_THE_RESULT = frozenset({"host", "port", "max_concurrent", "deadline_s", "max_body_bytes", "cache"})
-"""Settings by which no performance changes."""
+_OF_THE_RESULT = frozenset(
+    {
+        "parser",
+        "emphasis",
+        "emphasis_prominence",
+        "emphasis_ratio",
+        "agitation_features",
+        "choice",
+        "max_audio_s",
+        "max_audio_bytes",
+        "min_sample_rate_hz",
+        "max_sample_rate_hz",
+        "max_channels",
+        "max_text_characters",
+    }
+)
+"""Settings by which a performance, or whether there is one, changes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +72,7 @@ def settings_hash(job: LineJob, settings: Settings, installation: str) -> str:
     options, motion = job.options, job.motion
     return _digest(
         installation,
-        settings.model_dump_json(exclude=set(_NOT_OF_THE_RESULT)),
+        settings.model_dump_json(include=set(_OF_THE_RESULT)),
         repr((options.mode, options.form.dialect, options.form.timing, options.lead_in_s)),
         repr([target.form.value for target in job.targets]),
         repr(motion if motion != MotionForm() else None),

@@ -5,6 +5,7 @@ from functools import cache
 
 from ...performance import SpeakerReference, Understudy
 from ...settings import Settings
+from ...version import __version__
 from .jobs import LineJob, LineOutcome
 from .performing import perform_job
 from .speaking import ReferenceJob, learn_reference
@@ -21,6 +22,11 @@ def perform_in_worker(job: LineJob, settings: Settings) -> LineOutcome:
 def learn_in_worker(job: ReferenceJob, settings: Settings) -> SpeakerReference | None:
     """How the speaker of a job usually sounds; None where none of his recordings can be heard."""
     return learn_reference(job, _models(settings).acoustic)
+
+
+def version_in_worker() -> str:
+    """The version that is installed where workers run."""
+    return __version__
 
 
 @cache

@@ -5,11 +5,13 @@ import os
 from pathlib import Path
 
 from ...analysis import Options
-from ...batch.batch import run_batch
+from ...batch.batch import entries_before, run_batch
 from ...batch.layout import OURS, USUAL, Layout
 from ...batch.manifest.entries import Entry, State
 from ...batch.matching.joining import Choice
 from ...batch.matching.patterns import Pattern
+from ...batch.planning import plan_batch
+from ...batch.reports.dry_run import dry_run
 from ...batch.request import BatchRequest
 from ...batch.running.engine import Engine
 from ...batch.scripts.columns import read_named
@@ -23,6 +25,7 @@ from ...settings import Settings, read_settings
 from ..batch_progress import progress_for
 from ..distinct_files import OutputFile, require_distinct
 from ..early import require_character
+from ..files import write_standard
 from ..log import Log
 from ..motions import require_skeleton
 from ..plot import require_plot
@@ -36,12 +39,25 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     request = _request(arguments)
     require_character(request.options.character)
     require_skeleton(request.motion.skeleton)
-    if needs_pictures(request.formats):
+    if needs_pictures(request.formats) or request.thumbnails:
         require_plot("sheet.png")
+    if arguments.service:
+        from ...batch.running.service import require_served
+
+        require_served(request.formats)
     workers = _workers(arguments.workers)
+    if arguments.dry_run:
+        return _dry_run(request, workers)
     with progress_for(log) as progress:
-        entries = run_batch(request, settings, lambda: _engine(workers, settings), progress)
+        entries = run_batch(request, settings, lambda: _engine(arguments, workers, settings), progress)
     return _told(entries, request.out, log)
+
+
+def _dry_run(request: BatchRequest, workers: int) -> int:
+    """Says on standard output what would be done."""
+    told = dry_run(plan_batch(request), entries_before(request.out), workers=workers)
+    write_standard("\n".join((*told.lines, "")).encode())
+    return 0 if told.is_whole else SOME_FAILED
 
 
 def _request(arguments: argparse.Namespace) -> BatchRequest:
@@ -60,6 +76,7 @@ def _request(arguments: argparse.Namespace) -> BatchRequest:
         has_partners=arguments.partners == "scene",
         learns_voices=arguments.voices == "learn",
         again=arguments.again,
+        thumbnails=arguments.thumbnails,
     )
 
 
@@ -84,7 +101,15 @@ def _workers(told: int | None) -> int:
     return workers
 
 
-def _engine(workers: int, settings: Settings) -> Engine:
+def _engine(arguments: argparse.Namespace, workers: int, settings: Settings) -> Engine:
+    if arguments.scheduler:
+        from ...batch.running.dask_cluster import DaskEngine
+
+        return DaskEngine(arguments.scheduler, settings, shares_files=arguments.shared_files)
+    if arguments.service:
+        from ...batch.running.service import ServiceEngine
+
+        return ServiceEngine(arguments.service, workers, settings)
     from ...batch.running.local import LocalEngine
 
     return LocalEngine(workers, settings)

@@ -1,0 +1,129 @@
+"""What a batch would do, as text for people: who speaks how much, what is missing, unused or there twice, how long it
+would take."""
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import soundfile
+
+from ...model import Interval
+from ..manifest.entries import Entry, State
+from ..matching.near_names import NearNames
+from ..planning import Plan, without_audio
+from ..work.formats import needs_motion
+from ..work.jobs import LineJob
+
+MOST_TOLD = 40
+
+SECONDS_A_LINE, SECONDS_A_SECOND = 0.03, 0.02
+"""What a line and a second of speech take a worker, without motion (docs/measurements.md, "Batch")."""
+
+MOTION_SECONDS_A_SECOND = 0.06
+"""What a second of motion takes beside that."""
+
+LOADING_S = 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class DryRun:
+    """What would be done, in lines; `is_whole` tells that every row of the script would be performed."""
+
+    lines: tuple[str, ...]
+    is_whole: bool
+
+
+def dry_run(plan: Plan, before: Mapping[str, Entry], *, workers: int) -> DryRun:
+    """What would be done, and by how many workers; `before` is the manifest of an earlier run."""
+    durations_s = {job.id: _duration_s(job) for _take, job in plan.jobs}
+    problems = [str(problem) for problem in plan.script.problems]
+    missing = [f"{each.line.id}, {without_audio(each)}" for each in plan.joined.missing]
+    unreadable = [str(job.audio.path) for _take, job in plan.jobs if durations_s[job.id] is None]
+    sections = {
+        "wrong rows": problems,
+        "lines without audio": missing,
+        "audio that cannot be read": unreadable,
+        "audio without lines": list(_unused(plan)),
+        "several recordings of one take (the first is performed)": list(_rivals(plan)),
+        "one recording of several lines": list(_shared(plan)),
+    }
+    told = [*_speakers(plan, durations_s), *_sections(sections), "", _summary(plan, durations_s, before, workers)]
+    return DryRun(tuple(told), not (problems or missing or unreadable))
+
+
+def _speakers(plan: Plan, durations_s: Mapping[str, float | None]) -> Iterator[str]:
+    lines = Counter(take.line.character for take, _job in plan.jobs)
+    performers: dict[str, set[str]] = {}
+    seconds: Counter[str] = Counter()
+    for take, job in plan.jobs:
+        performers.setdefault(take.line.character, set()).add(job.options.character)
+        seconds[take.line.character] += round(durations_s[job.id] or 0.0)
+    yield f"{'character':28s} {'performed by':20s} {'lines':>6s} {'minutes':>8s}"
+    for name, count in lines.most_common():
+        by = ", ".join(sorted(performers[name]))
+        yield f"{name or '(nobody named)':28.28s} {by:20.20s} {count:6d} {seconds[name] / 60:8.1f}"
+
+
+def _sections(sections: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    for title, rows in sections.items():
+        if rows:
+            yield ""
+            yield f"{title}: {len(rows)}"
+            yield from (f"  {row}" for row in rows[:MOST_TOLD])
+        if len(rows) > MOST_TOLD:
+            yield f"  and {len(rows) - MOST_TOLD} more"
+
+
+def _unused(plan: Plan) -> Iterator[str]:
+    near = NearNames(missing.line.id for missing in plan.joined.missing)
+    for path in plan.joined.unused:
+        meant = near.nearest(path.stem)
+        yield f"{path.name}: did you mean {meant}?" if meant else path.name
+
+
+def _rivals(plan: Plan) -> Iterator[str]:
+    for line, paths in plan.joined.rivals:
+        yield f"{line.id}: {', '.join(map(str, paths))}"
+
+
+def _shared(plan: Plan) -> Iterator[str]:
+    for path, lines in plan.joined.shared:
+        yield f"{path.name}: {', '.join(line.id for line in lines)}"
+
+
+def _summary(plan: Plan, durations_s: Mapping[str, float | None], before: Mapping[str, Entry], workers: int) -> str:
+    waiting = [job for _take, job in plan.jobs if (old := before.get(job.id)) is None or old.state is not State.DONE]
+    total_s = sum(duration_s or 0.0 for duration_s in durations_s.values())
+    expected_s = sum(_expected_s(job, durations_s[job.id] or 0.0) for job in waiting) / workers
+    expected_s += LOADING_S if waiting else 0.0
+    return (
+        f"{len(plan.jobs)} lines with recordings, {total_s / 3600:.2f} hours; {len(waiting)} to perform, "
+        f"about {_time(expected_s)} with {workers} workers"
+    )
+
+
+def _expected_s(job: LineJob, duration_s: float) -> float:
+    motion_s = MOTION_SECONDS_A_SECOND * duration_s if needs_motion([target.form for target in job.targets]) else 0.0
+    return SECONDS_A_LINE + SECONDS_A_SECOND * duration_s + motion_s
+
+
+def _time(seconds: float) -> str:
+    if seconds < 90:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} hours"
+
+
+def _duration_s(job: LineJob) -> float | None:
+    interval: Interval | None = job.audio.interval
+    if interval is not None:
+        return interval.duration_s
+    return _file_duration_s(job.audio.path)
+
+
+def _file_duration_s(path: Path) -> float | None:
+    """What the file's header says; None when it cannot be read."""
+    try:
+        return float(soundfile.info(path).duration)
+    except (soundfile.LibsndfileError, OSError):
+        return None

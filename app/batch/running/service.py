@@ -1,0 +1,204 @@
+"""Another Understudy's service as an engine: lines are posted to `/perform`, and waited with when it is full.
+
+It gives the schedule and the whole performance; motion and what else a local worker writes it does not. Who plays a
+listener it knows by the listener's own name only. Voices are learnt here.
+"""
+
+import json
+import threading
+import time
+from collections.abc import Iterator, Mapping
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import asdict
+from email.utils import parsedate_to_datetime
+from typing import Any
+
+import requests
+
+from ...errors import InputError, ServiceError
+from ...model import EMPHASISED, Notice
+from ...performance import SpeakerReference
+from ...schemas.references import ReferenceForm
+from ...settings import Settings
+from ..work.formats import LineFormat, OutputFormat, beside, extension_of
+from ..work.jobs import Failure, LineJob, LineOutcome, Measures, OutputFile
+from ..work.speaking import ReferenceJob
+from ..work.worker import learn_in_worker
+from .processes import Processes
+
+SERVED = frozenset({LineFormat.BML, LineFormat.PERFORMANCE, LineFormat.WAV})
+
+ANSWER_S = 300.0
+"""How long an answer is waited for."""
+
+LONGEST_WAIT_S = 600.0
+"""How long a line is posted again to a service that is full or away."""
+
+USUAL_WAIT_S, MOST_WAIT_S = 1.0, 60.0
+
+
+class ServiceEngine:
+    """A service at a URL, to which so many lines are posted at a time."""
+
+    def __init__(self, url: str, posts: int, settings: Settings) -> None:
+        """Raises InputError `service_unreachable`."""
+        self.places = posts
+        self._url = url.rstrip("/")
+        self._settings = settings
+        self._threads = ThreadPoolExecutor(posts, thread_name_prefix="post")
+        self._voices = Processes(1)
+        self._closed = threading.Event()
+        _require_ready(self._url)
+
+    def submit(self, job: LineJob) -> "Future[LineOutcome]":
+        return self._threads.submit(self._perform, job)
+
+    def learn(self, job: ReferenceJob) -> "Future[SpeakerReference | None]":
+        return self._voices.call(learn_in_worker, job, self._settings)
+
+    def close(self) -> None:
+        self._closed.set()
+        self._voices.close()
+        self._threads.shutdown(cancel_futures=True)
+
+    def _perform(self, job: LineJob) -> LineOutcome:
+        start_s = time.perf_counter()
+        try:
+            audio = job.audio.content()
+        except InputError as error:
+            return LineOutcome(job.id, time.perf_counter() - start_s, failure=Failure.of(error))
+        answer = self._posted(job, audio)
+        seconds = time.perf_counter() - start_s
+        if answer.ok:
+            told = answer.json()
+            notices = tuple(Notice(each["code"], each["message"]) for each in told["warnings"])
+            return LineOutcome(
+                job.id, seconds, tuple(_files(job, audio, told)), notices, _measures(told["performance"])
+            )
+        failure = _failure(answer)
+        if answer.status_code >= requests.codes.internal_server_error:
+            raise ServiceError(failure.code, failure.message)
+        return LineOutcome(job.id, seconds, failure=failure)
+
+    def _posted(self, job: LineJob, audio: bytes) -> requests.Response:
+        """The answer; while the service is full or away, the line is posted again when it says, or a little later.
+
+        Raises ServiceError `service_unreachable` when it stays away.
+        """
+        ends_s = time.monotonic() + LONGEST_WAIT_S
+        wait_s = USUAL_WAIT_S
+        while True:
+            answer, trouble = _post(f"{self._url}/perform", job, audio)
+            if answer is not None and answer.status_code not in {429, 503}:
+                return answer
+            told_s = _told_wait_s(answer) if answer is not None else None
+            if time.monotonic() > ends_s or self._closed.wait(wait_s if told_s is None else told_s):
+                raise ServiceError("service_unreachable", f"{self._url}: {trouble or 'full'} for {LONGEST_WAIT_S:g} s")
+            wait_s = min(2 * wait_s, MOST_WAIT_S)
+
+
+def require_served(formats: tuple[OutputFormat, ...]) -> None:
+    """Raises InputError `format_unknown` for what the service does not write."""
+    others = [extension_of(form) for form in formats if form not in SERVED]
+    if others:
+        known = ", ".join(sorted(extension_of(form) for form in SERVED))
+        message = f"--format {others[0]}: over --service there are {known}; leave --service out for the others"
+        raise InputError("format_unknown", message, field="format")
+
+
+def _require_ready(url: str) -> None:
+    try:
+        requests.get(f"{url}/healthz", timeout=ANSWER_S).raise_for_status()
+    except requests.RequestException as error:
+        message = f"{url}: no service answers there ({type(error).__name__}); start one with understudy serve"
+        raise InputError("service_unreachable", message, field="service") from None
+
+
+def _post(url: str, job: LineJob, audio: bytes) -> tuple[requests.Response | None, str]:
+    """The answer, or why there is none."""
+    files = {"audio": (job.audio.path.name, audio)}
+    fields = {"text": job.text, "options": json.dumps(_options(job))}
+    if job.direction is not None:
+        fields["direction"] = json.dumps(asdict(job.direction))
+    try:
+        return requests.post(
+            url, data=fields, files=files, headers={"Accept": "application/json"}, timeout=ANSWER_S
+        ), ""
+    except requests.RequestException as error:
+        return None, type(error).__name__
+
+
+def _options(job: LineJob) -> dict[str, Any]:
+    """The options under the names that the service has for them."""
+    options = job.options
+    told: dict[str, Any] = {
+        "character": options.character,
+        "seed": options.seed,
+        "mode": options.mode.value,
+        "listener": list(options.listeners),
+        "dialect": options.form.dialect.value,
+        "timing": options.form.timing.value,
+        "lead_in_s": options.lead_in_s,
+        "stillness": options.stillness,
+    }
+    if options.agitation is not None:
+        told["agitation"] = options.agitation.value
+    if options.reference is not None:
+        told["reference"] = ReferenceForm.of(options.reference).model_dump()
+    return told
+
+
+def _told_wait_s(answer: requests.Response) -> float | None:
+    """`Retry-After`, in seconds or as a date; None where it says nothing that can be read."""
+    told = answer.headers.get("Retry-After", "")
+    if told.isdecimal():
+        return min(float(told), MOST_WAIT_S)
+    try:
+        return min(max(parsedate_to_datetime(told).timestamp() - time.time(), 0.0), MOST_WAIT_S)
+    except ValueError:
+        return None
+
+
+def _failure(answer: requests.Response) -> Failure:
+    """What the service's problem says (RFC 9457)."""
+    try:
+        told = answer.json()
+        return Failure(told["code"], told["detail"])
+    except (ValueError, KeyError, TypeError):
+        return Failure("service_failed", f"the service answered {answer.status_code} {answer.reason}")
+
+
+def _files(job: LineJob, audio: bytes, told: Mapping[str, Any]) -> Iterator[OutputFile]:
+    for target in job.targets:
+        match target.form:
+            case LineFormat.PERFORMANCE:
+                content = json.dumps(told["performance"], indent=2, ensure_ascii=False).encode() + b"\n"
+            case LineFormat.WAV:
+                content = audio
+            case _:
+                content = told["bml"].encode()
+                for name, block in (told.get("listeners") or {}).items():
+                    path = beside(target.path, name, target.form)
+                    yield OutputFile(target.form, path, len(block.encode()), name, block.encode())
+        yield OutputFile(target.form, target.path, len(content), "", content)
+
+
+def _measures(told: Mapping[str, Any]) -> Measures:
+    """What the performance tells; the pitch it does not."""
+    kept = [behavior for behavior in told["behaviors"] if behavior["kept"]]
+    gestures = [behavior for behavior in told["behaviors"] if behavior["kind"] == "gesture"]
+    functions: dict[str, int] = {}
+    for function in told["functions"]:
+        if function["kept"]:
+            functions[function["class"]] = functions.get(function["class"], 0) + 1
+    return Measures(
+        duration_s=round(told["audio"]["duration_s"], 3),
+        words=len(told["words"]),
+        agitation=told["agitation"] or "",
+        functions=dict(sorted(functions.items())),
+        gestures=sum(gesture["kept"] for gesture in gestures),
+        gestures_dropped=sum(not gesture["kept"] for gesture in gestures),
+        behaviors=len(kept),
+        emphasised=sum((word.get("emphasis") or 0.0) > EMPHASISED for word in told["words"]),
+        pitch_spread_st=None,
+    )

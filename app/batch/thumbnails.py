@@ -1,0 +1,59 @@
+"""A contact sheet for those lines of a report that need a human eye first.
+
+They lie in `OUT/thumbnails`, named by what they were made of, so that a line that is done again gets another.
+"""
+
+import io
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from ..motion_formats import MotionFormat
+from .layout import file_name
+from .manifest.entries import Entry, State
+from .reports.writing import in_order_of_attention
+from .work.jobs import LineJob, Target
+
+FOLDER = "thumbnails"
+WIDTH_PIXELS = 640
+_HASH_LETTERS = 10
+
+
+def thumbnail_paths(entries: Sequence[Entry], count: int) -> dict[str, str]:
+    """Where the sheets of the first `count` lines that are done lie, from the output folder on, by the lines' ids."""
+    done = [entry for entry in in_order_of_attention(entries) if entry.state is State.DONE]
+    return {
+        entry.id: f"{FOLDER}/{file_name(entry.id)}-{(entry.input_hash + entry.settings_hash)[:_HASH_LETTERS]}.png"
+        for entry in done[:count]
+    }
+
+
+def thumbnail_jobs(jobs: Sequence[LineJob], paths: dict[str, str], out: Path) -> Iterator[LineJob]:
+    """What is still to be drawn."""
+    for job in jobs:
+        path = paths.get(job.id)
+        if path is not None and not (out / path).is_file():
+            yield replace(job, targets=(Target(MotionFormat.SHEET, path),))
+
+
+def remove_other_thumbnails(paths: dict[str, str], out: Path) -> None:
+    """Removes sheets that no line of the report has any more."""
+    kept = {out / path for path in paths.values()}
+    for path in (out / FOLDER).glob("*.png"):
+        if path not in kept:
+            path.unlink(missing_ok=True)
+
+
+def read_thumbnails(paths: dict[str, str], out: Path) -> dict[str, bytes]:
+    """The sheets that were drawn, small enough for a report, by the lines' ids."""
+    return {name: _small((out / path).read_bytes()) for name, path in paths.items() if (out / path).is_file()}
+
+
+def _small(png: bytes) -> bytes:
+    from PIL import Image
+
+    picture = Image.open(io.BytesIO(png))
+    picture.thumbnail((WIDTH_PIXELS, WIDTH_PIXELS))
+    content = io.BytesIO()
+    picture.save(content, format="PNG")
+    return content.getvalue()

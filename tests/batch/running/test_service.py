@@ -1,0 +1,122 @@
+"""The service as an engine, over HTTP: the same bytes as here, its problems, and `Retry-After`."""
+
+import threading
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
+from dataclasses import replace
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+import uvicorn
+
+from understudy.api.application import create_app
+from understudy.api.workers.processes import Nursery
+from understudy.batch.running.service import ServiceEngine, require_served
+from understudy.batch.work.audio import AudioSource
+from understudy.batch.work.formats import LineFormat
+from understudy.batch.work.jobs import Failure, LineJob, Target
+from understudy.batch.work.performing import perform_job
+from understudy.errors import InputError
+from understudy.model import DirectedMoment, Direction
+from understudy.motion_formats import MotionFormat
+from understudy.performance import Options, Understudy
+from understudy.settings import Settings
+
+AUDIO = Path(__file__).parents[2] / "audio"
+JOB = LineJob(
+    "one",
+    (AUDIO / "figure8.txt").read_text(encoding="utf-8"),
+    AudioSource(AUDIO / "figure8.flac"),
+    Options(seed=3, listeners=("default",), stillness=0.1),
+    tuple(Target(form, f"one.{form}") for form in (LineFormat.BML, LineFormat.PERFORMANCE)),
+    direction=Direction(moments=(DirectedMoment(0, 2, stroke=2, importance=3, gesture=("negation",)),)),
+)
+
+
+@pytest.fixture(scope="module")
+def url(nursery: Nursery) -> Iterator[str]:
+    app = create_app(Settings(workers=1), nursery)
+    server = uvicorn.Server(uvicorn.Config(app, port=0, log_config=None))
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    while not server.started:
+        thread.join(0.02)
+    yield f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}"
+    server.should_exit = True
+    thread.join()
+
+
+def test_a_line_is_performed_there_as_here(url: str, understudy: Understudy) -> None:
+    with closing(ServiceEngine(url, 2, Settings())) as engine:
+        there = engine.submit(JOB).result()
+    here = perform_job(JOB, understudy)
+    assert [file.content for file in there.files if file.form is LineFormat.BML] == [
+        file.content for file in sorted(here.files, key=lambda each: -len(each.listener)) if file.form is LineFormat.BML
+    ]
+    assert there.measures is not None
+    assert here.measures is not None
+    assert replace(here.measures, pitch_spread_st=None) == there.measures
+    assert there.notices == here.notices
+
+
+def test_what_the_line_has_wrong_is_its_failure(url: str) -> None:
+    with closing(ServiceEngine(url, 1, Settings())) as engine:
+        outcome = engine.submit(replace(JOB, text=" ", direction=None)).result()
+    assert outcome.failure is not None
+    assert outcome.failure.code == "text_empty"
+
+
+def test_a_full_service_is_asked_again_when_it_says() -> None:
+    answers = [
+        (503, "0", b"{}"),
+        (429, "Thu, 01 Jan 1970 00:00:00 GMT", b"{}"),
+        (422, "", b'{"code":"x","detail":"y"}'),
+    ]
+    with _answering(answers) as server, closing(ServiceEngine(server, 1, Settings())) as engine:
+        outcome = engine.submit(JOB).result(timeout=30)
+    assert answers == []
+    assert outcome.failure == Failure("x", "y")
+
+
+def test_no_service_is_told() -> None:
+    with pytest.raises(InputError) as raised:
+        ServiceEngine("http://127.0.0.1:9", 1, Settings())
+    assert raised.value.code == "service_unreachable"
+
+
+def test_formats_that_are_not_served_are_told() -> None:
+    require_served((LineFormat.BML,))
+    with pytest.raises(InputError, match="glb"):
+        require_served((LineFormat.BML, MotionFormat.GLB))
+
+
+@contextmanager
+def _answering(answers: list[tuple[int, str, bytes]]) -> Iterator[str]:
+    """A server that answers posts with one after another: status, `Retry-After`, content."""
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:  # the library's name
+            self._answer(200, "", b"{}")
+
+        def do_POST(self) -> None:
+            self.rfile.read(int(self.headers["Content-Length"]))
+            self._answer(*answers.pop(0))
+
+        def log_message(self, format: str, *args: object) -> None:  # noqa: A002
+            pass
+
+        def _answer(self, status: int, retry_after: str, content: bytes) -> None:
+            self.send_response(status)
+            if retry_after:
+                self.send_header("Retry-After", retry_after)
+            self.send_header("Content-Length", str(len(content)))
+            self.end_headers()
+            self.wfile.write(content)
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        yield f"http://127.0.0.1:{server.server_address[1]}"
+        server.shutdown()
+        thread.join()

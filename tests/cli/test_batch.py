@@ -1,0 +1,118 @@
+"""`understudy batch` as its users call it: exit codes, what is told where, and going on after a kill."""
+
+import csv
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from understudy.batch.batch import run_batch
+from understudy.batch.request import BatchRequest
+from understudy.cli.main import main
+from understudy.performance import Understudy
+from understudy.settings import Settings
+
+from ..support.batches import Silent, ThisProcess
+
+AUDIO = Path(__file__).parents[1] / "audio"
+TEXT = (AUDIO / "figure8.txt").read_text(encoding="utf-8").strip()
+LINES = [f"l{number}" for number in range(5)]
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "audio").mkdir()
+    for name in LINES:
+        shutil.copy(AUDIO / "figure8.flac", tmp_path / "audio" / f"{name}.flac")
+    write(tmp_path, *([name, TEXT] for name in LINES))
+    return tmp_path
+
+
+def write(folder: Path, *rows: list[str]) -> None:
+    with (folder / "lines.csv").open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows([["id", "text"], *rows])
+
+
+def call(folder: Path, *options: str) -> list[str]:
+    return [
+        "batch",
+        str(folder / "lines.csv"),
+        "--audio",
+        str(folder / "audio"),
+        "--out",
+        str(folder / "out"),
+        *options,
+    ]
+
+
+def content(folder: Path) -> dict[str, bytes]:
+    files = [path for path in (folder / "out").rglob("*") if path.is_file()]
+    return {path.name: path.read_bytes() for path in files if path.name not in {"manifest.sqlite", ".lock"}}
+
+
+def test_a_dry_run_tells_what_is_missing_and_does_nothing(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write(folder, ["l1", TEXT], ["l02", TEXT], ["x", ""])
+    assert main(call(folder, "--dry-run")) == 1
+    told = capsys.readouterr().out
+    assert "row 4, column B (text)" in told
+    assert "l02, row 3: no recording; did you mean 'l2'?" in told
+    assert "l2.flac: did you mean l02?" in told
+    assert "1 lines with recordings" in told
+    assert not (folder / "out").exists()
+    write(folder, ["l1", TEXT])
+    assert main(call(folder, "--dry-run")) == 0
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (["--format", "blm"], "did you mean 'bml'"),
+        (["--layout", "x.{ext}"], "layout"),
+        (["--workers", "0"], "workers"),
+        (["--column", "txt=Words"], "did you mean 'text'"),
+        (["--character", "nobody"], "nobody"),
+        (["--service", "http://127.0.0.1:9"], "understudy serve"),
+        (["--service", "http://127.0.0.1:9", "--format", "glb"], "glb"),
+    ],
+)
+def test_what_cannot_be_begun_is_one_line_and_2(
+    options: list[str], told: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([*call(folder, *options), "--quiet"]) == 2
+    err = capsys.readouterr().err
+    assert told in err
+    assert len(err.splitlines()) == 1
+
+
+def test_killed_and_called_again_it_ends_with_the_bytes_of_an_undisturbed_run(
+    folder: Path, understudy: Understudy
+) -> None:
+    command = [sys.executable, "-m", "understudy.cli", *call(folder, "--workers", "1", "--json-log")]
+    process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    assert process.stderr is not None
+    told = (json.loads(line) for line in process.stderr)
+    first = next(event for event in told if event["event"] == "line")
+    os.kill(process.pid, signal.SIGKILL)
+    process.wait()
+    process.stderr.close()
+    assert first["state"] == "done"
+    time.sleep(0.2)  # the worker ends when it sees that its parent is gone
+
+    again = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
+    events = [json.loads(line) for line in again.stderr.splitlines()]
+    performed = [event["id"] for event in events if event["event"] == "line"]
+    assert again.returncode == 0
+    assert first["id"] not in performed
+    assert 0 < len(performed) < len(LINES)
+    found = content(folder)
+    shutil.rmtree(folder / "out")
+    request = BatchRequest(folder / "lines.csv", folder / "audio", folder / "out")
+    run_batch(request, Settings(), lambda: ThisProcess(understudy), Silent())
+    assert content(folder) == found
+    assert len(found) == len(LINES) + 3

@@ -1,0 +1,50 @@
+"""A batch in the process of the tests, with models that are loaded already, watched by nobody."""
+
+from concurrent.futures import Future
+
+from understudy.batch.manifest.entries import Entry
+from understudy.batch.planning import Plan
+from understudy.batch.work.jobs import LineJob, LineOutcome
+from understudy.batch.work.performing import perform_job
+from understudy.batch.work.speaking import ReferenceJob, learn_reference
+from understudy.performance import SpeakerReference, Understudy
+
+
+class ThisProcess:
+    """An engine that does jobs here, with models that are loaded already."""
+
+    places = 1
+
+    def __init__(self, models: Understudy) -> None:
+        self.models = models
+        self.performed: list[str] = []
+
+    def submit(self, job: LineJob) -> "Future[LineOutcome]":
+        self.performed.append(job.id)
+        future: Future[LineOutcome] = Future()
+        future.set_result(perform_job(job, self.models))
+        return future
+
+    def learn(self, job: ReferenceJob) -> "Future[SpeakerReference | None]":
+        future: Future[SpeakerReference | None] = Future()
+        future.set_result(learn_reference(job, self.models.acoustic))
+        return future
+
+    def close(self) -> None:
+        pass
+
+
+class Silent:
+    """Nobody watches."""
+
+    def planned(self, plan: Plan) -> None:
+        pass
+
+    def learning(self, voices: int) -> None:
+        pass
+
+    def begun(self, entries: int, done: int) -> None:
+        pass
+
+    def ended(self, entry: Entry) -> None:
+        pass
