@@ -4,7 +4,7 @@ The manifest is written as each line ends, after its files; so whatever is kille
 with what was not finished, and no line counts as done whose files are not there.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -18,7 +18,7 @@ from .manifest.entries import Entry, State, WrittenFile
 from .manifest.hashes import KnownRecording, input_hash, installation_hash, settings_hash
 from .manifest.store import FILE, Manifest
 from .planning import Plan, entry_of, hopeless_entries, plan_batch, with_voices
-from .reports.writing import REPORTS, write_reports
+from .reports.writing import remove_reports, reports_are_there, write_reports
 from .request import BatchRequest
 from .running.engine import Engine
 from .running.supervising import Done, supervise
@@ -67,11 +67,21 @@ def run_batch(
         clear_unfinished(request.out)
         before = manifest.entries()
         plan = with_voices(plan, _voices(plan.voices, engine, request.out, watcher))
-        _perform(request, settings, plan, manifest, engine, watcher=watcher)
-        entries = tuple(manifest.entries().values())
+        work = _work(plan, settings, manifest)
+        changed = _changed(plan, work, before, request)
+        if not changed.is_nothing:
+            remove_reports(request.out)  # lest a kill leaves those of before
+            manifest.remove(changed.gone)
+            manifest.put(changed.rows)
+        watcher.begun(len(work), len(work) - len(changed.waiting))
+        for entry in _performed(changed.waiting, engine, request.out):
+            _remove_old(before.get(entry.id), entry, request.out)
+            manifest.put([entry])
+            watcher.ended(entry)
+        entries = tuple((before if changed.is_nothing else manifest.entries()).values())
         thumbnails = _thumbnails(request, plan, entries, engine)
         clear_unfinished(request.out)
-    if list(before.values()) != list(entries) or thumbnails or not _are_there(request.out):
+    if thumbnails or not reports_are_there(request.out):
         write_reports(request.out, request.script.name, entries, thumbnails)
     return entries
 
@@ -84,28 +94,25 @@ def entries_before(out: Path) -> dict[str, Entry]:
         return manifest.entries()
 
 
-def _perform(
-    request: BatchRequest,
-    settings: Settings,
-    plan: Plan,
-    manifest: Manifest,
-    engine: OnDemand[Engine],
-    *,
-    watcher: Watcher,
-) -> None:
-    """Performs what is not done, and writes every row."""
-    before = manifest.entries()
-    work = _work(plan, settings, manifest)
+@dataclass(frozen=True, slots=True)
+class Changed:
+    """What is other than in the manifest: lines to perform, rows to write before that, and ids that are gone."""
+
+    waiting: tuple[Work, ...]
+    rows: tuple[Entry, ...]
+    gone: frozenset[str]
+
+    @property
+    def is_nothing(self) -> bool:
+        return not (self.waiting or self.rows or self.gone)
+
+
+def _changed(plan: Plan, work: Sequence[Work], before: Mapping[str, Entry], request: BatchRequest) -> Changed:
     hopeless = list(hopeless_entries(plan))
     waiting = [each for each in work if request.again or not _is_done(before.get(each.entry.id), each, request.out)]
     ids = {each.entry.id for each in work} | {entry.id for entry in hopeless}
-    manifest.remove(before.keys() - ids)
-    manifest.put([*hopeless, *_begun(work, waiting, before)])
-    watcher.begun(len(work), len(work) - len(waiting))
-    for entry in _performed(waiting, engine, request.out):
-        _remove_old(before.get(entry.id), entry, request.out)
-        manifest.put([entry])
-        watcher.ended(entry)
+    rows = [*(entry for entry in hopeless if before.get(entry.id) != entry), *_begun(work, waiting, before)]
+    return Changed(tuple(waiting), tuple(rows), frozenset(before.keys() - ids))
 
 
 def _thumbnails(
@@ -120,10 +127,6 @@ def _thumbnails(
                 write_files(request.out, done.result.files)
     remove_other_thumbnails(paths, request.out)
     return read_thumbnails(paths, request.out)
-
-
-def _are_there(out: Path) -> bool:
-    return all((out / name).is_file() for name in REPORTS)
 
 
 def _work(plan: Plan, settings: Settings, manifest: Manifest) -> list[Work]:
@@ -160,7 +163,7 @@ def _size(path: Path) -> int | None:
         return None
 
 
-def _begun(work: Sequence[Work], waiting: Sequence[Work], before: dict[str, Entry]) -> Iterator[Entry]:
+def _begun(work: Sequence[Work], waiting: Sequence[Work], before: Mapping[str, Entry]) -> Iterator[Entry]:
     """The rows that change before anything is performed: those that wait, and those that moved in the script."""
     waits = {each.entry.id for each in waiting}
     for each in work:

@@ -1,7 +1,9 @@
 """From a script and its recordings to jobs, and to the failures of lines that cannot become one."""
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 from ..errors import InputError
 from ..loading import load_characters
@@ -132,11 +134,12 @@ def _to_learn(casting: Casting, jobs: Sequence[tuple[Take, LineJob]]) -> Iterato
 
 def _require_spared(request: BatchRequest, jobs: Sequence[tuple[Take, LineJob]]) -> None:
     """Raises InputError `files_same` when an output would be written over the script or a recording."""
-    spared = {path.resolve() for path in (request.script, *(job.audio.path for _take, job in jobs))}
-    out = request.out.resolve()
+    folders = cache(os.path.realpath)  # one of each folder, for to follow links takes long
+    spared = {f"{folders(path.parent)}/{path.name}" for path in (request.script, *(job.audio.path for _t, job in jobs))}
+    out = folders(request.out)
     for _take, job in jobs:
         for target in job.targets:
-            if out / target.path in spared:
+            if f"{out}/{target.path}" in spared:
                 message = f"{target.path} in {request.out} is read; give another --out or --layout, nothing was written"
                 raise InputError("files_same", message, field="out")
 

@@ -29,7 +29,7 @@ class Manifest:
             self._connection.execute("PRAGMA journal_mode = WAL")
             self._connection.execute("PRAGMA synchronous = NORMAL")
             self._connection.executescript(_SCHEMA.read_text(encoding="utf-8"))
-            self.entries()
+            self._connection.execute(f"{_SELECT} LIMIT 1").fetchall()
         except (sqlite3.Error, TypeError, ValueError) as error:
             self._lock.close()
             message = f"{folder / FILE}: no manifest of this version ({error}); remove it, and all is performed again"

@@ -17,10 +17,10 @@ from ..work.jobs import LineJob
 
 MOST_TOLD = 40
 
-SECONDS_A_LINE, SECONDS_A_SECOND = 0.03, 0.02
+SECONDS_A_LINE, SECONDS_A_SECOND = 0.03, 0.025
 """What a line and a second of speech take a worker, without motion (docs/measurements.md, "Batch")."""
 
-MOTION_SECONDS_A_SECOND = 0.06
+MOTION_SECONDS_A_SECOND = 0.02
 """What a second of motion takes beside that."""
 
 LOADING_S = 4.0

@@ -25,3 +25,14 @@ def write_reports(out: Path, script: str, entries: Sequence[Entry], thumbnails: 
     write_whole(out, "report.html", to_html(script, urgent, thumbnails))
     write_whole(out, "index.json", to_index(script, entries))
     clear_unfinished(out)
+
+
+def reports_are_there(out: Path) -> bool:
+    """Whether all of them were written."""
+    return all((out / name).is_file() for name in REPORTS)
+
+
+def remove_reports(out: Path) -> None:
+    """Removes what is not true any more; raises OSError."""
+    for name in REPORTS:
+        (out / name).unlink(missing_ok=True)
