@@ -9,6 +9,7 @@ from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from .acoustic.stress.emphasis import PROMINENT, STRESSED
 from .errors import InputError
+from .motion_limits import MotionLimits
 
 PREFIX = "UNDERSTUDY_"
 
@@ -87,6 +88,10 @@ class Settings(BaseSettings):
     max_functions_bytes: int = Field(default=1024 * 1024, gt=0, description="largest part `functions`, bytes")
     max_direction_bytes: int = Field(default=2 * 1024 * 1024, gt=0, description="largest part `direction`, bytes")
     max_bml_bytes: int = Field(default=2 * 1024 * 1024, gt=0, description="largest BML, bytes")
+    max_motion_behaviors: int = Field(default=1000, gt=0, description="most behaviours of BML that is realized")
+    max_motion_s: float = Field(default=150.0, gt=0, description="longest motion answered, seconds")
+    max_motion_frames: int = Field(default=9_000, gt=0, description="most frames of motion answered")
+    max_motion_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest motion answered, bytes")
     max_avatar_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest part `avatar`, bytes")
     max_json_bytes: int = Field(default=512 * 1024, gt=0, description="largest JSON body of a request, bytes")
     max_uploads_bytes: int = Field(
@@ -106,6 +111,11 @@ class Settings(BaseSettings):
     def worker_count(self) -> int:
         """How many worker processes there are."""
         return self.workers or len(psutil.Process().cpu_affinity() or ()) or 1
+
+    @property
+    def motion_limits(self) -> MotionLimits:
+        """How much motion one answer of the service may hold."""
+        return MotionLimits(self.max_motion_behaviors, self.max_motion_s, self.max_motion_frames, self.max_motion_bytes)
 
     @property
     def queue_length(self) -> int:

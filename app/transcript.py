@@ -15,6 +15,12 @@ MAX_PUNCTUATION_RUN = 8
 MAX_WORD_CHARACTERS = 100
 """Longest word accepted, its punctuation runs shortened; tokenizers take quadratic time over longer ones."""
 
+MAX_WORDS = 2500
+"""Most words of a transcript, a quarter of an hour of speech: some rules compare words with words."""
+
+MAX_WRITTEN_CHARACTERS = 1000
+"""Longest word accepted with its punctuation as it is written, which much else reads."""
+
 _ALLOWED_CONTROLS = frozenset("\t\n\v\f\r")
 _UNWRITABLE = frozenset("\ufffe\uffff")
 _LONG_PUNCTUATION_RUN = re.compile(rf"([\W_]{{{MAX_PUNCTUATION_RUN}}})[\W_]+")
@@ -36,6 +42,9 @@ def read_transcript(text: str, *, max_characters: int) -> tuple[Word, ...]:
     words = tuple(Word(index, word) for index, word in enumerate(text.split()))
     if not words:
         raise InputError("text_empty", "the text has no words; send the words that are spoken", field="text")
+    if len(words) > MAX_WORDS:
+        message = f"the text has {len(words)} words; at most {MAX_WORDS} are allowed"
+        raise TooLargeError("text_too_long", message, field="text")
     for word in words:
         _check_length(word)
     return words
@@ -64,11 +73,14 @@ def _check_character(character: str, position: int) -> None:
 
 
 def _check_length(word: Word) -> None:
-    length = len(with_short_runs(word.text))
-    if length > MAX_WORD_CHARACTERS:
-        raise InputError(
-            "text_word_too_long",
-            f"word {word.index} ({word.text[:20]}…) has {length} characters; separate words by spaces, "
-            f"a word may have {MAX_WORD_CHARACTERS}",
-            field="text",
-        )
+    for length, most in (
+        (len(word.text), MAX_WRITTEN_CHARACTERS),
+        (len(with_short_runs(word.text)), MAX_WORD_CHARACTERS),
+    ):
+        if length > most:
+            raise InputError(
+                "text_word_too_long",
+                f"word {word.index} ({word.text[:20]}…) has {length} characters; separate words by spaces, "
+                f"a word may have {most}",
+                field="text",
+            )

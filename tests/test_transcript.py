@@ -3,7 +3,14 @@
 import pytest
 
 from understudy.errors import InputError, TooLargeError
-from understudy.transcript import MAX_PUNCTUATION_RUN, MAX_WORD_CHARACTERS, read_transcript, with_short_runs
+from understudy.transcript import (
+    MAX_PUNCTUATION_RUN,
+    MAX_WORD_CHARACTERS,
+    MAX_WORDS,
+    MAX_WRITTEN_CHARACTERS,
+    read_transcript,
+    with_short_runs,
+)
 
 
 def _texts(text: str) -> list[str]:
@@ -33,6 +40,8 @@ def test_a_byte_order_mark_is_no_part_of_the_text() -> None:
         ("a \ud83d b", "text_surrogate"),
         ("x" * (MAX_WORD_CHARACTERS + 1), "text_word_too_long"),
         ("a." * MAX_WORD_CHARACTERS, "text_word_too_long"),
+        ("No" + "!" * MAX_WRITTEN_CHARACTERS, "text_word_too_long"),
+        ("N" + "\u0301" * MAX_WRITTEN_CHARACTERS + "o", "text_word_too_long"),
     ],
 )
 def test_what_is_no_transcript_is_refused(text: str, code: str) -> None:
@@ -49,10 +58,13 @@ def test_limits_hold_just_above_and_not_just_below() -> None:
     with pytest.raises(TooLargeError, match="6 characters; at most 5") as caught:
         read_transcript("a b cd", max_characters=5)
     assert caught.value.code == "text_too_long"
+    assert len(read_transcript("a " * MAX_WORDS, max_characters=20_000)) == MAX_WORDS
+    with pytest.raises(TooLargeError, match="2501 words; at most 2500"):
+        read_transcript("a " * (MAX_WORDS + 1), max_characters=20_000)
 
 
 def test_long_runs_of_punctuation_are_accepted_and_shortened_for_parsers() -> None:
-    shouted = "No" + "!" * 5_000
+    shouted = "No" + "!" * 900
     assert _texts(shouted) == [shouted]
     assert with_short_runs(shouted) == "No" + "!" * MAX_PUNCTUATION_RUN
     assert with_short_runs("_" * 50 + "a" + "?!" * 50) == "_" * 8 + "a" + "?!" * 4

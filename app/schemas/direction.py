@@ -7,7 +7,7 @@ Whether there are such families and such words is asked where the line is known 
 import json
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from ..acting.vocabulary import AVOIDABLE, FACES, GAZES, GESTURES, HEADS
 from ..errors import LONGEST_SHOWN, InputError
@@ -22,6 +22,16 @@ NO_NEGATION = "no_negation"
 """Another word for `negation` where it is to be avoided, as people write it."""
 
 _MOST_IN_MESSAGE = 5
+
+
+def _counted(notes: object) -> object:
+    """The notes, counted before any is looked into: each mistake takes a kilobyte to tell."""
+    if isinstance(notes, list) and len(notes) > MOST_NOTES:
+        raise ValueError(f"{len(notes)} notes; {MOST_NOTES} at most")
+    return notes
+
+
+_Counted = BeforeValidator(_counted)
 
 _Word = Annotated[int, Field(ge=0, le=1_000_000, description="The number of a word; the first is 0.")]
 _Text = Annotated[str, Field(max_length=LONGEST_TEXT)]
@@ -92,8 +102,8 @@ class DirectionRequest(_Form):
     """A director's notes on one line."""
 
     id: Annotated[str | int | None, Field(description="Not read.")] = None
-    moments: Annotated[tuple[DirectedMomentRequest, ...], Field(strict=False, max_length=MOST_NOTES)] = ()
-    avoid: Annotated[tuple[AvoidanceRequest, ...], Field(strict=False, max_length=MOST_NOTES)] = ()
+    moments: Annotated[tuple[DirectedMomentRequest, ...], Field(strict=False, max_length=MOST_NOTES), _Counted] = ()
+    avoid: Annotated[tuple[AvoidanceRequest, ...], Field(strict=False, max_length=MOST_NOTES), _Counted] = ()
     complete: Annotated[bool, Field(description="The hands do nothing but what the notes say.")] = False
 
     def to_direction(self) -> Direction:

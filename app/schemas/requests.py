@@ -179,14 +179,14 @@ def listener_names(names: Sequence[str]) -> tuple[str, ...]:
 
     Raises InputError `value_wrong` for an invalid or repeated name, or more than `MOST_LISTENERS`.
     """
+    if len(names) > MOST_LISTENERS:
+        raise InputError("value_wrong", f"{len(names)} listeners; {MOST_LISTENERS} at most", field="listener")
     for number, name in enumerate(names):
         if not _LISTENER.fullmatch(name):
             message = f"listener {shown(name)}: a name has letters, digits and _, a letter first, 64 at most"
             raise InputError("value_wrong", message, field="listener")
         if name in names[:number]:
             raise InputError("value_wrong", f"listener {name!r} comes twice; name each once", field="listener")
-    if len(names) > MOST_LISTENERS:
-        raise InputError("value_wrong", f"{len(names)} listeners; {MOST_LISTENERS} at most", field="listener")
     return tuple(names)
 
 

@@ -12,8 +12,9 @@ from ..model import Word
 LONG_PAUSE_S = 0.5
 """The shortest pause between two words that ends a sentence in an unpunctuated line."""
 
-_END = re.compile(r"[.!?…]+[\"'”’)\]*]*$")
-_TRAILING_OFF = re.compile(r"(\.{2,}|…)[\"'”’)\]*]*$")
+_CLOSING = "\"'”’)]*"
+_ENDS = (".", "!", "?", "…")
+_TRAILS_OFF = ("..", "…")
 _ABBREVIATION = re.compile(r"\W*((?i:mr|mrs|ms|dr|prof|st|sr|jr|vs|lt|sgt|capt)|[A-HJ-Z]|(\w\.)+\w)\.")
 _CAPITAL_FIRST = re.compile(r"[^\w]*[A-Z0-9]")
 
@@ -23,15 +24,21 @@ def sentence_starts(words: tuple[Word, ...]) -> frozenset[int]:
     pairs = tuple(pairwise(words))
     by_punctuation = {following.index for word, following in pairs if _ends_sentence(word.text, following.text)}
     by_pause = {following.index for word, following in pairs if _pause_s(word, following) >= LONG_PAUSE_S}
-    is_punctuated = by_punctuation or any(_END.search(word.text) for word in words[-1:])
+    is_punctuated = by_punctuation or any(_without_closing(word.text).endswith(_ENDS) for word in words[-1:])
     return frozenset({word.index for word in words[:1]} | (by_punctuation if is_punctuated else by_pause))
 
 
 def _ends_sentence(text: str, following: str) -> bool:
     """Whether the punctuation after a word ends a sentence; an ellipsis does only before a capital."""
-    if not _END.search(text) or _ABBREVIATION.fullmatch(text):
+    last = _without_closing(text)
+    if not last.endswith(_ENDS) or _ABBREVIATION.fullmatch(text):
         return False
-    return not _TRAILING_OFF.search(text) or bool(_CAPITAL_FIRST.match(following))
+    return not last.endswith(_TRAILS_OFF) or bool(_CAPITAL_FIRST.match(following))
+
+
+def _without_closing(text: str) -> str:
+    """The word without the quotation marks and brackets that close after it."""
+    return text.rstrip(_CLOSING)
 
 
 def _pause_s(word: Word, following: Word) -> float:

@@ -12,11 +12,13 @@ and are left out of TextGrid and CTM.
 import json
 import math
 import re
+from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, FailFast, Field, ValidationError
 
 from ...errors import InputError, UndecodableError, UnsupportedFormatError, shown
 from ...model import Interval, Phone, Word
@@ -25,6 +27,10 @@ from ..pronunciation.normalisation import fold
 FORMATS = ("json", "textgrid", "ctm")
 TOLERANCE_S = 0.005
 """Times may overlap or exceed the audio's end by this much, because of rounding in other tools."""
+
+MOST_WORDS = 10_000
+MOST_PHONES = 1000
+"""Of one word."""
 
 _SILENCES = frozenset({"", "sil", "sp", "spn", "pau", "<eps>", "<sil>"})
 _NEGATIVE_TIME = re.compile(r"xmin\s*=\s*-[\d.]*[1-9]")
@@ -37,7 +43,7 @@ class _TimedPhone(BaseModel):
     label: str
     start_s: float
     end_s: float
-    stress: int | None = None
+    stress: Annotated[int, Field(ge=0, le=2)] | None = None
 
 
 class _TimedWord(BaseModel):
@@ -46,7 +52,7 @@ class _TimedWord(BaseModel):
     text: str
     start_s: float | None = None
     end_s: float | None = None
-    phones: tuple[_TimedPhone, ...] = ()
+    phones: Annotated[tuple[_TimedPhone, ...], FailFast(), Field(max_length=MOST_PHONES)] = ()
 
 
 class _TimedWords(BaseModel):
@@ -54,7 +60,7 @@ class _TimedWords(BaseModel):
 
     model_config = ConfigDict(extra="ignore", frozen=True)
 
-    words: tuple[_TimedWord, ...]
+    words: Annotated[tuple[_TimedWord, ...], FailFast(), Field(max_length=MOST_WORDS)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,9 +126,11 @@ def to_ctm(words: tuple[Word, ...], name: str) -> str:
 
 def _from_json(text: str) -> Iterator[_Timed]:
     try:
-        read = _TimedWords.model_validate(json.loads(text))
-    except (json.JSONDecodeError, RecursionError) as error:
+        content = json.loads(text)
+    except (ValueError, RecursionError) as error:
         raise _unreadable("json", str(error)) from None
+    try:
+        read = _TimedWords.model_validate(content)
     except ValidationError as error:
         first = error.errors()[0]
         raise _unreadable("json", f"{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
@@ -154,10 +162,16 @@ def _from_textgrid(text: str) -> Iterator[_Timed]:
     if name is None:
         raise _unreadable("textgrid", f"it has no tier 'words' but {', '.join(map(repr, tiers)) or 'none'}")
     phones = [phone for tier in tiers if tier.lower() in {"phones", "phonemes"} for phone in tiers[tier]]
+    by_middle = sorted(phones, key=_middle_s)
+    middles_s = [_middle_s(phone) for phone in by_middle]
     for start_s, end_s, label in tiers[name]:
         if label.strip().lower() not in _SILENCES:
-            inside = [phone for phone in phones if start_s <= (phone[0] + phone[1]) / 2 < end_s]
+            inside = by_middle[bisect_left(middles_s, start_s) : bisect_left(middles_s, end_s)]
             yield _Timed(label.strip(), Interval(start_s, end_s), tuple(_phone(*phone) for phone in inside))
+
+
+def _middle_s(phone: tuple[float, float, str]) -> float:
+    return (phone[0] + phone[1]) / 2
 
 
 def _interval_tiers(text: str) -> dict[str, list[tuple[float, float, str]]]:

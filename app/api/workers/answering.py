@@ -100,9 +100,12 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
         targets=targets_of(question.targets),
         seed=question.seed,
     )
+    limits = understudy.acoustic.settings.motion_limits
+    limits.check(staged.schedule, frame_rate_hz=question.fps, tail_s=question.tail_s)
     realized = realize_prepared(realizer, staged, frame_rate_hz=question.fps, tail_s=question.tail_s)
     wearer = AvatarOptions(question.skeleton, asked.avatar)
     body = write_motion(realized, realizer, _MOTION_FORMATS[media_type], wearer, question.files)
+    limits.check_content(body)
     return Answer(media_type, _headers(realized.motion.notices)), body
 
 

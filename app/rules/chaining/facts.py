@@ -14,7 +14,9 @@ from .chainer import Fact
 SHORTEST_PAUSE_S = 0.2
 """Shorter gaps between words are stop closures, not pauses."""
 
-_WORD = re.compile(r"^[^\w'&$%]*(.*?)[^\w&$%]*$", re.DOTALL)
+_KEPT = "_&$%"
+"""What belongs to a word beside letters and digits; at its beginning an apostrophe does too."""
+
 _MARKS = re.compile(r"\.{2,}|…|[-–—]+|[^\w\s]")
 _SAME_MARK = {"…": "...", "’": "'", "“": '"', "”": '"'}
 _ABBREVIATIONS = frozenset(("mr", "mrs", "ms", "dr", "st", "prof", "sr", "jr", "vs", "u.s", "a.m", "p.m", "i.e", "e.g"))
@@ -23,8 +25,9 @@ _ABBREVIATIONS = frozenset(("mr", "mrs", "ms", "dr", "st", "prof", "sr", "jr", "
 def normalized_word(text: str) -> str:
     """The word as spelled in lexicon and rules: lower case, straight apostrophes, no surrounding punctuation."""
     plain = text.replace("’", "'").replace("‘", "'").lower()
-    match = _WORD.match(plain)
-    return match.group(1) if match else plain
+    begin = next((at for at, each in enumerate(plain) if each.isalnum() or each in _KEPT + "'"), len(plain))
+    past = next((at for at in range(len(plain), begin, -1) if plain[at - 1].isalnum() or plain[at - 1] in _KEPT), begin)
+    return plain[begin:past]
 
 
 def utterance_facts(utterance: Utterance) -> tuple[Fact, ...]:

@@ -1,0 +1,33 @@
+"""How much motion one answer may hold: checked before any of it is made, but for its bytes."""
+
+import math
+from dataclasses import dataclass
+
+from .errors import InputError
+from .model import Schedule
+
+
+@dataclass(frozen=True, slots=True)
+class MotionLimits:
+    """The most behaviours, seconds, frames and bytes of a motion."""
+
+    behaviors: int
+    duration_s: float
+    frames: int
+    content_bytes: int
+
+    def check(self, schedule: Schedule, *, frame_rate_hz: int, tail_s: float = 0.0) -> None:
+        """Raises InputError `motion_too_large` with the limit that the schedule passes."""
+        end_s = max([schedule.duration_s, *(behavior.sync.end for behavior in schedule.behaviors)]) + tail_s
+        self._check("behaviours", len(schedule.behaviors), self.behaviors)
+        self._check("seconds", end_s, self.duration_s)
+        self._check("frames", math.ceil(end_s * frame_rate_hz), self.frames)
+
+    def check_content(self, content: bytes) -> None:
+        """Raises InputError `motion_too_large`."""
+        self._check("bytes", len(content), self.content_bytes)
+
+    def _check(self, what: str, count: float, most: float) -> None:
+        if count > most:
+            message = f"the motion would have {count:,.10g} {what}; at most {most:,.10g} are answered"
+            raise InputError("motion_too_large", message, field="bml")
