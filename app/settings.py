@@ -73,7 +73,7 @@ class Settings(BaseSettings):
         default=None, gt=0, description="processes that perform lines, one line each at a time; one a core if unset"
     )
     queue: int | None = Field(
-        default=None, ge=0, description="requests that may wait for a worker, as many as workers if unset; 503 beyond"
+        default=None, ge=0, description="requests that may wait, 503 beyond; half as many as workers if unset"
     )
     queue_s: float = Field(default=10.0, gt=0, description="a request that waits longer for a worker is answered 503")
     deadline_s: float = Field(default=60.0, gt=0, description="a request that takes longer is answered 504")
@@ -120,7 +120,7 @@ class Settings(BaseSettings):
     @property
     def queue_length(self) -> int:
         """How many requests may wait."""
-        return self.worker_count if self.queue is None else self.queue
+        return (self.worker_count + 1) // 2 if self.queue is None else self.queue
 
 
 def read_settings() -> Settings:

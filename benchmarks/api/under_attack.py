@@ -10,11 +10,11 @@ import argparse
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from .attacks import ATTACKS, Attack, hold_headers, hold_uploads, line
+from .attacks import ATTACKS, AUDIO, Attack, hold_headers, hold_uploads, line
 from .watching import HOST, Running, Watched, serving, watching
 
 LONGEST_S = 150.0
-WARM = Attack("a line", "/perform", lambda: line(text="No, I have never seen those."), "application/xml")
+WARM = Attack("a line", "/perform", lambda: line(text=AUDIO.with_suffix(".txt").read_text()), "application/xml")
 
 
 def told(answer: tuple[int, int] | OSError) -> str:
