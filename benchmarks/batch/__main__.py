@@ -77,11 +77,10 @@ def tell_kills(folder: Path, lines: int, kills: int, seed: int) -> None:
     script = write_script(folder / "kills", lines)
     undisturbed = _finished(run(command(script, folder / "undisturbed", 2)))
     chance = random.Random(seed)
-    killed = [
-        run_and_kill(command(script, folder / "killed", 2), chance.uniform(0.5, undisturbed.seconds))
-        for _ in range(kills)
-    ]
-    last = _finished(run(command(script, folder / "killed", 2)))
+    longest_s = undisturbed.first_s + 1.5 * undisturbed.steady_s / kills  # so that lines are left for every kill
+    called = command(script, folder / "killed", 2)
+    killed = [run_and_kill(called, chance.uniform(0.5, longest_s)) for _ in range(kills)]
+    last = _finished(run(called))
     expected, found = _content(folder / "undisturbed"), _content(folder / "killed")
     same = sum(expected.get(name) == content for name, content in found.items())
     print(

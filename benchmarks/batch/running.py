@@ -15,11 +15,13 @@ SAMPLE_S = 0.25
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """A run: how it ended, seconds on the clock from start to end and from the first line to the last, processor
-    seconds of all its processes, and the most megabytes that a worker with its aligner had (proportional set size)."""
+    """A run: how it ended, seconds on the clock from start to end, to the first line, and from there to the last,
+    processor seconds of all its processes, and the most megabytes that a worker with its aligner had (proportional set
+    size)."""
 
     code: int
     seconds: float
+    first_s: float
     steady_s: float
     processor_s: float
     worker_mb: float
@@ -43,9 +45,10 @@ def run(called: list[str]) -> Run:
     process.returncode = os.waitstatus_to_exitcode(status)
     process.stderr.close()
     most.end()
-    steady_s = times_s[-1] - times_s[0] if len(times_s) > 1 else 0.0
+    seconds = time.perf_counter() - start_s
+    first_s, steady_s = (times_s[0] - start_s, times_s[-1] - times_s[0]) if times_s else (seconds, 0.0)
     processor_s = usage.ru_utime + usage.ru_stime
-    return Run(process.returncode, time.perf_counter() - start_s, steady_s, processor_s, most.megabytes, len(times_s))
+    return Run(process.returncode, seconds, first_s, steady_s, processor_s, most.megabytes, len(times_s))
 
 
 def run_and_kill(called: list[str], after_s: float) -> bool:
