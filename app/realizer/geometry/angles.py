@@ -14,13 +14,13 @@ def from_pitch_yaw_roll(pitch: FloatArray, yaw: FloatArray, roll: FloatArray) ->
     sx, cx = np.sin(pitch / 2), np.cos(pitch / 2)
     sy, cy = np.sin(yaw / 2), np.cos(yaw / 2)
     sz, cz = np.sin(roll / 2), np.cos(roll / 2)
-    parts = (
-        cy * sx * cz + sy * cx * sz,
-        sy * cx * cz - cy * sx * sz,
-        cy * cx * sz - sy * sx * cz,
-        cy * cx * cz + sy * sx * sz,
-    )
-    return np.stack(parts, axis=-1)
+    both, pitched, rolled, neither = sx * sz, sx * cz, cx * sz, cx * cz
+    turned = np.empty((*both.shape, 4))
+    turned[..., 0] = cy * pitched + sy * rolled
+    turned[..., 1] = sy * neither - cy * both
+    turned[..., 2] = cy * rolled - sy * pitched
+    turned[..., 3] = cy * neither + sy * both
+    return turned
 
 
 def to_pitch_yaw_roll(q: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:

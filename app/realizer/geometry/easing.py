@@ -14,8 +14,8 @@ SHORTEST_S = 1e-3
 def minimum_jerk(share: FloatArray) -> FloatArray:
     """The share of the way covered after `share` of the time: 6t⁵ - 15t⁴ + 10t³, 0 before the start, 1 after the
     end."""
-    share = np.clip(share, 0.0, 1.0)
-    return np.asarray(share**3 * (10.0 + share * (6.0 * share - 15.0)))
+    share = np.minimum(np.maximum(share, 0.0), 1.0)
+    return np.asarray(share * share * share * (10.0 + share * (6.0 * share - 15.0)))
 
 
 def superposed_movements(

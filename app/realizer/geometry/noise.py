@@ -33,8 +33,9 @@ def perlin(
     last = int(below.max(initial=0)) + 1
     slopes = _slopes(np.arange(first, last + 1), seed, channels)
     share = at - below
-    index = (below - first).astype(np.int64), np.arange(channels)
-    left, right = slopes[index] * share, slopes[1:][index] * (share - 1.0)
+    row = (below - first).astype(np.int64)
+    at_once = row[:, 0] if in_step else (row, np.arange(channels))
+    left, right = slopes[at_once] * share, slopes[1:][at_once] * (share - 1.0)
     return np.asarray(left + minimum_jerk(share) * (right - left))
 
 

@@ -5,6 +5,7 @@ first, then a, as with matrices.
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...model import FloatArray
 
@@ -12,19 +13,30 @@ IDENTITY: FloatArray = np.array([0.0, 0.0, 0.0, 1.0])
 IDENTITY.setflags(write=False)
 
 _NEAR_ZERO = 1e-12
+_TURNED: NDArray[np.complex128] = np.array([1j, -1j])
+_TURNED.setflags(write=False)
 
 
 def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The rotation by `b`, then by `a`."""
-    ax, ay, az, aw = a[..., 0], a[..., 1], a[..., 2], a[..., 3]
-    bx, by, bz, bw = b[..., 0], b[..., 1], b[..., 2], b[..., 3]
-    x = aw * bx + ax * bw + ay * bz - az * by
-    product = np.empty((*x.shape, 4))
-    product[..., 0] = x
-    product[..., 1] = aw * by - ax * bz + ay * bw + az * bx
-    product[..., 2] = aw * bz + ax * by - ay * bx + az * bw
-    product[..., 3] = aw * bw - ax * bx - ay * by - az * bz
-    return product
+    """The rotation by `b`, then by `a`.
+
+    As pairs of complex numbers x + iy, z + iw (Cayley and Dickson), which takes a third of the calls of NumPy, and
+    calls are what the quaternions of a line cost.
+    """
+    turned, other = _as_pairs(a) * _TURNED, _as_pairs(b)
+    first, second, xy, zw = turned[..., 0], turned[..., 1], other[..., 0], other[..., 1]
+    last = second * zw
+    product = np.empty((*last.shape, 2), dtype=np.complex128)
+    crossed = np.multiply(first, zw, out=product[..., 0])
+    np.conjugate(turned, out=turned)
+    np.add(last, first * xy, out=product[..., 1])
+    np.subtract(second * xy, crossed, out=crossed)
+    return product.view(np.float64)
+
+
+def _as_pairs(q: FloatArray) -> NDArray[np.complex128]:
+    """The quaternions (…, 4) as complex numbers (…, 2), without a copy where that can be."""
+    return (q if q.strides[-1] == q.itemsize else np.ascontiguousarray(q)).view(np.complex128)
 
 
 def inverse(q: FloatArray) -> FloatArray:
@@ -34,9 +46,14 @@ def inverse(q: FloatArray) -> FloatArray:
 
 def rotate(q: FloatArray, vector: FloatArray) -> FloatArray:
     """`vector` (…, 3) rotated by `q`."""
-    axis, w = q[..., :3], q[..., 3:]
-    twice = 2.0 * cross(axis, vector)
-    return np.asarray(vector + w * twice + cross(axis, twice))
+    qx, qy, qz, qw = q[..., 0], q[..., 1], q[..., 2], q[..., 3]
+    x, y, z = vector[..., 0], vector[..., 1], vector[..., 2]
+    x2, y2, z2 = 2.0 * (qy * z - qz * y), 2.0 * (qz * x - qx * z), 2.0 * (qx * y - qy * x)
+    rotated = np.empty((*np.shape(x2), 3))
+    rotated[..., 0] = x + qw * x2 + (qy * z2 - qz * y2)
+    rotated[..., 1] = y + qw * y2 + (qz * x2 - qx * z2)
+    rotated[..., 2] = z + qw * z2 + (qx * y2 - qy * x2)
+    return rotated
 
 
 def cross(a: FloatArray, b: FloatArray) -> FloatArray:

@@ -47,11 +47,12 @@ def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
     segment = _segments(curves, (lasts - counts + 1).tolist(), times_s)
     found = keys.T[:, segment]
     turning = np.sum([length(turn)[:, 0] for turn in turns], axis=0) > _STILL
-    moving = turning[segment].any(axis=1)
-    segment, times_s = segment[moving], times_s[moving, None]
+    moving = turning[segment]
+    segment, times_s = segment[moving], times_s[np.nonzero(moving)[0]]
     share = np.clip((times_s - key_times_s[segment]) / spans_s[segment], 0.0, 1.0)
-    weights = (1 - (1 - share) ** 3, share**2 * (3 - 2 * share), share**3)
-    way = found[:, moving]
+    left, squared = 1 - share, share * share
+    weights = (1 - left * left * left, squared * (3 - 2 * share), squared * share)
+    way = keys.T[:, segment]
     for turn, weight in zip(turns, weights, strict=True):
         way = _product(way, _parts_of_turns(turn, segment, weight))
     found[:, moving] = way
@@ -111,7 +112,7 @@ def _at_most(vector: FloatArray, longest: FloatArray) -> FloatArray:
 
 
 def _parts_of_turns(turns: FloatArray, segment: NDArray[np.intp], weight: FloatArray) -> FloatArray:
-    """The rotations by `weight` (T, C) of the rotation vector (N, 3) of each segment (T, C), as four arrays (4, T, C).
+    """The rotations by `weight` (M,) of the rotation vector (N, 3) of each segment (M,), as four arrays (4, M).
 
     Axes are computed once per segment and components kept in separate arrays, because most of the realizer's time is
     spent here.
@@ -126,7 +127,7 @@ def _parts_of_turns(turns: FloatArray, segment: NDArray[np.intp], weight: FloatA
 
 
 def _product(a: FloatArray, b: FloatArray) -> FloatArray:
-    """`rotations.multiply` of (4, T, C)."""
+    """`rotations.multiply` of (4, M)."""
     (ax, ay, az, aw), (bx, by, bz, bw) = a, b
     product = np.empty_like(b)
     product[0] = aw * bx + ax * bw + ay * bz - az * by
