@@ -68,9 +68,9 @@ def killed(service: Running, count: int, seed: int) -> Iterator[Bar]:
         for asker in askers:
             asker.start()
         for _ in range(count):
-            before = [len(statuses) for statuses in answers]
             time.sleep(rng.uniform(0.1, 0.4))
             kill_one(service, rng)
+            before = [len(statuses) for statuses in answers]
             while any(len(statuses) < had + 2 for had, statuses in zip(before, answers, strict=True)):
                 time.sleep(0.05)
         stop.set()

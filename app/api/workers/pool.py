@@ -80,6 +80,11 @@ class Pool:
         return len(self._waiting)
 
     @property
+    def _missing(self) -> int:
+        """Workers that are being started. The jobs of those that were lost wait again and take nobody's place."""
+        return max(self._settings.worker_count - len(self._idle) - len(self._busy), 0)
+
+    @property
     def retry_after_s(self) -> float:
         """When those that are being done or wait now will be done, as long as jobs have taken lately."""
         return self._times.mean_s * (self.busy + self.waiting) / self._settings.worker_count
@@ -88,7 +93,7 @@ class Pool:
         """Raises ServiceError `service_full` when no more jobs may wait, `service_stopping`."""
         if self._is_stopping:
             raise _stopping()
-        if not self._idle and self.waiting >= self._settings.queue_length:
+        if not self._idle and self.waiting >= self._settings.queue_length + self._missing:
             raise self._full()
 
     async def trouble(self) -> str | None:
@@ -97,9 +102,8 @@ class Pool:
             return "the service is stopping"
         await self._look()
         stopped = [each.trouble for each in self._seen if each.trouble]
-        missing = self._settings.worker_count - len(self._idle) - len(self._busy)
-        if missing > 0:
-            stopped.append(f"{missing} of {self._settings.worker_count} workers are being started")
+        if self._missing:
+            stopped.append(f"{self._missing} of {self._settings.worker_count} workers are being started")
         return "; ".join(stopped) or None
 
     async def run(self, job: Job, content: Content, deadline: Deadline) -> tuple[Answer, bytearray]:
@@ -166,7 +170,7 @@ class Pool:
 
     async def _taken(self) -> Worker:
         """A worker, as soon as one is free. Raises ServiceError `service_full` when none was for too long."""
-        while self._idle and not self._idle[0].process.is_running():
+        while self._idle and self._idle[0].has_ended:
             self._dismiss(self._idle.popleft())
         worker = await self._queued() if self._waiting or not self._idle else self._idle.popleft()
         self._busy.add(worker)

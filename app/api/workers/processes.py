@@ -180,6 +180,16 @@ class Worker:
         assert isinstance(answer, Answer | Failed)
         return answer, body
 
+    @property
+    def has_ended(self) -> bool:
+        """Whether its end of the socket is closed; a process that was killed is there until its parent knows of it."""
+        try:
+            return not self.socket.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT)
+        except BlockingIOError:
+            return False
+        except OSError:
+            return True
+
     def end(self) -> None:
         """Ends it with all that it started, whatever they do, and closes its socket."""
         self.kill()

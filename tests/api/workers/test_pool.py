@@ -131,6 +131,16 @@ def test_a_worker_that_is_killed_is_replaced_and_its_job_done_by_another(nursery
     asyncio.run(scenario())
 
 
+def test_workers_that_were_killed_while_idle_lose_no_job(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery, workers=2) as pool:
+            for child in _children(pool):
+                os.kill(child, signal.SIGKILL)
+            await _short(pool)
+
+    asyncio.run(scenario())
+
+
 def test_a_job_that_loses_two_workers_is_given_up(nursery: Nursery) -> None:
     async def scenario() -> None:
         async with _pool(nursery) as pool:
