@@ -100,8 +100,8 @@ def _tracks(motion: Motion, skeleton: Skeleton, face: int) -> Iterator[NodeTrack
     yield NodeTrack(0, "translation", motion.body.hips_m, Layer.BODY)
     for joint, name in enumerate(skeleton.names):
         yield joint_track(joint, name, motion.body.rotations[:, joint])
-    weights = np.zeros((len(motion.shapes), len(FACE_SHAPES)))
-    weights[:, : motion.shapes.shape[1]] = np.clip(motion.shapes, 0.0, 1.0)
+    weights = np.zeros((len(motion.shapes), len(FACE_SHAPES)), dtype=np.float32)
+    np.clip(motion.shapes, 0.0, 1.0, out=weights[:, : motion.shapes.shape[1]], casting="same_kind")
     yield NodeTrack(face, "weights", weights, Layer.FACE)
 
 

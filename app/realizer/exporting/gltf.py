@@ -41,7 +41,7 @@ class Accessors:
 
     def floats(self, values: FloatArray, *, bounds: bool = False, target: Target | None = None) -> int:
         """Add 32-bit floats (N, …), with their minimum and maximum if `bounds`; returns the accessor's index."""
-        return self._add(values.astype("<f4"), FLOAT, bounds=bounds, target=target)
+        return self._add(values.astype("<f4", copy=False), FLOAT, bounds=bounds, target=target)
 
     def indices(self, triangles: IntArray) -> int:
         """Add the vertex indices of triangles (F, 3)."""
@@ -154,7 +154,7 @@ class Tracks:
 
     def add(self, node: int, path: str, values: FloatArray, *, keys: Sequence[int] | None = None) -> None:
         """Add the values (T, …) of a node's rotation, translation or weights, or of them only the frames `keys`."""
-        stored = values.astype(np.float32)
+        stored = values.astype(np.float32, copy=False)
         moves = bool(np.any(stored != stored[:1]))
         frames = slice(0, 1) if not moves else slice(None) if keys is None else list(keys)
         kept, times_s = stored[frames], self._times_s[frames]
