@@ -122,7 +122,7 @@ def realize(
     plan = plan_gestures(performer.library, schedule, seed=seed, targets_m=targets_m, leading=leading, style=style)
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
     accents = accents_of(plan, times_s, style.stroke, scale=lively)
-    body = idle_motion(skeleton, times_s, schedule, seed=seed, life=style.idle)
+    body = idle_motion(skeleton, times_s, schedule, seed=seed, life=style.idle, with_legs=False)
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
     body = apply_gaze(skeleton, body, schedule, targets_m=targets_m, seed=seed)
     body = apply_head_movements(skeleton, body, schedule, seed=seed)

@@ -6,6 +6,7 @@ part that a key leaves open is interpolated between its neighbours.
 """
 
 from dataclasses import dataclass
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -95,9 +96,10 @@ def _shifted(track: ArmTrack) -> FloatArray:
     return np.asarray(times_s[:, None] + most_s[:, None] * delays)
 
 
+@cache
 def _stir_deg() -> FloatArray:
     """The amplitude of noise of each part about its axes x, y, z, in degrees (20, 3): joints only in directions in
-    which they turn, fingers only at their roots."""
+    which they turn, fingers only at their roots. Never mutated."""
     stir = {"Shoulder": (0.0, 0.5, 0.5), "UpperArm": (1.0, 1.0, 1.0), "Elbow": (0.0, 1.2, 0.0)}
     stir |= {"LowerArm": (1.5, 0.0, 0.0), "Hand": (0.0, 0.8, 1.4)}
     stir |= {part: (0.0, 0.0, 1.5) for part in PARTS if part.endswith("Proximal") and not part.startswith("Thumb")}

@@ -7,6 +7,7 @@ forward. Parents come before their children.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from math import copysign
 from types import MappingProxyType
 
@@ -147,8 +148,10 @@ def _place(
         orientations[..., joints, :] = multiply(above, rotations[..., joints, :])
 
 
+@lru_cache(maxsize=64)
 def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[list[int], list[int]]]:
-    """Joints and their parents, grouped by depth in the hierarchy: each group can be computed at once."""
+    """Joints and their parents, grouped by depth in the hierarchy: each group can be computed at once.
+    Never mutated."""
     depth = [0] * len(skeleton.parents)
     found: list[tuple[list[int], list[int]]] = []
     for joint, parent in enumerate(skeleton.parents):

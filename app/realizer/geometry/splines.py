@@ -45,7 +45,7 @@ def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
     spans_s[lasts[:-1]] = 1.0
     turns = _turns(keys, spans_s[:, None], shape, lasts)
     segment = _segments(curves, (lasts - counts + 1).tolist(), times_s)
-    found = keys.T[:, segment]
+    found = keys[segment]
     turning = np.sum([length(turn)[:, 0] for turn in turns], axis=0) > _STILL
     moving = turning[segment]
     segment, times_s = segment[moving], times_s[np.nonzero(moving)[0]]
@@ -55,8 +55,8 @@ def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
     way = keys.T[:, segment]
     for turn, weight in zip(turns, weights, strict=True):
         way = _product(way, _parts_of_turns(turn, segment, weight))
-    found[:, moving] = way
-    return np.moveaxis(found, 0, -1)
+    found[moving] = way.T
+    return found
 
 
 def _two_at_least(values: FloatArray, later: float) -> FloatArray:

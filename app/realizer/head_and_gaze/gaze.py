@@ -18,7 +18,7 @@ from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.angles import from_pitch_yaw_roll
 from ..geometry.easing import superposed_movements
-from ..geometry.rotations import from_rotation_vector, inverse, multiply, to_rotation_vector
+from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, multiply, to_rotation_vector
 from .fixation import fixation_offsets, saccade_s
 from .gaze_geometry import EYES, TRUNK, Chest, chest, eye_rotations, face, point_in_direction
 from .gaze_targets import GazeTargets, Position, gaze_targets
@@ -37,6 +37,8 @@ HEAD_S, HEAD_S_PER_RADIAN = 0.2, 0.008 * 180 / np.pi
 """The minimum duration of a head movement, kept even if the schedule has less: 20° peak at about 100°/s."""
 TRUNK_SLOWNESS = 1.8
 
+_UPWARDS = (0.0, 1.0, 0.0)
+
 
 def apply_gaze(
     skeleton: Skeleton,
@@ -54,7 +56,7 @@ def apply_gaze(
     before = (1 - schedule.stillness) * _elsewhere(np.random.default_rng(seed + 8))
     line, head, trunk = _courses(times_s, gaze_targets(schedule, from_m, targets_m, before=before))
     rotations = body.rotations.copy()
-    share = from_pitch_yaw_roll(np.zeros_like(trunk), trunk / len(TRUNK), np.zeros_like(trunk))
+    share = from_axis_angle(_UPWARDS, trunk / len(TRUNK))
     for joint in skeleton.chain(*TRUNK):
         rotations[:, joint] = multiply(rotations[:, joint], share)
     carrying = chest(skeleton, rotations, body.hips_m)

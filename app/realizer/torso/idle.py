@@ -66,10 +66,17 @@ _STIRRED: Mapping[str, Degrees] = MappingProxyType(
 
 
 def idle_motion(
-    skeleton: Skeleton, times_s: FloatArray, schedule: Schedule, *, seed: int, life: IdleLife = PLAIN.idle
+    skeleton: Skeleton,
+    times_s: FloatArray,
+    schedule: Schedule,
+    *,
+    seed: int,
+    life: IdleLife = PLAIN.idle,
+    with_legs: bool = True,
 ) -> BodyMotion:
     """The idle motion at `times_s` (T,), with the schedule's postures, and breaths in its speech pauses. The feet stay
-    in place. Deterministic for a seed."""
+    in place, unless legs are left straight (not `with_legs`) for a later controller that moves the hips and solves them
+    again. Deterministic for a seed."""
     generator = np.random.default_rng(seed)
     held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     wandering = life.weight * perlin(times_s, frequency_hz=life.weight_hz, seed=seed + 2)[:, 0]
@@ -91,7 +98,8 @@ def idle_motion(
     hips_m[:, 0] = _HIPS_OVER_LEG_M * held.weight + life.sway_m * sway[:, 12]
     hips_m[:, 2] = -_HIPS_BACK_M * held.forward + life.sway_m * sway[:, 13]
     hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0]) - bent_m
-    rotations[:, skeleton.chain(*LEG_JOINTS)] = legs(skeleton, rotations[:, 0], hips_m)
+    if with_legs:
+        rotations[:, skeleton.chain(*LEG_JOINTS)] = legs(skeleton, rotations[:, 0], hips_m)
     return BodyMotion(times_s, rotations, hips_m)
 
 

@@ -8,6 +8,7 @@ from understudy.model import Channel, Level, Schedule
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.geometry.rotations import angle_between
+from understudy.realizer.torso.balance import LEG_JOINTS
 from understudy.realizer.torso.idle import idle_motion
 
 SHIFTS = schedule(
@@ -29,6 +30,13 @@ def test_feet_do_not_slide_and_no_two_frames_are_the_same(planned: object) -> No
     assert speed.max() < 3.0
     assert np.linalg.norm(body.rotations, axis=-1) == pytest.approx(1)
     assert violations(BODY, body.rotations).max() == 0
+
+
+def test_without_legs_only_these_differ() -> None:
+    whole, without = (idle_motion(BODY, TIMES_S, SHIFTS, seed=4, with_legs=each) for each in (True, False))
+    turned = np.abs(whole.rotations - without.rotations).max(axis=(0, 2)) > 0
+    assert set(np.flatnonzero(turned)) == set(BODY.chain(*LEG_JOINTS))
+    assert np.array_equal(whole.hips_m, without.hips_m)
 
 
 def test_arms_hang_and_knees_are_soft() -> None:
