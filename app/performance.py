@@ -32,7 +32,7 @@ from .analysis import (
 )
 from .bml.choice.addressees import addressed, placed_listeners
 from .bml.choice.characters import DEFAULT_CHARACTER, Character, Characters
-from .bml.choice.gesture_forms import with_forms
+from .bml.choice.gesture_forms import FormedCharacters
 from .bml.choice.head_rates import HeadRates
 from .bml.choice.lead_in import with_lead_in
 from .bml.choice.listening import Listener, listen
@@ -41,7 +41,6 @@ from .bml.choice.stillness import with_stillness
 from .bml.choice.visemes import visemes
 from .bml.markup.documents import DialectName, TimeForm
 from .bml.writing.writer import BmlForm, write_bml, write_bml_json
-from .gesture_limits import GestureTable
 from .hearing import AcousticModels, align, align_words, analyze_signal, make_reference
 from .loading import load_characters, load_families, load_gesture_table, load_mapping_rules, load_realizer
 from .model import (
@@ -111,7 +110,7 @@ class BehaviorModels:
     families: Families
     planner: Planner
     head_rates: HeadRates
-    gestures: GestureTable
+    performers: FormedCharacters
 
     @classmethod
     def load(cls, settings: Settings) -> Self:
@@ -128,7 +127,7 @@ class BehaviorModels:
             families=families,
             planner=Planner.load(models / "acting", lexicon / "acting", families, rules.program.argument_counts),
             head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
-            gestures=load_gesture_table(characters.gesture_lexemes),
+            performers=FormedCharacters.of(characters, load_gesture_table(characters.gesture_lexemes)),
         )
 
 
@@ -220,7 +219,7 @@ def perform_analysis(
     """The performance of a line that was heard and understood (paper §3.4, §3.5), with a director's notes on it."""
     behavior, agitation = understudy.behavior, analysis.utterance.agitation
     level = agitation.level if agitation else Level.MEDIUM
-    character = with_forms(behavior.characters.named(options.character), behavior.gestures, level)
+    character = behavior.performers.named(options.character, level)
     progress("plan")
     moments = plan_moments(behavior, analysis, character, direction)
     targets = placed_listeners(options.listeners, options.targets)

@@ -22,7 +22,6 @@ from pathlib import Path
 from tests.support.bml_checker import check
 from understudy.acting.candidates import Stage, candidates_of
 from understudy.bml.choice.characters import Character
-from understudy.bml.choice.gesture_forms import with_forms
 from understudy.bml.choice.scheduling import schedule
 from understudy.bml.choice.visemes import visemes
 from understudy.bml.writing.writer import write_bml
@@ -100,7 +99,7 @@ class Stages:
             Parser.load(resource_folder("models") / "parser"),
             FunctionRules.load(RULES, lexicon / "en"),
             behavior,
-            with_forms(behavior.characters.named(character), behavior.gestures, Level.MEDIUM),
+            behavior.performers.named(character, Level.MEDIUM),
         )
 
     def candidates(self, utterance: Utterance, known: Understanding, seed: int) -> tuple[BehaviorCandidates, ...]:

@@ -5,14 +5,39 @@ its clip, which is never time-warped (paper §3.8). Of several forms that a gest
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from itertools import chain
 
 from ...figures import Manner
 from ...gesture_limits import Forms, GestureTable
 from ...model import Channel, Hand, Level
-from .characters import Character
+from ...on_demand import OnDemand
+from .characters import Character, Characters
 from .table import BehaviorEntry, Phase, Timing
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FormedCharacters:
+    """All characters with the forms of their gestures at every level of agitation, each made when first asked for."""
+
+    characters: Characters
+    formed: Mapping[tuple[str, Level], OnDemand[Character]]
+
+    @classmethod
+    def of(cls, characters: Characters, table: GestureTable) -> "FormedCharacters":
+        return cls(
+            characters,
+            {
+                (name, level): OnDemand(partial(with_forms, character, table, level))
+                for name, character in characters.by_name.items()
+                for level in Level
+            },
+        )
+
+    def named(self, name: str, level: Level) -> Character:
+        """Raises InputError `unknown_character`."""
+        return self.formed[self.characters.named(name).name, level].get()
 
 
 def with_forms(character: Character, table: GestureTable, level: Level) -> Character:

@@ -5,8 +5,9 @@ import pytest
 
 from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from understudy.bml.choice.characters import Characters
-from understudy.bml.choice.gesture_forms import with_forms
+from understudy.bml.choice.gesture_forms import FormedCharacters, with_forms
 from understudy.bml.choice.scheduling import schedule
+from understudy.errors import InputError
 from understudy.gesture_limits import ArmEnds, GestureForm, GestureTable
 from understudy.model import Channel, Hand, Level
 
@@ -45,3 +46,14 @@ def test_a_stroke_that_would_come_far_too_late_is_told_with_what_would_help() ->
     assert gesture.reason == (
         "its stroke would come 0.75 s after its word, for there is no time before; a lead-in would give it"
     )
+
+
+def test_a_character_is_formed_once_for_each_level() -> None:
+    formed = FormedCharacters.of(CHARACTERS, TABLE)
+    low = formed.named("default", Level.LOW)
+    assert low is formed.named("default", Level.LOW)
+    assert low.entries["gesture_negation"].forms
+    assert not formed.named("default", Level.HIGH).entries["gesture_negation"].forms
+    with pytest.raises(InputError) as caught:
+        formed.named("nobody", Level.LOW)
+    assert caught.value.code == "unknown_character"
