@@ -82,7 +82,7 @@ def _following(
     """How the arm goes along with a gesture of the other; None if it rests or has to be elsewhere."""
     rng, second = habits.drawn(gesture), habits.style.second_hand
     lag_s, share = float(rng.uniform(*second.lag_s)), float(rng.uniform(*second.share))
-    pose, follows = pose_at(changes, gesture.stroke_start_s), bool(rng.uniform() < second.follows)
+    pose, follows = pose_at(changes, max(0.0, gesture.stroke_start_s)), bool(rng.uniform() < second.follows)
     if not second.follows or pose not in (AT_SIDE, CLASPED) or (pose == AT_SIDE and not follows):
         return None
     clip = _of_other_hand(gesture.clip, side)
