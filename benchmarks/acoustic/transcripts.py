@@ -30,7 +30,7 @@ def main() -> None:
                 outcomes[f"{kind}, all"].append(found)
                 outcomes[f"{kind}, {recordings[number].kind}"].append(found)
     for name in sorted(outcomes):
-        print_outcomes(f"{name:36}", outcomes[name])
+        print_outcomes(f"{name:40}", outcomes[name])
 
 
 if __name__ == "__main__":
