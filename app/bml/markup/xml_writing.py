@@ -6,7 +6,7 @@ space might be significant. Characters that XML cannot represent become U+FFFD.
 """
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from types import MappingProxyType
 from xml.sax.saxutils import escape
 
@@ -16,50 +16,51 @@ from .values import text_of
 
 _PREFIXES: Mapping[str, str] = MappingProxyType({"http://www.w3.org/XML/1998/namespace": "xml", SBM: "sbm"})
 _UNWRITABLE = re.compile("[^\t\n\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_PLAIN = re.compile("[\x20!#-%'-;=?-~]*")
+"""What needs neither escape nor replacement, as nearly all that is written."""
+
 _INDENT = "  "
 
 
 def to_xml(document: Document) -> bytes:
     """The document as XML; deterministic."""
     kind = DIALECTS[document.dialect].roots[document.root.name]
-    markup = "".join(_markup(document.root, kind, namespace="", margin="\n"))
-    return f"<?xml version='1.0' encoding='UTF-8'?>\n{markup}\n".encode()
+    pieces: list[str] = []
+    _write(pieces, document.root, kind, namespace="", margin="\n")
+    return f"<?xml version='1.0' encoding='UTF-8'?>\n{''.join(pieces)}\n".encode()
 
 
-def _markup(element: Element, kind: ElementKind | None, *, namespace: str, margin: str) -> Iterator[str]:
-    """The pieces of an element in a context with the default `namespace` and the indentation `margin`."""
+def _write(pieces: list[str], element: Element, kind: ElementKind | None, *, namespace: str, margin: str) -> None:
+    """Appends the pieces of an element in a context with the default `namespace` and the indentation `margin`."""
     own_namespace, name = _split(kind.qualified if kind else element.name)
-    yield f"<{name}"
-    if own_namespace != namespace:
-        yield f' xmlns="{_quoted(own_namespace)}"'
-    yield from _attributes(element, kind)
+    declared = f' xmlns="{_quoted(own_namespace)}"' if own_namespace != namespace else ""
+    pieces.append(f"<{name}{declared}{_attributes(element, kind)}")
     if not element.content:
-        yield "/>"
+        pieces.append("/>")
         return
-    yield ">"
+    pieces.append(">")
     in_lines = kind is not None and not kind.free and not any(isinstance(part, str) for part in element.content)
     for part in element.content:
         if isinstance(part, str):
-            yield escape(_writable(part))
+            pieces.append(escape(_writable(part)))
         else:
-            yield margin + _INDENT if in_lines else ""
+            pieces.append(margin + _INDENT if in_lines else "")
             inside = kind.parts.get(part.name) if kind else None
-            yield from _markup(part, inside, namespace=own_namespace, margin=margin + _INDENT)
-    yield margin if in_lines else ""
-    yield f"</{name}>"
+            _write(pieces, part, inside, namespace=own_namespace, margin=margin + _INDENT)
+    pieces.append(f"{margin if in_lines else ''}</{name}>")
 
 
-def _attributes(element: Element, kind: ElementKind | None) -> Iterator[str]:
+def _attributes(element: Element, kind: ElementKind | None) -> str:
     """The declarations of prefixes, then all attributes."""
     ordered = _in_order(element.attributes, kind)
-    namespaces = dict.fromkeys(namespace for namespace, _ in map(_split, ordered) if namespace)
+    namespaces = dict.fromkeys(_split(name)[0] for name in ordered if name[0] == "{")
     prefixes = {each: _PREFIXES.get(each, f"ns{number}") for number, each in enumerate(namespaces, start=1)}
-    for namespace, prefix in prefixes.items():
-        yield "" if prefix == "xml" else f' xmlns:{prefix}="{_quoted(namespace)}"'
+    pieces = [f' xmlns:{prefix}="{_quoted(each)}"' for each, prefix in prefixes.items() if prefix != "xml"]
     for qualified, value in ordered.items():
         namespace, name = _split(qualified)
-        yield f' {prefixes[namespace]}:{name}="' if namespace else f' {name}="'
-        yield f'{_quoted(text_of(value))}"'
+        prefix = f"{prefixes[namespace]}:" if namespace else ""
+        pieces.append(f' {prefix}{name}="{_quoted(text_of(value))}"')
+    return "".join(pieces)
 
 
 def _in_order(attributes: Mapping[str, Value], kind: ElementKind | None) -> Mapping[str, Value]:
@@ -71,12 +72,14 @@ def _in_order(attributes: Mapping[str, Value], kind: ElementKind | None) -> Mapp
 
 def _split(qualified: str) -> tuple[str, str]:
     """The namespace and local name of `{namespace}name`."""
-    namespace, _, name = qualified.rpartition("}")
-    return namespace.removeprefix("{"), name
+    if qualified[0] != "{":
+        return "", qualified
+    namespace, _, name = qualified[1:].rpartition("}")
+    return namespace, name
 
 
 def _quoted(text: str) -> str:
-    return escape(_writable(text), {'"': "&quot;"})
+    return text if _PLAIN.fullmatch(text) else escape(_writable(text), {'"': "&quot;"})
 
 
 def _writable(text: str) -> str:
