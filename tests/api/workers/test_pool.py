@@ -39,6 +39,14 @@ def _children(pool: Pool) -> set[int]:
     return {child.pid for child in psutil.Process(pool.nursery.pid).children()}
 
 
+def _is_running(pid: int) -> bool:
+    """Whether a process is there and has not ended, whether or not its parent knows."""
+    try:
+        return psutil.Process(pid).status() != psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return False
+
+
 async def _begun(pool: Pool) -> "asyncio.Task[Any]":
     """A long job that is being done."""
     busy = pool.busy
@@ -134,8 +142,10 @@ def test_a_worker_that_is_killed_is_replaced_and_its_job_done_by_another(nursery
 def test_workers_that_were_killed_while_idle_lose_no_job(nursery: Nursery) -> None:
     async def scenario() -> None:
         async with _pool(nursery, workers=2) as pool:
-            for child in _children(pool):
+            killed = _children(pool)
+            for child in killed:
                 os.kill(child, signal.SIGKILL)
+            await _until(lambda: not any(map(_is_running, killed)))
             await _short(pool)
 
     asyncio.run(scenario())
