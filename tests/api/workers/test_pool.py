@@ -157,7 +157,7 @@ def test_a_job_that_loses_two_workers_is_given_up(nursery: Nursery) -> None:
             running = await _begun(pool)
             first = _children(pool)
             _kill(pool)
-            await _until(lambda: pool.busy == 1 and not first & _children(pool))
+            await _until(lambda: pool.busy == 1 and bool(_children(pool) - first))
             _kill(pool)
             assert await _code(running) == "worker_lost"
             await _short(pool)
