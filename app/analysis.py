@@ -3,8 +3,8 @@
 from dataclasses import dataclass, field
 
 from .acoustic.agitation.speaker import SpeakerReference
-from .bml.choice.characters import DEFAULT_CHARACTER
-from .bml.choice.lead_in import LONGEST_LEAD_IN_S
+from .bml.choice.characters.characters import DEFAULT_CHARACTER
+from .bml.choice.speech.lead_in import LONGEST_LEAD_IN_S
 from .bml.choice.stillness import check_stillness
 from .bml.writing.writer import CORE_FORM, BmlForm
 from .errors import InputError

@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import Any, Literal, TypedDict, Unpack
 
-from .bml.choice.lead_in import with_lead_in
+from .bml.choice.speech.lead_in import with_lead_in
 from .errors import InputError
 from .model import Direction, GivenFunction, Level, Mode, Performance
 from .performance import (

@@ -18,7 +18,7 @@ AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 
 if TYPE_CHECKING:
     from .acting.families import Families
-    from .bml.choice.characters import Characters
+    from .bml.choice.characters.characters import Characters
     from .gesture_limits import GestureTable
     from .realizer.gestures.library import Library
     from .realizer.realizing import Realizer
@@ -37,7 +37,7 @@ def load_function_rules() -> FunctionRules:
 
 def load_characters() -> Characters:
     """The behaviour table and characters in use; raises AuthoringError with every mistake in them."""
-    from .bml.choice.characters import Characters
+    from .bml.choice.characters.characters import Characters
 
     lexicon = resource_folder("lexicon")
     files = [lexicon / "behaviors.yaml", *_authored(lexicon / "characters")]
@@ -47,7 +47,7 @@ def load_characters() -> Characters:
 def load_families(characters: Characters) -> Families:
     """What planned moments are shown by; raises AuthoringError with every mistake in it."""
     from .acting.families import load_families as load
-    from .bml.choice.characters import DEFAULT_CHARACTER
+    from .bml.choice.characters.characters import DEFAULT_CHARACTER
 
     return load(resource_folder("lexicon") / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
 

@@ -30,15 +30,15 @@ from .analysis import (
     SignalAnalysis,
     Timings,
 )
-from .bml.choice.addressees import addressed, placed_listeners
-from .bml.choice.characters import DEFAULT_CHARACTER, Character, Characters
-from .bml.choice.gesture_forms import FormedCharacters
-from .bml.choice.head_rates import HeadRates
-from .bml.choice.lead_in import with_lead_in
-from .bml.choice.listening import Listener, listen
+from .bml.choice.characters.characters import DEFAULT_CHARACTER, Character, Characters
+from .bml.choice.characters.gesture_forms import FormedCharacters
+from .bml.choice.listeners.addressees import addressed, placed_listeners
+from .bml.choice.listeners.head_rates import HeadRates
+from .bml.choice.listeners.listening import Listener, listen
 from .bml.choice.scheduling import schedule
+from .bml.choice.speech.lead_in import with_lead_in
+from .bml.choice.speech.visemes import visemes
 from .bml.choice.stillness import with_stillness
-from .bml.choice.visemes import visemes
 from .bml.markup.documents import DialectName, TimeForm
 from .bml.writing.writer import BmlForm, write_bml, write_bml_json
 from .hearing import AcousticModels, align, align_words, analyze_signal, make_reference

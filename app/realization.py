@@ -13,11 +13,11 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from .bml.choice.characters import DEFAULT_CHARACTER
-from .bml.choice.delivery import emphases_s, phrases
-from .bml.choice.lead_in import later_s
+from .bml.choice.characters.characters import DEFAULT_CHARACTER
+from .bml.choice.speech.delivery import emphases_s, phrases
+from .bml.choice.speech.lead_in import later_s
+from .bml.choice.speech.visemes import visemes
 from .bml.choice.stillness import check_stillness, stilled
-from .bml.choice.visemes import visemes
 from .bml.markup.documents import Document
 from .bml.markup.speech import speech_of
 from .bml.reading.pawns import scene_of

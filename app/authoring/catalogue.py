@@ -10,7 +10,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from ..acting.families import Families, FamilyBehavior, family_rule
-from ..bml.choice.characters import Character, Characters
+from ..bml.choice.characters.characters import Character, Characters
 from ..errors import InputError
 from ..loading import load_characters, load_families, load_function_rules, load_gestures, load_mapping_rules
 from ..model import Level

@@ -12,9 +12,9 @@ from ..acting.authored_weights import load_weights
 from ..acting.choice_model import ChoiceModel
 from ..acting.families import load_families
 from ..acting.terms import TermTable
-from ..bml.choice.characters import Characters
-from ..bml.choice.head_rates import HeadRates
-from ..bml.choice.table import BehaviorEntry, load_table
+from ..bml.choice.behavior_table.table import BehaviorEntry, load_table
+from ..bml.choice.characters.characters import Characters
+from ..bml.choice.listeners.head_rates import HeadRates
 from ..errors import AuthoringError, InputError, Mistake
 from ..loading import AUTHORED, load_characters, load_function_rules, load_gestures, load_mapping_rules
 from ..model import Channel, Hand, Level

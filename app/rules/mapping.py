@@ -4,7 +4,7 @@ The rules in `app/rules/behaviors/` each offer alternatives for a function. Thos
 are one pool, in which every alternative draws a lot. The lots depend on the seed, on the line's text and on what the
 function is (class, subtype, words) alone: lines vary among each other, and a function that comes or goes leaves the
 luck of the others as it was. Which alternative wins is settled over the whole line, where clock, hands and neighbours
-are known (`app/bml/choice/choosing.py`).
+are known (`app/bml/choice/selection/choosing.py`).
 """
 
 import random

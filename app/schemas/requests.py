@@ -11,7 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
 
 from ..analysis import Options, Timings
-from ..bml.choice.lead_in import LONGEST_LEAD_IN_S
+from ..bml.choice.speech.lead_in import LONGEST_LEAD_IN_S
 from ..bml.markup.documents import DialectName, TimeForm
 from ..bml.writing.writer import BmlForm
 from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown

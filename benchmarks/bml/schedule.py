@@ -21,9 +21,9 @@ from pathlib import Path
 
 from tests.support.bml_checker import check
 from understudy.acting.candidates import Stage, candidates_of
-from understudy.bml.choice.characters import Character
+from understudy.bml.choice.characters.characters import Character
 from understudy.bml.choice.scheduling import schedule
-from understudy.bml.choice.visemes import visemes
+from understudy.bml.choice.speech.visemes import visemes
 from understudy.bml.writing.writer import write_bml
 from understudy.model import (
     Agitation,

@@ -8,7 +8,7 @@ import pytest
 
 from tests.support.shared_data import SHARED, needs
 from understudy.acting.families import Families, FamilyBehavior, fitting, load_families
-from understudy.bml.choice.table import BehaviorTable, load_table
+from understudy.bml.choice.behavior_table.table import BehaviorTable, load_table
 from understudy.errors import AuthoringError
 from understudy.model import Channel, Level
 from understudy.realizer.gestures.library import Library

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from understudy.acting.families import load_families
 from understudy.acting.vocabulary import AVOIDABLE, FACES, GESTURES, HEADS, KINDS
-from understudy.bml.choice.characters import Characters
+from understudy.bml.choice.characters.characters import Characters
 
 LEXICON = Path(__file__).resolve().parents[2] / "lexicon"
 

@@ -27,7 +27,7 @@ from understudy.acting.choice_model import log_odds_of
 from understudy.acting.decoding import gains, stretch_level, stretches_of, strokes
 from understudy.acting.families import load_families
 from understudy.acting.planning import expected_worth, lexeme_worth, shown_by_lexemes
-from understudy.bml.choice.table import load_table
+from understudy.bml.choice.behavior_table.table import load_table
 from understudy.model import FloatArray, SingleArray
 from understudy.resources import resource_folder
 

@@ -1,26 +1,26 @@
 """From candidates to a timed schedule (paper §3.4, §3.5): what is done, when it begins, strikes and ends, with which
 hand.
 
-How a movement is timed by its word is in `candidates.py`, which alternatives are taken in `choosing.py`, what does not
-fit together is settled in `conflicts.py`, how gestures are joined in `transitions.py`, what the body does by itself is
-in `idle_behaviors.py`.
+How a movement is timed by its word is in `timing/candidates.py`, which alternatives are taken in
+`selection/choosing.py`, what does not fit together is settled in `timing/conflicts.py`, how gestures are joined in
+`timing/transitions.py`, what the body does by itself is in `idle/idle_behaviors.py`.
 """
 
 from collections.abc import Iterable
 from dataclasses import replace
 
 from ...model import Behavior, BehaviorCandidates, Channel, Interval, Mode, Utterance
-from .candidates import PlacedBehavior, interval_of, placed_idle
-from .characters import Character
-from .choosing import Line, choose
-from .conflicts import Kept, resolve
-from .filling import Rest, fillers
-from .idle_behaviors import idle_behaviors
-from .modes import in_mode
-from .necessity import BLINK, needed
-from .saccades import TALKING
+from .characters.characters import Character
+from .idle.idle_behaviors import idle_behaviors
+from .idle.saccades import TALKING
+from .selection.choosing import Line, choose
+from .selection.filling import Rest, fillers
+from .selection.modes import in_mode
+from .selection.necessity import BLINK, needed
 from .stillness import to_thousandths
-from .transitions import eased
+from .timing.candidates import PlacedBehavior, interval_of, placed_idle
+from .timing.conflicts import Kept, resolve
+from .timing.transitions import eased
 
 PLANNED_MORE = 1.6
 """Ideas crowd in some lines and are absent from others: a planned line may have this many times the usual gestures."""

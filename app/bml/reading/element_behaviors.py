@@ -11,9 +11,9 @@ from functools import partial
 from types import MappingProxyType
 
 from ...model import Behavior, Channel, Hand, SyncPoints
-from ..choice.faces import ACTION_UNITS
+from ..choice.behavior_table.faces import ACTION_UNITS
+from ..choice.behavior_table.table import GLANCE, LOOK, SHIFT
 from ..choice.stillness import to_thousandths
-from ..choice.table import GLANCE, LOOK, SHIFT
 from ..markup.documents import Element
 from ..markup.elements import SBM
 from ..writing.blocks import GAZE_RANGE_DEGREES, MODES

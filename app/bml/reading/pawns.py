@@ -12,7 +12,7 @@ from ...errors import InputError, WrongBmlError, shown
 from ...model import Behavior, Channel, Target
 from ...targets import check_targets, read_target
 from ...yaml_files import did_you_mean
-from ..choice.addressees import LISTENER
+from ..choice.listeners.addressees import LISTENER
 from ..markup.documents import Element
 from ..markup.elements import OURS
 

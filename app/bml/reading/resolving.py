@@ -13,9 +13,9 @@ from itertools import pairwise
 from typing import TypeGuard
 
 from ...model import Behavior, Channel, Interval, Level, Notice, SyncPoints, Target, Viseme, Word
-from ..choice.lead_in import later_word
-from ..choice.table import GLANCE, SHIFT
-from ..choice.visemes import OPENINGS
+from ..choice.behavior_table.table import GLANCE, SHIFT
+from ..choice.speech.lead_in import later_word
+from ..choice.speech.visemes import OPENINGS
 from ..markup.documents import DialectName, Document, Element, Reference, Time
 from ..markup.elements import DIALECTS, ElementKind
 from ..markup.speech import Speech, behaviors_of, mark_s, speech_of

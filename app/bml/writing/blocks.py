@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from ...model import Behavior, Channel, Hand, Performance, Word
-from ..choice.faces import ACTION_UNITS
+from ..choice.behavior_table.faces import ACTION_UNITS
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
 from ..markup.marks import SPEECH, time_formatter, to_milli
 from .record import record

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from ...model import Behavior, Channel, Level, Performance, Phone, Target, Word
-from ..choice.lead_in import later_s, later_word
+from ..choice.speech.lead_in import later_s, later_word
 from ..markup.documents import Element, Value
 from ..markup.elements import OURS, RECORD_TYPE
 from ..markup.marks import to_milli

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from ...model import Behavior, Channel, Level, Performance, Viseme, Word
-from ..choice.faces import ACTION_UNITS
-from ..choice.visemes import SILENCE
+from ..choice.behavior_table.faces import ACTION_UNITS
+from ..choice.speech.visemes import SILENCE
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
 from ..markup.elements import SBM
 from ..markup.marks import SPEECH, time_formatter, to_milli

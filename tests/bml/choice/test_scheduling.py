@@ -5,11 +5,11 @@ from pathlib import Path
 import pytest
 
 from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
-from understudy.bml.choice.candidates import stressed_vowel_s
-from understudy.bml.choice.characters import Character, Characters
-from understudy.bml.choice.conflicts import compete
-from understudy.bml.choice.lead_in import with_lead_in
+from understudy.bml.choice.characters.characters import Character, Characters
 from understudy.bml.choice.scheduling import schedule
+from understudy.bml.choice.speech.lead_in import with_lead_in
+from understudy.bml.choice.timing.candidates import stressed_vowel_s
+from understudy.bml.choice.timing.conflicts import compete
 from understudy.model import Behavior, Channel, Hand, Interval, Movement, Phone, Word
 
 CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.by_hand import movement, offered, spoken, utterance
-from understudy.bml.choice.characters import Characters
-from understudy.bml.choice.head_rates import HeadRates
-from understudy.bml.choice.listening import Listener, listen
+from understudy.bml.choice.characters.characters import Characters
+from understudy.bml.choice.listeners.head_rates import HeadRates
+from understudy.bml.choice.listeners.listening import Listener, listen
 from understudy.bml.choice.scheduling import schedule
 from understudy.bml.choice.stillness import check_stillness, stilled, with_stillness
 from understudy.errors import InputError

@@ -7,9 +7,9 @@ import pytest
 
 from tests.bml.writing.test_writer import PEAK, ROOT, STROKE, behavior, everything, performance
 from tests.support.by_hand import spoken
-from understudy.bml.choice.characters import Characters
-from understudy.bml.choice.faces import ACTION_UNITS, CORE_LEXEMES
-from understudy.bml.choice.visemes import visemes
+from understudy.bml.choice.behavior_table.faces import ACTION_UNITS, CORE_LEXEMES
+from understudy.bml.choice.characters.characters import Characters
+from understudy.bml.choice.speech.visemes import visemes
 from understudy.bml.markup.documents import DialectName, Document, Element, Reference, TimeForm
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.writing.smartbody import GESTURES, HEADS

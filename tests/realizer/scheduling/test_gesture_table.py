@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from tests.support.gesture_clips import MARKERS, clip, gesture, library
-from understudy.bml.choice.characters import Characters
-from understudy.bml.choice.gesture_forms import with_forms
+from understudy.bml.choice.characters.characters import Characters
+from understudy.bml.choice.characters.gesture_forms import with_forms
 from understudy.bml.choice.scheduling import schedule
 from understudy.bml.choice.stillness import stilled
 from understudy.gesture_limits import equal_transition_s, shortest_transition_s, transition_times

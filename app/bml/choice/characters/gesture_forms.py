@@ -1,0 +1,65 @@
+"""Gestures as the library has them: strokes that last as long as they will, and ways that take the time they need.
+
+The table's durations of strokes are what people were measured to take; a gesture that is scheduled has the stroke of
+its clip, which is never time-warped (paper §3.8). Of several forms that a gesture may take the longest counts.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import chain
+
+from ....figures import Manner
+from ....gesture_limits import Forms, GestureTable
+from ....model import Channel, Hand, Level
+from ....on_demand import OnDemand
+from ..behavior_table.table import BehaviorEntry, Phase, Timing
+from .characters import Character, Characters
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FormedCharacters:
+    """All characters with the forms of their gestures at every level of agitation, each made when first asked for."""
+
+    characters: Characters
+    formed: Mapping[tuple[str, Level], OnDemand[Character]]
+
+    @classmethod
+    def of(cls, characters: Characters, table: GestureTable) -> "FormedCharacters":
+        return cls(
+            characters,
+            {
+                (name, level): OnDemand(partial(with_forms, character, table, level))
+                for name, character in characters.by_name.items()
+                for level in Level
+            },
+        )
+
+    def named(self, name: str, level: Level) -> Character:
+        """Raises InputError `unknown_character`."""
+        return self.formed[self.characters.named(name).name, level].get()
+
+
+def with_forms(character: Character, table: GestureTable, level: Level) -> Character:
+    """The character with the forms of its gestures at a level of agitation, in its own manner."""
+    manner = character.figure.manner
+    entries = {name: _with_forms(entry, table, level, manner) for name, entry in character.entries.items()}
+    return replace(character, entries=entries)
+
+
+def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level, manner: Manner) -> BehaviorEntry:
+    found = table.of(entry.lexeme, level) if entry.channel is Channel.GESTURE else {}
+    forms = {hand: tuple(form.in_manner(manner) for form in of_hand) for hand, of_hand in found.items()}
+    return replace(entry, forms=forms, timing=_timing(entry.timing, _of_hands(forms, entry.hand))) if forms else entry
+
+
+def _of_hands(forms: Mapping[Hand, Forms], hand: Hand | None) -> Forms:
+    """The forms that are made by the hand; by either hand alone if it is not settled."""
+    hands = (Hand.LEFT, Hand.RIGHT) if hand is None else (hand,)
+    return tuple(chain.from_iterable(forms.get(each, ()) for each in hands))
+
+
+def _timing(timing: Timing, forms: Forms) -> Timing:
+    before_s, after_s = max(form.before_s for form in forms), max(form.after_s for form in forms)
+    stroke_s = before_s + after_s
+    return replace(timing, stroke=Phase(stroke_s, stroke_s), emphasis=before_s / stroke_s)

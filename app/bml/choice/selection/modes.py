@@ -1,0 +1,92 @@
+"""The three performances of the paper's study (§5): gestures from the meaning, from the stress, or from chance.
+
+Head, eyes and face are those of the meaning in all three, so that a comparison of them compares the gestures. Neither
+rival is made worse than need be: stressed words all along the line are beaten, and chance draws anew for each text.
+"""
+
+import random
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from ....model import Behavior, Channel, Mode, Movement, Word
+from ..timing.candidates import PlacedBehavior, asked
+from ..timing.conflicts import Fitted, Kept, fitted
+from .choosing import Line, with_hand
+
+BEAT = "beat_gesture"
+BEAT_PRIORITY = 1.0
+
+DRAWS = 8
+"""How often chance tries for a gesture that fits."""
+
+
+def in_mode(
+    mode: Mode,
+    chosen: tuple[Kept, tuple[Behavior, ...]],
+    line: Line,
+    seed: int,
+) -> tuple[Kept, tuple[Behavior, ...]]:
+    """What is kept and lost in a mode, from what was chosen by meaning."""
+    if mode is Mode.SEMANTIC:
+        return chosen
+    kept, lost = chosen
+    gestures = [each for each in kept if each.behavior.kind is Channel.GESTURE]
+    kept = tuple(each for each in kept if each.behavior.kind is not Channel.GESTURE)
+    lost = tuple(behavior for behavior in lost if behavior.kind is not Channel.GESTURE)
+    replaced = (replace(each.behavior, kept=False, reason=f"not in the mode {mode}") for each in gestures)
+    if mode is Mode.PROSODY:
+        return _beaten_in(kept, line), (*lost, *replaced)
+    text = " ".join(word.text for word in line.timed)
+    return _drawn(kept, gestures, line, random.Random(f"{seed} {text} gestures")), (*lost, *replaced)
+
+
+def _beaten_in(kept: Kept, line: Line) -> Kept:
+    """Beats on the stressed words, as many as the character makes, from the line's first to its last."""
+    stressed = [word for word in line.timed if word.is_emphasised]
+    for part in _parts(stressed, line.most_gestures):
+        kept = _beaten_once(kept, part, line)
+    return kept
+
+
+def _parts(stressed: Sequence[Word], most: int) -> list[Sequence[Word]]:
+    """The stressed words in order, in as many even parts as there are beats to make; one in each is beaten."""
+    count = min(most, len(stressed))
+    bounds = [place * len(stressed) // count for place in range(count + 1)] if count else []
+    return [stressed[first:last] for first, last in pairwise(bounds)]
+
+
+def _beaten_once(kept: Kept, part: Sequence[Word], line: Line) -> Kept:
+    """A beat on the most stressed word of a part on which one fits; of equally stressed ones the last, as English has
+    its main stress late."""
+    for word in sorted(part, key=lambda word: (-(word.emphasis or 0.0), -word.index)):
+        movement = Movement(BEAT, word.index, word.index, BEAT_PRIORITY, "", None)
+        outcome = _fitted(movement, kept, line, "beats on a stressed word")
+        if outcome is not None:
+            return outcome.kept
+    return kept
+
+
+def _drawn(kept: Kept, gestures: list[PlacedBehavior], line: Line, generator: random.Random) -> Kept:
+    """A gesture of the table, whichever, in place of each."""
+    names = [name for name, entry in line.character.entries.items() if entry.channel is Channel.GESTURE]
+    for each in gestures:
+        behavior = each.behavior
+        for name in generator.choices(names, k=DRAWS):
+            movement = Movement(name, behavior.first, behavior.last, behavior.priority, "", None)
+            outcome = _fitted(movement, kept, line, "drawn by chance")
+            if outcome is not None:
+                kept = outcome.kept
+                break
+    return kept
+
+
+def _fitted(movement: Movement, kept: Kept, line: Line, reason: str) -> Fitted | None:
+    name = f"{movement.name}.{movement.first}.{movement.last}"
+    candidate = asked(movement, line.character.entries[movement.name], line.timed, name)
+    if not candidate.behavior.kept:
+        return None
+    behavior = replace(candidate.behavior, rule=None, reason=reason)
+    candidate = with_hand(replace(candidate, behavior=behavior), kept, line.character.handedness)
+    outcome = fitted(candidate, kept)
+    return outcome if isinstance(outcome, Fitted) else None

@@ -1,0 +1,170 @@
+"""A movement as a behaviour on the clock, before it meets its neighbours (paper §3.5).
+
+It is timed by the word it is anchored to: the stressed vowel of that word, or the word's start where its phones are
+not known. Nothing happens before 0. Where there is no time before the word even for the shortest preparation, a gesture
+begins with the hand raised, and says so; all else comes a little later instead. Retractions may run past the end. Times
+are seconds.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from math import floor
+
+from ....gesture_limits import LATEST_S, Forms
+from ....model import Behavior, Channel, Hand, Interval, Movement, Phone, SyncPoints, Word
+from ..behavior_table.table import STROKED, Anchor, BehaviorEntry
+from ..idle.idle_behaviors import IdleBehavior
+from .phases import Placing, Window, placed, soonest, underway
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedBehavior:
+    """A behaviour with what it is timed by; a gesture with its forms by hand."""
+
+    behavior: Behavior
+    placing: Placing
+    forms: Mapping[Hand, Forms] = field(default_factory=dict)
+
+    @property
+    def own_forms(self) -> Forms:
+        """The forms that the hand of the behaviour makes."""
+        return self.forms.get(self.behavior.hand or Hand.RIGHT, ())
+
+    @property
+    def firm_end_s(self) -> float:
+        """The earliest it can be over without loss of stroke or hold."""
+        sync = self.behavior.sync
+        return min(sync.end, (sync.relax or sync.end) + self.placing.timing.retraction.shortest_s)
+
+    @property
+    def stroke_end_s(self) -> float:
+        """The earliest it can be over without loss of stroke: its hold is as short as can be."""
+        sync, timing = self.behavior.sync, self.placing.timing
+        if sync.stroke_end is None:
+            return self.firm_end_s
+        return min(self.firm_end_s, sync.stroke_end + timing.hold.shortest_s + timing.retraction.shortest_s)
+
+
+def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], name: str) -> PlacedBehavior:
+    """The movement as `entry` makes it, with `name` for its id; kept is false where it cannot be timed."""
+    words = [word for word in timed if movement.first <= word.index <= movement.last]
+    if words:
+        at_s, until_s = stressed_vowel_s(_stroke_word(movement, entry.anchor, words)), interval_of(words[-1]).end_s
+    else:
+        at_s = until_s = max((interval_of(word).end_s for word in timed if word.index < movement.first), default=0.0)
+    placing, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
+    late_s = placing.at_s - at_s if entry.channel is Channel.GESTURE else 0.0
+    behavior = replace(
+        _behavior(entry, name, _sync(placing), movement.first, movement.last),
+        priority=movement.priority,
+        rule=movement.rule,
+        function=movement.function,
+        moment=movement.moment,
+        target=movement.target or entry.target,
+        kept=bool(words) and late_s <= LATEST_S,
+        reason=_late(late_s) if late_s > LATEST_S else hurry if words else "none of its words is spoken",
+    )
+    return PlacedBehavior(behavior, placing, entry.forms)
+
+
+def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:
+    """What the body does by itself, with the least priority."""
+    placing = _placing(entry, idle.at_s, idle.at_s)
+    placing, _hurry = _in_time(placing, entry.channel)
+    behavior = _behavior(entry, name, _sync(placing), idle.word, idle.word)
+    return PlacedBehavior(replace(behavior, reason=idle.reason), placing)
+
+
+def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> PlacedBehavior:
+    """What the body does by itself for the whole of a free interval, which must have room for its shortest phases."""
+    timing = entry.timing
+    retraction_s = min(timing.retraction.usual_s, interval.duration_s / 4)
+    at_s = interval.start_s + min(timing.preparation.usual_s + timing.stroke.usual_s, interval.duration_s / 2)
+    placing = Placing(timing, at_s, interval.end_s - retraction_s, entry.channel in STROKED)
+    sync = placed(placing, Window(interval.start_s, interval.end_s))
+    assert sync is not None, "the interval has room for it"
+    name = f"own.{entry.name}.{interval.start_s:.3f}"
+    return PlacedBehavior(replace(_behavior(entry, name, sync, word, word), reason=reason), placing)
+
+
+def stressed_vowel_s(word: Word) -> float:
+    """Where the vowel of a timed word's stressed syllable begins; the word's start where its vowels are not known.
+
+    The vowel with the primary stress; where phones come without stress digits, the longest that is no AH, for length
+    is the strongest cue of stress and AH is what English weakens to (`../shared/alignment.md`, "Stress").
+    """
+    vowels = [phone for phone in word.phones if phone.label in _VOWELS]
+    if not vowels:
+        return interval_of(word).start_s
+    return max(vowels, key=_strength).interval.start_s
+
+
+def interval_of(word: Word) -> Interval:
+    """The interval of a word that has one."""
+    assert word.interval is not None, "only timed words are asked"
+    return word.interval
+
+
+_VOWELS = frozenset(["AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"])
+
+_DIGIT_RANKS = {None: 0, 0: 0, 2: 1, 1: 2}
+"""How strong ARPABET's stress digits are: 1 is the primary stress, 2 the secondary."""
+
+
+def _strength(vowel: Phone) -> tuple[int, bool, float]:
+    return _DIGIT_RANKS[vowel.stress], vowel.label != "AH", round(vowel.interval.duration_s, 3)
+
+
+def _stroke_word(movement: Movement, anchor: Anchor, words: list[Word]) -> Word:
+    """The word a stroke falls on: the movement's own if it is spoken, else the anchor; of equally emphasised words the
+    last."""
+    for word in words:
+        if word.index == movement.stroke:
+            return word
+    if anchor is Anchor.FIRST:
+        return words[0]
+    if anchor is Anchor.LAST:
+        return words[-1]
+    return max(reversed(words), key=lambda word: word.emphasis or 0.0)
+
+
+def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> Placing:
+    stroked = entry.channel in STROKED
+    earliest_s = 0.0 if stroked else entry.timing.preparation.shortest_s
+    return Placing(entry.timing, max(floor(at_s * 1000) / 1000, earliest_s), until_s, stroked)
+
+
+def _in_time(placing: Placing, channel: Channel) -> tuple[Placing, str | None]:
+    """The placing, or one that begins with the performance, and why."""
+    if placed(placing, Window()) is not None:
+        return placing, None
+    if channel is Channel.GESTURE:
+        return underway(placing), "the hand is raised as the performance begins, for there is no time to raise it"
+    return soonest(placing), "a little late, for there is no time before its word"
+
+
+def _late(late_s: float) -> str:
+    return f"its stroke would come {late_s:.2f} s after its word, for there is no time before; a lead-in would give it"
+
+
+def _sync(placing: Placing) -> SyncPoints:
+    sync = placed(placing, Window())
+    assert sync is not None, "what begins at 0 has room"
+    return sync
+
+
+def _behavior(entry: BehaviorEntry, name: str, sync: SyncPoints, first: int, last: int) -> Behavior:
+    return Behavior(
+        id=name,
+        kind=entry.channel,
+        lexeme=entry.lexeme,
+        sync=sync,
+        first=first,
+        last=last,
+        priority=0.0,
+        hand=entry.hand,
+        amount=entry.amount,
+        target=entry.target,
+        direction=entry.direction,
+        repetitions=entry.repetitions,
+    )

@@ -1,0 +1,201 @@
+"""Behaviours that overlap on a channel, or are too close to be played: who came first stays (paper §3.5).
+
+Candidates come in the order of their priority. Gestures compete hand by hand, faces by the half of the face that they
+move, everything else channel by channel, and a look aside, which turns the head, competes with what the head does. One
+that does not fit beside those taken before is shortened to what its phases need at least; a look whose head is taken
+goes to the eyes alone. If that is not enough, the retraction of its predecessor gives way to its preparation, and then
+its hold, which joins the two into one gesture unit (§3.8); a gesture may then come `EARLY_S` before its word; if that
+is not enough either, it loses, with the winner's id and the reason.
+
+Between two gestures of a hand lies at least the time that it takes from the one to the other
+(`understudy.gesture_limits`), by which the realizer judges them too: what is kept is played.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from ....gesture_limits import TransitionTimes, transition_times
+from ....model import Behavior, Channel, Hand
+from ..behavior_table.faces import LOWER_FACE
+from ..behavior_table.table import GLANCE, LOOK, Phase
+from .candidates import PlacedBehavior
+from .phases import Window, placed
+
+Kept = tuple[PlacedBehavior, ...]
+"""The candidates taken so far; none overlaps another on a channel or hand."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fitted:
+    """A candidate as it fits, and all that are kept with it."""
+
+    candidate: PlacedBehavior
+    kept: Kept
+
+    @property
+    def shortened(self) -> bool:
+        return self.candidate.behavior.reason is not None
+
+
+EARLY_S = 0.1
+"""How much before its word a gesture may be, rather than not at all: a syllable."""
+
+NEAR_S = 1.0
+"""Of a gesture that is over this long before another begins, the hand is back in time."""
+
+
+def resolve(candidates: Iterable[PlacedBehavior], kept: Kept = ()) -> tuple[Kept, tuple[Behavior, ...]]:
+    """The candidates that fit beside those kept, by priority, and those that do not."""
+    lost: list[Behavior] = []
+    for candidate in sorted(candidates, key=_rank):
+        outcome = fitted(candidate, kept)
+        if isinstance(outcome, Fitted):
+            kept = outcome.kept
+        else:
+            lost.append(outcome)
+    return kept, tuple(lost)
+
+
+def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
+    """The candidate among the kept; its behaviour as a loser where it does not fit."""
+    rivals = [other for other in kept if compete(other.behavior, candidate.behavior)]
+    earlier = [other for other in rivals if other.placing.at_s <= candidate.placing.at_s]
+    later = [other for other in rivals if other.placing.at_s > candidate.placing.at_s]
+    candidate = _with_way(candidate, earlier)
+    window, sync = _usual_window(candidate, earlier, later), candidate.behavior.sync
+    if window.from_s <= sync.start and sync.end <= window.to_s:
+        return Fitted(candidate, (*kept, candidate))
+    heads = [other.behavior for other in rivals if other.behavior.kind is Channel.HEAD and _overlap(candidate, other)]
+    if candidate.behavior.kind is Channel.GAZE and heads:
+        return fitted(_with_the_eyes_alone(candidate, heads[0]), kept)
+    neighbour = _neighbour(candidate, earlier, later)
+    for moved in _moved(candidate):
+        for window in _windows(moved, earlier, later):
+            within = _within(moved, window, neighbour)
+            if within is not None:
+                ready = (_making_way(other, within) if other in earlier else other for other in kept)
+                return Fitted(within, (*ready, within))
+    return beaten(candidate.behavior, neighbour)
+
+
+def _moved(candidate: PlacedBehavior) -> Iterator[PlacedBehavior]:
+    """The candidate; then a gesture, whose stroke cannot be shorter, a little before its word."""
+    yield candidate
+    if candidate.own_forms:
+        placing = replace(candidate.placing, at_s=candidate.placing.at_s - EARLY_S)
+        reason = f"{EARLY_S:g} s before its word, to be in time for its neighbour"
+        yield replace(candidate, placing=placing, behavior=replace(candidate.behavior, reason=reason))
+
+
+def _windows(
+    candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
+) -> Iterator[Window]:
+    """What the neighbours leave: as they are, then without the retraction of the one before, then without its hold."""
+    usual = _usual_window(candidate, earlier, later)
+    yield usual
+    yield replace(usual, from_s=max((each.firm_end_s for each in earlier), default=0.0))
+    yield replace(usual, from_s=max((each.stroke_end_s for each in earlier), default=0.0))
+
+
+def _usual_window(
+    candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
+) -> Window:
+    begin_s = max((each.behavior.sync.end for each in earlier), default=0.0)
+    return Window(begin_s, min((_latest_end_s(candidate, each) for each in later), default=Window().to_s))
+
+
+def _with_way(candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior]) -> PlacedBehavior:
+    """A gesture whose preparation takes at least the time that its hand needs to come from the gesture before it."""
+    sync, placing = candidate.behavior.sync, candidate.placing
+    near = [each for each in earlier if sync.start - each.behavior.sync.end < NEAR_S]
+    shortest_s = max((transition(each, candidate).shortest_s for each in near), default=0.0)
+    if not shortest_s:
+        return candidate
+    usual = placing.timing.preparation
+    preparation = Phase(shortest_s, max(usual.usual_s, shortest_s))
+    return replace(candidate, placing=replace(placing, timing=replace(placing.timing, preparation=preparation)))
+
+
+def _latest_end_s(candidate: PlacedBehavior, later: PlacedBehavior) -> float:
+    """When a candidate must be over for the later one to begin, and for its stroke to come in time."""
+    sync = later.behavior.sync
+    start_s = sync.start if sync.stroke_start is None else sync.stroke_start
+    return min(sync.start, start_s - transition(candidate, later).shortest_s)
+
+
+def transition(first: PlacedBehavior, second: PlacedBehavior) -> TransitionTimes:
+    """How long the hands take from a gesture to the next; no time for all else."""
+    amounts = first.behavior.amount, second.behavior.amount
+    return transition_times(first.own_forms, second.own_forms, amounts=amounts)
+
+
+def beaten(behavior: Behavior, winner: Behavior) -> Behavior:
+    """The behaviour as the loser against one that leaves it too little time."""
+    standing = "also has" if winner.priority == behavior.priority else "has"
+    against = "" if winner.priority == behavior.priority else f", not {behavior.priority:g}"
+    reason = f"too close to {winner.lexeme}, which {standing} priority {winner.priority:g}{against}"
+    return replace(behavior, kept=False, lost_to=winner.id, reason=reason)
+
+
+def compete(one: Behavior, other: Behavior) -> bool:
+    """Whether two behaviours move the same part of the body."""
+    if one.kind is not other.kind:
+        return _turns_the_head(one, other) or _turns_the_head(other, one)
+    if one.kind is Channel.FACE:
+        return (one.lexeme in LOWER_FACE) == (other.lexeme in LOWER_FACE)
+    return one.kind is not Channel.GESTURE or one.hand is other.hand or Hand.BOTH in (one.hand, other.hand)
+
+
+def _turns_the_head(gaze: Behavior, head: Behavior) -> bool:
+    """Whether `gaze` has the head look aside while `head` moves it."""
+    return gaze.lexeme == LOOK and gaze.direction is not None and head.kind is Channel.HEAD
+
+
+def _overlap(one: PlacedBehavior, other: PlacedBehavior) -> bool:
+    return one.behavior.sync.start < other.behavior.sync.end and other.behavior.sync.start < one.behavior.sync.end
+
+
+def _with_the_eyes_alone(look: PlacedBehavior, head: Behavior) -> PlacedBehavior:
+    reason = f"with the eyes alone: the head has its {head.lexeme}"
+    return replace(look, behavior=replace(look.behavior, lexeme=GLANCE, reason=reason))
+
+
+def _rank(candidate: PlacedBehavior) -> tuple[float, float, str]:
+    behavior = candidate.behavior
+    return -behavior.priority, candidate.placing.at_s, behavior.id
+
+
+def _within(candidate: PlacedBehavior, window: Window, neighbour: Behavior) -> PlacedBehavior | None:
+    """The candidate in a window that a neighbour leaves; None when it does not fit."""
+    sync = placed(candidate.placing, window)
+    if sync is None:
+        return None
+    reason = candidate.behavior.reason or _shortened_beside(neighbour)
+    return replace(candidate, behavior=replace(candidate.behavior, sync=sync, reason=reason))
+
+
+def _making_way(earlier: PlacedBehavior, later: PlacedBehavior) -> PlacedBehavior:
+    """The earlier one, its retraction, and if need be its hold, over where the later begins."""
+    start_s = later.behavior.sync.start
+    if earlier.behavior.sync.end <= start_s:
+        return earlier
+    reason = earlier.behavior.reason or _shortened_beside(later.behavior)
+    sync = earlier.behavior.sync
+    relax_s = None if sync.relax is None else min(sync.relax, start_s)
+    sync = replace(sync, relax=relax_s, end=start_s)
+    return replace(earlier, behavior=replace(earlier.behavior, sync=sync, reason=reason))
+
+
+def _shortened_beside(neighbour: Behavior) -> str:
+    return f"shortened beside {neighbour.lexeme}"
+
+
+def _neighbour(
+    candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
+) -> Behavior:
+    """The rival that leaves the candidate too little time: the one before it, unless it fits behind that."""
+    if earlier:
+        before = max(earlier, key=lambda other: other.firm_end_s)
+        if not later or placed(candidate.placing, Window(before.firm_end_s)) is None:
+            return before.behavior
+    return min(later, key=lambda other: other.behavior.sync.start).behavior

@@ -1,0 +1,1 @@
+"""Characters and the forms of their gestures: `app/bml/choice/characters`. Begin with `test_characters.py`."""

@@ -1,0 +1,59 @@
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
+from understudy.bml.choice.characters.characters import Characters
+from understudy.bml.choice.characters.gesture_forms import FormedCharacters, with_forms
+from understudy.bml.choice.scheduling import schedule
+from understudy.errors import InputError
+from understudy.gesture_limits import ArmEnds, GestureForm, GestureTable
+from understudy.model import Channel, Hand, Level
+
+ENDS = ArmEnds((0.0, 0.0, 0.0), (0.3, 0.0, 0.0))
+SHORT, LONG = (GestureForm(0.3, after_s, 0.6, {Hand.RIGHT: ENDS}) for after_s in (0.1, 0.2))
+TABLE = GestureTable({("NEGATION", Level.LOW, hand): (SHORT, LONG) for hand in Hand})
+CHARACTERS = Characters.load(Path(__file__).resolve().parents[4] / "lexicon")
+LIVELY = replace(CHARACTERS.named("default"), gestures_per_minute=60)
+
+
+def test_a_stroke_is_as_long_as_its_longest_form_and_still_ends_as_the_vowel_begins() -> None:
+    character = with_forms(LIVELY, TABLE, Level.LOW)
+    line = utterance(spoken(FIGURE_8))
+    behaviors = schedule([offered(movement("gesture_negation", 2))], line, character, seed=0)
+    (gesture,) = (each for each in behaviors if each.kind is Channel.GESTURE)
+    vowel_s = 1.0 + 2 * 0.4 + 0.2
+    assert gesture.sync.stroke_end == pytest.approx(vowel_s)
+    assert gesture.sync.stroke == pytest.approx(vowel_s - 0.2)
+    assert gesture.sync.stroke_start == pytest.approx(vowel_s - 0.5)
+
+
+def test_what_the_table_does_not_have_stays_as_it_is() -> None:
+    character = with_forms(LIVELY, TABLE, Level.LOW)
+    for name in ("gesture_me", "small_nod"):
+        assert character.entries[name] == LIVELY.entries[name]
+    assert with_forms(LIVELY, TABLE, Level.HIGH) == LIVELY
+
+
+def test_a_stroke_that_would_come_far_too_late_is_told_with_what_would_help() -> None:
+    slow = GestureTable({("NEGATION", Level.LOW, hand): (GestureForm(0.7, 0.3, 0.6, {}),) for hand in Hand})
+    line = utterance(spoken(FIGURE_8, start_s=0.0, word_s=0.1))
+    offers = [offered(movement("gesture_negation", 2))]
+    behaviors = schedule(offers, line, with_forms(LIVELY, slow, Level.LOW), seed=0)
+    (gesture,) = (each for each in behaviors if each.kind is Channel.GESTURE)
+    assert not gesture.kept
+    assert gesture.reason == (
+        "its stroke would come 0.75 s after its word, for there is no time before; a lead-in would give it"
+    )
+
+
+def test_a_character_is_formed_once_for_each_level() -> None:
+    formed = FormedCharacters.of(CHARACTERS, TABLE)
+    low = formed.named("default", Level.LOW)
+    assert low is formed.named("default", Level.LOW)
+    assert low.entries["gesture_negation"].forms
+    assert not formed.named("default", Level.HIGH).entries["gesture_negation"].forms
+    with pytest.raises(InputError) as caught:
+        formed.named("nobody", Level.LOW)
+    assert caught.value.code == "unknown_character"

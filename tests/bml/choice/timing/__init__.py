@@ -1,0 +1,1 @@
+"""Phases, and conflicts on the clock: `app/bml/choice/timing`. Begin with `test_phases.py`."""
