@@ -14,7 +14,7 @@ from itertools import islice
 from types import MappingProxyType
 from typing import Any
 
-from ..realizer.avatar_mutants import mutants, small_avatar
+from ..realizer.exporting.avatar_mutants import mutants, small_avatar
 from .attacks import Attack, Body, bml, form
 from .breaking import VALUES, Rng, broken, json_changed
 from .broken_audio import recordings, wav

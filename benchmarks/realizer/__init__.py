@@ -1,4 +1,4 @@
-"""Whether motion is such as people make: gestures, head, lips, files, and the measures of wrists that they share. Run
-`python -m benchmarks.realizer.NAME`. Imports `understudy.realizer`, `performance` and `realization`. Begin with
-`motion.py`, which has the realizer's bars.
+"""Whether motion is such as people make. Here are the measures of the whole, in the rooms those of its parts, named as
+in `understudy.realizer`. Run `python -m benchmarks.realizer.NAME` or `….ROOM.NAME`. Imports `understudy.realizer`,
+`performance` and `realization`. Begin with `motion.py`, which has the realizer's bars.
 """

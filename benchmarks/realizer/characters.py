@@ -8,7 +8,7 @@ the T-pose; "inside" is the deepest that a hand or forearm ever is in the body o
 which a joint is beyond its limit, "feet" how far an ankle ever moves from where it stands, "short" the share of the
 library's key poses whose wrist stays more than 3 cm from its place around this body. With node and `npm install
 gltf-validator three` in FOLDER, the GLB is judged by Khronos' validator, and the joints in the GLB and the BVH by
-three.js (`benchmarks.realizer.formats`).
+three.js (`benchmarks.realizer.exporting.formats`).
 """
 
 import argparse
@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.bml.schedule import Stages, performed, spoken_sentences
-from benchmarks.realizer.formats import judge
+from benchmarks.realizer.exporting.formats import judge
 from understudy.figures import PLAIN, Figure, Physique, Sex
 from understudy.loading import load_characters, load_gestures
 from understudy.model import Hand, Level, Schedule

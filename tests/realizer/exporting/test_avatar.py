@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from benchmarks.realizer.avatar_mutants import mutants, outcome, short_motion, small_avatar
+from benchmarks.realizer.exporting.avatar_mutants import mutants, outcome, short_motion, small_avatar
 from tests.support.gltf_reading import Gltf, read
 from tests.support.hand_made_motion import BODY, waving
 from tests.support.shared_data import AVATAR, needs

@@ -1,6 +1,6 @@
 """How much smaller sparse keys are, and how far what they play is from every frame of the motion.
 
-    python -m benchmarks.realizer.sparse_keys [--lines FOLDER]
+    python -m benchmarks.realizer.exporting.sparse_keys [--lines FOLDER]
 
 The motions are those of recorded lines (default: ../shared/data/speech/lines), 60 frames a second. The GLB with
 `--keys sparse` is read back, each track interpolated as players do (slerp; linear), and the joints placed by forward

@@ -1,6 +1,6 @@
 // What others make of our motion files: Khronos' validator, and three.js's readers of glTF and BVH.
 //
-//     node benchmarks/realizer/formats.mjs NODE_MODULES FRAME_RATE_HZ FILE...
+//     node benchmarks/realizer/exporting/formats.mjs NODE_MODULES FRAME_RATE_HZ FILE...
 //
 // Prints one JSON object: for each file the validator's counts, or the world positions of its joints in some frames
 // (metres in glTF, centimetres in BVH), by joint name.

@@ -1,6 +1,6 @@
 """Do the gestures that we ship move as people's do: where the wrists are in strokes, how long strokes last, how fast.
 
-    python -m benchmarks.realizer.gesture_library [--rate HZ]
+    python -m benchmarks.realizer.gestures.gesture_library [--rate HZ]
 
 Every definition of lexicon/gestures/ at every level of agitation, played alone: from arms that hang, through its keys,
 and back. The wrist of the hand that leads is measured from stroke start to stroke end. Sectors are McNeill's, each

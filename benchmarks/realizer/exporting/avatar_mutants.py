@@ -1,6 +1,6 @@
 """Whether any avatar, however broken, is either refused with a typed error or worn with finite motion.
 
-    python -m benchmarks.realizer.avatar_mutants [AVATAR …] [--count N] [--seed N]
+    python -m benchmarks.realizer.exporting.avatar_mutants [AVATAR …] [--count N] [--seed N]
 
 Each mutant is the avatar's file with one to three changes: in its JSON a value at a random place is replaced by one of
 `VALUES`, deleted, doubled, or replaced by a copy of another; or bytes of the file are changed, or it is cut short. Half
@@ -30,7 +30,7 @@ from understudy.realizer.exporting.retargeting import Rig, load_rigs
 from understudy.realizer.geometry.rotations import IDENTITY
 from understudy.resources import resource_folder
 
-AVATARS = Path(__file__).resolve().parents[3] / "shared" / "data" / "motion" / "avatar"
+AVATARS = Path(__file__).resolve().parents[4] / "shared" / "data" / "motion" / "avatar"
 READ = ("nodes", "nodes", "nodes", "buffers", "bufferViews", "accessors", "meshes", "extensions", "asset")
 VALUES: tuple[Any, ...] = (
     *(None, True, {}, [], "", "x", "\ud800", [[]], {"node": 0}, {"": []}),

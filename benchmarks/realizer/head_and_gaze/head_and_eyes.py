@@ -1,6 +1,6 @@
 """Where heads turn and eyes look while a line is spoken: how far, how often, how fast, from its start to its end.
 
-    python -m benchmarks.realizer.head_and_eyes [--character NAME] [--seed N] [--recordings-only]
+    python -m benchmarks.realizer.head_and_gaze.head_and_eyes [--character NAME] [--seed N] [--recordings-only]
 
 Lines are those of `benchmarks.realizer.liveliness`. Conventions: degrees in the world; a look aside is a `LOOK` with a
 direction, and its size is how far the head, or the line of sight, is from where it was as the look began, at its

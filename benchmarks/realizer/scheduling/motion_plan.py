@@ -1,6 +1,7 @@
 """What becomes of gestures on their way from the schedule to the arms, and how long their phases last.
 
-    python -m benchmarks.realizer.motion_plan [--sentences N] [--recordings FOLDER] [--character NAME] [--seed N]
+    python -m benchmarks.realizer.scheduling.motion_plan [--sentences N]
+        [--recordings FOLDER] [--character NAME] [--seed N]
 
 The lines are those of benchmarks/realizer/motion.py: N spoken sentences of GUM with made-up times, and in FOLDER
 (default: ../shared/data/speech/lines) each recording NAME.flac with its words in NAME.txt. Phases are those of arms; of

@@ -1,6 +1,6 @@
 """How well every character's hand and eyes find targets around it.
 
-    python -m benchmarks.realizer.targets
+    python -m benchmarks.realizer.head_and_gaze.targets
 
 Each character of the lexicon points and looks at targets 2 m away in all directions, from 0.3 to 2.2 m high, by the
 hand of their side (`understudy.acting.targets`). "Hand" is the angle at the shoulder between the target and the wrist

@@ -1,4 +1,6 @@
-"""What the gesture library holds and how long it takes to read. `python -m benchmarks.realizer.gestures`
+"""What the gesture library holds and how long it takes to read.
+
+    python -m benchmarks.realizer.gestures.library_contents
 
 Counts of categories, definitions and clips at each level of agitation by each hand; the mean speeds of strokes; the
 median time of loading the library and of asking for the clips of a category, in milliseconds of processor time.

@@ -1,6 +1,6 @@
 """What other programs make of our motion files, and how fast and large ten minutes of motion are.
 
-    python -m benchmarks.realizer.formats --node-modules FOLDER
+    python -m benchmarks.realizer.exporting.formats --node-modules FOLDER
 
 FOLDER is where `npm install gltf-validator three` put its packages; without it, or without node, the first part is left
 out. The motion is made by hand (`tests/support/hand_made_motion.py`) with every joint and shape shaken a little, so
@@ -36,7 +36,7 @@ from understudy.realizer.exporting.retargeting import Rig, load_rigs
 from understudy.realizer.exporting.vrma import to_vrma
 from understudy.realizer.geometry.rotations import normalized
 
-RETARGET = Path(__file__).parents[2] / "lexicon" / "retarget"
+RETARGET = Path(__file__).parents[3] / "lexicon" / "retarget"
 SHORT_S, LONG_S = 4.0, 600.0
 RATE_HZ = 60
 STEP = 7

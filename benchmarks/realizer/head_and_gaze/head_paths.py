@@ -1,6 +1,6 @@
 """How much a talker's head moves about: ours against storytellers', filmed with a Kinect and labelled by hand.
 
-    python -m benchmarks.realizer.head_paths [--lines N] [--seed N] [--gestures]
+    python -m benchmarks.realizer.head_and_gaze.head_paths [--lines N] [--seed N] [--gestures]
 
 The people are those of ../shared/data/motion/gesture-phases/ (a1, a2, a3, b3; b1 was at rest half the time with no
 measured movement at all). Their x and y have no unit: metres follow from the height of the head over the spine's

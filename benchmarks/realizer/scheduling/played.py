@@ -1,6 +1,7 @@
 """Whether what is scheduled is played, and how fast hands go from one gesture to the next.
 
-    python -m benchmarks.realizer.played [--directing FOLDER] [--lines FOLDER] [--characters NAME …] [--every]
+    python -m benchmarks.realizer.scheduling.played
+        [--directing FOLDER] [--lines FOLDER] [--characters NAME …] [--every]
 
 The lines are those that directors read (../shared/directing) and the recordings of ../shared/data/speech/lines. Each is
 performed with and without a lead-in, at its own agitation, by every character, and realized with two seeds; with
@@ -28,7 +29,7 @@ from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.scheduling.transitions import stroke_speed_m_s
 from understudy.settings import Settings
 
-SHARED = Path(__file__).resolve().parents[3] / "shared"
+SHARED = Path(__file__).resolve().parents[4] / "shared"
 CHARACTERS = ("default", "expansive", "formal_elder", "reserved")
 LEAD_INS_S = (0.0, 0.8)
 SEEDS = (0, 1)

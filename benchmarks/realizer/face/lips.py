@@ -1,6 +1,6 @@
 """Do the lips do what is heard: closures, openings and speed on recorded lines whose phones our own aligner found.
 
-    python -m benchmarks.realizer.lips [--lines FOLDER …] [--rate HZ]
+    python -m benchmarks.realizer.face.lips [--lines FOLDER …] [--rate HZ]
 
 FOLDER holds pairs NAME.flac and NAME.txt (default: examples/ and ../shared/data/speech/lines). A closure is the time
 for which the mouth is shut (`understudy.realizer.face.lip_closure`) about a P, B, M, F or V. Closing is reckoned from
@@ -37,7 +37,7 @@ from understudy.resources import resource_folder
 from understudy.settings import Settings
 from understudy.transcript import read_transcript
 
-SHARED_LINES = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech" / "lines"
+SHARED_LINES = Path(__file__).resolve().parents[4] / "shared" / "data" / "speech" / "lines"
 VOWELS = frozenset({"aa", "E", "I", "O", "U"})
 BARS_S = (0.020, 0.040)
 MORE_OPEN = 0.1

@@ -1,6 +1,6 @@
 """Do the lips shut when the speaker's did: our closures against those that humans labelled in TIMIT.
 
-    python -m benchmarks.realizer.lip_closures [--timit FOLDER] [--rate HZ]
+    python -m benchmarks.realizer.face.lip_closures [--timit FOLDER] [--rate HZ]
 
 Of the half of TIMIT's sentences that the aligner's boundaries were not trained on (`training.alignment.timit`). TIMIT
 has the closures of P and B apart from their bursts (`pcl`, `bcl`), and M, F and V, all of which our lips are to be shut
@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.acoustic.alignment import TIMIT, aligned_words
-from benchmarks.realizer.lips import still_body
+from benchmarks.realizer.face.lips import still_body
 from training.alignment.timit import Sentence, read_sentences
 from understudy.acoustic.alignment.alignment import Aligner
 from understudy.bml.choice.speech.visemes import visemes

@@ -1,0 +1,1 @@
+"""Files of motion: what other programs make of them, broken avatars, sparse keys."""

@@ -1,0 +1,1 @@
+"""The gesture library: its reading, and its clips beside motion capture."""
