@@ -1,5 +1,5 @@
 """The command line door: arguments and files in, results on standard output or in files, one line for every mistake.
-One module a command in `commands/`, the rest is what they share. Imports `performance`, `realization`, `authoring`,
-`schemas`, a few values of the stages to print them, and `api` to serve. Begin with `main.py`, then
-`commands/perform.py`.
+One module a command in `commands/`, its arguments in `arguments/`; `inputs/` and `outputs/` have what several read and
+tell. Imports `performance`, `realization`, `authoring`, `schemas`, a few values of the stages to print them, `batch`,
+and `api` to serve. Begin with `main.py`, then `commands/perform.py`.
 """

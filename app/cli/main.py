@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from typing import cast
 
 from ..errors import UnderstudyError
-from .arguments import make_parser
+from .arguments.parser import make_parser
 from .distinct_files import require_distinct
 from .log import Log
 

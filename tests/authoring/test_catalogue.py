@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from understudy.authoring.catalogue import Catalogue, Item, Kind
-from understudy.cli.listings import counts, explanation
+from understudy.cli.outputs.listings import counts, explanation
 from understudy.errors import InputError
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 from understudy.authoring.inspection import find_unused, trace, trace_one
-from understudy.cli.corpus import read_corpus
+from understudy.cli.inputs.corpus import read_corpus
 from understudy.cli.main import main
-from understudy.cli.traces import MOST_NEAR_MISSES, trace_lines
+from understudy.cli.outputs.traces import MOST_NEAR_MISSES, trace_lines
 from understudy.errors import InputError
 from understudy.performance import Understudy, find_functions
 from understudy.rules.mapping import offer_movements

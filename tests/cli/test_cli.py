@@ -13,7 +13,7 @@ import pytest
 from understudy.cli.files import write
 from understudy.cli.log import Log, Voice
 from understudy.cli.main import main
-from understudy.cli.summary import summary
+from understudy.cli.outputs.summary import summary
 from understudy.errors import InputError
 from understudy.model import (
     Agitation,

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import pytest
 
-from understudy.cli.function_lines import MOST_TOGETHER, waiting_lines
+from understudy.cli.inputs.function_lines import MOST_TOGETHER, waiting_lines
 
 
 class Arriving(io.BytesIO):

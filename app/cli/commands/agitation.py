@@ -6,7 +6,7 @@ from ...hearing import AcousticModels
 from ...schemas.responses import AgitationResponse
 from ...settings import read_settings
 from ..files import write_standard
-from ..hearing import hear_file, require_files, require_reference, shown, speaker_reference
+from ..inputs.hearing import hear_file, require_files, require_reference, shown, speaker_reference
 from ..log import Log
 
 

@@ -8,9 +8,9 @@ from ...analysis import AlignedLine
 from ...hearing import AcousticModels, align
 from ...schemas.responses import AlignResponse
 from ...settings import read_settings
-from ..early import require_usable
 from ..files import write_standard
-from ..lines import read_line
+from ..inputs.early import require_usable
+from ..inputs.lines import read_line
 from ..log import Log
 
 

@@ -4,12 +4,12 @@ import argparse
 
 from ...model import Level
 from ...settings import read_settings
-from ..early import require_usable
 from ..files import require_writable, write, write_standard
-from ..hearing import require_reference, speaker_reference
-from ..lines import read_line
+from ..inputs.early import require_usable
+from ..inputs.hearing import require_reference, speaker_reference
+from ..inputs.lines import read_line
 from ..log import Log
-from ..plot import plot, require_plot
+from ..outputs.plot import plot, require_plot
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:

@@ -22,13 +22,13 @@ from ...bml.writing.writer import BmlForm
 from ...errors import InputError
 from ...model import Level, Mode
 from ...settings import Settings, read_settings
-from ..batch_progress import progress_for
 from ..distinct_files import OutputFile, require_distinct
-from ..early import require_character
 from ..files import write_standard
+from ..inputs.early import require_character
 from ..log import Log
-from ..motions import require_skeleton
-from ..plot import require_plot
+from ..outputs.batch_progress import progress_for
+from ..outputs.motions import require_skeleton
+from ..outputs.plot import require_plot
 
 SOME_FAILED = 1
 

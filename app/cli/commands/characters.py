@@ -6,7 +6,7 @@ from ...authoring.catalogue import load_characters
 from ...schemas.library import CharacterResponse
 from ..files import require_writable, write, write_standard
 from ..log import Log
-from ..plot import require_plot
+from ..outputs.plot import require_plot
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:

@@ -25,7 +25,7 @@ def run(arguments: argparse.Namespace, _log: Log) -> int:
 
         write_standard(FunctionsResponse.of(find_functions(language, arguments.text)).to_json() + b"\n")
         return 0
-    from ..function_lines import answer_lines
+    from ..inputs.function_lines import answer_lines
 
     gc.freeze()  # what is loaded stays; looking through it again and again takes a tenth of the time
     answer_lines(language, cast(BufferedIOBase, sys.stdin.buffer))

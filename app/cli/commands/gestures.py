@@ -16,9 +16,9 @@ from ...realizer.gestures.library import SUFFIX, gesture_files, read_definitions
 from ...realizer.pictures.gesture_sheet import draw_gestures
 from ...schemas.library import GesturesResponse
 from ..files import require_writable, write, write_standard
-from ..gesture_listings import counts, explanation, headline, place
 from ..log import Log
-from ..plot import require_plot
+from ..outputs.gesture_listings import counts, explanation, headline, place
+from ..outputs.plot import require_plot
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:

@@ -14,13 +14,13 @@ from ...schemas.requests import listener_names
 from ...settings import Settings, read_settings
 from ...targets import read_targets
 from ..distinct_files import OutputFile, require_distinct
-from ..early import require_character, require_usable
 from ..files import STANDARD, require_writable, write
-from ..hearing import require_reference, speaker_reference
-from ..lines import read_line
+from ..inputs.early import require_character, require_usable
+from ..inputs.hearing import require_reference, speaker_reference
+from ..inputs.lines import read_line
 from ..log import Log
-from ..motions import MotionOptions, require_motions, write_motions
-from ..summary import summary
+from ..outputs.motions import MotionOptions, require_motions, write_motions
+from ..outputs.summary import summary
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:

@@ -14,7 +14,7 @@ from ...settings import Settings, read_settings
 from ...targets import read_targets
 from ..files import STANDARD, read_bytes
 from ..log import Log
-from ..motions import MotionOptions, require_motions, write_motions
+from ..outputs.motions import MotionOptions, require_motions, write_motions
 
 if TYPE_CHECKING:
     from ...hearing import AcousticModels

@@ -6,7 +6,7 @@ from ...hearing import AcousticModels, make_reference
 from ...schemas.references import to_json
 from ...settings import read_settings
 from ..files import require_writable, write
-from ..hearing import hear_file, require_files
+from ..inputs.hearing import hear_file, require_files
 from ..log import Log
 
 

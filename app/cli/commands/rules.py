@@ -51,7 +51,7 @@ def _watch(paths: Sequence[Path], log: Log) -> None:
 def _list(arguments: argparse.Namespace, _log: Log) -> None:
     from ...authoring.catalogue import Catalogue
     from ...schemas.library import RulesResponse
-    from ..listings import counts, headline
+    from ..outputs.listings import counts, headline
 
     items = Catalogue.load().items
     if arguments.json:
@@ -62,7 +62,7 @@ def _list(arguments: argparse.Namespace, _log: Log) -> None:
 
 def _explain(arguments: argparse.Namespace, _log: Log) -> None:
     from ...authoring.catalogue import Catalogue
-    from ..listings import explanation
+    from ..outputs.listings import explanation
 
     catalogue = Catalogue.load()
     _print(line for item in catalogue.named(arguments.name) for line in explanation(catalogue, item))
@@ -72,7 +72,7 @@ def _trace(arguments: argparse.Namespace, _log: Log) -> None:
     from ...authoring.inspection import trace, trace_one
     from ...performance import BehaviorModels, LanguageModels
     from ...settings import read_settings
-    from ..traces import trace_lines
+    from ..outputs.traces import trace_lines
 
     settings = read_settings()
     language, behavior = LanguageModels.load(settings), BehaviorModels.load(settings)
@@ -87,8 +87,8 @@ def _unused(arguments: argparse.Namespace, _log: Log) -> None:
     from ...authoring.inspection import find_unused
     from ...performance import BehaviorModels, LanguageModels
     from ...settings import read_settings
-    from ..corpus import read_corpus
-    from ..traces import unused_lines
+    from ..inputs.corpus import read_corpus
+    from ..outputs.traces import unused_lines
 
     settings = read_settings()
     texts = read_corpus(arguments.corpus, max_characters=settings.max_text_characters)

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from ..errors import InputError
-from ..schemas.requests import read_object, read_request
-from ..transcript import read_transcript
+from ...errors import InputError
+from ...schemas.requests import read_object, read_request
+from ...transcript import read_transcript
 
 
 def read_corpus(name: str, *, max_characters: int) -> Iterator[str]:

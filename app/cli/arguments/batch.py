@@ -1,21 +1,18 @@
 """The arguments of `understudy batch`."""
 
 import argparse
-from collections.abc import Callable
 
-from .distinct_files import InputFile
+from ..distinct_files import InputFile
+from .command import Adding
+from .shared import add_form, add_manner, add_rate
 
 SCRIPTS_HELP = ".csv, .tsv, .xlsx, .fountain, .fdx, .srt, .vtt, .jsonl, or Ren'Py's dialogue.tab"
 FORMATS_HELP = (
     "bml (default), bml.json, json (every reason), TextGrid, ctm, wav, glb, bvh, vrma, clip.json, csv, png, …"
 )
 
-Adding = Callable[[str, str], argparse.ArgumentParser]
-Shared = Callable[[argparse.ArgumentParser], None]
 
-
-def add_batch(add: Adding, *shared: Shared) -> None:
-    """Adds the command; `shared` add the options that it has in common with `perform`."""
+def add_batch(add: Adding) -> None:
     parser = add("batch", "many lines: a script and its recordings in, a performance of each out")
     parser.add_argument("script", metavar="SCRIPT", type=InputFile, help=SCRIPTS_HELP)
     parser.add_argument(
@@ -27,8 +24,9 @@ def add_batch(add: Adding, *shared: Shared) -> None:
     _add_joining(parser)
     _add_running(parser)
     _add_casting(parser)
-    for add_options in shared:
-        add_options(parser)
+    add_manner(parser)
+    add_form(parser)
+    add_rate(parser)
 
 
 def _add_joining(parser: argparse.ArgumentParser) -> None:

@@ -8,9 +8,9 @@ from typing import Any, Self
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeRemainingColumn
 
-from ..batch.manifest.entries import Entry, State
-from ..batch.planning import Plan, without_audio
-from .log import Log, Voice
+from ...batch.manifest.entries import Entry, State
+from ...batch.planning import Plan, without_audio
+from ..log import Log, Voice
 
 EVERY_S = 10.0
 """Between two lines of progress where there is no terminal."""

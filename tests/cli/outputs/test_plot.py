@@ -11,7 +11,7 @@ from matplotlib import image
 from numpy.typing import NDArray
 
 from tests.support.by_hand import spoken, utterance
-from understudy.cli.plot import EMPHASIS, MEMBERSHIPS, NARROWEST_INCHES, THRESHOLD, plot, require_plot
+from understudy.cli.outputs.plot import EMPHASIS, MEMBERSHIPS, NARROWEST_INCHES, THRESHOLD, plot, require_plot
 from understudy.errors import InputError, ServiceError
 from understudy.model import Agitation, Audio, Contours, FloatArray, Level, StressThresholds
 from understudy.performance import Analysis, SignalAnalysis

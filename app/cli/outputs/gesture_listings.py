@@ -3,11 +3,11 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from ..authoring.catalogue import shown_path
-from ..model import Hand, Level
-from ..realizer.gestures.clips import clip
-from ..realizer.gestures.gesture import Definition
-from ..realizer.gestures.library import Library
+from ...authoring.catalogue import shown_path
+from ...model import Hand, Level
+from ...realizer.gestures.clips import clip
+from ...realizer.gestures.gesture import Definition
+from ...realizer.gestures.library import Library
 
 _FACTORS = ("amplitude", "tempo", "fluidity", "power", "repetition")
 _MARKERS = ("ready", "stroke_start", "stroke", "stroke_end", "relax", "end")

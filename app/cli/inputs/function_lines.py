@@ -9,13 +9,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from io import BufferedIOBase
 
-from ..errors import InputError
-from ..model import Word
-from ..schemas.requests import line_id, read_object, read_request
-from ..schemas.responses import FunctionsResponse, MistakeResponse
-from ..transcript import read_transcript
-from ..understanding import LanguageModels, find_functions_in_all
-from .files import write_standard
+from ...errors import InputError
+from ...model import Word
+from ...schemas.requests import line_id, read_object, read_request
+from ...schemas.responses import FunctionsResponse, MistakeResponse
+from ...transcript import read_transcript
+from ...understanding import LanguageModels, find_functions_in_all
+from ..files import write_standard
 
 MOST_TOGETHER = 32
 READ_BYTES = 65_536

@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator, Sequence
 
-from ..authoring.catalogue import shown_path
-from ..authoring.inspection import Trace, Unused
-from ..model import Moment, Word
-from ..rules.chaining.tracing import Firing, NearMiss, Said
-from ..rules.program.program import Rule
+from ...authoring.catalogue import shown_path
+from ...authoring.inspection import Trace, Unused
+from ...model import Moment, Word
+from ...rules.chaining.tracing import Firing, NearMiss, Said
+from ...rules.program.program import Rule
 
 MOST_NEAR_MISSES = 12
 WORDS_COLUMN = 64

@@ -2,14 +2,14 @@
 
 import argparse
 
-from ..analysis import Line, Timings
-from ..errors import InputError
-from ..model import Direction, GivenFunction
-from ..schemas.direction import read_direction
-from ..schemas.given_functions import read_functions
-from ..schemas.requests import read_timings
-from ..settings import Settings
-from .files import STANDARD, read_bytes, read_text
+from ...analysis import Line, Timings
+from ...errors import InputError
+from ...model import Direction, GivenFunction
+from ...schemas.direction import read_direction
+from ...schemas.given_functions import read_functions
+from ...schemas.requests import read_timings
+from ...settings import Settings
+from ..files import STANDARD, read_bytes, read_text
 
 
 def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:

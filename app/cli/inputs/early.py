@@ -3,18 +3,18 @@
 To load spaCy, the aligner and their models takes most of the time of a short line; nothing here needs them.
 """
 
-from ..acoustic.alignment.timings import read_timings
-from ..acoustic.signal.decoding import decode
-from ..acting.notes import check_direction
-from ..analysis import Line
-from ..hearing import audio_limits
-from ..loading import load_characters
-from ..model import GivenFunction
-from ..resources import RULES
-from ..rules.given import given_facts
-from ..rules.priorities import Priorities
-from ..settings import Settings
-from ..transcript import read_transcript
+from ...acoustic.alignment.timings import read_timings
+from ...acoustic.signal.decoding import decode
+from ...acting.notes import check_direction
+from ...analysis import Line
+from ...hearing import audio_limits
+from ...loading import load_characters
+from ...model import GivenFunction
+from ...resources import RULES
+from ...rules.given import given_facts
+from ...rules.priorities import Priorities
+from ...settings import Settings
+from ...transcript import read_transcript
 
 
 def require_usable(line: Line, settings: Settings) -> None:

@@ -7,18 +7,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ..loading import load_realizer
-from ..motion_formats import PICTURES, FileOptions, Keys, format_of
-from ..realizer.body.motion import Decision, check_tail
-from ..realizer.body.skeleton import Skeleton
-from ..realizer.exporting.retargeting import find_rig, load_rigs
-from ..resources import resource_folder
-from .files import read_bytes, require_writable, write
-from .log import Log
+from ...loading import load_realizer
+from ...motion_formats import PICTURES, FileOptions, Keys, format_of
+from ...realizer.body.motion import Decision, check_tail
+from ...realizer.body.skeleton import Skeleton
+from ...realizer.exporting.retargeting import find_rig, load_rigs
+from ...resources import resource_folder
+from ..files import read_bytes, require_writable, write
+from ..log import Log
 from .plot import require_plot
 
 if TYPE_CHECKING:
-    from ..realization import PreparedSchedule
+    from ...realization import PreparedSchedule
 
 LARGEST_AVATAR_BYTES = 256 << 20
 
@@ -62,7 +62,7 @@ class MotionOptions:
 
 def write_motions(names: Sequence[str], staged: PreparedSchedule, options: MotionOptions, log: Log) -> None:
     """Realizes the schedule once and writes it to every name; decisions are told."""
-    from ..realization import AvatarOptions, realize_prepared, write_motion
+    from ...realization import AvatarOptions, realize_prepared, write_motion
 
     realizer = load_realizer()
     log.stage("realize")

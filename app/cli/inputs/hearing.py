@@ -4,14 +4,14 @@ import os
 from collections.abc import Sequence
 from pathlib import PurePath
 
-from ..acoustic.agitation.speaker import SpeakerReference
-from ..analysis import SignalAnalysis
-from ..errors import InputError
-from ..hearing import AcousticModels, analyze_signal, make_reference
-from ..schemas.references import read_reference
-from ..settings import Settings
-from .files import STANDARD, read_bytes
-from .log import Log
+from ...acoustic.agitation.speaker import SpeakerReference
+from ...analysis import SignalAnalysis
+from ...errors import InputError
+from ...hearing import AcousticModels, analyze_signal, make_reference
+from ...schemas.references import read_reference
+from ...settings import Settings
+from ..files import STANDARD, read_bytes
+from ..log import Log
 
 LARGEST_REFERENCE_BYTES = 1 << 20
 

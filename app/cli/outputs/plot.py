@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import InputError, ServiceError
-from ..model import (
+from ...errors import InputError, ServiceError
+from ...model import (
     EMPHASISED,
     FRAME_SHIFT_S,
     SAMPLE_RATE_HZ,
@@ -30,7 +30,7 @@ from ..model import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ..analysis import Analysis, SignalAnalysis
+    from ...analysis import Analysis, SignalAnalysis
 
 FORMAT = ".png"
 INCHES_PER_S = 1.7

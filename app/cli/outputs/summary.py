@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator
 
-from ..model import PLAIN, Behavior, Function, Performance
+from ...model import PLAIN, Behavior, Function, Performance
 
 WORDS_WIDTH = 28
 

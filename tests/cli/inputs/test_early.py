@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
+AUDIO_FOLDER = Path(__file__).parents[2] / "audio"
 AUDIO = str(AUDIO_FOLDER / "figure8.flac")
 TEXT_FILE = str(AUDIO_FOLDER / "figure8.txt")
 LINE = (AUDIO, "--text-file", TEXT_FILE)

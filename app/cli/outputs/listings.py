@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
-from ..authoring.catalogue import Catalogue, Item, Kind
+from ...authoring.catalogue import Catalogue, Item, Kind
 
 _MEANING = {
     Kind.FUNCTION: "a rule that finds a function",

@@ -1,0 +1,31 @@
+"""Adds a command, or an action of a command, to those of a parser."""
+
+import argparse
+from collections.abc import Callable
+from functools import partial
+
+Adding = Callable[[str, str], argparse.ArgumentParser]
+"""Adds a command, given its name and what it does."""
+
+
+def commands_of(parser: argparse.ArgumentParser) -> Adding:
+    """Adds to the commands of the whole."""
+    return partial(_add, parser.add_subparsers(dest="command", metavar="COMMAND", required=True).add_parser)
+
+
+def actions_of(command: argparse.ArgumentParser) -> Adding:
+    """Adds to what a command can be told to do."""
+    return partial(_add, command.add_subparsers(dest="action", metavar="ACTION", required=True).add_parser)
+
+
+def _add(add_parser: Callable[..., argparse.ArgumentParser], name: str, does: str) -> argparse.ArgumentParser:
+    return add_parser(name, help=does, description=does, parents=[voices()], allow_abbrev=False)
+
+
+def voices() -> argparse.ArgumentParser:
+    """`--quiet` and `--json-log`, before or after the command's name; `understudy.cli.log` looks for them."""
+    parser = argparse.ArgumentParser(add_help=False)
+    voice = parser.add_mutually_exclusive_group()
+    voice.add_argument("--quiet", action="store_true", help="say nothing on standard error but errors")
+    voice.add_argument("--json-log", action="store_true", help="one JSON object a line on standard error")
+    return parser

@@ -1,0 +1,47 @@
+"""The arguments of the commands that show and check what is performed with: `rules`, `gestures` and `characters`."""
+
+from ...model import Hand, Level
+from ..distinct_files import InputFile
+from .command import Adding, actions_of
+from .shared import add_output
+
+
+def add_rules(add: Adding) -> None:
+    add_action = actions_of(add("rules", "the rules, words, mappings and table entries"))
+    check = add_action("check", "tell every mistake in rules, words, characters, gestures and tables")
+    check.add_argument("paths", metavar="PATH", nargs="*", help="files or folders (default: those that are in use)")
+    check.add_argument("--watch", action="store_true", help="check again whenever they are saved, until interrupted")
+    listing = add_action("list", "list them")
+    listing.add_argument("--json", action="store_true", help="as JSON")
+    explain = add_action("explain", "what one of them does")
+    explain.add_argument("name", metavar="NAME", help="a rule, a behaviour, a word or a phrase")
+    trace = add_action("trace", "which rules a text makes fire, and which nearly, for want of what")
+    trace.add_argument("--text", required=True, help="the words")
+    trace.add_argument("--rule", metavar="NAME", help="only this rule: where it fires, or comes nearest")
+    unused = add_action("unused", "rules and words that no line of a corpus uses")
+    unused.add_argument("corpus", metavar="CORPUS", help='a file with an utterance a line, or {"id", "text"} a line')
+
+
+def add_gestures(add: Adding) -> None:
+    add_action = actions_of(add("gestures", "the library of gestures"))
+    check = add_action("check", "tell every mistake in gestures")
+    check.add_argument("paths", metavar="PATH", nargs="*", help="files or folders (default: the library in use)")
+    listing = add_action("list", "list them")
+    listing.add_argument("--json", action="store_true", help="as JSON")
+    show = add_action("show", "how one of them is written, and its times at each level of agitation")
+    show.add_argument("name", metavar="NAME", help="a gesture, a category, or a .gesture file")
+    render = add_action("render", "draw the key poses of one of them")
+    render.add_argument("name", metavar="NAME", type=InputFile, help="a gesture, a category, or a .gesture file")
+    add_output(render, "SHEET.png", "where the picture goes")
+    render.add_argument("--level", choices=[level.value for level in Level], default="medium", help="of agitation")
+    render.add_argument("--hand", choices=[hand.value for hand in Hand], help="which makes it (default: as written)")
+
+
+def add_characters(add: Adding) -> None:
+    add_action = actions_of(add("characters", "who can perform"))
+    add_action("list", "list them")
+    show = add_action("show", "show how one of them moves and looks")
+    show.add_argument("name", metavar="NAME")
+    render = add_action("render", "draw what they look like")
+    render.add_argument("names", metavar="NAME", nargs="*", help="who is drawn (default: all)")
+    add_output(render, "FILE.png", "where the picture goes")

@@ -1,0 +1,98 @@
+"""The arguments of the commands that take a line or a recording: `perform`, `realize` and the analyses."""
+
+from ..distinct_files import InputFile, OutputFile
+from ..files import STANDARD
+from .command import Adding
+from .shared import (
+    AUDIO_HELP,
+    MOTION_HELP,
+    add_agitation,
+    add_form,
+    add_functions,
+    add_line,
+    add_manner,
+    add_motion,
+    add_output,
+    add_reference,
+    add_stillness,
+    add_targets,
+)
+
+
+def add_perform(add: Adding) -> None:
+    parser = add("perform", "perform one line: audio and words in, BML out")
+    add_line(parser)
+    add_functions(parser)
+    parser.add_argument(
+        "--direction", metavar="FILE", type=InputFile, help="a director's notes: what the body should mean where, JSON"
+    )
+    add_output(parser, "OUT.bml", "where the BML goes, OUT.json: as JSON (default: standard output)", default=STANDARD)
+    add_manner(parser)
+    add_reference(parser)
+    parser.add_argument(
+        "--listener", metavar="NAME", action="append", default=[], help="who listens; his BML goes to OUT.NAME.bml"
+    )
+    add_form(parser)
+    parser.add_argument(
+        "--trace", metavar="FILE", type=OutputFile, help="write the whole performance as JSON: every reason"
+    )
+    parser.add_argument(
+        "--realize",
+        metavar="FILE",
+        type=OutputFile,
+        action="append",
+        default=[],
+        help=f"the motion itself: {MOTION_HELP}; repeatable",
+    )
+    add_motion(parser)
+
+
+def add_realize(add: Adding) -> None:
+    parser = add("realize", "BML in, motion out")
+    parser.add_argument(
+        "bml", metavar="FILE.bml", type=InputFile, help="BML 1.0 core or SmartBody's; - for standard input"
+    )
+    parser.add_argument(
+        "--audio", metavar="AUDIO", type=InputFile, help="the recording of its speech, for lips and words"
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="OUT",
+        type=OutputFile,
+        action="append",
+        required=True,
+        help=f"{MOTION_HELP}; repeatable",
+    )
+    parser.add_argument("--character", metavar="NAME", help="who moves (default: whom the BML names)")
+    add_agitation(parser)
+    parser.add_argument(
+        "--seed", type=int, help="another number chooses other variants (default: that of the performance, or 0)"
+    )
+    add_stillness(parser)
+    add_targets(parser)
+    add_motion(parser)
+
+
+def add_analyses(add: Adding) -> None:
+    analyze = add("analyze", "what a line says and does, as JSON, before any movement is chosen")
+    add_line(analyze)
+    add_functions(analyze)
+    add_agitation(analyze)
+    add_reference(analyze)
+    analyze.add_argument("--plot", metavar="FILE", type=OutputFile, help="draw it too, as PNG (needs the extra `plot`)")
+    align = add("align", "words and phones in time")
+    add_line(align)
+    align.add_argument("--format", choices=("json", "textgrid", "ctm"), default="json")
+    pitch = add("pitch", "pitch and energy every 10 ms")
+    pitch.add_argument("audio", metavar="AUDIO", type=InputFile, help=AUDIO_HELP)
+    pitch.add_argument("--format", choices=("csv",), default="csv")
+    agitation = add("agitation", "the speaker's agitation, one JSON line a file")
+    agitation.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="+", help=AUDIO_HELP)
+    add_reference(agitation)
+    reference = add("reference", "how a speaker usually sounds, for --reference")
+    spoken = "recordings of one speaker in his various moods"
+    reference.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="+", help=spoken)
+    add_output(reference, "REF.json", "where it goes (default: standard output)", default=STANDARD)
+    functions = add("functions", "what the words alone do; without --text, JSON lines in and out")
+    functions.add_argument("--text", help='the words; without it, lines of {"id", "text"} from standard input')

@@ -1,0 +1,1 @@
+"""What commands read: mistakes that are told before anything large is loaded."""

@@ -1,0 +1,1 @@
+"""What commands tell and draw: the picture of an analysis."""
