@@ -1,0 +1,137 @@
+"""Segments recurring movements, or intonation phrases, out of streams of features without labels (AHG §3.1, RTS §2.2).
+
+A hidden Markov model with parallel branches: each branch is a kind of phrase, a chain of states from left to right that
+takes at least a frame each (10: a third of a second at 30 frames a second). From the end of a branch a path enters any.
+Branches are learnt by segmenting with what is known and estimating anew from the segments. The source leaves open how
+it begins: here with clusters of stretches of a second. Staying and going on are equally likely, as are the branches.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import log
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..model import FloatArray
+from .correlation import canonical_correlation
+from .mixtures import drawn_apart
+from .semi_markov import IntArray, Segment
+
+STATES = 10
+"""N_g: states of a branch, and so the fewest frames of a phrase (AHG §3.1)."""
+
+STRETCH_FRAMES = 30
+LEAST_DEVIATION = 0.1
+"""Of the deviation over all frames."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ParallelBranches:
+    """`means` and `variances` of each branch's states (branches × states × features)."""
+
+    means: FloatArray
+    variances: FloatArray
+
+    def segment(self, features: FloatArray) -> list[Segment]:
+        """The likeliest phrases of a stream (frames × features); their states are branches. Only the first may begin,
+        and only the last may end, in the middle of a branch."""
+        entered, positions = self._aligned(features)
+        branches, frames = positions // self.means.shape[1], len(features)
+        bounds = [*np.flatnonzero(entered).tolist(), frames]
+        return [Segment(int(branches[start]), start, end - start) for start, end in pairwise(bounds)]
+
+    def _aligned(self, features: FloatArray) -> tuple[FloatArray, IntArray]:
+        """Whether each frame enters a branch, and its state, counted through the branches."""
+        branches, states, _ = self.means.shape
+        densities = self._log_densities(features).reshape(len(features), branches, states)
+        entry, step = log(0.5 / branches), log(0.5)
+        score, came_from = densities[0].copy(), np.zeros((len(features), branches, states), dtype=np.int32)
+        places = np.arange(branches * states, dtype=np.int32).reshape(branches, states)
+        for frame in range(1, len(features)):
+            before = np.empty_like(score)
+            before[:, 1:], origin = score[:, :-1] + step, places - 1
+            leaving = int(score[:, -1].argmax())
+            before[:, 0], origin[:, 0] = score[leaving, -1] + entry, places[leaving, -1]
+            stays = score + step >= before
+            came_from[frame] = np.where(stays, places, origin)
+            score = np.where(stays, score + step, before) + densities[frame]
+        return self._traced(int(score.argmax()), came_from.reshape(len(features), -1))
+
+    def _traced(self, last: int, came_from: NDArray[np.int32]) -> tuple[FloatArray, IntArray]:
+        states = self.means.shape[1]
+        positions = np.empty(len(came_from), dtype=np.intp)
+        for frame in range(len(came_from) - 1, -1, -1):
+            positions[frame] = last
+            last = int(came_from[frame, last])
+        entered = (positions % states == 0) & (np.diff(positions, prepend=-1) != 0)
+        entered[0] = True
+        return entered, positions
+
+    def _log_densities(self, features: FloatArray) -> FloatArray:
+        count = self.means.shape[2]
+        means, precisions = self.means.reshape(-1, count), 1 / self.variances.reshape(-1, count)
+        constants = -0.5 * (means**2 * precisions - np.log(precisions)).sum(axis=1)
+        densities: FloatArray = features @ (means * precisions).T - 0.5 * features**2 @ precisions.T + constants
+        return densities
+
+    def estimated(self, streams: Iterable[FloatArray]) -> "ParallelBranches":
+        """The branches anew, from the segments they make of streams; a state that holds no frame stays as it is."""
+        shape = self.means.shape
+        totals, sums = np.zeros(shape[0] * shape[1]), np.zeros((shape[0] * shape[1], shape[2]))
+        squares = np.zeros_like(sums)
+        for features in streams:
+            positions = self._aligned(features)[1]
+            totals += np.bincount(positions, minlength=len(totals))
+            np.add.at(sums, positions, features)
+            np.add.at(squares, positions, features**2)
+        held = totals[:, None] > 1
+        divided = np.maximum(totals, 1)[:, None]
+        means = np.where(held, sums / divided, self.means.reshape(-1, shape[2]))
+        variances = np.maximum(squares / divided - (sums / divided) ** 2, LEAST_DEVIATION**2)
+        variances = np.where(held, variances, self.variances.reshape(-1, shape[2]))
+        return ParallelBranches(means.reshape(shape), variances.reshape(shape))
+
+
+def learn_branches(streams: Sequence[FloatArray], branches: int, *, rounds: int = 8, seed: int = 0) -> ParallelBranches:
+    """Branches of streams (frames × features each, every feature about mean 0 and deviation 1)."""
+    stretches = np.stack([stretch for features in streams for stretch in _stretches(features)])
+    points = stretches.reshape(len(stretches), -1)
+    centres = drawn_apart(points, branches, np.random.default_rng(seed))
+    for _ in range(rounds):
+        distances = (points**2).sum(axis=1)[:, None] - 2 * points @ centres.T + (centres**2).sum(axis=1)
+        nearest = distances.argmin(axis=1)
+        held = np.unique(nearest)
+        centres[held] = [points[nearest == place].mean(axis=0) for place in held]
+    means = centres.reshape(branches, STATES, -1)
+    learnt = ParallelBranches(means, np.ones_like(means))
+    for _ in range(rounds):
+        learnt = learnt.estimated(streams)
+    return learnt
+
+
+def _stretches(features: FloatArray) -> list[FloatArray]:
+    """Stretches of a second, each as the means of as many parts as a branch has states (states × features)."""
+    part = STRETCH_FRAMES // STATES
+    whole = features[: len(features) // STRETCH_FRAMES * STRETCH_FRAMES]
+    return list(whole.reshape(-1, STATES, part, features.shape[1]).mean(axis=2))
+
+
+def cluster_correlation(angles: FloatArray, affect: FloatArray, labels: IntArray) -> FloatArray:
+    """The correlation of joint angles (frames × angles) with each affect (frames × affects) within clusters, the mean
+    over clusters weighed by frames (AHG §4.1, Fig. 3). Clusters too small to tell count as 0."""
+    total = np.zeros(affect.shape[1])
+    for label in np.unique(labels):
+        inside = labels == label
+        if inside.sum() > 2 * angles.shape[1]:
+            pairs = [canonical_correlation(angles[inside], affect[inside, place, None]) for place in range(len(total))]
+            total += inside.sum() * np.array(pairs)
+    return total / len(labels)
+
+
+def fewest_clusters(correlations: dict[int, FloatArray], whole: FloatArray) -> int:
+    """The fewest clusters that keep the correlation of the whole, on average over affects; failing that, those that
+    keep most of it (AHG §4.1)."""
+    enough = [clusters for clusters, kept in correlations.items() if kept.mean() >= whole.mean()]
+    return min(enough) if enough else max(correlations, key=lambda clusters: float(correlations[clusters].mean()))
