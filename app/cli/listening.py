@@ -62,7 +62,7 @@ def _on_port(address: Address, bound: Sequence[socket.socket]) -> Address:
 def _bound(family: socket.AddressFamily, address: Address) -> socket.socket | None:
     """None where the machine has no such address, as ::1 where IPv6 is off. Raises OSError."""
     try:
-        made = socket.socket(family, socket.SOCK_STREAM)
+        made = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # named, so that asyncio sets TCP_NODELAY
         made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         if family == socket.AF_INET6:
             made.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)

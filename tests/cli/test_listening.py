@@ -1,5 +1,6 @@
 """An address that cannot be listened on is told before anything is loaded."""
 
+import asyncio
 import os
 import socket
 import subprocess
@@ -36,6 +37,24 @@ def test_every_address_of_a_name_has_the_same_port() -> None:
         bound = [stack.enter_context(each) for each in bind("localhost", 0)]
         assert len({each.getsockname()[1] for each in bound}) == 1
         assert "127.0.0.1" in {each.getsockname()[0] for each in bound}
+
+
+def test_an_answer_in_two_writes_does_not_wait_for_the_client_to_acknowledge_the_first() -> None:
+    """Without TCP_NODELAY the second waits 40 ms (Nagle's algorithm and delayed acknowledgements)."""
+
+    async def accepted() -> int:
+        found: asyncio.Future[int] = asyncio.get_running_loop().create_future()
+
+        def on_client(_reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+            found.set_result(writer.get_extra_info("socket").getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY))
+            writer.close()
+
+        [bound] = bind("127.0.0.1", 0)
+        async with await asyncio.start_server(on_client, sock=bound):
+            with socket.create_connection(bound.getsockname()):
+                return await found
+
+    assert asyncio.run(accepted())
 
 
 @pytest.mark.parametrize("host", ["203.0.113.1", "no-such-host.invalid", "a" * 70, "256.1.1.1"])
