@@ -30,8 +30,8 @@ EVIDENCE = (
     "share of phones as short as can be",
     "spread of the log of durations",
 )
-WEIGHTS = (-0.1141, -0.0376, -0.0452, 6.688, -0.9222, 2.325, 10.6103)
-BIAS = -16.408
+WEIGHTS = (-0.1011, -0.0324, -0.0387, 6.0237, 0.4775, 5.1994, 12.3770)
+BIAS = -20.7708
 
 
 def misfit(phones: Sequence[DecodedPhone]) -> float:
