@@ -3,7 +3,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: perform test serve lock clean
+.PHONY: perform test test-clients serve lock client-types clean
 
 perform: .venv/installed
 	mkdir -p out
@@ -19,6 +19,10 @@ test: .venv/installed-test
 	$(BIN)/lint-imports
 	$(BIN)/understudy rules check
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n auto --maxprocesses 4 --dist loadfile -rs
+
+# The client and its example, with node, npm and chromium where they are; what is missing is said and skipped.
+test-clients: .venv/installed
+	clients/test.sh
 
 .venv/bin/python:
 	$(PYTHON) -c 'import sys; sys.exit(None if sys.version_info >= (3, 11) else "understudy needs Python 3.11 or newer")'
@@ -41,5 +45,9 @@ lock: .venv/installed-test
 	$(LOCK) --output-file requirements.lock pyproject.toml
 	$(LOCK) --extra test --constraint requirements.lock --output-file requirements-test.lock pyproject.toml
 
+# After a change of what the service takes or answers: the client's types are generated from it.
+client-types: .venv/installed
+	cd clients/typescript && npm ci --silent && UNDERSTUDY_PYTHON=../../$(BIN)/python node scripts/generate.js
+
 clean:
-	rm -rf .venv out dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache
+	rm -rf .venv out dist clients/typescript/dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache

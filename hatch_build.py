@@ -15,5 +15,5 @@ class WheelContents(BuildHookInterface[Any]):
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Adds the folders of a wheel to `build_data`; `version` is "standard" or "editable"."""
         if version == "standard":
-            folders = ("lexicon", "models", "examples")
-            build_data["force_include"] |= {name: f"understudy/{name}" for name in folders}
+            included = ("lexicon", "models", "examples/example.flac", "examples/example.txt")
+            build_data["force_include"] |= {name: f"understudy/{name}" for name in included}

@@ -1,8 +1,8 @@
-"""Clients generated from the OpenAPI document compile, and read what the service answers, later versions' too."""
+"""A Python client generated from the OpenAPI document reads what the service answers, later versions' answers too; the
+TypeScript client has tests of its own (clients/typescript/)."""
 
 import importlib.util
 import json
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -15,7 +15,6 @@ from understudy.performance import Line, Options, Understudy, perform, write_bml
 from understudy.schemas.responses import PerformResponse
 
 ROOT = Path(__file__).parents[3]
-TYPESCRIPT = ROOT / "tests" / "support" / "typescript"
 AUDIO = ROOT / "tests" / "audio" / "figure8.flac"
 
 
@@ -66,42 +65,3 @@ def test_python_models_read_answers_with_fields_that_are_new_to_them(
     assert [word.text for word in read.performance.words] == AUDIO.with_suffix(".txt").read_text("utf-8").split()
     unknown = {"type": "x", "title": "x", "status": 422, "code": "a_new_one", "detail": "x"}
     assert python.Problem.model_validate(unknown).code == "a_new_one"
-
-
-@pytest.fixture(scope="module")
-def tools(pytestconfig: pytest.Config) -> Path:
-    """The folder in which openapi-typescript and the compiler are installed, once for several runs."""
-    if not shutil.which("npm"):
-        pytest.skip("node with npm is not installed")
-    folder = pytestconfig.rootpath / ".pytest_cache" / "typescript"
-    lock = (TYPESCRIPT / "package-lock.json").read_bytes()
-    if (folder / "installed").exists() and (folder / "installed").read_bytes() == lock:
-        return folder
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in ("package.json", "package-lock.json"):
-        shutil.copy(TYPESCRIPT / name, folder)
-    try:
-        subprocess.run(["npm", "ci", "--no-audit"], cwd=folder, check=True, capture_output=True, timeout=240)
-    except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
-        pytest.skip("openapi-typescript and typescript cannot be installed from npm here")
-    (folder / "installed").write_bytes(lock)
-    return folder
-
-
-def test_a_typescript_client_compiles(tools: Path, document: Path) -> None:
-    folder, binaries = document.parent, tools / "node_modules" / ".bin"
-    subprocess.run(
-        [binaries / "openapi-typescript", document, "-o", folder / "api.d.ts"], check=True, capture_output=True
-    )
-    shutil.copy(TYPESCRIPT / "client.ts", folder)
-    compile_it = [
-        str(binaries / "tsc"),
-        "--strict",
-        "--noEmit",
-        "--noUncheckedIndexedAccess",
-        "--target",
-        "es2022",
-        "client.ts",
-    ]
-    done = subprocess.run(compile_it, cwd=folder, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout) == (0, "")
