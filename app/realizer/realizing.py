@@ -40,6 +40,9 @@ _DECIMALS = 6
 
 _NOTICEABLE_S = 0.02
 
+_LARGEST_SEED = 2**64 - 1
+"""NumPy's generators refuse negative ones."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Performer:
@@ -111,10 +114,12 @@ def realize(
     realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, seed: int = 0, tail_s: float = 0.0
 ) -> Motion:
     """The motion of a schedule, exactly as long as the schedule is, and `tail_s` more in which hands come to rest.
+    Any integer is a seed; those that differ by a multiple of 2⁶⁴ are the same.
 
     Raises InputError `value_wrong` for a tail that is not from 0 to 10.
     """
     check_tail(tail_s)
+    seed &= _LARGEST_SEED
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
     performer, style, lively = realizer.performer(schedule.character), realizer.style, 1 - schedule.stillness
     skeleton, leading = performer.skeleton, performer.leading

@@ -93,3 +93,10 @@ def test_a_tail_gives_hands_the_time_to_rest_and_a_cut_is_told(realized: Realize
 def test_a_tail_is_within_its_limits(realized: Realized, understudy: Understudy, tail_s: float) -> None:
     with pytest.raises(InputError, match="tail"):
         realize(understudy.realizer, realized.schedule, tail_s=tail_s)
+
+
+@pytest.mark.parametrize("seed", [-3, 5 - 2**70, 2**63 - 1])
+def test_any_integer_is_a_seed(realized: Realized, understudy: Understudy, seed: int) -> None:
+    one, other = (realize(understudy.realizer, realized.schedule, seed=each) for each in (seed, seed + 2**64))
+    assert np.array_equal(one.body.rotations, other.body.rotations)
+    assert np.array_equal(one.shapes, other.shapes)
