@@ -15,7 +15,7 @@ from ...figures import PLAIN, Hair, Legwear, Looks
 from ...model import FloatArray
 from ..body.motion import SHAPES
 from ..body.skeleton import SIDES, Skeleton, forward
-from ..geometry.rotations import rotate
+from ..geometry.rotations import length, rotate
 from . import head as mannequin_head
 from .body import drawn_capsules, garments_of, skinning_capsules
 from .carrying import carried, on_head, t_pose_m
@@ -157,21 +157,30 @@ def posed(mannequin: Mannequin, rotations: FloatArray, hips_m: FloatArray, shape
     """The surfaces in a pose: local `rotations` (J, 4), hip position `hips_m` (3,), blendshape weights `shapes`
     (52,)."""
     places, turns = forward(mannequin.skeleton, rotations, hips_m)
-    moves = places - rotate(turns, t_pose_m(mannequin.skeleton))
-    weight = dict(zip(SHAPES, shapes, strict=True))
-    return tuple(_posed(part, turns, moves, weight) for part in mannequin.parts)
-
-
-def _posed(part: Part, turns: FloatArray, moves: FloatArray, weight: Mapping[str, float]) -> Surface:
-    at = part.surface.positions_m + sum(
-        (weight[name] * shape for name, shape in part.shapes.items() if weight.get(name)), np.zeros(3)
-    )
+    moves, parts = places - rotate(turns, t_pose_m(mannequin.skeleton)), mannequin.parts
+    weight = {name: share for name, share in zip(SHAPES, shapes, strict=True) if share}
+    at = np.concatenate([_shaped(part, weight) for part in parts])
+    across = np.concatenate([part.surface.normals for part in parts])
+    joints, weights = (np.concatenate([getattr(part, name) for part in parts]) for name in ("joints", "weights"))
     positions, normals = np.zeros_like(at), np.zeros_like(at)
-    for k in range(INFLUENCES):
-        turn, share = turns[part.joints[:, k]], part.weights[:, k, None]
-        positions += share * (rotate(turn, at) + moves[part.joints[:, k]])
-        normals += share * rotate(turn, part.surface.normals)
-    return Surface(positions, normals / np.linalg.norm(normals, axis=-1, keepdims=True), part.surface.triangles)
+    for influence in range(INFLUENCES):
+        moved = np.flatnonzero(weights[:, influence])
+        joint, share = joints[moved, influence], weights[moved, influence, None]
+        positions[moved] += share * (rotate(turns[joint], at[moved]) + moves[joint])
+        normals[moved] += share * rotate(turns[joint], across[moved])
+    normals /= length(normals)
+    ends = np.cumsum([len(part.joints) for part in parts])[:-1]
+    split = zip(parts, np.split(positions, ends), np.split(normals, ends), strict=True)
+    return tuple(Surface(position, normal, part.surface.triangles) for part, position, normal in split)
+
+
+def _shaped(part: Part, weight: Mapping[str, float]) -> FloatArray:
+    """The part's vertices, displaced by the blendshapes that have a weight."""
+    moved = part.surface.positions_m.copy()
+    for name, shape in part.shapes.items():
+        if name in weight:
+            moved += weight[name] * shape
+    return moved
 
 
 def _closeness(surface: Surface, bones: tuple[Capsule, ...], skeleton: Skeleton, softness_m: float) -> FloatArray:

@@ -19,7 +19,7 @@ from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton, forward
 from ..geometry.rotations import rotate
 from ..mannequin.mannequin import Mannequin, posed
-from .rasterizer import Camera, ColouredMesh, draw
+from .rasterizer import Camera, ColouredMesh, draw, joined
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -114,7 +114,7 @@ def draw_stills(
 
 
 def draw_cells(
-    cells: list[FloatArray],
+    cells: list[NDArray[np.uint8]],
     stills: Sequence[Still],
     *,
     columns: int = COLUMNS,
@@ -122,7 +122,7 @@ def draw_cells(
 ) -> bytes:
     """Pictures of the stills beside each other with their captions, and below them the charts, as PNG."""
     columns = min(columns, len(stills))
-    blank = np.broadcast_to(BACKGROUND, cells[0].shape)
+    blank = np.broadcast_to(_display(BACKGROUND), cells[0].shape)
     cells = cells + [blank] * (-len(cells) % columns)
     rows = [np.concatenate(cells[k : k + columns], axis=1) for k in range(0, len(cells), columns)]
     return _lettered(np.concatenate(rows), stills, columns, charts)
@@ -130,26 +130,27 @@ def draw_cells(
 
 def cell(
     mannequin: Mannequin, still: Still, *, faces: bool, cameras: tuple[Camera, ...] = (FRONT, THREE_QUARTERS)
-) -> FloatArray:
-    """The views of one pose above each other, and space for the caption."""
+) -> NDArray[np.uint8]:
+    """The views of one pose above each other, and space for the caption, in display values."""
     hips_m = mannequin.skeleton.offsets_m[0] if still.hips_m is None else still.hips_m
     shapes = np.zeros(len(SHAPES)) if still.shapes is None else still.shapes
     surfaces = posed(mannequin, still.rotations, hips_m, shapes)
-    paints = tuple(
+    coloured = (
         ColouredMesh(
             each.positions_m,
             each.normals,
             each.triangles,
-            np.tile(mannequin.colours[part.material], (len(each.normals), 1)),
+            np.broadcast_to(mannequin.colours[part.material], each.normals.shape),
         )
         for part, each in zip(mannequin.parts, surfaces, strict=True)
     )
+    figure = joined(tuple(coloured))
     views = [(camera, BODY_HEIGHT) for camera in cameras]
     if faces:
         views.append((_face_camera(mannequin.skeleton, still, hips_m), FACE_HEIGHT))
-    pictures = [draw(paints, camera, height=height, width=CELL_WIDTH, ground=BACKGROUND) for camera, height in views]
-    caption = np.broadcast_to(BACKGROUND, (CAPTION_HEIGHT, CELL_WIDTH, 3))
-    return np.concatenate([*pictures, caption])
+    pictures = [draw(figure, camera, height=height, width=CELL_WIDTH, ground=BACKGROUND) for camera, height in views]
+    caption = np.broadcast_to(_display(BACKGROUND), (CAPTION_HEIGHT, CELL_WIDTH, 3))
+    return np.concatenate([*(_display(picture) for picture in pictures), caption])
 
 
 def _face_camera(skeleton: Skeleton, still: Still, hips_m: FloatArray) -> Camera:
@@ -161,7 +162,7 @@ def _face_camera(skeleton: Skeleton, still: Still, hips_m: FloatArray) -> Camera
 
 
 def _lettered(
-    picture: FloatArray, stills: Sequence[Still], columns: int, charts: Sequence[Callable[[Axes], None]]
+    picture: NDArray[np.uint8], stills: Sequence[Still], columns: int, charts: Sequence[Callable[[Axes], None]]
 ) -> bytes:
     """The picture with its captions, above the charts, as PNG."""
     from matplotlib.figure import Figure
@@ -180,7 +181,7 @@ def _lettered(
         chart(figure.add_axes((0.1, bottom / high, 0.88, (CHART_HEIGHT - CHART_MARGIN - 10) / high)))
     drawn = io.BytesIO()
     figure.savefig(drawn, format="rgba", dpi=DOTS_PER_INCH, facecolor="none")
-    return _png(_display(picture), np.frombuffer(drawn.getbuffer(), dtype=np.uint8).reshape(high, wide, 4))
+    return _png(picture, np.frombuffer(drawn.getbuffer(), dtype=np.uint8).reshape(high, wide, 4))
 
 
 def _png(picture: NDArray[np.uint8], drawn: NDArray[np.uint8]) -> bytes:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from understudy.realizer.pictures.rasterizer import Camera, ColouredMesh, draw
+from understudy.realizer.pictures.rasterizer import Camera, ColouredMesh, draw, joined
 
 BLACK = np.zeros(3)
 RED, GREEN = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
@@ -18,7 +18,7 @@ def square(centre: tuple[float, float, float], half_m: float, colour: np.ndarray
 
 
 def test_a_square_covers_its_part_of_the_picture() -> None:
-    picture = draw((square((0.5, 0.5, 0.0), 0.5, RED),), AHEAD, height=40, width=40, ground=BLACK)
+    picture = draw(square((0.5, 0.5, 0.0), 0.5, RED), AHEAD, height=40, width=40, ground=BLACK)
     covered = picture[..., 0] > 0
     assert covered[:20, 20:].all()
     assert covered.sum() == 400
@@ -27,7 +27,7 @@ def test_a_square_covers_its_part_of_the_picture() -> None:
 def test_the_nearer_square_hides_the_farther_whatever_their_order() -> None:
     near, far = square((0.0, 0.0, 0.5), 0.4, RED), square((0.0, 0.0, -0.5), 0.8, GREEN)
     for paints in ((near, far), (far, near)):
-        picture = draw(paints, AHEAD, height=40, width=40, ground=BLACK)
+        picture = draw(joined(paints), AHEAD, height=40, width=40, ground=BLACK)
         assert picture[20, 20, 0] > 0
         assert picture[20, 20, 1] == 0
         assert picture[20, 6, 1] > 0
@@ -35,11 +35,11 @@ def test_the_nearer_square_hides_the_farther_whatever_their_order() -> None:
 
 def test_what_faces_away_or_lies_outside_is_not_drawn() -> None:
     behind = Camera((0.0, 0.0, 0.0), span_m=2.0, azimuth=np.pi)
-    assert not draw((square((0, 0, 0), 0.5, RED),), behind, height=20, width=20, ground=BLACK).any()
-    assert not draw((square((9, 0, 0), 0.5, RED),), AHEAD, height=20, width=20, ground=BLACK).any()
+    assert not draw(square((0, 0, 0), 0.5, RED), behind, height=20, width=20, ground=BLACK).any()
+    assert not draw(square((9, 0, 0), 0.5, RED), AHEAD, height=20, width=20, ground=BLACK).any()
 
 
 def test_a_square_to_the_characters_left_is_on_the_right_of_its_front() -> None:
-    picture = draw((square((0.6, 0, 0), 0.2, RED),), AHEAD, height=20, width=20, ground=BLACK)
+    picture = draw(square((0.6, 0, 0), 0.2, RED), AHEAD, height=20, width=20, ground=BLACK)
     assert picture[10, 16, 0] > 0
     assert not picture[:, :10].any()
