@@ -1,0 +1,30 @@
+"""What is wrong in an annotation: every mistake of all files at once, each with its file, time and track."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from ...errors import InputError
+
+
+@dataclass(frozen=True, slots=True)
+class AnnotationMistake:
+    """A mistake on a track; `time_s` is None where it concerns the whole track, `track` empty for the whole file."""
+
+    path: Path
+    message: str
+    track: str = ""
+    time_s: float | None = None
+
+    def __str__(self) -> str:
+        track = f" {self.track}" if self.track else ""
+        time = "" if self.time_s is None else f" at {self.time_s:.3f} s"
+        return f"{self.path}:{track}{time}: {self.message}"
+
+
+class AnnotationError(InputError):
+    """Files of annotation that do not hold together: `mistakes` has every one."""
+
+    def __init__(self, mistakes: Iterable[AnnotationMistake]) -> None:
+        self.mistakes = tuple(mistakes)
+        super().__init__("annotation_wrong", "\n".join(map(str, self.mistakes)), field="annotation")

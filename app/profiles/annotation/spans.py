@@ -1,0 +1,198 @@
+"""The spans of a track as values: what they say is checked word by word, and every mistake is kept with its time."""
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from enum import StrEnum
+from pathlib import Path
+from typing import TypeVar
+
+from ...model import Hand, Interval, Word
+from ...yaml_files import did_you_mean
+from .mistakes import AnnotationMistake
+from .model import Labelled, PathForm, PhaseKind, Position, Swivel, TaggedWords
+from .tracks import PHRASE_ATTRIBUTES, Span, Track
+
+SIDEWAYS = ("XEP", "XP", "XC", "XCC", "XOppC", "XOppP", "XOppEP")
+HEIGHTS = ("YUpperEP", "YUpperP", "YUpperC", "YCC", "YLowerC", "YLowerP", "YLowerEP")
+DEPTHS = ("ZNear", "ZMiddle", "ZFar")
+"""The sectors of gesture space as the gesture language names them (docs/gesture-language.md), from near the own side,
+from above, and from the body on."""
+
+HANDS: Mapping[str, Hand] = {
+    "rh": Hand.RIGHT,
+    "right": Hand.RIGHT,
+    "lh": Hand.LEFT,
+    "left": Hand.LEFT,
+    "2h": Hand.BOTH,
+    "both": Hand.BOTH,
+}
+PHASES: Mapping[str, PhaseKind] = {
+    **{kind.value: kind for kind in PhaseKind},
+    "prep": PhaseKind.PREPARATION,
+    "retract": PhaseKind.RETRACTION,
+    "indep._hold": PhaseKind.INDEPENDENT_HOLD,
+    "independent_hold": PhaseKind.INDEPENDENT_HOLD,
+    "post-stroke_hold": PhaseKind.HOLD,
+    "pre-stroke_hold": PhaseKind.HOLD,
+}
+TOUCHING_S = 0.02
+"""By how much spans may overlap or stick out, as half a frame of video does."""
+
+_LEXEME = re.compile(r"[A-Z][A-Z0-9_]*")
+_WORDS = re.compile(r"(\d+)(?:\s*-\s*(\d+))?")
+Named = TypeVar("Named", bound=StrEnum)
+
+
+@dataclass(slots=True)
+class Checking:
+    """A file as it is checked: its mistakes so far, its timed words, and the lexemes that can be played (None: any)."""
+
+    path: Path
+    lexemes: Collection[str] | None = None
+    words: tuple[Word, ...] = ()
+    mistakes: list[AnnotationMistake] = field(default_factory=list)
+
+    def wrong(self, track: str, time_s: float | None, message: str) -> None:
+        """Notes a mistake."""
+        self.mistakes.append(AnnotationMistake(self.path, message, track, time_s))
+
+    def words_in(self, start_s: float, end_s: float) -> tuple[int, int] | None:
+        """The first and last word that a stretch of time touches."""
+        inside = [
+            word.index
+            for word in self.words
+            if word.interval and word.interval.start_s < end_s and word.interval.end_s > start_s
+        ]
+        return (inside[0], inside[-1]) if inside else None
+
+
+def checked_times(track: Track, checking: Checking, *, overlapping: bool = False) -> Iterator[Span]:
+    """The spans that last, in order; those before 0, without duration or over the one before are mistakes."""
+    last: Span | None = None
+    for span in track.spans:
+        if span.start_s < 0 or span.end_s <= span.start_s:
+            checking.wrong(
+                track.name, span.start_s, f"ends at {span.end_s:.3f} s; a span starts at 0 or later, ends later"
+            )
+            continue
+        if last is not None and not overlapping and span.start_s < last.end_s - TOUCHING_S:
+            checking.wrong(track.name, span.start_s, f"overlaps {last.label!r}, which ends at {last.end_s:.3f} s")
+        yield span
+        last = span
+
+
+def words_of(track: Track, checking: Checking) -> tuple[Word, ...]:
+    """The words of a track, numbered; spans without a label are silence."""
+    spans = [span for span in checked_times(track, checking) if span.label]
+    return tuple(Word(number, span.label, Interval(span.start_s, span.end_s)) for number, span in enumerate(spans))
+
+
+def tags_of(track: Track, checking: Checking) -> Iterator[TaggedWords]:
+    """The tags of a track, on the words in their time; tags may overlap."""
+    for span in checked_times(track, checking, overlapping=True):
+        words = checking.words_in(span.start_s + TOUCHING_S, span.end_s - TOUCHING_S)
+        if words is None:
+            checking.wrong(track.name, span.start_s, f"no word is said in the time of the tag {span.label!r}")
+        elif span.label:
+            yield TaggedWords(span.label, *words)
+
+
+def labelled_of(track: Track, checking: Checking) -> tuple[Labelled, ...]:
+    """The spans with their labels."""
+    return tuple(Labelled(Interval(span.start_s, span.end_s), span.label) for span in checked_times(track, checking))
+
+
+def phase_kind(span: Span, checking: Checking) -> PhaseKind | None:
+    """The kind of a phase."""
+    name = span.label.strip().lower().replace(" ", "_")
+    if name not in PHASES:
+        checking.wrong("phases", span.start_s, f"no phase is called {span.label!r}{did_you_mean(name, PHASES)}")
+    return PHASES.get(name)
+
+
+def lexeme_of(span: Span, checking: Checking) -> str:
+    """The lexeme of a phrase, which the library must be able to play."""
+    lexeme = (span.label or span.attributes.get("lexeme", "")).strip().upper().replace(" ", "_").replace("-", "_")
+    if not _LEXEME.fullmatch(lexeme):
+        checking.wrong("phrases", span.start_s, f"{span.label!r} is no lexeme: letters, digits and _, a letter first")
+    elif checking.lexemes is not None and lexeme not in checking.lexemes:
+        close = get_close_matches(lexeme, sorted(checking.lexemes), n=1)
+        hint = f"; did you mean {close[0]!r}?" if close else ""
+        checking.wrong("phrases", span.start_s, f"the library has no gesture {lexeme!r}{hint}")
+    return lexeme
+
+
+def unknown_attributes(span: Span, checking: Checking) -> None:
+    """Notes what a phrase says that is no attribute of a phrase."""
+    for name in span.attributes.keys() - PHRASE_ATTRIBUTES:
+        told = f"a phrase has no attribute {name!r}{did_you_mean(name, PHRASE_ATTRIBUTES)}"
+        checking.wrong("phrases", span.start_s, told)
+
+
+def hand_of(span: Span, checking: Checking) -> Hand:
+    """The hand of a phrase, which must be said."""
+    said = span.attributes.get("hand", "").strip().lower()
+    if said not in HANDS:
+        checking.wrong("phrases", span.start_s, f"hand {said!r}; give RH, LH or 2H")
+    return HANDS.get(said, Hand.RIGHT)
+
+
+def path_of(span: Span, checking: Checking) -> PathForm:
+    """The form of the stroke's way; straight where nothing is said."""
+    said = span.attributes.get("path", PathForm.STRAIGHT).strip().lower()
+    if said not in set(PathForm):
+        checking.wrong("phrases", span.start_s, f"path {said!r}; give straight or curved")
+        return PathForm.STRAIGHT
+    return PathForm(said)
+
+
+def position_of(span: Span, name: str, checking: Checking) -> Position | None:
+    """Where the hand is at the start (`from`) or end (`to`) of the stroke; None where nothing is said."""
+    said = span.attributes.get(name, "").split()
+    if not said:
+        return None
+    parts = [next((each for each in known if each in said), None) for known in (SIDEWAYS, HEIGHTS, DEPTHS)]
+    swivel = next((each for each in Swivel if each in said), Swivel.NORMAL)
+    extra = [word for word in said if word not in {*parts, *Swivel}]
+    if None in parts or extra:
+        told = f"{name} {' '.join(said)!r}; give a sector across, in height and away, such as 'XC YCC ZMiddle normal'"
+        checking.wrong("phrases", span.start_s, told)
+        return None
+    sideways, height, depth = map(str, parts)
+    return Position(sideways, height, depth, swivel)
+
+
+def affiliate_of(span: Span, checking: Checking) -> tuple[int, int] | None:
+    """The words that a phrase means: their numbers (`3`, `3-4`), or the words themselves, those nearest to it in time;
+    None where nothing is said."""
+    said = span.attributes.get("affiliate", "").strip()
+    if not said:
+        return None
+    numbers = _WORDS.fullmatch(said)
+    found = (
+        (int(numbers[1]), int(numbers[2] or numbers[1])) if numbers else _nearest(said.split(), span, checking.words)
+    )
+    if found is None or not found[0] <= found[1] < len(checking.words):
+        checking.wrong("phrases", span.start_s, f"affiliate {said!r}: there are no such words")
+        return None
+    return found
+
+
+def _nearest(said: Sequence[str], span: Span, words: Sequence[Word]) -> tuple[int, int] | None:
+    texts = [_bare(word.text) for word in words]
+    wanted = [_bare(each) for each in said]
+    starts = [first for first in range(len(texts)) if texts[first : first + len(wanted)] == wanted]
+    if not starts:
+        return None
+    first = min(starts, key=lambda each: abs(_start_s(words[each]) - span.middle_s))
+    return first, first + len(wanted) - 1
+
+
+def _start_s(word: Word) -> float:
+    return word.interval.start_s if word.interval else 0.0
+
+
+def _bare(text: str) -> str:
+    return "".join(character for character in text.lower() if character.isalnum())

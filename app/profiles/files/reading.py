@@ -1,0 +1,146 @@
+"""Reads a profile from the YAML that people edit: every mistake at once, with file, line and column."""
+
+from collections.abc import Collection, Iterator, Mapping
+from pathlib import Path
+from types import MappingProxyType
+
+from ...errors import AuthoringError
+from ...yaml_files import Source, did_you_mean
+from ..annotation.model import Position, Swivel
+from ..annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
+from ..profile import (
+    ANY_TAG,
+    FormHabit,
+    HeadHabit,
+    Lead,
+    LexemeHabit,
+    Occurrence,
+    PhaseHabit,
+    Profile,
+    RestHabit,
+    Smoothing,
+    Spread,
+    TagHabit,
+    UnitHabit,
+)
+from .schema import LexemeForm, OccurrenceForm, ProfileForm
+
+ROUNDING = 0.02
+"""By how much probabilities of three digits may sum to more than 1."""
+
+RESTS = ("clasped", "at_side", "in_pockets", "folded", "behind_back", "on_hips", "open")
+"""The poses in which hands rest (docs/realizer-arms.md)."""
+
+
+def read_profile(path: Path, lexemes: Collection[str] | None = None) -> Profile:
+    """The profile in a file, its name that of the file; `lexemes` are those that can be played (None: any).
+
+    Raises AuthoringError with every mistake at its place.
+    """
+    source = Source(path)
+    form = source.validated(ProfileForm)
+    mistakes = tuple(source.mistake(place, message) for place, message in _mistakes(form, lexemes))
+    if mistakes:
+        raise AuthoringError(mistakes)
+    return _profile(form, path.stem)
+
+
+_Place = tuple[str | int, ...]
+
+
+def _mistakes(form: ProfileForm, lexemes: Collection[str] | None) -> Iterator[tuple[_Place, str]]:
+    for name in form.lexemes:
+        if lexemes is not None and name not in lexemes:
+            yield ("lexemes", name), f"the library has no gesture {name!r}{did_you_mean(name, lexemes)}"
+    if ANY_TAG not in form.tags:
+        yield ("tags",), f"the tag {ANY_TAG!r} is missing: it says what comes with tags that are not here"
+    for place, shares in _distributions(form):
+        if sum(shares.values()) > 1 + ROUNDING:
+            yield place, f"the shares sum to {sum(shares.values()):.3f}; give 1 at most"
+    for place in _gestures(form):
+        if place[-1] not in form.lexemes:
+            hint = did_you_mean(str(place[-1]), form.lexemes)
+            yield place, f"{place[-1]} is not among the lexemes of this profile{hint}"
+    for distance in ("near", "medium", "far"):
+        rest = getattr(form.rests, distance)
+        if rest not in RESTS:
+            yield ("rests", distance), f"hands do not rest {rest!r}{did_you_mean(rest, RESTS)}"
+    yield from _places(form)
+
+
+def _gestures(form: ProfileForm) -> Iterator[_Place]:
+    """Where lexemes are named besides their own table."""
+    for tag, habit in form.tags.items():
+        yield from (("tags", tag, "gestures", lexeme) for lexeme in habit.gestures)
+    for name, row in form.follows.items():
+        yield from (("follows", name, lexeme) for lexeme in row)
+
+
+def _places(form: ProfileForm) -> Iterator[tuple[_Place, str]]:
+    for number, occurrence in enumerate(form.database):
+        for key, said in (("from", occurrence.start), ("to", occurrence.end)):
+            if _position(said) is None:
+                told = f"{said!r}: give a sector across, in height and away, such as 'XC YCC ZMiddle normal'"
+                yield ("database", number, key), told
+
+
+def _distributions(form: ProfileForm) -> Iterator[tuple[_Place, Mapping[str, float]]]:
+    for tag, habit in form.tags.items():
+        yield ("tags", tag, "gestures"), habit.gestures
+    for name, row in form.follows.items():
+        yield ("follows", name), row
+    for name, hands in form.hand_follows.items():
+        yield ("hand_follows", name), {hand.value: share for hand, share in hands.items()}
+    for name, lexeme in form.lexemes.items():
+        yield ("lexemes", name, "hands"), {hand.value: share for hand, share in lexeme.hands.items()}
+
+
+def _position(said: str) -> Position | None:
+    parts = said.split()
+    if len(parts) not in (3, 4) or parts[0] not in SIDEWAYS or parts[1] not in HEIGHTS or parts[2] not in DEPTHS:
+        return None
+    if len(parts) == 4 and parts[3] not in set(Swivel):
+        return None
+    return Position(parts[0], parts[1], parts[2], Swivel(parts[3]) if len(parts) == 4 else Swivel.NORMAL)
+
+
+def _profile(form: ProfileForm, name: str) -> Profile:
+    return Profile(
+        name=name,
+        description=form.description,
+        annotated_s=form.annotated_s,
+        gestures=form.gestures,
+        gestures_per_minute=form.gestures_per_minute,
+        tags=MappingProxyType({tag: TagHabit(each.occurrences, each.gestures) for tag, each in form.tags.items()}),
+        lexemes=MappingProxyType({lexeme: _lexeme(each) for lexeme, each in form.lexemes.items()}),
+        follows=MappingProxyType(form.follows),
+        hand_follows=MappingProxyType(form.hand_follows),
+        units=UnitHabit(form.units.merge_within_s, form.units.sizes),
+        phases=PhaseHabit(
+            preparation_s=Spread(*form.phases.preparation_s),
+            hold_s=Spread(*form.phases.hold_s),
+            retraction_s=Spread(*form.phases.retraction_s),
+            after_stroke_s=Spread(*form.phases.after_stroke_s),
+        ),
+        smoothing=Smoothing(**form.smoothing.model_dump()),
+        rests=RestHabit(**form.rests.model_dump()),
+        head=HeadHabit(**form.head.model_dump()),
+        forms=MappingProxyType({lexeme: _form(each) for lexeme, each in form.lexemes.items()}),
+        database=tuple(map(_occurrence, form.database)),
+        lead=Lead(form.lead_s.main, form.lead_s.after),
+    )
+
+
+def _lexeme(form: LexemeForm) -> LexemeHabit:
+    return LexemeHabit(form.share, form.hands, Spread(*form.strokes), Spread(*form.offset_s), form.held)
+
+
+def _form(form: LexemeForm) -> FormHabit:
+    return FormHabit(form.size, form.after_stroke, form.after_size, form.hand, form.palm)
+
+
+def _occurrence(form: OccurrenceForm) -> Occurrence:
+    start, end = _position(form.start), _position(form.end)
+    assert start is not None, "checked before"
+    assert end is not None, "checked before"
+    return Occurrence(form.lexeme, form.hand, start, end, form.path)

@@ -1,0 +1,73 @@
+"""A speaker's profile from annotations (NGS §3.2), and what of it is ours.
+
+The paper has the counts: P(g∣s) over affiliates, bigrams of lexemes and of hands, P(hand∣g), a lexeme's strokes and
+distance to its word, the rate. Ours are the smoothing (`tables`), that a rare lexeme's means are drawn to the speaker's
+own, and that the distance which parts units is the speaker's, at which the paper hints.
+"""
+
+from collections import Counter
+from collections.abc import Sequence
+
+from ...errors import InputError
+from ...model import Hand
+from ..annotation.model import Annotation
+from ..probabilities import shares_of
+from ..profile import FIRST, Profile, Smoothing
+from .habits import (
+    database_of,
+    form_habits,
+    head_habit,
+    lexeme_habits,
+    phase_habit,
+    rest_habit,
+    unit_habit,
+)
+from .observations import all_of, spoken_s
+from .tables import rows_of, tag_table
+
+FEWEST_GESTURES = 10
+"""With fewer there is no habit to speak of."""
+
+
+def learn(annotations: Sequence[Annotation], name: str, description: str = "") -> Profile:
+    """The profile of the one speaker of these annotations, whose tags are known.
+
+    Raises InputError `too_few_gestures`.
+    """
+    gestures, tags = all_of(annotations)
+    if len(gestures) < FEWEST_GESTURES:
+        message = f"{len(gestures)} gestures are annotated; a profile is learnt from {FEWEST_GESTURES} or more"
+        raise InputError("too_few_gestures", message, field="annotation")
+    seconds = sum(map(spoken_s, annotations))
+    hand_counts = Counter(each.phrase.hand for each in gestures)
+    hand_share = shares_of({hand: hand_counts[hand] + 1.0 for hand in Hand})
+    lexeme_share = shares_of(Counter(each.phrase.lexeme for each in gestures))
+    table = tag_table(tags)
+    follows = rows_of([(each.before, each.phrase.lexeme) for each in gestures], lexeme_share)
+    hands = rows_of([(each.phrase.lexeme, each.phrase.hand) for each in gestures], hand_share)
+    hand_follows = rows_of([(each.hand_before or FIRST, each.phrase.hand) for each in gestures], hand_share)
+    return Profile(
+        name=name,
+        description=description or f"Learnt from {len(gestures)} gestures in {seconds / 60:.1f} minutes of speech.",
+        annotated_s=seconds,
+        gestures=len(gestures),
+        gestures_per_minute=60 * len(gestures) / seconds,
+        tags=table.tags,
+        lexemes=lexeme_habits(gestures, hands.rows),
+        follows=follows.rows,
+        hand_follows=hand_follows.rows,
+        units=unit_habit(annotations, gestures),
+        phases=phase_habit(annotations),
+        smoothing=Smoothing(
+            tags=table.strength,
+            sequence=follows.strength,
+            hands=hands.strength,
+            hand_sequence=hand_follows.strength,
+            held_out=table.held_out,
+            blind=table.blind,
+        ),
+        rests=rest_habit(annotations),
+        head=head_habit(annotations, seconds),
+        forms=form_habits(gestures),
+        database=database_of(gestures),
+    )

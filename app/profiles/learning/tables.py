@@ -1,0 +1,117 @@
+"""The tables of a profile: what comes with a tag, what follows what; each smoothed by a prior whose strength held-out
+data choose (`understudy.profiles.probabilities`).
+
+A tag is smoothed by its class and a class by all tags; what follows a lexeme, and which hand makes it, by what is made
+at all. Every fifth observation is held out in turn.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Generic, TypeVar
+
+from ..probabilities import chosen_strength, folds_of, log_probability, shares_of, smoothed
+from ..profile import ANY_TAG, TagHabit
+from .observations import NONE, ObservedTag, level_tags
+
+Second = TypeVar("Second", bound=str)
+
+FEWEST_SEEN = 3
+"""A tag that was met less often goes by its class."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rows(Generic[Second]):
+    """P(second∣first) by first, the strength of its prior, and the held-out log-likelihood, nats a pair."""
+
+    rows: Mapping[str, Mapping[Second, float]]
+    strength: float
+    held_out: float
+
+
+@dataclass(frozen=True, slots=True)
+class TagTable:
+    """What comes with each tag, the strength of its prior, and the held-out log-likelihood, nats a tag; `blind` is that
+    of a table which does not tell tags apart."""
+
+    tags: Mapping[str, TagHabit]
+    strength: float
+    held_out: float
+    blind: float
+
+
+def rows_of(pairs: Sequence[tuple[str, Second]], prior: Mapping[Second, float]) -> Rows[Second]:
+    """What follows what in `pairs`, smoothed by `prior`."""
+    strength, held_out = chosen_strength(partial(_pair_likelihood, pairs, prior))
+    return Rows(_rows(pairs, prior, strength), strength, held_out)
+
+
+def tag_table(tags: Sequence[ObservedTag]) -> TagTable:
+    """What came with the tags."""
+    strength, held_out = chosen_strength(partial(_tag_likelihood, tags))
+    counts = _counts(tags)
+    habits = {tag: _habit(counts, tag, strength) for tag in sorted(counts) if _is_kept(counts, tag)}
+    blind = [ObservedTag(ANY_TAG, each.outcome) for each in tags]
+    return TagTable(habits, strength, held_out, _tag_likelihood(blind, strength))
+
+
+def _rows(
+    pairs: Iterable[tuple[str, Second]], prior: Mapping[Second, float], strength: float
+) -> dict[str, Mapping[Second, float]]:
+    counts: dict[str, Counter[Second]] = {}
+    for first, second in pairs:
+        counts.setdefault(first, Counter())[second] += 1
+    return {first: smoothed(counts[first], prior, strength) for first in sorted(counts)}
+
+
+def _pair_likelihood(pairs: Sequence[tuple[str, Second]], prior: Mapping[Second, float], strength: float) -> float:
+    likely: list[float] = []
+    for fitted, held_out in folds_of(pairs):
+        rows = _rows(fitted, prior, strength)
+        likely += (log_probability(rows.get(first, prior), second) for first, second in held_out)
+    return sum(likely) / len(likely) if likely else 0.0
+
+
+def _counts(tags: Iterable[ObservedTag]) -> dict[str, dict[str, float]]:
+    """What came with each tag, each class and any, none included."""
+    counts: dict[str, dict[str, float]] = {}
+    for each in tags:
+        for level in level_tags(each.tag):
+            row = counts.setdefault(level, {})
+            for lexeme, share in each.outcome.items():
+                row[lexeme] = row.get(lexeme, 0.0) + share
+    return counts
+
+
+def _is_kept(counts: Mapping[str, Mapping[str, float]], tag: str) -> bool:
+    return tag == ANY_TAG or sum(counts[tag].values()) >= FEWEST_SEEN
+
+
+def _habit(counts: Mapping[str, Mapping[str, float]], tag: str, strength: float) -> TagHabit:
+    outcomes = _outcomes(counts, tag, strength)
+    return TagHabit(
+        occurrences=round(sum(counts[tag].values())),
+        lexemes={lexeme: share for lexeme, share in outcomes.items() if lexeme != NONE},
+    )
+
+
+def _outcomes(counts: Mapping[str, Mapping[str, float]], tag: str, strength: float) -> Mapping[str, float]:
+    """P(outcome∣tag)."""
+    found = shares_of(counts.get(ANY_TAG, {}))
+    for level in reversed(level_tags(tag)[:-1]):
+        found = smoothed(counts.get(level, {}), found, strength)
+    return found
+
+
+def _tag_likelihood(tags: Sequence[ObservedTag], strength: float) -> float:
+    likely: list[float] = []
+    for fitted, held_out in folds_of(tags):
+        counts = _counts(fitted)
+        outcomes = {tag: _outcomes(counts, tag, strength) for tag in {each.tag for each in held_out}}
+        likely += (_outcome_likelihood(outcomes[each.tag], each.outcome) for each in held_out)
+    return sum(likely) / len(likely) if likely else 0.0
+
+
+def _outcome_likelihood(outcomes: Mapping[str, float], seen: Mapping[str, float]) -> float:
+    return sum(share * log_probability(outcomes, name) for name, share in seen.items() if share)

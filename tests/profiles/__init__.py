@@ -1,0 +1,1 @@
+"""Speakers' profiles: annotations in, profiles learnt, mixed and written. Imports `understudy.profiles`."""

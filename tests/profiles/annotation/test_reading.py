@@ -1,0 +1,169 @@
+"""Annotations of every format: the same marks read the same, and every mistake is told with file, track and time."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from tests.support.annotations import SPARING, SWEEPING, small_tracks
+from understudy.errors import UnsupportedFormatError
+from understudy.model import Hand
+from understudy.profiles.annotation.elan import write_elan
+from understudy.profiles.annotation.mistakes import AnnotationError
+from understudy.profiles.annotation.model import PathForm, Position, Swivel
+from understudy.profiles.annotation.reading import annotation_of, read_annotations
+from understudy.profiles.annotation.tables import write_json_tracks
+from understudy.profiles.annotation.tracks import Span, Track, rows_of, with_attribute_tracks
+
+ANVIL = """<?xml version="1.0" encoding="UTF-8"?>
+<annotation><head/><body>
+<track name="speech.words" type="primary">
+ <el index="0" start="0.5" end="0.9"><attribute name="token">never</attribute></el>
+ <el index="1" start="0.9" end="1.3"><attribute name="token">mind</attribute></el>
+</track>
+<track name="gesture.phase" type="primary">
+ <el index="0" start="0.3" end="0.6"><attribute name="type">prep</attribute></el>
+ <el index="1" start="0.6" end="0.9"><attribute name="type">stroke</attribute></el>
+ <el index="2" start="0.9" end="1.2"><attribute name="type">retract</attribute></el>
+</track>
+<track name="gesture.phrase" type="span" ref="gesture.phase">
+ <el index="0" start="0" end="1"><attribute name="lexeme">negation</attribute><attribute name="hand">RH</attribute>
+  <attribute name="affiliate"><value-link ref-track="speech.words" ref-index="0"/></attribute></el>
+</track>
+<track name="gesture.unit" type="span" ref="gesture.phase"><el index="0" start="0" end="2"/></track>
+</body></annotation>"""
+
+
+def _textgrid(tracks: list[Track]) -> str:
+    lines = ['File type = "ooTextFile"', 'Object class = "TextGrid"', "", "xmin = 0", "xmax = 3", "tiers? <exists>"]
+    lines += [f"size = {len(tracks)}", "item []:"]
+    for number, track in enumerate(tracks, start=1):
+        head = [f"    item [{number}]:", '        class = "IntervalTier"', f'        name = "{track.name}"']
+        lines += [*head, "        xmin = 0", "        xmax = 3", f"        intervals: size = {len(track.spans)}"]
+        for place, span in enumerate(track.spans, start=1):
+            lines += [f"        intervals [{place}]:", f"            xmin = {span.start_s}"]
+            lines += [f"            xmax = {span.end_s}", f'            text = "{span.label}"']
+    return "\n".join(lines) + "\n"
+
+
+def _csv(tracks: list[Track]) -> str:
+    names = ("hand", "path", "from", "to", "affiliate")
+    rows = [",".join(("track", "start_s", "end_s", "label", *names))]
+    for track in tracks:
+        for span in track.spans:
+            said = (span.attributes.get(name, "") for name in names)
+            rows.append(",".join((track.name, f"{span.start_s}", f"{span.end_s}", span.label, *said)))
+    return "\n".join(rows) + "\n"
+
+
+def test_every_format_reads_the_same(tmp_path: Path) -> None:
+    tracks = list(small_tracks().values())
+    rows = [row for track in with_attribute_tracks(tracks) for row in rows_of(track)]
+    (tmp_path / "a.eaf").write_bytes(write_elan(rows))
+    (tmp_path / "a.json").write_bytes(write_json_tracks(tracks))
+    (tmp_path / "a.csv").write_text(_csv(tracks), encoding="utf-8")
+    (tmp_path / "a.TextGrid").write_text(_textgrid(rows), encoding="utf-8")
+    wanted = annotation_of(tracks, Path("x"))
+    for name in ("a.eaf", "a.json", "a.csv", "a.TextGrid"):
+        [found] = read_annotations([tmp_path / name])
+        assert replace(found, path=wanted.path) == wanted, name
+
+
+def test_what_was_marked_is_there() -> None:
+    annotation = annotation_of(small_tracks().values(), Path("x"))
+    me, no, you = annotation.phrases
+    assert (me.lexeme, me.hand, len(me.strokes), me.affiliate) == ("ME", Hand.RIGHT, 2, (0, 0))
+    assert me.start == Position("XP", "YCC", "ZMiddle", Swivel.OUT)
+    assert (no.hand, no.path, no.affiliate) == (Hand.BOTH, PathForm.CURVED, (1, 1))
+    assert (you.hand, you.affiliate) == (Hand.LEFT, (4, 5))
+    assert [len(unit.phrases) for unit in annotation.units] == [2, 1]
+    assert [unit.rest for unit in annotation.units] == ["clasped", "at_side"]
+    assert annotation.segments == ((0, 5),)
+    assert [(each.tag, each.first) for each in annotation.tags or ()] == [
+        ("deixis.self", 0),
+        ("negation", 1),
+        ("deixis.addressee", 4),
+    ]
+
+
+def test_anvil_spans_and_links(tmp_path: Path) -> None:
+    path = tmp_path / "a.anvil"
+    path.write_text(ANVIL, encoding="utf-8")
+    [annotation] = read_annotations([path])
+    [phrase] = annotation.phrases
+    assert (phrase.lexeme, phrase.affiliate, phrase.interval.start_s, phrase.interval.end_s) == (
+        "NEGATION",
+        (0, 0),
+        0.3,
+        0.9,
+    )
+    assert annotation.units[0].retraction is not None
+    assert annotation.tags is None
+
+
+def _mistakes(tracks: dict[str, Track], **changed: tuple[Span, ...]) -> list[str]:
+    changes = {name: Track(name, spans) for name, spans in changed.items()}
+    with pytest.raises(AnnotationError) as raised:
+        annotation_of({**tracks, **changes}.values(), Path("x.eaf"), {"ME", "NEGATION", "YOU"})
+    return [str(each) for each in raised.value.mistakes]
+
+
+def test_every_mistake_at_once_with_its_place() -> None:
+    tracks = small_tracks()
+    phrases = list(tracks["phrases"].spans)
+    phrases[0] = replace(phrases[0], attributes={"hand": "XH", "path": "wavy", "from": "XP YCC", "affiliate": "99"})
+    phrases[1] = replace(phrases[1], label="NEGATON")
+    found = _mistakes(tracks, phrases=tuple(phrases))
+    assert len(found) == 5
+    assert all(each.startswith("x.eaf: phrases at ") for each in found)
+    text = "\n".join(found)
+    for told in ("hand 'xh'", "path 'wavy'", "sector across", "affiliate '99'", "did you mean 'NEGATION'?"):
+        assert told in text
+
+
+@pytest.mark.parametrize(
+    ("changed", "told"),
+    [
+        ({"units": (Span(0.2, 2.1, ""),)}, "x.eaf: phrases at 2.200 s: YOU lies in no unit"),
+        ({"units": (Span(0.2, 2.1, ""), Span(2.2, 3.0, ""), Span(5.0, 6.0, ""))}, "units at 5.000 s: no gesture lies"),
+        ({"phases": (Span(0.6, 0.9, "strike"),)}, "no phase is called 'strike'; did you mean 'stroke'?"),
+        ({"phrases": (Span(0.2, 0.6, "ME", {"hand": "RH"}),)}, "it has neither a stroke nor an independent hold"),
+        ({"words": (Span(1.0, 0.9, "I"),)}, "words at 1.000 s: ends at 0.900 s"),
+        ({"words": (Span(0.5, 0.9, "I"), Span(0.8, 1.0, "am"))}, "words at 0.800 s: overlaps 'I'"),
+    ],
+)
+def test_contradictions(changed: dict[str, tuple[Span, ...]], told: str) -> None:
+    assert any(told in each for each in _mistakes(small_tracks(), **changed))
+
+
+def test_missing_tracks_and_unknown_formats(tmp_path: Path) -> None:
+    with pytest.raises(AnnotationError) as raised:
+        annotation_of([Track("phrase_list", ())], Path("x.csv"))
+    assert [each.track for each in raised.value.mistakes] == ["phases", "phrases", "units", "words"]
+    with pytest.raises(UnsupportedFormatError):
+        read_annotations([tmp_path / "a.docx"])
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "told"),
+    [
+        ("a.eaf", "<x", "not XML"),
+        ("a.eaf", "<annotation/>", "<ANNOTATION_DOCUMENT> is expected"),
+        ("a.TextGrid", "hello", "not a TextGrid"),
+        ("a.csv", "track,start\n", "no column is called start_s, end_s, label"),
+        ("a.csv", "track,start_s,end_s,label\nwords,x,1,I\n", "words: line 2: start_s and end_s are seconds"),
+        ("a.json", '{"tracks": {"words": [{"start_s": "x"}]}}', "words: span 0: start_s"),
+    ],
+)
+def test_what_cannot_be_read(tmp_path: Path, name: str, content: str, told: str) -> None:
+    (tmp_path / name).write_text(content, encoding="utf-8")
+    with pytest.raises(AnnotationError) as raised:
+        read_annotations([tmp_path / name])
+    assert told in str(raised.value)
+
+
+def test_the_examples_are_several_minutes_each_and_hold_together() -> None:
+    for annotation in read_annotations([SWEEPING, SPARING]):
+        assert annotation.duration_s > 300
+        assert len(annotation.phrases) > 100
+        assert annotation.tags

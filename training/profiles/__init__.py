@@ -1,0 +1,1 @@
+"""The example annotations of examples/speakers/, made from our own performances."""
