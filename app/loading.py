@@ -11,7 +11,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .cache import Cache
+from .errors import InputError, shown
 from .resources import RULES, resource_folder
+from .yaml_files import did_you_mean
 
 AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 """What the names of the files end in that authors edit."""
@@ -20,6 +22,7 @@ if TYPE_CHECKING:
     from .acting.families import Families
     from .bml.choice.characters.characters import Characters
     from .gesture_limits import GestureTable
+    from .profiles.profile import Profile
     from .realizer.gestures.library import Library
     from .realizer.realizing import Realizer
     from .rules.derivation import FunctionRules
@@ -80,6 +83,29 @@ def load_gesture_table(lexemes: Collection[str]) -> GestureTable:
     return cache.kept(
         "gesture_table", _authored(folder), lambda: gesture_table(load_gestures(), lexemes), made_with=names
     )
+
+
+def profile_names() -> tuple[str, ...]:
+    """The names of the gesture profiles that are in the lexicon."""
+    return tuple(sorted(path.stem for path in (resource_folder("lexicon") / "profiles").glob("*.yaml")))
+
+
+def load_profile(name: str, lexemes: Collection[str]) -> Profile:
+    """The gesture profile of that name, which may have gestures with these lexemes.
+
+    Raises InputError `unknown_profile`, and AuthoringError with every mistake in its file.
+    """
+    if name not in profile_names():
+        message = f"there is no profile {shown(name)}{did_you_mean(name, profile_names())}"
+        raise InputError("unknown_profile", f"{message}; there are {', '.join(profile_names())}", field="profile")
+    return load_profile_file(resource_folder("lexicon") / "profiles" / f"{name}.yaml", lexemes)
+
+
+def load_profile_file(path: Path, lexemes: Collection[str]) -> Profile:
+    """The gesture profile in a file; raises AuthoringError with every mistake in it."""
+    from .profiles.files.reading import read_profile
+
+    return read_profile(path, lexemes)
 
 
 def load_realizer() -> Realizer:

@@ -16,7 +16,14 @@ from ..bml.choice.behavior_table.table import BehaviorEntry, load_table
 from ..bml.choice.characters.characters import Characters
 from ..bml.choice.listeners.head_rates import HeadRates
 from ..errors import AuthoringError, InputError, Mistake
-from ..loading import AUTHORED, load_characters, load_function_rules, load_gestures, load_mapping_rules
+from ..loading import (
+    AUTHORED,
+    load_characters,
+    load_function_rules,
+    load_gestures,
+    load_mapping_rules,
+    load_profile_file,
+)
 from ..model import Channel, Hand, Level
 from ..realizer.body.movement_style import MovementStyle
 from ..realizer.body.skeleton import Skeleton
@@ -69,8 +76,8 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
-"""The loaders of YAML files with fixed names; others hold words or, in folders `characters` and `retarget`, a character
-or the joint names of a rig."""
+"""The loaders of YAML files with fixed names; others hold words or, in folders `characters`, `profiles` and
+`retarget`, a character, a gesture profile or the joint names of a rig."""
 
 
 def check_files_in_use() -> None:
@@ -94,6 +101,7 @@ def check_files_in_use() -> None:
     ) or _mistakes_of(
         lambda: check_coverage(lexicon, load_gestures()),
         lambda: _check_terms(lexicon / "acting" / "terms.yaml"),
+        *(partial(_check_profile, file) for file in sorted((lexicon / "profiles").glob("*.yaml"))),
     )
     if mistakes:
         raise AuthoringError(tuple(mistakes))
@@ -174,6 +182,8 @@ def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:
         return (file.name, file), partial(NAMED_FILES[file.name], file)
     if folder.name == "characters":
         return ("characters", folder), partial(_load_characters, folder.parent)
+    if folder.name == "profiles":
+        return ("profile", file), partial(_check_profile, file)
     if folder.name == "retarget":
         return ("rigs", folder), partial(load_rigs, folder, Skeleton.standing())
     return ("words", folder), partial(_load_words, folder)
@@ -184,6 +194,10 @@ def _load_characters(lexicon: Path) -> None:
     if not (lexicon / "behaviors.yaml").is_file():
         raise InputError("no_behavior_table", f"{lexicon}: characters need the behaviors.yaml that they change here")
     Characters.load(lexicon)
+
+
+def _check_profile(file: Path) -> None:
+    load_profile_file(file, load_characters().gesture_lexemes)
 
 
 def _definitions_beside(aliases: Path) -> tuple[Definition, ...]:

@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import yaml
+from pydantic import RootModel
 
 from training.profiles.clock import spoken
 from understudy.model import Behavior, Channel, Function, Interval, Level, Word
@@ -27,6 +27,7 @@ from understudy.profiles.tags import tag_of
 from understudy.settings import Settings
 from understudy.transcript import read_transcript
 from understudy.understanding import find_functions_in_all
+from understudy.yaml_files import Entry, Source
 
 HERE = Path(__file__).resolve().parent
 LINES = HERE.parents[2] / "shared" / "data" / "speech" / "lines"
@@ -41,6 +42,31 @@ AFTER_STROKE_S, AFTER_SPACING_S = 0.3, 0.4
 LEAST_S = 0.12
 
 
+class Style(Entry):
+    """A way to gesture, as styles.yaml has it."""
+
+    gestures_per_minute: float
+    hands: dict[str, float]
+    hand_kept: float
+    strokes: tuple[float, float]
+    offset_s: tuple[float, float]
+    joined: float
+    preparation_s: tuple[float, float]
+    retraction_s: tuple[float, float]
+    places: tuple[str, ...]
+    curved: float
+    rests: dict[str, str]
+    head_kept: float
+    at_listener: float
+    posture: str
+    usual: dict[str, float]
+    lexemes: dict[str, dict[str, float]]
+
+
+class Styles(RootModel[dict[str, Style]]):
+    """The styles by name."""
+
+
 def main() -> None:
     """Writes sweeping.json and sparing.eaf."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -48,7 +74,7 @@ def main() -> None:
     parser.add_argument("--target", type=Path, default=TARGET)
     parser.add_argument("--takes", type=int, default=2)
     options = parser.parse_args()
-    styles = yaml.safe_load((HERE / "styles.yaml").read_text(encoding="utf-8"))
+    styles = Source(HERE / "styles.yaml").validated(Styles).root
     with Understudy.load(Settings()) as understudy:
         performed = list(performed_lines(understudy, options.lines, options.takes))
         strokes_s = stroke_durations_s(understudy)
@@ -122,7 +148,7 @@ class Gesture:
 class Session:
     """One speaker's session: everything that is drawn is drawn by his style, in order."""
 
-    def __init__(self, style: Mapping[str, object], strokes_s: Mapping[str, float], rng: random.Random) -> None:
+    def __init__(self, style: Style, strokes_s: Mapping[str, float], rng: random.Random) -> None:
         self.style = style
         self.strokes_s = strokes_s
         self.rng = rng
@@ -157,12 +183,12 @@ class Session:
         yield from self._rows(gestures, start_s)
         yield Track("head", tuple(_apart(heads)))
         yield Track("gaze", tuple(self._gaze(start_s)))
-        yield Track("posture", (Span(0.0, round(start_s, 3), str(self.style["posture"])),))
+        yield Track("posture", (Span(0.0, round(start_s, 3), self.style.posture),))
 
     def _planned(self, line: PerformedLine) -> list[tuple[int, str]]:
         """The words with a gesture, as many as the style makes: those of our performance, the more important first,
         then those of other functions."""
-        self.owed += self.style["gestures_per_minute"] * (line.end_s + 0.4) / 60
+        self.owed += self.style.gestures_per_minute * (line.end_s + 0.4) / 60
         made = sorted(_strokes(line), key=lambda each: -each[2])
         others = [(each.last, tag_of(each), each.priority) for each in line.functions if each.kept]
         self.rng.shuffle(others)
@@ -178,7 +204,7 @@ class Session:
         for place, (word, tag, group) in enumerate(planned):
             before = made[-1] if made else None
             lexeme = self._drawn(self._lexemes(tag))
-            end_s = words[word].end_s + self.rng.gauss(*self.style["offset_s"])
+            end_s = words[word].end_s + self.rng.gauss(*self.style.offset_s)
             start_s = end_s - self.strokes_s[lexeme]
             free_s = before.strokes[-1].end_s + LEAST_S if before else 0.3
             if start_s < free_s:
@@ -188,14 +214,14 @@ class Session:
             gap_s = start_s - before.strokes[-1].end_s if before else 99.0
             same = before is not None and before.group == group
             joined = gap_s < SHORTEST_GAP_S or (
-                same and gap_s < LONGEST_JOINED_S and self.rng.random() < self.style["joined"]
+                same and gap_s < LONGEST_JOINED_S and self.rng.random() < self.style.joined
             )
             made.append(Gesture(lexeme, self._hand(), word, strokes, joined, group))
         return made
 
     def _after(self, word: int, end_s: float, until_s: float, words: Sequence[Span]) -> Iterator[Interval]:
         """After-strokes, each ending with one of the words that follow."""
-        left = max(1, round(self.rng.gauss(*self.style["strokes"]))) - 1
+        left = max(1, round(self.rng.gauss(*self.style.strokes))) - 1
         for following in words[word + 1 :]:
             if left and following.end_s - end_s >= AFTER_SPACING_S and following.end_s < until_s:
                 left -= 1
@@ -211,10 +237,10 @@ class Session:
             following = gestures[place + 1] if place + 1 < len(gestures) else None
             first, last = gesture.strokes[0], gesture.strokes[-1]
             free_s = phases[-1].end_s if phases else 0.0
-            start_s = free_s if gesture.joined else max(free_s, first.start_s - self._lasting("preparation_s"))
+            start_s = free_s if gesture.joined else max(free_s, first.start_s - self._lasting(self.style.preparation_s))
             to_s = last.end_s
             if following and following.joined:
-                to_s = max(last.end_s, following.strokes[0].start_s - self._lasting("preparation_s"))
+                to_s = max(last.end_s, following.strokes[0].start_s - self._lasting(self.style.preparation_s))
             if first.start_s - start_s > 0.02:
                 phases.append(_span(start_s, first.start_s, "preparation"))
             phases += _strokes_and_holds(gesture.strokes, to_s)
@@ -224,48 +250,43 @@ class Session:
             units[-1] = replace(units[-1], end_s=round(to_s, 3))
             if following is None or not following.joined:
                 next_s = following.strokes[0].start_s if following else end_s + 3
-                back_s = min(self._lasting("retraction_s"), max(0.2, (next_s - to_s) * 0.55))
+                back_s = min(self._lasting(self.style.retraction_s), max(0.2, (next_s - to_s) * 0.55))
                 phases.append(_span(to_s, to_s + back_s, "retraction"))
-                rest = self.style["rests"]["near" if next_s - to_s < 3 else "medium" if next_s - to_s < 10 else "far"]
+                rest = self.style.rests["near" if next_s - to_s < 3 else "medium" if next_s - to_s < 10 else "far"]
                 units[-1] = replace(units[-1], end_s=round(to_s + back_s, 3), label=rest)
         yield Track("phases", tuple(phases))
         yield Track("phrases", tuple(phrases))
         yield Track("units", tuple(units))
 
     def _phrase(self, gesture: Gesture, start_s: float, end_s: float) -> Span:
-        path = "curved" if self.rng.random() < self.style["curved"] else "straight"
-        places = self.style["places"]
+        path = "curved" if self.rng.random() < self.style.curved else "straight"
+        places = self.style.places
         attributes = {"hand": {"right": "RH", "left": "LH", "both": "2H"}[gesture.hand], "path": path}
         where = {"from": self.rng.choice(places), "to": self.rng.choice(places), "affiliate": str(gesture.word)}
         return replace(_span(start_s, end_s, gesture.lexeme), attributes={**attributes, **where})
 
-    def _lasting(self, name: str) -> float:
-        return max(0.15, self.rng.gauss(*self.style[name]))
+    def _lasting(self, spread: tuple[float, float]) -> float:
+        return max(0.15, self.rng.gauss(*spread))
 
     def _hand(self) -> str:
-        if not self.hand or self.rng.random() > self.style["hand_kept"]:
-            self.hand = self._drawn(self.style["hands"])
+        if not self.hand or self.rng.random() > self.style.hand_kept:
+            self.hand = self._drawn(self.style.hands)
         return self.hand
 
     def _lexemes(self, tag: str) -> Mapping[str, float]:
-        return self.style["lexemes"].get(tag.partition(".")[0], self.style["usual"])
+        return self.style.lexemes.get(tag.partition(".")[0], self.style.usual)
 
     def _drawn(self, weights: Mapping[str, float]) -> str:
         return self.rng.choices(list(weights), list(weights.values()))[0]
 
     def _heads(self, line: PerformedLine, shift_s: float) -> Iterator[Span]:
         for each in line.behaviors:
-            if (
-                each.kind is Channel.HEAD
-                and each.kept
-                and each.priority
-                and self.rng.random() < self.style["head_kept"]
-            ):
+            if each.kind is Channel.HEAD and each.kept and each.priority and self.rng.random() < self.style.head_kept:
                 yield _span(each.sync.start + shift_s, each.sync.end + shift_s, each.lexeme.lower())
 
     def _gaze(self, end_s: float) -> Iterator[Span]:
         """Looks at the listener and away in turns, by the style's share."""
-        now_s, share = 0.0, self.style["at_listener"]
+        now_s, share = 0.0, self.style.at_listener
         while now_s < end_s:
             away_s = self.rng.uniform(0.4, 1.2)
             at_s = away_s * share / (1 - share)

@@ -1,7 +1,9 @@
-"""The arguments of the commands that show and check what is performed with: `rules`, `gestures` and `characters`."""
+"""The arguments of the commands that show, check and make what is performed with: `rules`, `gestures`, `characters` and
+`profiles`."""
 
 from ...model import Hand, Level
 from ..distinct_files import InputFile
+from ..files import STANDARD
 from .command import Adding, actions_of
 from .shared import add_output
 
@@ -45,3 +47,20 @@ def add_characters(add: Adding) -> None:
     render = add_action("render", "draw what they look like")
     render.add_argument("names", metavar="NAME", nargs="*", help="who is drawn (default: all)")
     add_output(render, "FILE.png", "where the picture goes")
+
+
+def add_profiles(add: Adding) -> None:
+    add_action = actions_of(add("profiles", "speakers' ways of gesturing"))
+    learn = add_action("learn", "learn one from annotated recordings of a speaker")
+    formats = ".anvil, .eaf, .TextGrid, .csv or .json (docs/profiles.md)"
+    learn.add_argument("files", metavar="FILE", nargs="+", type=InputFile, help=formats)
+    learn.add_argument("--description", metavar="TEXT", default="", help="who it is, for profiles list")
+    add_output(learn, "P.yaml", "where the profile goes (default: standard output)", default=STANDARD)
+    mix = add_action("mix", "make one that lies between two")
+    profile = "a profile's name, or its .yaml file"
+    mix.add_argument("profiles", metavar="PROFILE", nargs=2, type=InputFile, help=profile)
+    mix.add_argument("--share", metavar="0…1", type=float, default=0.5, help="of the second (default 0.5)")
+    add_output(mix, "P.yaml", "where the profile goes (default: standard output)", default=STANDARD)
+    add_action("list", "list them")
+    show = add_action("show", "what stands out in one of them")
+    show.add_argument("name", metavar="PROFILE", help=profile)

@@ -7,7 +7,7 @@ from ...errors import InputError
 from ...version import __version__
 from .batch import add_batch
 from .command import commands_of, voices
-from .libraries import add_characters, add_gestures, add_rules
+from .libraries import add_characters, add_gestures, add_profiles, add_rules
 from .lines import add_analyses, add_perform, add_realize
 from .serving import add_serve
 
@@ -36,5 +36,6 @@ def make_parser() -> argparse.ArgumentParser:
     add_rules(add)
     add_gestures(add)
     add_characters(add)
+    add_profiles(add)
     add_serve(add)
     return parser

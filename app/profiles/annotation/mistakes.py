@@ -17,9 +17,9 @@ class AnnotationMistake:
     time_s: float | None = None
 
     def __str__(self) -> str:
-        track = f" {self.track}" if self.track else ""
         time = "" if self.time_s is None else f" at {self.time_s:.3f} s"
-        return f"{self.path}:{track}{time}: {self.message}"
+        track = f" {self.track}{time}:" if self.track else ""
+        return f"{self.path}:{track} {self.message}"
 
 
 class AnnotationError(InputError):

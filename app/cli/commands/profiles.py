@@ -1,0 +1,70 @@
+"""`understudy profiles`: a speaker's way of gesturing learnt from annotation, mixed, listed and shown."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING
+
+from ...errors import InputError
+from ...loading import load_characters, profile_names
+from ...on_demand import OnDemand
+from ...profiles.annotation.reading import read_annotations
+from ...profiles.files.writing import profile_yaml
+from ...profiles.mixing import mix
+from ...settings import read_settings
+from ..files import STANDARD, require_writable, write, write_standard
+from ..inputs.profiles import named_profile
+from ..log import Log
+from ..outputs.profile_listing import profile_lines
+
+if TYPE_CHECKING:
+    from ...understanding import LanguageModels
+
+
+def run(arguments: argparse.Namespace, log: Log) -> int:
+    actions = {"learn": _learn, "mix": _mix, "list": _list, "show": _show}
+    actions[arguments.action](arguments, log)
+    return 0
+
+
+def _learn(arguments: argparse.Namespace, log: Log) -> None:
+    from ...speakers import learn_profile
+
+    require_writable(arguments.output, field="output")
+    annotations = read_annotations(map(Path, arguments.files), load_characters().gesture_lexemes)
+    name = _name(arguments.output, arguments.files)
+    profile = learn_profile(OnDemand(_language), annotations, name, arguments.description)
+    write(arguments.output, profile_yaml(profile))
+    log.note("\n".join(profile_lines(profile)))
+
+
+def _language() -> LanguageModels:
+    from ...understanding import LanguageModels
+
+    return LanguageModels.load(read_settings())
+
+
+def _mix(arguments: argparse.Namespace, log: Log) -> None:
+    require_writable(arguments.output, field="output")
+    if not 0 <= arguments.share <= 1:
+        message = f"share: {arguments.share:g}; give 0 (all of the first) to 1 (all of the second)"
+        raise InputError("value_wrong", message, field="share")
+    one, other = map(named_profile, arguments.profiles)
+    mixed = mix(one, other, arguments.share, name=_name(arguments.output, arguments.profiles))
+    write(arguments.output, profile_yaml(mixed))
+    log.note("\n".join(profile_lines(mixed)))
+
+
+def _list(_arguments: argparse.Namespace, _log: Log) -> None:
+    profiles = map(named_profile, profile_names())
+    write_standard("".join(f"{each.name:16s} {each.description}\n" for each in profiles).encode())
+
+
+def _show(arguments: argparse.Namespace, _log: Log) -> None:
+    write_standard("".join(f"{line}\n" for line in profile_lines(named_profile(arguments.name))).encode())
+
+
+def _name(output: str, inputs: Sequence[str]) -> str:
+    return PurePath(inputs[0] if output == STANDARD else output).stem

@@ -1,0 +1,73 @@
+"""`understudy profiles`: learning, mixing, listing, showing, and what it tells of mistakes."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.annotations import SPARING, SWEEPING
+from understudy.cli.main import main
+from understudy.loading import load_characters, load_profile_file, profile_names
+from understudy.profiles.annotation.reading import read_tracks
+from understudy.profiles.annotation.tables import write_json_tracks
+from understudy.profiles.annotation.tracks import merged
+
+Captured = pytest.CaptureFixture[bytes]
+
+
+def _run(capture: Captured, *argv: str) -> tuple[int, str, str]:
+    capture.readouterr()
+    code = main(argv)
+    out, err = capture.readouterr()
+    return code, out.decode(), err.decode()
+
+
+def test_learning_makes_the_profile_of_the_lexicon(capfdbinary: Captured, tmp_path: Path) -> None:
+    target = tmp_path / "sweeping.yaml"
+    shipped = load_profile_file(Path("lexicon/profiles/sweeping.yaml"), load_characters().gesture_lexemes)
+    code, _, err = _run(
+        capfdbinary, "profiles", "learn", str(SWEEPING), "--description", shipped.description, "-o", str(target)
+    )
+    assert code == 0
+    assert "gestures a minute" in err
+    assert target.read_bytes() == Path("lexicon/profiles/sweeping.yaml").read_bytes()
+
+
+def test_tags_come_from_the_words_where_nobody_marked_them(capfdbinary: Captured, tmp_path: Path) -> None:
+    source, target = tmp_path / "plain.json", tmp_path / "plain.yaml"
+    tracks = [track for track in merged(read_tracks(SPARING)) if track.name != "tags"]
+    source.write_bytes(write_json_tracks(tracks))
+    code, _, _ = _run(capfdbinary, "profiles", "learn", str(source), "-o", str(target), "--quiet")
+    assert code == 0
+    profile = load_profile_file(target, load_characters().gesture_lexemes)
+    assert {"negation", "deixis.self", "any"} <= profile.tags.keys()
+    assert profile.gestures == 110
+
+
+def test_a_mixed_profile_can_be_mixed_again(capfdbinary: Captured, tmp_path: Path) -> None:
+    first, second = tmp_path / "first.yaml", tmp_path / "second.yaml"
+    assert _run(capfdbinary, "profiles", "mix", "sweeping", "sparing", "-o", str(first))[0] == 0
+    assert _run(capfdbinary, "profiles", "mix", str(first), "sparing", "--share", "1", "-o", str(second))[0] == 0
+    code, out, _ = _run(capfdbinary, "profiles", "show", str(second))
+    assert code == 0
+    assert out.startswith("second: 0% first, 100% sparing.")
+    assert "14.8 gestures a minute" in out
+
+
+def test_the_list_has_every_profile(capfdbinary: Captured) -> None:
+    code, out, _ = _run(capfdbinary, "profiles", "list")
+    assert code == 0
+    assert tuple(line.split()[0] for line in out.splitlines()) == profile_names()
+
+
+def test_mistakes_are_told(capfdbinary: Captured, tmp_path: Path) -> None:
+    wrong = tmp_path / "wrong.csv"
+    wrong.write_text("track,start_s,end_s,label\nwords,1,0,I\nphrases,0,1,BEET\n", encoding="utf-8")
+    for argv, told in (
+        (("show", "sweep"), "did you mean 'sweeping'?"),
+        (("mix", "sweeping", "sparing", "--share", "2"), "share: 2"),
+        (("learn", str(wrong)), "words at 1.000 s: ends at 0.000 s"),
+        (("learn", "missing.eaf"), "missing.eaf: cannot be read"),
+    ):
+        code, out, err = _run(capfdbinary, "profiles", *argv)
+        assert (code, out) == (2, "")
+        assert told in err
