@@ -84,6 +84,7 @@ __all__ = [
     "write_ctm",
     "write_json",
     "write_motion",
+    "write_speech_file",
     "write_textgrid",
 ]
 
@@ -113,6 +114,7 @@ if TYPE_CHECKING:
         write_ctm,
         write_json,
         write_motion,
+        write_speech_file,
         write_textgrid,
     )
     from .model import (

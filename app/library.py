@@ -13,6 +13,7 @@ from pathlib import Path, PurePath
 from typing import Any, Literal, TypedDict, Unpack
 
 from .bml.choice.speech.lead_in import with_lead_in
+from .bml.writing.smartbody_tables import VisemeNames
 from .errors import InputError
 from .model import Direction, GivenFunction, Level, Mode, Performance
 from .performance import (
@@ -39,6 +40,7 @@ from .performance import perform as _perform
 from .performance import write_bml as _write_bml
 from .performance import write_bml_json as _write_bml_json
 from .performance import write_listener as _write_listener
+from .performance import write_speech_file as _write_speech_file
 from .realization import (
     AvatarOptions,
     BmlInput,
@@ -220,14 +222,16 @@ def write_bml(
     dialect: DialectName | Literal["bml", "smartbody"] = DialectName.BML,
     timing: TimeForm | Literal["absolute", "sync"] = TimeForm.ABSOLUTE,
     audio_name: str | None = None,
+    bmlt_audio: bool = False,
     listener: str | None = None,
 ) -> bytes:
     """The schedule as BML, XML in UTF-8 (docs/bml.md), in BML 1.0 or SmartBody's dialect.
 
-    `timing` "sync" tells times by marks of the speech instead of seconds; `audio_name` is the recording's name for
-    SmartBody, which plays it. `listener` asks for what that listener does instead. Raises InputError `value_wrong`.
+    `timing` "sync" tells times by marks of the speech instead of seconds; `audio_name` is the name of the recording's
+    file, by which SmartBody finds it (`write_speech_file`), and ASAP with `bmlt_audio`. `listener` asks for what that
+    listener does instead. Raises InputError `value_wrong`.
     """
-    form = _bml_form(dialect, timing, audio_name)
+    form = replace(_bml_form(dialect, timing, audio_name), bmlt_audio=bmlt_audio)
     if listener is None:
         return _write_bml(performance, form)
     for listening in performance.listeners:
@@ -235,6 +239,19 @@ def write_bml(
             return _write_listener(performance, listening, form)
     known = ", ".join(each.name for each in performance.listeners) or "nobody"
     raise InputError("value_wrong", f"no listener is called {listener!r}; {known} listens", field="listener")
+
+
+def write_speech_file(
+    performance: Performance,
+    audio_name: str,
+    *,
+    visemes: VisemeNames | Literal["smartbody", "facefx"] = VisemeNames.SMARTBODY,
+) -> bytes:
+    """NAME.bml, which SmartBody wants beside NAME.wav: its words and lips in time, the shapes of the mouth by the names
+    of SmartBody's own characters or FaceFX's. `audio_name` is NAME. Raises InputError `value_wrong`."""
+    form = check_options({"dialect": DialectName.SMARTBODY, "visemes": visemes}).form
+    found = _write_speech_file(performance, replace(form, audio_file=audio_name))
+    return found.content if found else b""
 
 
 def write_bml_json(
@@ -312,7 +329,7 @@ def _timings(words: FileSource | Timings | None) -> Timings | None:
 
 def _bml_form(dialect: str, timing: str, audio_name: str | None) -> BmlForm:
     checked = check_options({"dialect": dialect, "timing": timing}).form
-    return replace(checked, audio_name=audio_name)
+    return replace(checked, audio_file=audio_name)
 
 
 def _played(models: Understudy | Realizer, prepared: PreparedSchedule, options: RealizeOptions) -> Realized:

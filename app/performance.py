@@ -40,7 +40,7 @@ from .bml.choice.speech.lead_in import with_lead_in
 from .bml.choice.speech.visemes import visemes
 from .bml.choice.stillness import with_stillness
 from .bml.markup.documents import DialectName, TimeForm
-from .bml.writing.writer import BmlForm, write_bml, write_bml_json
+from .bml.writing.writer import BmlForm, losses, write_bml, write_bml_json, write_speech_file
 from .hearing import AcousticModels, align, align_words, analyze_signal, make_reference
 from .loading import load_characters, load_families, load_gesture_table, load_mapping_rules, load_realizer
 from .model import (
@@ -97,6 +97,7 @@ __all__ = [
     "write_bml",
     "write_bml_json",
     "write_listener",
+    "write_speech_file",
 ]
 
 
@@ -253,7 +254,8 @@ def perform_analysis(
         targets=targets,
     )
     performance = reduce(partial(_heard_by, behavior, dict(options.played_by)), options.listeners, performance)
-    return with_stillness(performance, options.stillness)
+    performance = with_stillness(performance, options.stillness)
+    return replace(performance, notices=performance.notices + losses(performance, options.form))
 
 
 def _candidates(
@@ -301,7 +303,7 @@ def listener_part(performance: Performance, listening: Listening) -> Performance
 
 def write_listener(performance: Performance, listening: Listening, form: BmlForm) -> bytes:
     """A listener's BML. Its times are absolute in either form: he has no speech with marks to tell them by."""
-    return write_bml(listener_part(performance, listening), replace(form, timing=TimeForm.ABSOLUTE, audio_name=None))
+    return write_bml(listener_part(performance, listening), replace(form, timing=TimeForm.ABSOLUTE, audio_file=None))
 
 
 def _heard_by(

@@ -61,7 +61,7 @@ def test_types_are_known_to_a_type_checker(understudy: Understudy, performance: 
 
 
 def test_keywords_are_the_options_of_the_other_doors() -> None:
-    written_otherwise = {"dialect", "timing"}  # they are given when the BML is written
+    written_otherwise = {"dialect", "timing", "visemes", "bmlt_audio"}  # they are given when the BML is written
     assert set(PerformKeywords.__annotations__) == set(PerformOptions.model_fields) - written_otherwise
     of_files = {"skeleton", "t_pose", "root_at_origin", "keys"}  # these when the motion is written
     assert set(RealizeKeywords.__annotations__) == set(RealizeOptions.model_fields) - of_files
@@ -81,6 +81,7 @@ def test_every_form_of_bml_passes_the_checker(performance: Performance) -> None:
     assert check(library.write_bml(performance, timing="sync")) == []
     assert check(library.write_bml(performance, listener="Ann")) == []
     assert b'ref="numbers"' in library.write_bml(performance, dialect="smartbody", audio_name="numbers")
+    assert b"<lips" in library.write_speech_file(performance, "numbers")
     assert json.loads(library.write_bml_json(performance))
 
 

@@ -15,6 +15,8 @@ from ..acting.terms import TermTable
 from ..bml.choice.behavior_table.table import BehaviorEntry, load_table
 from ..bml.choice.characters.characters import Characters
 from ..bml.choice.listeners.head_rates import HeadRates
+from ..bml.writing.smartbody_tables import FILE as SMARTBODY
+from ..bml.writing.smartbody_tables import SmartBodyTables
 from ..errors import AuthoringError, InputError, Mistake
 from ..loading import (
     AUTHORED,
@@ -73,6 +75,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "terms.yaml": _check_terms,
         "head_rates.yaml": HeadRates.load,
         "columns.yaml": _check_column_names,
+        SMARTBODY: SmartBodyTables.load,
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
@@ -97,6 +100,7 @@ def check_files_in_use() -> None:
         lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),
         lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
+        partial(SmartBodyTables.load, lexicon / SMARTBODY),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     ) or _mistakes_of(
         lambda: check_coverage(lexicon, load_gestures()),

@@ -13,6 +13,7 @@ from pydantic_core import ErrorDetails
 from ..analysis import Options, Timings
 from ..bml.choice.speech.lead_in import LONGEST_LEAD_IN_S
 from ..bml.markup.documents import DialectName, TimeForm
+from ..bml.writing.smartbody_tables import VisemeNames
 from ..bml.writing.writer import BmlForm
 from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
 from ..model import Level, Mode
@@ -83,6 +84,12 @@ class PerformOptions(BaseModel):
     timing: Annotated[
         TimeForm, Field(strict=False, description="Times in seconds, or from the marks of the speech.")
     ] = TimeForm.ABSOLUTE
+    visemes: Annotated[
+        VisemeNames, Field(strict=False, description="Whose names SmartBody's shapes of the mouth go by.")
+    ] = VisemeNames.SMARTBODY
+    bmlt_audio: Annotated[
+        bool, Field(description="Whether BML 1.0 has an element by which ASAP plays the recording; others refuse it.")
+    ] = False
     lead_in_s: Annotated[
         float,
         Field(
@@ -101,7 +108,7 @@ class PerformOptions(BaseModel):
             reference=self.reference.to_reference() if self.reference else None,
             mode=self.mode,
             listeners=listener_names(self.listener),
-            form=BmlForm(self.dialect, self.timing),
+            form=BmlForm(self.dialect, self.timing, bmlt_audio=self.bmlt_audio, visemes=self.visemes),
             lead_in_s=self.lead_in_s,
             stillness=self.stillness,
             targets=targets_of(self.targets),

@@ -13,6 +13,7 @@ from pydantic import AfterValidator, AliasPath, BaseModel, BeforeValidator, Conf
 from pydantic.config import JsonDict
 
 from ..analysis import AlignedLine, Analysis
+from ..bml.writing.writer import SpeechFile
 from ..errors import UnderstudyError
 from ..model import PLAIN, Agitation, Function, Level, Notice, Performance, SyncPoints, Utterance, Word
 
@@ -380,19 +381,44 @@ class PerformanceResponse(AnalysisResponse):
         return cls.model_validate(understood | chosen | begun | others)
 
 
+class SpeechFileResponse(ResponseModel):
+    """The file that SmartBody wants in the folder of the recording, under this name."""
+
+    name: str
+    bml: str
+
+    @classmethod
+    def of(cls, speech_file: SpeechFile) -> Self:
+        return cls(name=speech_file.name, bml=speech_file.content.decode())
+
+
 class PerformResponse(ResponseModel):
-    """The response to `POST /perform` if JSON is requested; `listeners` has each listener's BML by name."""
+    """The response to `POST /perform` if JSON is requested; `listeners` has each listener's BML by name, `speech_file`
+    what SmartBody wants beside the recording."""
 
     bml: str
+    speech_file: SpeechFileResponse | None = None
     listeners: dict[str, str] | None = None
     performance: PerformanceResponse
     warnings: list[WarningResponse]
 
     @classmethod
-    def of(cls, performance: Performance, bml: bytes, listeners: Mapping[str, bytes] = MappingProxyType({})) -> Self:
+    def of(
+        cls,
+        performance: Performance,
+        bml: bytes,
+        listeners: Mapping[str, bytes] = MappingProxyType({}),
+        speech_file: SpeechFile | None = None,
+    ) -> Self:
         told = PerformanceResponse.of_performance(performance)
         heard = {name: block.decode() for name, block in listeners.items()}
-        return cls(bml=bml.decode(), listeners=heard or None, performance=told, warnings=told.warnings)
+        return cls(
+            bml=bml.decode(),
+            speech_file=None if speech_file is None else SpeechFileResponse.of(speech_file),
+            listeners=heard or None,
+            performance=told,
+            warnings=told.warnings,
+        )
 
 
 def _understood(utterance: Utterance, functions: Sequence[Function], notices: Sequence[Notice]) -> dict[str, object]:

@@ -13,10 +13,11 @@ from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
 from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.reading.reader import read_bml
+from understudy.bml.writing.smartbody_tables import VisemeNames
 from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.model import Performance
-from understudy.performance import BmlForm, Line, Options, Understudy, perform, write_bml
+from understudy.performance import BmlForm, Line, Options, Understudy, perform, write_bml, write_speech_file
 from understudy.schemas.requests import read_options
 from understudy.schemas.responses import PerformanceResponse
 from understudy.settings import Settings
@@ -70,6 +71,24 @@ def test_the_command_line_writes_the_form_asked_for(from_command_line: Perform, 
     assert from_command_line("--dialect", "smartbody", "--timing", "sync") == write_bml(performance, form)
 
 
+def test_smartbody_gets_its_speech_file_beside_the_act(
+    from_command_line: Perform, performance: Performance, tmp_path: Path
+) -> None:
+    act = from_command_line("--dialect", "smartbody", "--visemes", "facefx", name="act.xml")
+    form = BmlForm(DialectName.SMARTBODY, audio_file="example", visemes=VisemeNames.FACEFX)
+    beside = write_speech_file(performance, form)
+    assert beside is not None
+    assert act == write_bml(performance, form)
+    assert (tmp_path / "example.bml").read_bytes() == beside.content
+
+
+def test_the_speech_file_is_not_written_over_the_act(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    argv = ["perform", str(AUDIO), "--text-file", str(TEXT), "--dialect", "smartbody"]
+    assert main(["--quiet", *argv, "-o", str(tmp_path / "example.bml")]) == 2
+    assert "is the same file as" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_file_that_ends_in_json_is_json(from_command_line: Perform, performance: Performance) -> None:
     told = json.loads(from_command_line(name="out.json"))
     assert told["dialect"] == "bml"
@@ -85,7 +104,23 @@ def test_the_service_writes_the_form_asked_for(nursery: Nursery, performance: Pe
             data={"text": TEXT.read_text(encoding="utf-8"), "options": '{"dialect": "smartbody"}'},
         )
     assert answer.status_code == 200, answer.text
-    assert answer.content == write_bml(performance, BmlForm(DialectName.SMARTBODY, audio_name="take 7"))
+    form = BmlForm(DialectName.SMARTBODY, audio_file="take 7.flac")
+    assert answer.content == write_bml(performance, form)
+    told = answer.headers["Understudy-Warnings"].split(", ")
+    assert told[-2:] == ["smartbody_gaze", "speech_file_left_out"]
+
+
+def test_the_service_sends_the_speech_file_in_json(nursery: Nursery, performance: Performance) -> None:
+    with TestClient(create_app(Settings(workers=1), nursery)) as client:
+        answer = client.post(
+            "/perform",
+            files={"audio": ("take 7.flac", AUDIO.read_bytes())},
+            data={"text": TEXT.read_text(encoding="utf-8"), "options": '{"dialect": "smartbody"}'},
+            headers={"Accept": "application/json"},
+        )
+    beside = write_speech_file(performance, BmlForm(DialectName.SMARTBODY, audio_file="take 7.flac"))
+    assert beside is not None
+    assert answer.json()["speech_file"] == {"name": "take 7.bml", "bml": beside.content.decode()}
 
 
 @pytest.mark.parametrize("form", [BmlForm(dialect, timing) for dialect in DialectName for timing in TimeForm], ids=str)

@@ -9,7 +9,16 @@ from types import MappingProxyType
 
 from ...errors import InputError, UnsupportedFormatError
 from ...model import Notice
-from ...performance import Line, Options, Understudy, find_functions, perform, write_bml, write_listener
+from ...performance import (
+    Line,
+    Options,
+    Understudy,
+    find_functions,
+    perform,
+    write_bml,
+    write_listener,
+    write_speech_file,
+)
 from ...realization import AvatarOptions, BmlInput, MotionFormat, prepare_schedule, realize_prepared, write_motion
 from ...realizer.body.motion import check_tail
 from ...schemas.direction import read_direction
@@ -51,7 +60,10 @@ def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer
     performance = perform(understudy, line, options)
     bml = write_bml(performance, options.form)
     listeners = {each.name: write_listener(performance, each, options.form) for each in performance.listeners}
-    body = bml if media_type == XML else PerformResponse.of(performance, bml, listeners).to_json()
+    beside = write_speech_file(performance, options.form)
+    if media_type == XML:
+        return Answer(media_type, _headers((*performance.notices, *([beside.left_out] if beside else ())))), bml
+    body = PerformResponse.of(performance, bml, listeners, beside).to_json()
     return Answer(media_type, _headers(performance.notices)), body
 
 
@@ -70,8 +82,8 @@ def _line(form: Mapping[str, Part]) -> Line:
 def _options(form: Mapping[str, Part]) -> Options:
     """What `options` says; the recording goes by the name of its file."""
     options = read_options(form["options"].content) if "options" in form else Options()
-    audio_name = PurePath(form["audio"].file_name or "").stem or None
-    return replace(options, form=replace(options.form, audio_name=audio_name))
+    audio_file = PurePath(form["audio"].file_name or "").name or None
+    return replace(options, form=replace(options.form, audio_file=audio_file))
 
 
 @dataclass(frozen=True, slots=True)

@@ -46,7 +46,7 @@ class Casting:
             reference=part.reference,
             listeners=tuple(listener_name(name) for name in listeners),
             played_by=tuple((listener_name(name), self._performer(name)) for name in listeners),
-            form=replace(self.common.form, audio_name=take.recording.path.stem),
+            form=replace(self.common.form, audio_file=take.recording.path.name),
         )
 
     def is_learnt(self, name: str) -> bool:

@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ...performance import SpeakerReference
@@ -73,7 +73,7 @@ def settings_hash(job: LineJob, settings: Settings, installation: str) -> str:
     return _digest(
         installation,
         settings.model_dump_json(include=set(_OF_THE_RESULT)),
-        repr((options.mode, options.form.dialect, options.form.timing, options.lead_in_s)),
+        repr((options.mode, replace(options.form, audio_file=None), options.lead_in_s)),
         repr([target.form.value for target in job.targets]),
         repr(motion if motion != MotionForm() else None),
     )

@@ -9,7 +9,7 @@ import threading
 import time
 from collections.abc import Iterator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from email.utils import parsedate_to_datetime
 from typing import Any
 
@@ -17,11 +17,11 @@ import requests
 
 from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
-from ...performance import SpeakerReference
+from ...performance import DialectName, SpeakerReference
 from ...schemas.references import ReferenceForm
 from ...settings import Settings
-from ..work.formats import LineFormat, OutputFormat, beside, extension_of
-from ..work.jobs import Failure, LineJob, LineOutcome, Measures, OutputFile
+from ..work.formats import LineFormat, OutputFormat, act_path, beside, extension_of, recording_name
+from ..work.jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
 from ..work.speaking import ReferenceJob
 from ..work.worker import learn_in_worker
 from .processes import Processes
@@ -116,7 +116,7 @@ def _require_ready(url: str) -> None:
 
 def _post(url: str, job: LineJob, audio: bytes) -> tuple[requests.Response | None, str]:
     """The answer, or why there is none."""
-    files = {"audio": (job.audio.path.name, audio)}
+    files = {"audio": (_audio_name(job), audio)}
     fields = {"text": job.text, "options": json.dumps(_options(job))}
     if job.direction is not None:
         fields["direction"] = json.dumps(asdict(job.direction))
@@ -126,6 +126,13 @@ def _post(url: str, job: LineJob, audio: bytes) -> tuple[requests.Response | Non
         ), ""
     except requests.RequestException as error:
         return None, type(error).__name__
+
+
+def _audio_name(job: LineJob) -> str:
+    """The recording's own, or for SmartBody, what it is called beside the file that it wants there."""
+    written = [target.path for target in job.targets if target.form is LineFormat.BML]
+    is_renamed = written and job.options.form.dialect is DialectName.SMARTBODY
+    return recording_name(written[0]) if is_renamed else job.audio.path.name
 
 
 def _options(job: LineJob) -> dict[str, Any]:
@@ -138,6 +145,8 @@ def _options(job: LineJob) -> dict[str, Any]:
         "listener": list(options.listeners),
         "dialect": options.form.dialect.value,
         "timing": options.form.timing.value,
+        "visemes": options.form.visemes.value,
+        "bmlt_audio": options.form.bmlt_audio,
         "lead_in_s": options.lead_in_s,
         "stillness": options.stillness,
     }
@@ -176,11 +185,23 @@ def _files(job: LineJob, audio: bytes, told: Mapping[str, Any]) -> Iterator[Outp
             case LineFormat.WAV:
                 content = audio
             case _:
-                content = told["bml"].encode()
-                for name, block in (told.get("listeners") or {}).items():
-                    path = beside(target.path, name, target.form)
-                    yield OutputFile(target.form, path, len(block.encode()), name, block.encode())
-        yield OutputFile(target.form, target.path, len(content), "", content)
+                yield from _bml_files(target, told)
+                continue
+        yield _file(target, content)
+
+
+def _bml_files(target: Target, told: Mapping[str, Any]) -> Iterator[OutputFile]:
+    """As `understudy.batch.work.performing` writes them."""
+    if told.get("speech_file"):
+        yield _file(target, told["speech_file"]["bml"].encode())
+        target = replace(target, path=act_path(target.path))
+    yield _file(target, told["bml"].encode())
+    for name, block in (told.get("listeners") or {}).items():
+        yield _file(replace(target, path=beside(target.path, name, target.form)), block.encode(), name)
+
+
+def _file(target: Target, content: bytes, listener: str = "") -> OutputFile:
+    return OutputFile(target.form, target.path, len(content), listener, content)
 
 
 def _measures(told: Mapping[str, Any]) -> Measures:

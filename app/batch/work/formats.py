@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import StrEnum
+from pathlib import PurePosixPath
 
 from ...errors import InputError
 from ...motion_formats import PICTURES, MotionFormat
@@ -23,6 +24,7 @@ class LineFormat(StrEnum):
 
 OutputFormat = LineFormat | MotionFormat
 
+_ACT = ".xml"
 _CLIP = "clip.json"
 """The motion's JSON, beside that of the whole performance."""
 
@@ -59,7 +61,17 @@ def needs_pictures(formats: Sequence[OutputFormat]) -> bool:
     return any(form in PICTURES for form in formats)
 
 
+def act_path(path: str) -> str:
+    """The name of SmartBody's act where `path` is that of the file beside its recording, which has to end in .bml."""
+    return f"{path.removesuffix('.bml')}{_ACT}"
+
+
+def recording_name(path: str) -> str:
+    """What the recording is called for whose words and lips `path` has."""
+    return f"{PurePosixPath(path).name.removesuffix('.bml')}.wav"
+
+
 def beside(path: str, listener: str, form: OutputFormat) -> str:
     """The name of a listener's file: `OUT.NAME.bml` for `OUT.bml`."""
-    ending = f".{extension_of(form)}"
+    ending = _ACT if path.endswith(_ACT) else f".{extension_of(form)}"
     return f"{path.removesuffix(ending)}.{listener}{ending}"

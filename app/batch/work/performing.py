@@ -7,6 +7,7 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -16,6 +17,8 @@ from ...model import Channel, Performance
 from ...motion_formats import MotionFormat
 from ...performance import (
     Analysis,
+    BmlForm,
+    DialectName,
     Line,
     Understudy,
     listener_part,
@@ -23,10 +26,11 @@ from ...performance import (
     write_bml,
     write_bml_json,
     write_listener,
+    write_speech_file,
 )
 from ...realization import AvatarOptions, PreparedSchedule, Realized, realize_prepared, write_motion
 from .files import write_files
-from .formats import LineFormat, beside, needs_motion
+from .formats import LineFormat, act_path, beside, needs_motion, recording_name
 from .jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
 
 
@@ -72,7 +76,6 @@ def _files(
     wearer = AvatarOptions(job.motion.skeleton)
     form = job.options.form
     spoken: Mapping[LineFormat, Callable[[], bytes]] = {
-        LineFormat.BML: lambda: write_bml(performance, form),
         LineFormat.BML_JSON: lambda: write_bml_json(performance, form),
         LineFormat.PERFORMANCE: lambda: write_json(performance, indent=2) + b"\n",
         LineFormat.TEXTGRID: lambda: write_textgrid(performance),
@@ -83,11 +86,24 @@ def _files(
         if isinstance(target.form, MotionFormat):
             for name, part in realized.items():
                 yield _file(target, name, write_motion(part, models.realizer, target.form, wearer))
+        elif target.form is LineFormat.BML:
+            yield from _bml_files(target, performance, form)
         else:
             yield _file(target, "", spoken[target.form]())
-            if target.form is LineFormat.BML:
-                for listening in performance.listeners:
-                    yield _file(target, listening.name, write_listener(performance, listening, form))
+
+
+def _bml_files(target: Target, performance: Performance, form: BmlForm) -> Iterator[OutputFile]:
+    """The speaker's BML and each listener's. SmartBody's act lies beside the words and lips of its recording, which
+    go by the line's own name."""
+    if form.dialect is DialectName.SMARTBODY:
+        form = replace(form, audio_file=recording_name(target.path))
+    speech = write_speech_file(performance, form)
+    if speech:
+        yield _file(target, "", speech.content)
+        target = replace(target, path=act_path(target.path))
+    yield _file(target, "", write_bml(performance, form))
+    for listening in performance.listeners:
+        yield _file(target, listening.name, write_listener(performance, listening, form))
 
 
 def _file(target: Target, listener: str, content: bytes) -> OutputFile:

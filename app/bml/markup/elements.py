@@ -18,6 +18,8 @@ CORE = "http://www.bml-initiative.org/bml/bml-1.0"
 CORE_EXTENSIONS = "http://www.bml-initiative.org/bml/coreextensions-1.0"
 SBM = "http://ict.usc.edu"
 """The namespace of SmartBody's additional attributes, `sbm:` in its files."""
+BMLT = "http://hmi.ewi.utwente.nl/bmlt"
+"""The namespace of ASAP's additional elements, such as recordings."""
 OURS = "urn:understudy:performance"
 RECORD_TYPE = "application/vnd.understudy.performance+xml"
 """The namespace, and the type of the `description` of a speech, of what our realizer needs and the core cannot say
@@ -227,21 +229,24 @@ def _own(name: str, attributes: Mapping[str, Attribute], *, syncs: tuple[str, ..
 _FILE = _kind("file", {"ref": _NEEDED}, namespace="")
 _SPEECH_PARTS = (
     _kind("text", parts=[_kind("sync", {"id": _ID, "time": _NUMBER}, namespace="")], mixed=True, namespace=""),
+    _kind("mark", {"name": _ID, "time": _NUMBER}, namespace=""),
     _kind("description", {"level": _COUNT, "type": _TEXT}, parts=[_FILE], namespace=""),
 )
 _GESTURE = {
     **dict.fromkeys(("lexeme", "type", "style", "emotion"), _TEXT),
     "mode": _HANDS,
+    f"{{{SBM}}}style": _TEXT,
     **dict.fromkeys(("prestroke_hold", "poststroke_hold"), _TEXT),
     _JOINTS: _TEXT,
     **dict.fromkeys((f"{{{SBM}}}frequency", f"{{{SBM}}}scale"), _NUMBER),
 }
+_OWN_SPEECH = {"id": _OWN_ID, "ref": _TEXT, "type": _TEXT}
 _LIPS = {"viseme": _NEEDED, "articulation": _NUMBER}
 _OWN_BLOCK = _kind(
     "bml",
     {"id": _OWN_ID},
     parts=[
-        _kind("speech", {"id": _OWN_ID, "type": _TEXT}, syncs=ENDS, parts=_SPEECH_PARTS, mixed=True, namespace=""),
+        _kind("speech", _OWN_SPEECH, syncs=ENDS, parts=_SPEECH_PARTS, mixed=True, namespace=""),
         _own("gesture", _GESTURE, syncs=STROKED_SMARTBODY),
         _own("head", {"type": _NEEDED, "repeats": _NUMBER, "amount": _NUMBER}, syncs=STROKED_SMARTBODY),
         _own(

@@ -1,7 +1,8 @@
 """The speech of a BML document and the positions of its sync marks.
 
 A mark precedes the word that follows it: mark `w3` of "I <sync id='w1'/>have …" is the time at which "have" begins.
-SmartBody's marks may state their time; those of the core get theirs from the recording.
+SmartBody's marks, `sync` of its text or `mark` of its speech, may state their time; those of the core get theirs from
+the recording.
 """
 
 from collections.abc import Iterator, Mapping
@@ -10,6 +11,9 @@ from types import MappingProxyType
 
 from ...model import Word
 from .documents import Document, Element, Time
+
+_NAMES: Mapping[str, str] = MappingProxyType({"sync": "id", "mark": "name"})
+"""The marks of a text, and the attribute that names them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,8 +65,8 @@ def _speech(element: Element) -> Speech:
         if isinstance(part, str):
             text += part
             continue
-        name, time_s = part.id, part.attributes.get("time")
-        if part.name == "sync" and name is not None:
+        name, time_s = part.attributes.get(_NAMES.get(part.name, "")), part.attributes.get("time")
+        if isinstance(name, str):
             marks[name] = len(text.split())
             if isinstance(time_s, float):
                 times_s[name] = time_s

@@ -17,7 +17,7 @@ from ..choice.behavior_table.table import GLANCE, SHIFT
 from ..choice.speech.lead_in import later_word
 from ..choice.speech.visemes import OPENINGS
 from ..markup.documents import DialectName, Document, Element, Reference, Time
-from ..markup.elements import DIALECTS, ElementKind
+from ..markup.elements import DIALECTS, SBM, ElementKind
 from ..markup.speech import Speech, behaviors_of, mark_s, speech_of
 from .constraints import synchronized, violated_constraints
 from .element_behaviors import SHIFTS, to_behavior
@@ -29,6 +29,7 @@ GUESSED_WORD_S = 0.35
 
 _NAMES: Mapping[str, str] = {"strokeStart": "stroke_start", "strokeEnd": "stroke_end", "attackPeak": "ready"}
 _STYLES: Mapping[str, Level] = {"low": Level.LOW, "mid": Level.MEDIUM, "medium": Level.MEDIUM, "high": Level.HIGH}
+_STYLE = f"{{{SBM}}}style"
 _STROKED = frozenset({Channel.GESTURE, Channel.HEAD})
 _UNPLAYED = ("a body alone has no way to play it", "one recording has one speech, the first")
 
@@ -191,7 +192,8 @@ def _visemes(elements: Mapping[str, Element], points: Mapping[str, Points]) -> I
 
 def _agitation(elements: Iterable[Element]) -> Level | None:
     """The level that most gestures of the document have as style."""
-    styles = Counter(_STYLES.get(str(each.attributes.get("style", ""))) for each in elements if each.name == "gesture")
+    gestures = (each.attributes for each in elements if each.name == "gesture")
+    styles = Counter(_STYLES.get(str(each.get(_STYLE) or each.get("style"))) for each in gestures)
     del styles[None]
     return styles.most_common(1)[0][0] if styles else None
 

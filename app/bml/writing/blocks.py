@@ -11,6 +11,7 @@ from types import MappingProxyType
 from ...model import Behavior, Channel, Hand, Performance, Word
 from ..choice.behavior_table.faces import ACTION_UNITS
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
+from ..markup.elements import BMLT
 from ..markup.marks import SPEECH, time_formatter, to_milli
 from .record import record
 
@@ -29,15 +30,15 @@ _FACE_SYNC_NAMES: Mapping[str, str] = MappingProxyType({"ready": "attackPeak"})
 Times = Mapping[str, Time]
 
 
-def to_core(performance: Performance, timing: TimeForm) -> Document:
+def to_core(performance: Performance, timing: TimeForm, audio_file: str | None = None) -> Document:
     """A document of one block; times are in seconds, rounded to milliseconds, or relative to the sync marks.
 
-    Without words, as for a listener, there is no speech.
+    Without words, as for a listener, there is no speech. An `audio_file` is played by ASAP's own element.
     """
     words, lead_in_s = performance.utterance.words, performance.utterance.lead_in_s
     timed = time_formatter(words, timing, mark="w{}".format, speech_start_s=lead_in_s)
     behaviors = (_element(each, timed(each.sync)) for each in performance.behaviors if each.kept)
-    speech = (_speech(performance),) if words else ()
+    speech = (_speech(performance), *_recording(audio_file, lead_in_s)) if words else ()
     attributes: dict[str, Value] = {"id": "bml1", "characterId": performance.character}
     return Document(DialectName.BML, Element("bml", attributes, (*speech, *behaviors)))
 
@@ -46,6 +47,11 @@ def _speech(performance: Performance) -> Element:
     text = Element("text", content=tuple(_marked(performance.utterance.words)))
     start_s = to_milli(performance.utterance.lead_in_s)
     return Element("speech", {"id": SPEECH, "start": start_s}, (text, record(performance)))
+
+
+def _recording(audio_file: str | None, start_s: float) -> Iterator[Element]:
+    if audio_file:
+        yield Element(f"{{{BMLT}}}audiofile", {"id": "audio1", "fileName": audio_file, "start": to_milli(start_s)})
 
 
 def _marked(words: tuple[Word, ...]) -> Iterator[Element | str]:

@@ -1,54 +1,25 @@
-"""Converts the schedule of a performance to SmartBody's dialect (shared/bml.md, "SmartBody dialect"), with lip sync.
+"""Converts the schedule of a performance to an act of SmartBody (shared/bml.md, "SmartBody dialect").
 
-SmartBody has a smaller vocabulary. Gestures and head movements without a counterpart are written as the nearest one
-(`GESTURES`, `HEADS`); a gesture lexeme in neither is written unchanged, for characters that have such a gesture. Faces
-are action units, as are blinks; a gaze lasts until the next, so one that returns becomes two; a posture is the name of
-one of the character's own. Gestures have only `stroke` and `relax`, all that its scheduler accepts together.
+SmartBody has a smaller vocabulary. Gestures go out as what its shipped gesture map has (`smartbody_tables`), head
+movements as the nearest of three (`HEADS`). Faces are action units, as are blinks; a gaze lasts until the next, so
+one that returns becomes two, and one at nothing that the scene is known to have is left out; a posture is the name of
+one of the character's own. Gestures have only `stroke` and `relax`, all that its scheduler accepts together. The mouth
+moves as the file beside the recording says (`smartbody_speech`): lips in the act are ignored.
 """
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 
-from ...model import Behavior, Channel, Level, Performance, Viseme, Word
+from ...model import Behavior, Channel, Level, Notice, Performance
 from ..choice.behavior_table.faces import ACTION_UNITS
-from ..choice.speech.visemes import SILENCE
+from ..choice.listeners.addressees import LISTENER
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
 from ..markup.elements import SBM
-from ..markup.marks import SPEECH, time_formatter, to_milli
+from ..markup.marks import time_formatter, to_milli
 from .blocks import GAZE_RANGE_DEGREES, MODES
-
-_GESTURES_OF_TYPES: Mapping[str, str] = MappingProxyType(
-    {
-        "RHYTHM": "BEAT CHOP COUNT COUNT_FIRST COUNT_FIVE COUNT_FOUR COUNT_LAST COUNT_NEXT COUNT_ONE COUNT_THREE "
-        "COUNT_TWO FAST PALM_BEAT QUOTES ROLL SLOW START MIME_KNOCK MIME_PRESS MIME_TYPE MIME_WRITE",
-        "YOU": "GIVE OFFER OPEN_HAND PALM_UP THANKS MIME_TALK MIME_THUMB_UP MIME_TOAST",
-        "ME": "APOLOGISE BRING_BACK COME_CLOSER HAND_ON_HEART MIME_BELLY MIME_DRINK MIME_EAT MIME_GRAB "
-        "MIME_LOOK MIME_OATH MIME_PULL",
-        "HERE": "NEAR NOW SET_DOWN",
-        "LEFT": "PLACE_LEFT POINT_LEFT",
-        "RIGHT": "PLACE_RIGHT POINT_RIGHT",
-        "CENTER": "BETWEEN FUTURE HOLD NARROW PATH_FORWARD POINT_FRONT PUT_IN SHORT SWEEP_FORWARD THROUGH "
-        "MIME_CRADLE MIME_DRIVE MIME_POUR MIME_READ MIME_WALK MIME_WATCH",
-        "ASIDE": "BACK DISMISS OVER_SHOULDER PASS_BY PAST PATH_ASIDE PUSH_AWAY SET_ASIDE SWEEP_AWAY TAKE_OUT THERE "
-        "MIME_SMELL MIME_THROW",
-        "CONTRAST": "COMPARATIVE COMPARATIVE_BIGGER COMPARATIVE_EQUAL COMPARATIVE_LONGER COMPARATIVE_SMALLER "
-        "PULL_APART TURN_OVER WEIGH MIME_TURN_KEY",
-        "OBLIGATION": "FIST HEAVY INSIST POINT_UP RAISED_FINGER MIME_HIT MIME_SHOOT MIME_SWORD",
-        "UNCERTAINTY": "SHRUG THINK WAVER WORD_SEARCH MIME_COVER_MOUTH MIME_FAN MIME_HOLD_HEAD MIME_LISTEN MIME_PHONE "
-        "MIME_SLEEP",
-        "INCLUSIVITY": "ACCEPT GATHER JOIN PALMS_TOGETHER",
-        "EMPTY": "END_CUT FALL FLAT HEIGHT_LOW PALMS_OUT STROKE_SOFTLY MIME_CUT MIME_THROAT",
-        "SURROUND": "CIRCLE CONTAIN FULL HEIGHT_HIGH LIFT_LIGHTLY LONG OPEN_UP RISE ROUND SWEEP_ALL UP WIDE "
-        "MIME_BURST MIME_FLY MIME_LIFT",
-        "STOP": "DOWN WALL MIME_HUSH MIME_PUSH",
-        "GREETING": "FAREWELL MIME_SALUTE",
-        "INTENSIFIER_POSITIVE": "PINCH PRECISION MIME_MONEY MIME_OK",
-    }
-)
-GESTURES: Mapping[str, str] = MappingProxyType(
-    {lexeme: name for name, lexemes in _GESTURES_OF_TYPES.items() for lexeme in lexemes.split()}
-)
-"""Our gesture lexemes and the nearest types of SmartBody's sets; identical names are not listed."""
+from .smartbody_speech import UNSAFE, first_mark, safe, speech_element
+from .smartbody_tables import GestureName, SmartBodyTables
 
 HEADS: Mapping[str, str] = MappingProxyType(
     {
@@ -76,6 +47,7 @@ UNITS_OF_LEXEMES: Mapping[str, tuple[int, ...]] = MappingProxyType(
 
 _STYLES: Mapping[Level, str] = MappingProxyType({Level.LOW: "low", Level.MEDIUM: "mid", Level.HIGH: "high"})
 _JOINTS: Mapping[str, str] = MappingProxyType({"LOOK": "EYES NECK", "GLANCE": "EYES", "SHIFT": "EYES NECK"})
+_STYLE = f"{{{SBM}}}style"
 _JOINT_RANGE = f"{{{SBM}}}joint-range"
 
 _PRIORITY_STEP = 10
@@ -84,61 +56,70 @@ _PRIORITY_STEP = 10
 Times = Mapping[str, Time]
 
 
-def to_smartbody(performance: Performance, timing: TimeForm, *, audio_name: str | None = None) -> Document:
-    """A document with one act; `audio_name` is the recording's file name without extension, which SmartBody needs to
-    find it."""
+def to_smartbody(
+    performance: Performance, timing: TimeForm, tables: SmartBodyTables, *, audio_name: str | None = None
+) -> Document:
+    """A document with one act; `audio_name` is the recording's file name without extension, without which SmartBody
+    refuses the speech."""
     words, lead_in_s = performance.utterance.words, performance.utterance.lead_in_s
-    timed = time_formatter(words, timing, mark=lambda number: f"T{2 * number}", speech_start_s=lead_in_s)
+    timed = time_formatter(words, timing, mark=first_mark, speech_start_s=lead_in_s)
     agitation = performance.utterance.agitation
     style = _STYLES[agitation.level] if agitation else None
-    block = (
-        *((_speech(words, audio_name, lead_in_s),) if words else ()),
-        *(_lips(shape) for shape in performance.visemes if shape.label != SILENCE),
-        Element("saccade", {"mode": "talk" if words else "listen", "start": 0.0}),
-        *(
-            element
-            for behavior in performance.behaviors
-            if behavior.kept
-            for element in _elements(behavior, timed(behavior.sync), style)
-        ),
+    speech = (speech_element(performance, timing, safe(audio_name) if audio_name else None),) if words else ()
+    movements = (
+        element
+        for behavior in _playable(performance)
+        for element in _elements(behavior, timed(behavior.sync), tables, style)
     )
+    saccade = Element("saccade", {"mode": "talk" if words else "listen", "start": 0.0})
     actor = Element("participant", {"id": performance.character, "role": "actor"})
-    return Document(DialectName.SMARTBODY, Element("act", content=(actor, Element("bml", content=block))))
+    block = Element("bml", content=(*speech, saccade, *movements))
+    return Document(DialectName.SMARTBODY, Element("act", content=(actor, block)))
 
 
-def _speech(words: tuple[Word, ...], audio_name: str | None, start_s: float) -> Element:
-    text = Element("text", content=tuple(_marked(words, start_s)))
-    recording = Element("file", {"ref": audio_name}) if audio_name else None
-    description = Element("description", {"level": 1, "type": "audio/x-wav"}, (recording,)) if recording else None
-    return Element(
-        "speech", {"id": SPEECH, "start": to_milli(start_s)}, (text, description) if description else (text,)
-    )
+def left_out(performance: Performance, audio_name: str | None) -> Iterator[Notice]:
+    """What SmartBody would refuse, break off at or not find, and what is written instead."""
+    if performance.utterance.words and audio_name is None:
+        message = "SmartBody finds a recording by its name, and this one has none; name it, or write ref in the speech"
+        yield Notice("smartbody_unnamed", message)
+    if audio_name and safe(audio_name) != audio_name:
+        message = f"SmartBody cannot read {UNSAFE} in a name; call the recording {safe(audio_name)!r} there"
+        yield Notice("smartbody_text", message)
+    words = [word.text for word in performance.utterance.words if safe(word.text) != word.text]
+    if words:
+        yield Notice("smartbody_text", f"SmartBody cannot read {UNSAFE}; left out in: {', '.join(words)}")
+    gazes = [each for each in performance.behaviors if each.kept and not _has_target(each, performance)]
+    if gazes:
+        message = (
+            f"{len(gazes)} gazes are left out: SmartBody looks only at pawns and characters of its scene; "
+            "name them as listeners or targets"
+        )
+        yield Notice("smartbody_gaze", message)
 
 
-def _marked(words: tuple[Word, ...], start_s: float) -> Iterator[Element | str]:
-    """Every timed word between marks at its start and its end, in seconds from the start of the speech."""
-    for word in words:
-        if word.interval is None:
-            yield f"{word.text} "
+def _playable(performance: Performance) -> Iterator[Behavior]:
+    """The kept behaviours, gazes at the listener being at the one who is named, without gazes at nobody."""
+    names = [listening.name for listening in performance.listeners]
+    for behavior in performance.behaviors:
+        if not behavior.kept or not _has_target(behavior, performance):
             continue
-        yield Element("sync", {"id": f"T{2 * word.index}", "time": to_milli(word.interval.start_s - start_s)})
-        yield f"{word.text} "
-        yield Element("sync", {"id": f"T{2 * word.index + 1}", "time": to_milli(word.interval.end_s - start_s)})
+        at_listener = behavior.kind is Channel.GAZE and behavior.target == LISTENER and LISTENER not in names
+        yield replace(behavior, target=names[0]) if at_listener and names else behavior
 
 
-def _lips(shape: Viseme) -> Element:
-    """A viseme rises over its first quarter and decays over its last."""
-    start_s, end_s = shape.interval.start_s, shape.interval.end_s
-    quarter_s = shape.interval.duration_s / 4
-    syncs = {"start": start_s, "ready": start_s + quarter_s, "relax": end_s - quarter_s, "end": end_s}
-    times = {name: to_milli(time_s) for name, time_s in syncs.items()}
-    return Element("lips", {"viseme": shape.label, "articulation": to_milli(shape.articulation), **times})
+def _has_target(behavior: Behavior, performance: Performance) -> bool:
+    """Whether a gaze is at somebody or something that the scene has; SmartBody refuses others. One who says nothing is
+    a listener, who looks at the speaker."""
+    if behavior.kind is not Channel.GAZE or not performance.utterance.words:
+        return True
+    names = {listening.name for listening in performance.listeners}
+    return behavior.target in names | {target.name for target in performance.targets} | ({LISTENER} if names else set())
 
 
-def _elements(behavior: Behavior, times: Times, style: str | None) -> Iterator[Element]:
+def _elements(behavior: Behavior, times: Times, tables: SmartBodyTables, style: str | None) -> Iterator[Element]:
     match behavior.kind:
         case Channel.GESTURE:
-            yield _gesture(behavior, times, style)
+            yield _gesture(behavior, times, tables.gesture(behavior.lexeme, behavior.hand, style))
         case Channel.HEAD:
             yield _head(behavior, times)
         case Channel.GAZE:
@@ -149,12 +130,12 @@ def _elements(behavior: Behavior, times: Times, style: str | None) -> Iterator[E
             yield Element("body", {"id": behavior.id, "posture": behavior.lexeme, **_some(times, "start", "end")})
 
 
-def _gesture(behavior: Behavior, times: Times, style: str | None) -> Element:
-    attributes: dict[str, Value] = {"id": behavior.id, "type": GESTURES.get(behavior.lexeme, behavior.lexeme)}
-    if style:
-        attributes["style"] = style
-    if behavior.hand:
-        attributes["mode"] = MODES[behavior.hand]
+def _gesture(behavior: Behavior, times: Times, name: GestureName) -> Element:
+    attributes: dict[str, Value] = {"id": behavior.id, "type": name.type}
+    if name.hand:
+        attributes["mode"] = MODES[name.hand]
+    if name.style:
+        attributes[_STYLE] = name.style
     attributes["priority"] = _priority(behavior)
     return Element("gesture", {**attributes, **_some(times, "stroke", "relax")})
 
@@ -174,14 +155,14 @@ def _gazes(behavior: Behavior, times: Times) -> Iterator[Element]:
         aside = {"direction": behavior.direction, "angle": to_milli(behavior.amount * GAZE_RANGE_DEGREES)}
     yield Element("gaze", {"id": behavior.id, **target, **aside, "start": times["start"]})
     if aside and behavior.lexeme != "SHIFT":
-        yield Element("gaze", {"id": f"{behavior.id}.back", **target, "start": times.get("relax", times["end"])})
+        yield Element("gaze", {"id": f"{behavior.id}back", **target, "start": times.get("relax", times["end"])})
 
 
 def _faces(behavior: Behavior, times: Times) -> Iterator[Element]:
     """An element for each action unit, numbered from the second on."""
     side, units = _units(behavior.lexeme)
     for number, unit in enumerate(units, start=1):
-        name = behavior.id if number == 1 else f"{behavior.id}.{number}"
+        name = behavior.id if number == 1 else f"{behavior.id}unit{number}"
         attributes: dict[str, Value] = {"id": name, "type": "facs", "au": str(unit), "side": side}
         yield Element("face", {**attributes, **_amount(behavior), "priority": _priority(behavior), **times})
 

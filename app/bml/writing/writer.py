@@ -5,27 +5,53 @@
 """
 
 from dataclasses import dataclass
+from pathlib import PurePath
 
-from ...model import Performance
+from ...model import Notice, Performance
 from ..markup.documents import DialectName, Document, TimeForm
 from ..markup.xml_writing import to_xml
 from .blocks import to_core
 from .json_form import to_json
-from .smartbody import to_smartbody
+from .smartbody import left_out, to_smartbody
+from .smartbody_speech import safe, speech_file
+from .smartbody_tables import VisemeNames, shipped_tables
 
 
 @dataclass(frozen=True, slots=True)
 class BmlForm:
     """The output format. Absolute times are the default, because realizers do not know the word times of recorded
-    speech. `audio_name` is the recording's name for SmartBody, which plays it."""
+    speech. `audio_file` is the name of the recording's file, by which SmartBody finds it, and ASAP where `bmlt_audio`
+    asks for an element that plays it, which strict readers of the core refuse. `visemes` are the names of the shapes of
+    SmartBody's mouths."""
 
     dialect: DialectName = DialectName.BML
     timing: TimeForm = TimeForm.ABSOLUTE
-    audio_name: str | None = None
+    audio_file: str | None = None
+    bmlt_audio: bool = False
+    visemes: VisemeNames = VisemeNames.SMARTBODY
+
+    @property
+    def audio_name(self) -> str | None:
+        """The name of the recording's file without its extension."""
+        return PurePath(self.audio_file).stem if self.audio_file else None
 
 
 CORE_FORM = BmlForm()
 """BML 1.0 core with absolute times."""
+
+
+@dataclass(frozen=True, slots=True)
+class SpeechFile:
+    """The file that SmartBody wants in the folder of the recording."""
+
+    name: str
+    content: bytes
+
+    @property
+    def left_out(self) -> Notice:
+        """What to say where there is no place for it."""
+        message = f"SmartBody wants {self.name} beside the recording; "
+        return Notice("speech_file_left_out", message + "write to a file (-o act.xml), or ask the service for JSON")
 
 
 def write_bml(performance: Performance, form: BmlForm = CORE_FORM) -> bytes:
@@ -38,10 +64,30 @@ def write_bml_json(performance: Performance, form: BmlForm = CORE_FORM) -> bytes
     return to_json(to_document(performance, form))
 
 
+def write_speech_file(performance: Performance, form: BmlForm) -> SpeechFile | None:
+    """NAME.bml with words and lips in time; None in BML 1.0, where nothing is said, and where the recording has no
+    name."""
+    name = speech_file_name(form)
+    if name is None or not performance.utterance.words:
+        return None
+    return SpeechFile(name, to_xml(speech_file(performance, shipped_tables().visemes[form.visemes])))
+
+
+def speech_file_name(form: BmlForm) -> str | None:
+    """NAME.bml, where SmartBody's dialect needs it and the recording has a name."""
+    named = form.dialect is DialectName.SMARTBODY and form.audio_name
+    return f"{safe(named)}.bml" if named else None
+
+
+def losses(performance: Performance, form: BmlForm) -> tuple[Notice, ...]:
+    """What the form cannot say of the performance."""
+    return tuple(left_out(performance, form.audio_name)) if form.dialect is DialectName.SMARTBODY else ()
+
+
 def to_document(performance: Performance, form: BmlForm = CORE_FORM) -> Document:
     """The BML document as a value."""
     match form.dialect:
         case DialectName.BML:
-            return to_core(performance, form.timing)
+            return to_core(performance, form.timing, form.audio_file if form.bmlt_audio else None)
         case DialectName.SMARTBODY:
-            return to_smartbody(performance, form.timing, audio_name=form.audio_name)
+            return to_smartbody(performance, form.timing, shipped_tables(), audio_name=form.audio_name)

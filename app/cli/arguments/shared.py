@@ -3,6 +3,7 @@
 import argparse
 
 from ...bml.markup.documents import DialectName, TimeForm
+from ...bml.writing.smartbody_tables import VisemeNames
 from ...model import Level, Mode
 from ...motion_formats import Keys
 from ...realizer.body.motion import FRAME_RATES_HZ
@@ -90,6 +91,15 @@ def add_form(parser: argparse.ArgumentParser) -> None:
     dialects = [dialect.value for dialect in DialectName]
     parser.add_argument(
         "--dialect", choices=dialects, default="bml", help="BML 1.0 core, or SmartBody's with lip sync (default bml)"
+    )
+    names = [name.value for name in VisemeNames]
+    parser.add_argument(
+        "--visemes", choices=names, default="smartbody", help="whose names SmartBody's mouth shapes have (its own)"
+    )
+    parser.add_argument(
+        "--bmlt-audio",
+        action="store_true",
+        help="also an element by which ASAP plays the recording, in BML 1.0; strict readers refuse it",
     )
 
 

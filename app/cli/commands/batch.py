@@ -18,6 +18,7 @@ from ...batch.scripts.columns import read_named
 from ...batch.work.formats import formats_named, needs_pictures
 from ...batch.work.jobs import MotionForm
 from ...bml.markup.documents import DialectName, TimeForm
+from ...bml.writing.smartbody_tables import VisemeNames
 from ...bml.writing.writer import BmlForm
 from ...errors import InputError
 from ...model import Level, Mode
@@ -86,7 +87,12 @@ def _options(arguments: argparse.Namespace) -> Options:
         agitation=arguments.agitation and Level(arguments.agitation),
         seed=arguments.seed,
         mode=Mode(arguments.mode),
-        form=BmlForm(DialectName(arguments.dialect), TimeForm(arguments.timing)),
+        form=BmlForm(
+            DialectName(arguments.dialect),
+            TimeForm(arguments.timing),
+            bmlt_audio=arguments.bmlt_audio,
+            visemes=VisemeNames(arguments.visemes),
+        ),
         lead_in_s=arguments.lead_in,
         stillness=arguments.stillness,
     )

@@ -7,7 +7,8 @@ from pathlib import PurePath
 
 from ...analysis import Line, Options
 from ...bml.markup.documents import DialectName, TimeForm
-from ...bml.writing.writer import BmlForm, write_bml, write_bml_json
+from ...bml.writing.smartbody_tables import VisemeNames
+from ...bml.writing.writer import BmlForm, speech_file_name, write_bml, write_bml_json, write_speech_file
 from ...errors import InputError
 from ...model import Level, Mode, Performance
 from ...schemas.requests import listener_names
@@ -35,7 +36,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     performance = _performed(line, options, arguments.reference, settings, log)
     if arguments.realize:
         _realize(performance, arguments.realize, motion, log)
-    _write(performance, options.form, arguments)
+    _write(performance, options.form, arguments, log)
     log.warnings(performance.notices)
     if arguments.output != STANDARD:
         log.note(summary(performance))
@@ -72,8 +73,8 @@ def _realize(performance: Performance, names: Sequence[str], motion: MotionOptio
     write_motions(names, PreparedSchedule.of(performance), motion, log)
 
 
-def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespace) -> None:
-    """The trace, the BML, and the listeners' beside it."""
+def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespace, log: Log) -> None:
+    """The trace, the BML, and what goes beside it."""
     from ...performance import write_listener
     from ...schemas.responses import PerformanceResponse
 
@@ -81,13 +82,35 @@ def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespac
         write(arguments.trace, PerformanceResponse.of_performance(performance).to_json(indent=2) + b"\n")
     written = write_bml_json if arguments.output.lower().endswith(".json") else write_bml
     write(arguments.output, written(performance, form))
+    speech = write_speech_file(performance, form)
+    if speech and arguments.output != STANDARD:
+        write(_beside_act(arguments.output, speech.name), speech.content)
+    elif speech:
+        log.warnings([speech.left_out])
     for listening in performance.listeners:
         write(_beside(arguments.output, listening.name), write_listener(performance, listening, form))
 
 
 def _form(arguments: argparse.Namespace) -> BmlForm:
-    audio_name = None if arguments.audio == STANDARD else PurePath(arguments.audio).stem
-    return BmlForm(DialectName(arguments.dialect), TimeForm(arguments.timing), audio_name)
+    """What comes from standard input goes by the name of the output."""
+    named = [name for name in (arguments.audio, arguments.output) if name != STANDARD]
+    return BmlForm(
+        DialectName(arguments.dialect),
+        TimeForm(arguments.timing),
+        PurePath(named[0]).name if named else None,
+        arguments.bmlt_audio,
+        VisemeNames(arguments.visemes),
+    )
+
+
+def _speech_file_names(arguments: argparse.Namespace) -> list[OutputFile]:
+    name = speech_file_name(_form(arguments))
+    return [] if name is None or arguments.output == STANDARD else [_beside_act(arguments.output, name)]
+
+
+def _beside_act(output: str, name: str) -> OutputFile:
+    """The file that SmartBody wants in the folder of the recording goes to that of the act."""
+    return OutputFile(PurePath(output).with_name(name))
 
 
 def _beside(output: str, name: str) -> OutputFile:
@@ -99,7 +122,8 @@ def _check_targets(arguments: argparse.Namespace) -> None:
     """Raises InputError before the work when its result could not be written."""
     if arguments.listener and arguments.output == STANDARD:
         raise InputError("usage", "a listener's BML goes beside the speaker's; say where with -o OUT.bml")
-    beside = [_beside(arguments.output, name) for name in listener_names(arguments.listener)]
+    listeners = [_beside(arguments.output, name) for name in listener_names(arguments.listener)]
+    beside = [*listeners, *_speech_file_names(arguments)]
     require_distinct(arguments, beside)
     for output in (arguments.output, *beside):
         require_writable(output, field="output")

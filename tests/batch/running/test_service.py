@@ -20,7 +20,7 @@ from understudy.batch.work.performing import perform_job
 from understudy.errors import InputError
 from understudy.model import DirectedMoment, Direction
 from understudy.motion_formats import MotionFormat
-from understudy.performance import Options, Understudy
+from understudy.performance import BmlForm, DialectName, Options, Understudy
 from understudy.settings import Settings
 
 AUDIO = Path(__file__).parents[2] / "audio"
@@ -47,13 +47,24 @@ def url(nursery: Nursery) -> Iterator[str]:
     thread.join()
 
 
-def test_a_line_is_performed_there_as_here(url: str, understudy: Understudy) -> None:
+@pytest.mark.parametrize(
+    ("dialect", "paths"),
+    [
+        (DialectName.BML, ["one.bml", "one.default.bml"]),
+        (DialectName.SMARTBODY, ["one.bml", "one.xml", "one.default.xml"]),
+    ],
+)
+def test_a_line_is_performed_there_as_here(
+    url: str, understudy: Understudy, dialect: DialectName, paths: list[str]
+) -> None:
+    job = replace(JOB, options=replace(JOB.options, form=BmlForm(dialect, audio_file="figure8.flac")))
     with closing(ServiceEngine(url, 2, Settings())) as engine:
-        there = engine.submit(JOB).result()
-    here = perform_job(JOB, understudy)
-    assert [file.content for file in there.files if file.form is LineFormat.BML] == [
-        file.content for file in sorted(here.files, key=lambda each: -len(each.listener)) if file.form is LineFormat.BML
+        there = engine.submit(job).result()
+    here = perform_job(job, understudy)
+    assert [file for file in there.files if file.form is LineFormat.BML] == [
+        file for file in here.files if file.form is LineFormat.BML
     ]
+    assert [file.path for file in here.files if file.form is LineFormat.BML] == paths
     assert there.measures is not None
     assert here.measures is not None
     assert replace(here.measures, pitch_spread_st=None) == there.measures

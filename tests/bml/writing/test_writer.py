@@ -11,7 +11,7 @@ from tests.support.shared_data import SHARED, needs
 from understudy.bml.choice.behavior_table.table import GAZE_LEXEMES, STROKED
 from understudy.bml.choice.characters.characters import Characters
 from understudy.bml.markup.elements import CORE, CORE_EXTENSIONS
-from understudy.bml.writing.writer import write_bml
+from understudy.bml.writing.writer import BmlForm, write_bml
 from understudy.model import Behavior, Channel, Hand, Performance, SyncPoints, Word
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -161,6 +161,19 @@ def test_where_nothing_is_said_there_is_no_speech() -> None:
     document = write_bml(replace(line, utterance=replace(line.utterance, words=())))
     assert check(document) == []
     assert [child.get("id") for child in etree.fromstring(document)] == ["head1"]
+
+
+def test_asap_is_told_what_to_play_where_that_is_asked_for() -> None:
+    line = performance(behavior(Channel.HEAD, "NOD", STROKE))
+    line = replace(line, utterance=replace(line.utterance, lead_in_s=0.5))
+    named = BmlForm(audio_file="line 1.wav")
+    assert write_bml(line, named) == write_bml(line)
+    root = etree.fromstring(write_bml(line, replace(named, bmlt_audio=True)))
+    assert root[1].tag == "{http://hmi.ewi.utwente.nl/bmlt}audiofile"
+    assert attributes(root[1]) == {"id": "audio1", "fileName": "line 1.wav", "start": "0.500"}
+    assert root.nsmap == {None: CORE}
+    root.remove(root[1])
+    assert check(etree.tostring(root)) == []
 
 
 def test_small_times_are_fixed_decimals() -> None:

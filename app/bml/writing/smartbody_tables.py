@@ -1,0 +1,113 @@
+"""What SmartBody's shipped characters can play and how our movements are called there, from `lexicon/smartbody.yaml`.
+
+SmartBody plays a gesture only if its character's gesture map has an entry with the type, mode and style that are
+written, and a viseme only if the face has a shape of that name.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import cache
+from pathlib import Path
+from types import MappingProxyType
+from typing import Annotated
+
+from pydantic import Field
+
+from ...errors import AuthoringError, Mistake
+from ...model import Hand
+from ...resources import resource_folder
+from ...yaml_files import Entry, Source
+from ..choice.speech.visemes import OPENINGS, SILENCE
+
+FILE = "smartbody.yaml"
+
+
+class VisemeNames(StrEnum):
+    """Whose names the shapes of the mouth go by."""
+
+    SMARTBODY = "smartbody"
+    FACEFX = "facefx"
+
+
+class MouthShape(Entry):
+    """A shape of the face's own, and how far into it ours goes."""
+
+    name: Annotated[str, Field(min_length=1)]
+    share: Annotated[float, Field(gt=0, le=1)] = 1.0
+
+
+Styles = Annotated[list[str], Field(min_length=1)]
+
+
+class SmartBodyFile(Entry):
+    """The file's schema; its comments say what the keys mean."""
+
+    gesture_map: dict[str, Annotated[dict[Hand, Styles], Field(min_length=1)]]
+    lexemes: dict[str, str]
+    visemes: dict[VisemeNames, dict[str, MouthShape]]
+
+
+@dataclass(frozen=True, slots=True)
+class GestureName:
+    """What a gesture is asked for by; `hand` and `style` are None where no entry of the map has them."""
+
+    type: str
+    hand: Hand | None = None
+    style: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SmartBodyTables:
+    """The gesture map as hands and styles of every type, the types of our lexemes, and shapes of the mouth."""
+
+    gesture_map: Mapping[str, Mapping[Hand, frozenset[str]]]
+    types: Mapping[str, str]
+    visemes: Mapping[VisemeNames, Mapping[str, MouthShape]]
+
+    @classmethod
+    def load(cls, path: Path) -> "SmartBodyTables":
+        """The tables of a file. Raises AuthoringError with every mistake."""
+        source = Source(path)
+        written = source.validated(SmartBodyFile)
+        mistakes = tuple(_mistakes(source, written))
+        if mistakes:
+            raise AuthoringError(mistakes)
+        return cls(
+            gesture_map={
+                name: {hand: frozenset(styles) for hand, styles in hands.items()}
+                for name, hands in written.gesture_map.items()
+            },
+            types={lexeme: name for name, lexemes in written.lexemes.items() for lexeme in lexemes.split()},
+            visemes={names: MappingProxyType(shapes) for names, shapes in written.visemes.items()},
+        )
+
+    def gesture(self, lexeme: str, hand: Hand | None, style: str | None) -> GestureName:
+        """The nearest gesture that the map has: of its type at any rate, with hand and style where there is one."""
+        name = self.types.get(lexeme, lexeme)
+        if name not in self.gesture_map:
+            return GestureName(name, hand)
+        hands = self.gesture_map[name]
+        if hand not in hands:
+            hand = None
+        styles = hands[hand] if hand else frozenset().union(*hands.values())
+        return GestureName(name, hand, style if style in styles else None)
+
+
+@cache
+def shipped_tables() -> SmartBodyTables:
+    """The tables that come with the package."""
+    return SmartBodyTables.load(resource_folder("lexicon") / FILE)
+
+
+def _mistakes(source: Source, written: SmartBodyFile) -> Iterator[Mistake]:
+    for name in written.lexemes.keys() - written.gesture_map.keys():
+        yield source.mistake(("lexemes", name), f"the map has no type {name}")
+    lexemes = [lexeme for listed in written.lexemes.values() for lexeme in listed.split()]
+    for lexeme in {one for one in lexemes if lexemes.count(one) > 1 or one in written.gesture_map}:
+        yield source.mistake(("lexemes",), f"{lexeme} has more than one type")
+    for names in VisemeNames:
+        shapes = written.visemes.get(names, {})
+        if shapes.keys() != OPENINGS.keys() - {SILENCE}:
+            known = ", ".join(sorted(OPENINGS.keys() - {SILENCE}))
+            yield source.mistake(("visemes", names.value), f"the shapes of {names} are {known}, each once")
