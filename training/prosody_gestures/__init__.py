@@ -1,5 +1,4 @@
-"""Makes the models that gesture from the voice alone: see models/prosody_gestures/README.md.
+"""Makes the model that gestures from the voice alone: see models/prosody_gestures/README.md.
 
-`performed` has the rules perform recordings and keeps what they did beside what was heard; `pairs` reads that, and the
-recordings with motion of others; `train` learns the models that ship.
+`performed` has the rules perform recordings, `performed_lines` reads what they did, `train` learns from it.
 """

@@ -1,0 +1,113 @@
+"""The model that gestures from the voice: for hands, head and brows each a semi-Markov model over discriminants of the
+prosody, in one file without pickles."""
+
+import io
+import zipfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Self
+
+import numpy as np
+
+from ..errors import ServiceError
+from ..model import FloatArray
+from .context import WIDTH, in_context
+from .counting import Smoothing, count
+from .discriminants import Discriminants, fit_discriminants
+from .mixtures import MixtureOptions, fit_mixtures
+from .prosody import features, raw_frames
+from .semi_markov import MixtureEmissions, Segment, SemiMarkovModel, states_by_frame
+from .trellis import EVERYTHING, Search
+from .viterbi import decode
+
+LONGEST_S = 5.0
+"""D_max of AHG; RTS has 10 s."""
+
+LONGEST_FRAMES = 200
+MIXTURES = MixtureOptions(components=3)
+
+_DISCRIMINANTS = ("mean", "scale", "weights")
+_EMISSIONS = ("log_weights", "means", "variances")
+_MODEL = ("log_initial", "log_transition", "log_duration")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PartModel:
+    """A part of the body ("hands", "head", "brows"): how its states show in the prosody and follow one another."""
+
+    part: str
+    discriminants: Discriminants
+    model: SemiMarkovModel
+
+    def log_likelihoods(self, rows: FloatArray) -> FloatArray:
+        """Of prosody in its context (frames × `WIDTH`), for each state (frames × states)."""
+        return self.model.emissions.log_likelihoods(self.discriminants.project(rows))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class VoiceModel:
+    """The parts of the body, in the order of the file."""
+
+    parts: tuple[PartModel, ...]
+
+    @classmethod
+    def load(cls, path: Path) -> Self:
+        """Raises ServiceError `model_unreadable`."""
+        try:
+            with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as arrays:
+                return cls(tuple(_read(dict(arrays), str(part)) for part in arrays["parts"]))
+        except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
+            raise ServiceError("model_unreadable", f"{path} is no model of gestures from the voice: {error}") from None
+
+    def save(self, path: Path) -> None:
+        """Written to a temporary name, then renamed."""
+        arrays = {f"{part.part}/{name}": array for part in self.parts for name, array in _arrays(part).items()}
+        arrays["parts"] = np.array([part.part for part in self.parts])
+        unfinished = path.with_suffix(".unfinished")
+        with unfinished.open("wb") as file:
+            np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
+        unfinished.rename(path)
+
+    def decode(
+        self, energy_db: FloatArray, f0_hz: FloatArray, search: Search = EVERYTHING
+    ) -> dict[str, tuple[Segment, ...]]:
+        """The likeliest path of each part through a whole recording, from its contours (a row each .01 s)."""
+        rows = in_context(features(raw_frames(energy_db, f0_hz)))
+        return {part.part: decode(part.model, part.log_likelihoods(rows), search) for part in self.parts}
+
+
+def learn_part(
+    part: str, states: tuple[str, ...], examples: Sequence[tuple[FloatArray, Sequence[Segment]]]
+) -> PartModel:
+    """From prosody in its context (frames × `WIDTH`) and the segments beside it."""
+    rows = np.concatenate([example for example, _ in examples])
+    kinds = np.concatenate([states_by_frame(path) for _, path in examples])
+    discriminants = fit_discriminants(rows, kinds)
+    projected = discriminants.project(rows)
+    emissions = fit_mixtures([projected[kinds == state] for state in range(len(states))], MIXTURES)
+    counts = count([path for _, path in examples], len(states), LONGEST_FRAMES, Smoothing())
+    model = SemiMarkovModel(states, counts.log_initial, counts.log_transition, counts.log_duration, emissions)
+    return PartModel(part, discriminants, model)
+
+
+def _arrays(part: PartModel) -> dict[str, FloatArray]:
+    emissions = part.model.emissions
+    assert isinstance(emissions, MixtureEmissions), "shipped models observe features"
+    held = ((part.discriminants, _DISCRIMINANTS), (emissions, _EMISSIONS), (part.model, _MODEL))
+    arrays = {name: getattr(holder, name).astype(np.float32) for holder, names in held for name in names}
+    return arrays | {"states": np.array(part.model.states)}
+
+
+def _read(arrays: dict[str, FloatArray], part: str) -> PartModel:
+    mean, scale, weights = (arrays[f"{part}/{name}"].astype(np.float64) for name in _DISCRIMINANTS)
+    if len(mean) != WIDTH:
+        raise ValueError(f"it observes {len(mean)} numbers of {part}, and we measure {WIDTH}: train it anew")
+    emissions = MixtureEmissions(*(arrays[f"{part}/{name}"].astype(np.float64) for name in _EMISSIONS))
+    initial, transition, duration = (arrays[f"{part}/{name}"].astype(np.float64) for name in _MODEL)
+    states = tuple(str(state) for state in arrays[f"{part}/states"])
+    return PartModel(
+        part,
+        Discriminants(mean, scale, weights),
+        SemiMarkovModel(states, initial, transition, duration, emissions),
+    )

@@ -1,0 +1,1 @@
+"""Gestures from the voice alone: how well, how fast, how late. Begin with `strokes.py`."""

@@ -1,0 +1,65 @@
+"""Gestures while the voice goes on: the same as from its recording where nothing hurries, in time where it does."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from tests.prosody_gestures.test_prosody import spoken
+from tests.prosody_gestures.test_voice_model import SHIPPED
+from understudy.model import FRAME_SHIFT_S
+from understudy.prosody_gestures.live_decoder import Commitment
+from understudy.prosody_gestures.live_gestures import COMMITMENT, LATEST_S, LiveGestures, Phase
+from understudy.prosody_gestures.semi_markov import FRAME_S
+from understudy.prosody_gestures.trellis import EVERYTHING
+from understudy.prosody_gestures.voice_model import VoiceModel
+
+ENERGY_DB, F0_HZ = spoken(9.0, 4)
+MODEL = VoiceModel.load(SHIPPED)
+
+
+def heard(chunk: int, commitment: Commitment) -> tuple[list[Phase], float]:
+    """All phases, and the longest that the end of one was waited for."""
+    live, phases, latest_s = LiveGestures(MODEL, EVERYTHING, commitment), list[Phase](), 0.0
+    decided_s = dict.fromkeys(("hands", "head", "brows"), 0.0)
+    for first in range(0, len(F0_HZ), chunk):
+        found = live.hear(ENERGY_DB[first : first + chunk], F0_HZ[first : first + chunk])
+        phases += found
+        decided_s |= {phase.part: phase.end_s for phase in found}
+        latest_s = max(latest_s, first * FRAME_SHIFT_S - min(decided_s.values()))
+    return [*phases, *live.finish()], latest_s
+
+
+@pytest.mark.parametrize("chunk", [1, 4, 7, 1000])
+def test_unhurried_it_is_the_decode_of_the_recording(chunk: int) -> None:
+    phases, _ = heard(chunk, Commitment(at_once=40))
+    for part, path in MODEL.decode(ENERGY_DB, F0_HZ).items():
+        begun = [phase for phase in phases if phase.part == part and phase.begins]
+        assert [round(phase.start_s / FRAME_S) for phase in begun] == [segment.start for segment in path]
+
+
+def test_every_moment_is_decided_once_and_in_time() -> None:
+    phases, latest_s = heard(1, COMMITMENT)
+    for part in ("hands", "head", "brows"):
+        own = [phase for phase in phases if phase.part == part]
+        assert all(one.end_s == other.start_s for one, other in pairwise(own))
+        assert own[0].start_s == 0
+        assert own[-1].end_s == pytest.approx(len(F0_HZ) * FRAME_SHIFT_S, abs=2 * FRAME_S)
+    assert latest_s <= LATEST_S + FRAME_S
+
+
+def test_chunks_do_not_matter() -> None:
+    assert heard(3, COMMITMENT)[0] == heard(50, COMMITMENT)[0]
+
+
+def test_little_is_kept() -> None:
+    live = LiveGestures(MODEL)
+    for _ in range(20):
+        live.hear(ENERGY_DB, F0_HZ)
+        assert len(live._levels_db) < 20
+
+
+def test_nothing_heard_is_nothing_done() -> None:
+    live = LiveGestures(MODEL)
+    assert live.hear(np.empty(0), np.empty(0)) == ()
+    assert live.finish() == ()
