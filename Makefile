@@ -3,7 +3,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: perform test test-clients serve lock client-types clean
+.PHONY: perform test test-clients serve plugin test-plugins lock client-types clean
 
 perform: .venv/installed
 	mkdir -p out
@@ -23,6 +23,19 @@ test: .venv/installed-test
 # The client and its example, with node, npm and chromium where they are; what is missing is said and skipped.
 test-clients: .venv/installed
 	clients/test.sh
+
+# The extension for Blender (docs/blender.md), and its tests in Blender's own module: 374 MB, so in a place of its own.
+plugin:
+	$(PYTHON) plugins/build_blender.py
+
+test-plugins: .venv/installed .venv-bpy/installed
+	OMP_NUM_THREADS=1 .venv-bpy/bin/python -m pytest -c tests/plugins/in_blender.ini --rootdir=. \
+	    --confcutdir=tests/plugins tests/plugins/blender/in_blender
+
+.venv-bpy/installed:
+	$(PYTHON) -m venv .venv-bpy
+	.venv-bpy/bin/pip install --quiet --disable-pip-version-check "bpy>=4.2" pytest requests
+	touch $@
 
 .venv/bin/python:
 	$(PYTHON) -c 'import sys; sys.exit(None if sys.version_info >= (3, 11) else "understudy needs Python 3.11 or newer")'
@@ -50,4 +63,4 @@ client-types: .venv/installed
 	cd clients/typescript && npm ci --silent && UNDERSTUDY_PYTHON=../../$(BIN)/python node scripts/generate.js
 
 clean:
-	rm -rf .venv out dist clients/typescript/dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache
+	rm -rf .venv .venv-bpy out dist clients/typescript/dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache

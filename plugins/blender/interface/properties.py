@@ -1,0 +1,138 @@
+"""The settings that are saved with the file: how the next line is performed, and what armatures remember."""
+
+from typing import Any
+
+import bpy
+from bpy.props import (
+    BoolProperty,
+    CollectionProperty,
+    EnumProperty,
+    FloatProperty,
+    IntProperty,
+    PointerProperty,
+    StringProperty,
+)
+
+LARGEST_SEED = 2**31 - 1
+
+
+class TargetSettings(bpy.types.PropertyGroup):
+    """Something to look and point at."""
+
+    thing: PointerProperty(type=bpy.types.Object, name="Object", description="What words that name it point at")
+
+
+class BoneSettings(bpy.types.PropertyGroup):
+    """The bone of a joint."""
+
+    joint: StringProperty(name="Joint")
+    bone: StringProperty(name="Bone", description="The bone that is turned as this joint of the performer")
+
+
+class PerformanceRecord(bpy.types.PropertyGroup):
+    """A performance that lies on the armature; its name is the group's own."""
+
+    zero_frame: FloatProperty(name="Frame", description="The frame at which the recording begins")
+    bml: PointerProperty(type=bpy.types.Text, name="BML")
+    trace: PointerProperty(type=bpy.types.Text, name="Record", description="Words, functions and reasons, as JSON")
+    behaviors: StringProperty()
+    order: StringProperty()
+
+
+class PerformerSettings(bpy.types.PropertyGroup):
+    """An armature's own settings."""
+
+    character: StringProperty(name="Character", default="default", description="Who performs: how large and how often")
+    profile: StringProperty(name="Profile", description="A speaker's way of gesturing; empty: the character's own")
+    table: StringProperty()
+    bones: CollectionProperty(type=BoneSettings)
+    active_bone: IntProperty()
+    performances: CollectionProperty(type=PerformanceRecord)
+    active_performance: IntProperty()
+
+
+def _is_armature(_settings: Any, thing: Any) -> bool:
+    return bool(thing.type == "ARMATURE")
+
+
+def _is_camera(_settings: Any, thing: Any) -> bool:
+    return bool(thing.type == "CAMERA")
+
+
+class LineSettings(bpy.types.PropertyGroup):
+    """How the next line is performed."""
+
+    source: EnumProperty(
+        name="Recording",
+        items=[
+            ("STRIP", "Strip", "A sound strip of the sequencer"),
+            ("FILE", "File", "A file, placed in the sequencer at the current frame"),
+        ],
+    )
+    strip: StringProperty(name="Strip", description="A sound strip of the sequencer")
+    audio: StringProperty(name="File", subtype="FILE_PATH", description="A recording")
+    text: StringProperty(name="Text", description="The words; empty: those of the strip, or of text strips beside it")
+    performer: PointerProperty(
+        type=bpy.types.Object, name="Performer", poll=_is_armature, description="Empty: the active armature"
+    )
+    seed: IntProperty(name="Seed", min=-LARGEST_SEED, max=LARGEST_SEED, description="Another number, other movements")
+    agitation: EnumProperty(
+        name="Agitation",
+        items=[
+            ("HEARD", "As Heard", "As the voice sounds"),
+            ("low", "Low", "Lax"),
+            ("medium", "Medium", "As usual"),
+            ("high", "High", "Tense"),
+        ],
+    )
+    stillness: FloatProperty(name="Stillness", min=0, max=1, subtype="FACTOR", description="How much less moves")
+    lead_in_s: FloatProperty(
+        name="Lead-In", min=0, max=3, unit="TIME_ABSOLUTE", description="How long before the recording it begins"
+    )
+    tail_s: FloatProperty(
+        name="Tail", min=0, max=10, unit="TIME_ABSOLUTE", description="How long it goes on after the recording"
+    )
+    listener: PointerProperty(type=bpy.types.Object, name="Listener", description="Who or what is spoken to")
+    listener_performs: BoolProperty(
+        name="Listener Reacts", default=True, description="Whether the listener, if it is an armature, performs too"
+    )
+    camera: PointerProperty(
+        type=bpy.types.Object,
+        name="Camera",
+        poll=_is_camera,
+        description="A camera to look at; without a listener it is spoken to",
+    )
+    targets: CollectionProperty(type=TargetSettings)
+    active_target: IntProperty()
+    set_range: BoolProperty(name="Set Range", default=True, description="Has the scene's frames take in the line")
+    behavior_strips: BoolProperty(
+        name="Behaviours as Strips", default=True, description="Lays an NLA strip for each behaviour, to be edited"
+    )
+
+
+class JobSettings(bpy.types.PropertyGroup):
+    """What is under way now."""
+
+    running: BoolProperty()
+    cancel: BoolProperty()
+    stage: StringProperty()
+    done: FloatProperty(min=0, max=1, subtype="FACTOR")
+
+
+CLASSES = (TargetSettings, BoneSettings, PerformanceRecord, PerformerSettings, LineSettings, JobSettings)
+
+
+def register() -> None:
+    for each in CLASSES:
+        bpy.utils.register_class(each)
+    bpy.types.Scene.understudy = PointerProperty(type=LineSettings)
+    bpy.types.Object.understudy = PointerProperty(type=PerformerSettings)
+    bpy.types.WindowManager.understudy = PointerProperty(type=JobSettings)
+
+
+def unregister() -> None:
+    del bpy.types.WindowManager.understudy
+    del bpy.types.Object.understudy
+    del bpy.types.Scene.understudy
+    for each in reversed(CLASSES):
+        bpy.utils.unregister_class(each)

@@ -1,0 +1,1 @@
+"""Motion as numbers: rotations, and the clips that Understudy answers with."""

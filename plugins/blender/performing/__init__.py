@@ -1,0 +1,1 @@
+"""Who performs: the service over HTTP, or a local install by its command; and what they answer."""

@@ -1,0 +1,53 @@
+"""A line from its recording to motion, for who speaks and who listens; and BML to motion."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..motion.clip import Clip
+from ..schedule.behaviors import Behavior, behaviors_of
+from .requests import Cancellation, Connection, Json, Line, Progress, Sheet
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PlayedLine:
+    """BML, its motion and behaviours, what is known of it beyond, and what the person should be told."""
+
+    bml: bytes
+    clip: Clip
+    behaviors: tuple[Behavior, ...]
+    trace: Mapping[str, Any] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+
+
+def perform_line(
+    connection: Connection,
+    line: Line,
+    realizations: Mapping[str, Json],
+    progress: Progress,
+    cancelled: Cancellation,
+) -> dict[str, PlayedLine]:
+    """The speaker by the name "", and each listener by his; `realizations` are the options with which each is
+    realized. Raises PerformingError and CancelledError."""
+    performed = connection.perform(line, progress, cancelled)
+    played = {}
+    for name, bml in {"": performed.bml, **performed.listeners}.items():
+        sheet = Sheet(bml, line.audio, realizations[name])
+        trace = {} if name else performed.trace
+        told = () if name else performed.warnings
+        played[name] = play_sheet(connection, sheet, progress, cancelled, trace=trace, warnings=told)
+    return played
+
+
+def play_sheet(
+    connection: Connection,
+    sheet: Sheet,
+    progress: Progress,
+    cancelled: Cancellation,
+    *,
+    trace: Mapping[str, Any] | None = None,
+    warnings: tuple[str, ...] = (),
+) -> PlayedLine:
+    """BML with its motion; `trace` is the performance that it was written from, where there is one."""
+    clip = connection.realize(sheet, progress, cancelled)
+    return PlayedLine(sheet.bml, clip, behaviors_of(sheet.bml, clip, trace), trace or {}, warnings)

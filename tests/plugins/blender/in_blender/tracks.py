@@ -1,0 +1,40 @@
+"""What lies on NLA tracks, and where bones are."""
+
+from typing import Any
+
+import numpy as np
+
+from plugins.blender.motion.clip import Clip
+from plugins.blender.motion.rotations import Array
+
+
+def tracks(owner: Any) -> dict[str, list[Any]]:  # noqa: ANN401
+    """The strips of each track by its name."""
+    data = owner.animation_data
+    return {track.name: list(track.strips) for track in data.nla_tracks} if data else {}
+
+
+def strip(owner: Any, name: str) -> Any:  # noqa: ANN401
+    """The strip whose name begins so."""
+    (found,) = [each for strips in tracks(owner).values() for each in strips if each.name.startswith(name)]
+    return found
+
+
+def heads(blender: Any, armature: Any, frame: int) -> dict[str, Array]:  # noqa: ANN401
+    """Where each bone begins in the world in a frame, in our axes: Y up, facing Z."""
+    blender.context.scene.frame_set(frame)
+    found = {}
+    for bone in armature.pose.bones:
+        x, y, z = armature.matrix_world @ bone.head
+        found[bone.name] = np.array([x, z, -y])
+    return found
+
+
+def joints_m(clip: Clip, frame: int) -> dict[str, Array]:
+    """Where our joints are in a frame of the clip, by their offsets and rotations."""
+    world = clip.world_rotations()
+    places: dict[str, Array] = {}
+    for joint, parent in clip.parents.items():
+        offset = clip.offsets_m[joint]
+        places[joint] = places[parent] + world[parent][frame] @ offset if parent else clip.hips_m[frame]
+    return places
