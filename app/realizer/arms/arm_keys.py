@@ -7,7 +7,7 @@ through them, power makes it stop abruptly and overshoot (Hartmann, Mancini & Pe
 bias that a frame sets itself take the place of that.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache, reduce
 
@@ -21,7 +21,7 @@ from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType, KeyCurv
 from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, Repeat
 from .arms import ArmTrack, TimedPose
 from .posing import HAND_ROWS, PartialPose, pose_arms
-from .rest_poses import rest_pose
+from .rest_poses import BEHIND_BACK, rest_pose
 from .wrist_paths import amplitude, arm_key
 
 REST_NOISE, HOLD_NOISE, ADDED_NOISE, STROKE_NOISE = 0.6, 1.0, 0.5, 0.1
@@ -42,16 +42,40 @@ def arm_track(skeleton: Skeleton, side: Hand, plan: GesturePlan) -> ArmTrack:
     keys = [key for rest in rests for key in _rest_keys(skeleton, rest)]
     keys += [key for gesture in gestures for key in _gesture_keys(skeleton, gesture)]
     if gestures and gestures[0].initial_progress:
-        keys = _underway(skeleton, gestures[0], keys)
+        keys = _underway(skeleton, gestures[0], keys, from_behind=rests[0].pose == BEHIND_BACK)
+        rests = tuple(rest for rest in rests if rest.end_s > 0.0)
+    keys += [way for rest in rests if rest.pose == BEHIND_BACK for way in _past_the_hip(skeleton, rest, keys)]
     return ArmTrack(side, tuple(_apart(sorted(keys, key=lambda key: key.time_s))))
 
 
-def _underway(skeleton: Skeleton, first: ArmGesture, keys: list[TimedPose]) -> list[TimedPose]:
+def _past_the_hip(skeleton: Skeleton, behind: ArmRest, keys: Sequence[TimedPose]) -> Iterator[TimedPose]:
+    """The keys on the ways to and from behind the back at which the arm hangs, since the straight way is through the
+    body: when the hand, at an even speed, gets there."""
+    hanging = _resting(skeleton, behind.side, "at_side")
+    there = max((key for key in keys if key.time_s < behind.start_s), key=lambda key: key.time_s, default=None)
+    back = min((key for key in keys if key.time_s > behind.end_s), key=lambda key: key.time_s, default=None)
+    for other, rest_s in ((there, behind.start_s), (back, behind.end_s)):
+        if other is not None and other.pose is not hanging:
+            share = _share_behind(_resting(skeleton, behind.side, BEHIND_BACK), hanging, other.pose)
+            yield TimedPose(rest_s + share * (other.time_s - rest_s), hanging)
+
+
+def _share_behind(behind: PartialPose, hanging: PartialPose, other: PartialPose) -> float:
+    """The share of the way from behind the back to the other pose until the arm hangs."""
+    if behind.wrist_m is None or hanging.wrist_m is None or other.wrist_m is None:
+        return _USUAL_SHARE
+    places_m = (behind.wrist_m, other.wrist_m)
+    first_m, second_m = (float(np.linalg.norm(each_m - hanging.wrist_m)) for each_m in places_m)
+    return first_m / (first_m + second_m)
+
+
+def _underway(skeleton: Skeleton, first: ArmGesture, keys: list[TimedPose], *, from_behind: bool) -> list[TimedPose]:
     """The keys, with the pose of the first frame moved towards the first gesture by the progress it has already
-    made."""
+    made; a hand that comes `from_behind` the back has passed the hip."""
     posed = _posed(skeleton, first)
     start = _together(each.pose for each in posed if each.key.time_s <= first.placed.clip.markers.stroke_start)
     at_rest = next(key for key in keys if key.time_s == 0.0)
+    at_rest = replace(at_rest, pose=_resting(skeleton, first.side, "at_side")) if from_behind else at_rest
     parts = slerp(at_rest.pose.parts, start.over(at_rest.pose).parts, np.array(first.initial_progress))
     return [replace(at_rest, pose=PartialPose(parts)), *(key for key in keys if key.time_s > 0.0)]
 

@@ -23,6 +23,7 @@ from .arm_reach import ArmBones
 from .posing import ArmPose, arm_rotations, solve_arm
 
 _EASY = HandShape(HandForm.DEFAULT)
+BEHIND_BACK = "behind_back"
 _FOUR = (Finger.INDEX, Finger.MIDDLE, Finger.RING, Finger.LITTLE)
 
 
@@ -56,7 +57,7 @@ RESTS: Mapping[str, tuple[Rest, Rest]] = MappingProxyType(
             Rest((-0.050, 0.270, 0.240), (-1.0, -0.05, -0.30), (0.3, -0.4, -1.0), 22.0),
             Rest((0.045, 0.153, 0.170), (-1.0, -0.10, 0.05), (0.0, -0.3, -1.0), 30.0),
         ),
-        "behind_back": (
+        BEHIND_BACK: (
             Rest((0.159, 0.040, -0.175), (-1.0, -0.35, -0.1), (-0.1, 0.0, -1.0), 0.0, _EASY, _CURVED),
             Rest((0.080, -0.010, -0.215), (-1.0, -0.30, -0.1), (-0.1, 0.0, -1.0), 0.0, _EASY, _CURVED),
         ),

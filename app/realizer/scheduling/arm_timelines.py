@@ -11,7 +11,7 @@ from itertools import pairwise
 from math import inf
 
 from ...model import Hand
-from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
+from ..arms.wrist_paths import relax_m, stroke_start_m
 from ..gestures.gesture import Markers
 from ..gestures.gesture_plan import ArmGesture, ArmRest, PlacedGesture
 from .rests import (
@@ -22,8 +22,8 @@ from .rests import (
     change_s,
     posture_pose,
     preparation_s,
-    rest_m,
     rest_pose_for_gap,
+    rest_way_m,
     retraction_s,
     shortest_way_s,
 )
@@ -134,7 +134,7 @@ def _from_the_first_frame(first: PlacedGesture, side: Hand, changes: tuple[RestC
     window_s = max(0.0, first.stroke_start_s)
     way_s = min(_preparation_s(first, side, changes), window_s)
     ready_s = window_s - _hold_s(first, window_s - way_s)
-    hurried = shortest_way_s(distance_m(rest_m(changes[0].pose, side), stroke_start_m(first, side)))
+    hurried = shortest_way_s(rest_way_m(changes[0].pose, side, stroke_start_m(first, side)))
     progress = max(0.0, 1.0 - window_s / hurried)
     return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, initial_progress=progress)
 
@@ -155,12 +155,12 @@ def _hold_s(gesture: PlacedGesture, room_s: float) -> float:
 def _preparation_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> float:
     natural_s = natural_preparation_s(gesture)
     pose = pose_at(changes, max(0.0, gesture.stroke_start_s - natural_s))
-    return preparation_s(distance_m(rest_m(pose, side), stroke_start_m(gesture, side)), natural_s)
+    return preparation_s(rest_way_m(pose, side, stroke_start_m(gesture, side)), natural_s)
 
 
 def _retraction_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> float:
     pose = pose_on_arrival(changes, gesture.relax_s + SHORTEST_RETRACTION_S)
-    return retraction_s(distance_m(relax_m(gesture, side), rest_m(pose, side)))
+    return retraction_s(rest_way_m(pose, side, relax_m(gesture, side)))
 
 
 def _arm_gesture(side: Hand, gesture: PlacedGesture, before: _Way, after: _Way) -> ArmGesture:
@@ -199,7 +199,7 @@ def _rests(side: Hand, start_s: float, end_s: float, changes: Iterable[RestChang
     for change in changes:
         if change.from_s <= start_s + SHORTEST_STAY_S or change.pose == pose:
             continue
-        arrival_s = change.from_s + change_s(distance_m(rest_m(pose, side), rest_m(change.pose, side)))
+        arrival_s = change.from_s + change_s(pose, change.pose, side)
         if arrival_s > end_s:
             break
         yield ArmRest(side, pose, start_s, change.from_s)

@@ -16,7 +16,8 @@ from types import MappingProxyType
 import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, Hand, Schedule
-from ..arms.rest_poses import RESTS
+from ..arms.rest_poses import BEHIND_BACK, HANGING, RESTS
+from ..arms.wrist_paths import distance_m
 from ..torso.posture import reached_s
 
 CLASPED, AT_SIDE, IN_POCKETS = "clasped", "at_side", "in_pockets"
@@ -28,7 +29,7 @@ MEDIUM_GAP_S = 10.0
 POSTURES: Mapping[str, str | None] = MappingProxyType(
     {
         "HANDS_FOLDED": "folded",
-        "HANDS_BEHIND_BACK": "behind_back",
+        "HANDS_BEHIND_BACK": BEHIND_BACK,
         "HANDS_ON_HIPS": "on_hips",
         "ARMS_OPEN": "open",
         "WEIGHT_ON_LEFT_LEG": None,
@@ -102,6 +103,15 @@ def rest_m(pose: str, side: Hand) -> FloatArray:
     return np.array((left if side is Hand.LEFT else right).wrist_m)
 
 
+def rest_way_m(pose: str, side: Hand, place_m: FloatArray) -> float:
+    """How far a wrist goes between a rest pose and a place (3,): from behind the back past where the arm hangs, and
+    not through the body (`understudy.realizer.arms.arm_keys`)."""
+    if pose != BEHIND_BACK:
+        return distance_m(rest_m(pose, side), place_m)
+    hanging_m = np.array(HANGING.wrist_m)
+    return distance_m(rest_m(pose, side), hanging_m) + distance_m(hanging_m, place_m)
+
+
 def preparation_s(way_m: float, natural_s: float) -> float:
     """The duration of a preparation without time pressure."""
     return max(natural_s, way_m / PREPARATION_SPEED_M_S, SHORTEST_PREPARATION_S)
@@ -117,6 +127,7 @@ def retraction_s(way_m: float) -> float:
     return max(way_m / RETRACTION_SPEED_M_S, SHORTEST_RETRACTION_S)
 
 
-def change_s(way_m: float) -> float:
+def change_s(pose: str, to: str, side: Hand) -> float:
     """The duration of a change from one rest pose to another."""
-    return max(way_m / CHANGE_SPEED_M_S, SHORTEST_CHANGE_S)
+    behind, other = (to, pose) if to == BEHIND_BACK else (pose, to)
+    return max(rest_way_m(behind, side, rest_m(other, side)) / CHANGE_SPEED_M_S, SHORTEST_CHANGE_S)

@@ -14,7 +14,7 @@ from ...gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
 from ...model import Hand, Interval
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..gestures.gesture_plan import PlacedGesture
-from .rests import SHORTEST_REST_S, posture_pose, preparation_s, rest_m, rest_pose_for_gap, retraction_s
+from .rests import SHORTEST_REST_S, posture_pose, preparation_s, rest_pose_for_gap, rest_way_m, retraction_s
 
 UNIT_GAP_S = 1.5
 
@@ -55,8 +55,8 @@ def blends(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: Tra
 
 def _rest_between_s(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> float:
     """The time needed to return to rest and come back."""
-    rest = rest_m(setting.pose_in_gap(first.relax_s, gap_s(first, second)), side)
-    there_m, back_m = distance_m(relax_m(first, side), rest), distance_m(rest, stroke_start_m(second, side))
+    pose = setting.pose_in_gap(first.relax_s, gap_s(first, second))
+    there_m, back_m = (rest_way_m(pose, side, at_m) for at_m in (relax_m(first, side), stroke_start_m(second, side)))
     return retraction_s(there_m) + SHORTEST_REST_S + preparation_s(back_m, natural_preparation_s(second))
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
+from understudy.realizer.arms.wrist_paths import distance_m
 from understudy.realizer.scheduling.rests import (
     PREPARATION_SPEED_M_S,
     SHORTEST_PREPARATION_S,
@@ -13,6 +14,7 @@ from understudy.realizer.scheduling.rests import (
     preparation_s,
     rest_m,
     rest_pose_for_gap,
+    rest_way_m,
 )
 
 
@@ -65,3 +67,15 @@ def test_hands_at_the_sides_hang_lower_and_farther_out_than_clasped() -> None:
         out_m, up_m, _away = rest_m("at_side", side) - rest_m("clasped", side)
         assert out_m > 0.1
         assert up_m < -0.1
+
+
+def test_the_way_behind_the_back_is_longer_than_through_the_body() -> None:
+    before_m = rest_m("clasped", Hand.LEFT)
+    assert rest_way_m("clasped", Hand.LEFT, before_m) == 0.0
+    for side in (Hand.LEFT, Hand.RIGHT):
+        straight_m = distance_m(rest_m("behind_back", side), before_m)
+        round_m = rest_way_m("behind_back", side, before_m)
+        assert round_m > straight_m
+        assert round_m == pytest.approx(
+            rest_way_m("at_side", side, rest_m("behind_back", side)) + rest_way_m("at_side", side, before_m)
+        )

@@ -1,0 +1,39 @@
+"""Hands go to and from where a posture has them without going through the body, on everybody's body."""
+
+import pytest
+
+from understudy.loading import load_realizer
+from understudy.model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
+from understudy.realizer.body.contacts import penetrations_m
+from understudy.realizer.realizing import Realizer, realize
+from understudy.realizer.scheduling.rests import POSTURES
+
+DEEPEST_M = 0.01
+DURATION_S = 6.0
+
+
+@pytest.fixture(scope="module")
+def realizer() -> Realizer:
+    return load_realizer()
+
+
+def gesture(lexeme: str, stroke_s: float, hand: Hand) -> Behavior:
+    sync = SyncPoints(max(0.0, stroke_s - 0.6), stroke=stroke_s, relax=stroke_s + 0.4, end=stroke_s + 1.2)
+    return Behavior(f"{lexeme}{stroke_s}", Channel.GESTURE, lexeme, sync, 0, 0, 1.0, hand=hand)
+
+
+def posture(lexeme: str, start_s: float) -> Behavior:
+    return Behavior("posture", Channel.POSTURE, lexeme, SyncPoints(start_s, start_s + 0.7), 0, 0, 1.0)
+
+
+@pytest.mark.parametrize("character", ["default", "expansive", "formal_elder", "reserved"])
+@pytest.mark.parametrize("lexeme", [lexeme for lexeme, pose in POSTURES.items() if pose])
+@pytest.mark.parametrize(("posture_s", "hand"), [(0.0, Hand.RIGHT), (0.0, Hand.BOTH), (2.2, Hand.LEFT)])
+def test_hands_do_not_go_through_the_body(
+    realizer: Realizer, character: str, lexeme: str, posture_s: float, hand: Hand
+) -> None:
+    """The first stroke comes so early that the hand is on its way to it in the first frame."""
+    asked = (gesture("COUNT_TWO", 0.45, hand), posture(lexeme, posture_s), gesture("QUESTION", 4.4, hand))
+    schedule = Schedule(asked, DURATION_S, agitation=Level.HIGH, character=character)
+    body, skeleton = realize(realizer, schedule).body, realizer.performer(character).skeleton
+    assert penetrations_m(skeleton, body.rotations, body.hips_m).max() <= DEEPEST_M
