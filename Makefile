@@ -3,7 +3,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: perform test test-clients serve plugin test-plugins lock client-types clean
+.PHONY: perform test test-clients serve npc plugin test-plugins lock client-types clean
 
 perform: .venv/installed
 	mkdir -p out
@@ -11,6 +11,10 @@ perform: .venv/installed
 
 serve: .venv/installed
 	$(BIN)/understudy serve
+
+npc: .venv/installed
+	cd clients/typescript && npm ci --silent && npm run --silent build
+	cd examples/npc && npm ci --silent && npm start
 
 test: .venv/installed-test
 	$(BIN)/ruff check .
@@ -63,4 +67,4 @@ client-types: .venv/installed
 	cd clients/typescript && npm ci --silent && UNDERSTUDY_PYTHON=../../$(BIN)/python node scripts/generate.js
 
 clean:
-	rm -rf .venv .venv-bpy out dist clients/typescript/dist .mypy_cache .ruff_cache .pytest_cache .import_linter_cache
+	rm -rf .venv .venv-bpy out dist clients/typescript/dist examples/npc/.cache .mypy_cache .ruff_cache .pytest_cache .import_linter_cache
