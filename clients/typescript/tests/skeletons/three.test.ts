@@ -80,11 +80,13 @@ describe("a clip in three.js", { skip: noService }, () => {
     await assertPlaysLike(content, content, true);
   });
 
-  test("an avatar with other names, unit, rest pose and axes stands as the service itself retargets it", async () => {
-    const avatar = avatarGlb(clip.joints);
-    const { content } = await client.realizeGlb({ ...line, avatar: new Uint8Array(avatar) });
-    await assertPlaysLike(avatar, content, false);
-  });
+  for (const rig of ["mixamorig", "unreal"]) {
+    test(`an avatar with ${rig} names, another unit, rest pose and axes stands as the service retargets it`, async () => {
+      const avatar = avatarGlb(clip.joints, rig);
+      const { content } = await client.realizeGlb({ ...line, avatar: new Uint8Array(avatar) });
+      await assertPlaysLike(avatar, content, false);
+    });
+  }
 
   test("the clip of the GLB is that of the JSON, with baked and with sparse keys", async () => {
     for (const [keys, tolerance] of [["baked", 0.0001], ["sparse", 0.021]] as const) {
@@ -105,7 +107,7 @@ describe("a clip in three.js", { skip: noService }, () => {
 
   test("files that are no GLB, or have no animation, and clips of other versions and names are refused", async () => {
     assert.throws(() => clipFromGlb(new ArrayBuffer(8)), /not a GLB/);
-    assert.throws(() => clipFromGlb(avatarGlb(clip.joints)), RangeError);
+    assert.throws(() => clipFromGlb(avatarGlb(clip.joints, "unreal")), RangeError);
     const mixamo = await client.realize({ ...line, options: { skeleton: "mixamo" } });
     assert.throws(() => clipFromJson(mixamo), /without the option skeleton/);
     assert.throws(() => clipFromJson({ ...mixamo, version: 2 }), /version 2/);

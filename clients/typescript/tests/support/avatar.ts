@@ -1,4 +1,4 @@
-/** An avatar that is as unlike the service's own body as files of others are: Mixamo's names, centimetres under a scaled
+/** An avatar that is as unlike the service's own body as files of others are: a rig's names, centimetres under a scaled
  * node, an A-pose, and bones whose axes point anywhere. */
 
 import type { Joint } from "../../src/motion/clip.js";
@@ -11,8 +11,8 @@ const DROP_RAD = 0.7;
 const BUFFER_BYTES = 4;
 
 /** Its GLB, which has nodes and nothing else. */
-export function avatarGlb(joints: readonly Joint[]): ArrayBuffer {
-  const names = BONE_MAPS["mixamorig"] ?? {};
+export function avatarGlb(joints: readonly Joint[], rig: string): ArrayBuffer {
+  const names = BONE_MAPS[rig] ?? {};
   const places = aPose(joints);
   const turns = new Map(joints.map(({ name }, number) => [name, anyTurn(number)]));
   const nodes = joints.map(({ name, parent }) => {
