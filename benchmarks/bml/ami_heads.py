@@ -26,13 +26,14 @@ from benchmarks.bml.schedule import DATA, Stages
 from understudy.bml.choice.listeners.listening import Listener, listen
 from understudy.bml.choice.scheduling import schedule
 from understudy.model import Agitation, Behavior, Channel, Interval, Utterance, Word
-from understudy.rules.derivation import understand
+from understudy.rules.derivation import Understanding, understand
 
 AMI = DATA / "ami"
 HELD_OUT = ("ES2008", "IS1003", "IS1009")
 """Every fourth of the twelve series."""
 
 NEAR_S = 0.2
+BEFORE_S = 0.3
 SHORTEST_PAUSE_S = 0.2
 BETWEEN_TURNS_S = 1.0
 AFFIRMATIONS = frozenset(["yeah", "yes", "yep", "okay", "right", "sure", "exactly", "absolutely", "mm-hmm", "uh-huh"])
@@ -256,42 +257,53 @@ def _listens(person: Person, turn: Sequence[Word]) -> bool:
     return begun == len(person.words) or interval(person.words[begun]).start_s >= end_s
 
 
+def drawn_turns(meetings: Iterable[dict[str, Person]]) -> list[tuple[Person, list[Word]]]:
+    """The turns of 6 to 60 words, with who took them, in an order drawn by chance."""
+    turns = [(talker, turn) for people in meetings for talker in people.values() for turn in talker.turns()]
+    turns = [(talker, turn) for talker, turn in turns if 6 <= len(turn) <= 60]
+    random.Random(0).shuffle(turns)
+    return turns
+
+
+def performed_turn(
+    stages: Stages, turn: Sequence[Word], seed: int
+) -> tuple[Utterance, Understanding, tuple[Behavior, ...]]:
+    """What the rules understand of a turn and do with it; its time is from `BEFORE_S` before its first word."""
+    words = tuple(_from_zero(turn, random.Random(seed)))
+    utterance = Utterance(
+        words,
+        stages.parser.parse(words),
+        Agitation(low=0.0, medium=1.0, high=0.0),
+        duration_s=interval(words[-1]).end_s + LATEST_S,
+    )
+    known = understand(stages.functions, utterance)
+    return utterance, known, schedule(stages.candidates(utterance, known, seed), utterance, stages.character, seed=seed)
+
+
 def ours(stages: Stages, meetings: Iterable[dict[str, Person]], count: int) -> Figures:
     """Our figures of `count` of the meetings' turns of 6 to 60 words, drawn by chance."""
-    turns = [turn for people in meetings for talker in people.values() for turn in talker.turns()]
-    turns = [turn for turn in turns if 6 <= len(turn) <= 60]
-    random.Random(0).shuffle(turns)
     figures = Figures()
     listener = Listener(stages.character, stages.behavior.head_rates, "talker")
-    for seed, turn in enumerate(islice(turns, count)):
-        words = tuple(_from_zero(turn, random.Random(seed)))
-        utterance = Utterance(
-            words,
-            stages.parser.parse(words),
-            Agitation(low=0.0, medium=1.0, high=0.0),
-            duration_s=interval(words[-1]).end_s + LATEST_S,
-        )
-        known = understand(stages.functions, utterance)
-        candidates = stages.candidates(utterance, known, seed)
-        behaviors = schedule(candidates, utterance, stages.character, seed=seed)
+    for seed, (_, turn) in enumerate(islice(drawn_turns(meetings), count)):
+        utterance, known, behaviors = performed_turn(stages, turn, seed)
         emphases: set[str | None] = {
             function.id for function in known.functions if function.class_name in ("emphasis", "intensifier")
         }
-        talkers = list(_movements(behaviors, emphases))
-        add_talk(figures, words, talkers)
+        talkers = list(movements_of(behaviors, emphases))
+        add_talk(figures, utterance.words, talkers)
         heard = listen(behaviors, utterance, listener, seed=seed)
-        add_listening(figures, words, list(_movements(heard, frozenset())), talkers)
+        add_listening(figures, utterance.words, list(movements_of(heard, frozenset())), talkers)
     return figures
 
 
 def _from_zero(turn: Sequence[Word], generator: random.Random) -> Iterator[Word]:
-    start_s = interval(turn[0]).start_s - 0.3
+    start_s = interval(turn[0]).start_s - BEFORE_S
     for index, word in enumerate(turn):
         span = Interval(interval(word).start_s - start_s, interval(word).end_s - start_s)
         yield Word(index, word.text, span, emphasis=0.6 if generator.random() < 1 / 8 else 0.0)
 
 
-def _movements(behaviors: Iterable[Behavior], emphases: Collection[str | None]) -> Iterator[Movement]:
+def movements_of(behaviors: Iterable[Behavior], emphases: Collection[str | None]) -> Iterator[Movement]:
     """The head movements that an annotator would have marked: not the drifting."""
     for behavior in behaviors:
         if not behavior.kept or behavior.kind is not Channel.HEAD or "never quite still" in (behavior.reason or ""):

@@ -1,0 +1,136 @@
+"""Which recorded units show a path of states: those that join well, last as long, and feel alike (RTS §2.4, AHG §3.7).
+
+A unit is a stretch of joint angles of one state. Dynamic programming over the segments of a path finds the units with
+the least sum of costs; they are stretched to their segments, and the jumps where they meet die away.
+
+Costs, for segment l of state g_i and unit ε of that state:
+
+- RTS eq. 2.6 to 2.8: α ‖ω_end(previous) - ω_begin(ε)‖ + (1 - α) ‖κ_l - κ(ε)‖. As printed the recursion's cost does not
+  depend on the previous unit j, over which it is minimised; it must, by eq. 2.7. The first unit costs its duration
+  alone: printed is its joint, with nothing before it.
+- AHG eq. 16: β1 D_ω + (β2 + β3 (1 - α)) D_κ + β3 α D_a, with mean squared differences of angles and of affect, and the
+  difference of durations. So with α = 0 what affect does not weigh, duration does.
+
+Durations are seconds, angles radians, affects in [-1, 1]: the sources do not say, and the weights depend on it.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InputError
+from ..model import FloatArray
+from .semi_markov import FRAME_S, IntArray, Segment
+
+SMOOTHING_S = 0.2
+"""The time in which all but a twentieth of a jump has died away."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Unit:
+    """A stretch of motion in a state: `angles` (frames × angles), and its mean activation, valence and dominance."""
+
+    state: int
+    angles: FloatArray
+    affect: FloatArray
+
+    @property
+    def duration_s(self) -> float:
+        return len(self.angles) * FRAME_S
+
+
+@dataclass(frozen=True, slots=True)
+class Weights:
+    """How much a joint, a difference of durations and one of affects cost. `joint_norm` and not the mean square is what
+    a joint is measured by in RTS."""
+
+    joint: float
+    duration: float
+    affect: float
+    joint_norm: bool = False
+
+
+def thesis_weights(alpha: float) -> Weights:
+    """RTS eq. 2.8."""
+    return Weights(joint=alpha, duration=1 - alpha, affect=0.0, joint_norm=True)
+
+
+def paper_weights(alpha: float, betas: tuple[float, float, float] = (0.30, 0.35, 0.35)) -> Weights:
+    """AHG eq. 16 with its β1, β2, β3; α is how much affect adjusts what is chosen."""
+    joint, duration, affect = betas
+    return Weights(joint, duration + affect * (1 - alpha), affect * alpha)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pool:
+    """The units of each state, their ends and durations as arrays."""
+
+    units: Mapping[int, Sequence[Unit]]
+
+    @classmethod
+    def of(cls, units: Sequence[Unit]) -> "Pool":
+        by_state: dict[int, list[Unit]] = {}
+        for unit in units:
+            by_state.setdefault(unit.state, []).append(unit)
+        return cls(by_state)
+
+
+def select(path: Sequence[Segment], affects: FloatArray, pool: Pool, weights: Weights) -> list[Unit]:
+    """The units with the least cost for a path; `affects` are those of its segments (segments × 3).
+
+    Raises InputError `no_units` where a state of the path has none.
+    """
+    missing = {segment.state for segment in path} - set(pool.units)
+    if missing:
+        raise InputError("no_units", f"no unit of state {min(missing)} is in the pool")
+    if not path:
+        return []
+    offered = [pool.units[segment.state] for segment in path]
+    costs = _fitting(path[0], affects[0], offered[0], weights)
+    origins: list[IntArray] = []
+    for place in range(1, len(path)):
+        joined = costs[:, None] + weights.joint * _joints(offered[place - 1], offered[place], weights)
+        origins.append(joined.argmin(axis=0))
+        costs = joined.min(axis=0) + _fitting(path[place], affects[place], offered[place], weights)
+    chosen = [int(costs.argmin())]
+    for origin in reversed(origins):
+        chosen.append(int(origin[chosen[-1]]))
+    return [units[place] for units, place in zip(offered, reversed(chosen), strict=True)]
+
+
+def _fitting(segment: Segment, affect: FloatArray, units: Sequence[Unit], weights: Weights) -> FloatArray:
+    """What each unit costs in a segment, joints aside."""
+    durations_s = np.array([unit.duration_s for unit in units])
+    affects = np.stack([unit.affect for unit in units])
+    lasting, feeling = np.abs(durations_s - segment.frames * FRAME_S), ((affects - affect) ** 2).mean(axis=1)
+    costs: FloatArray = weights.duration * lasting + weights.affect * feeling
+    return costs
+
+
+def _joints(before: Sequence[Unit], after: Sequence[Unit], weights: Weights) -> FloatArray:
+    """What it costs that a unit (column) follows another (row), before weighing."""
+    ends, begins = (np.stack([unit.angles[place] for unit in units]) for units, place in ((before, -1), (after, 0)))
+    squares = (ends**2).sum(axis=1)[:, None] + (begins**2).sum(axis=1) - 2 * ends @ begins.T
+    squares = np.maximum(squares, 0)
+    joints: FloatArray = np.sqrt(squares) if weights.joint_norm else squares / ends.shape[1]
+    return joints
+
+
+def motion_of(path: Sequence[Segment], units: Sequence[Unit]) -> FloatArray:
+    """The angles of a path (frames × angles): units stretched to their segments; where two meet, the jump is taken back
+    and dies away exponentially."""
+    parts: list[FloatArray] = []
+    for segment, unit in zip(path, units, strict=True):
+        angles = stretched(unit.angles, segment.frames)
+        if parts:
+            dying = np.exp(-3 * FRAME_S / SMOOTHING_S * np.arange(1, segment.frames + 1))
+            angles = angles + dying[:, None] * (parts[-1][-1] - angles[0])
+        parts.append(angles)
+    return np.concatenate(parts)
+
+
+def stretched(angles: FloatArray, frames: int) -> FloatArray:
+    """The same course in another number of frames, by linear interpolation."""
+    places = np.linspace(0, len(angles) - 1, frames)
+    return np.stack([np.interp(places, np.arange(len(angles)), column) for column in angles.T], axis=1)

@@ -1,0 +1,1 @@
+"""Reading others' recordings with motion, and learning from them."""
