@@ -7,6 +7,7 @@
 export * from "./service/client.js";
 export * from "./service/errors.js";
 export { DEFAULT_POLICY, type RetryPolicy } from "./service/retrying.js";
+export { performEach, type PerformedLine, type StreamOptions } from "./service/streaming.js";
 export type * from "./service/types.js";
 export type * from "./motion/clip.js";
 export type { Quaternion, Vector } from "./motion/vectors.js";

@@ -43,7 +43,7 @@ export async function startGame({ port, cacheFolder, serviceUrl, apiKey, command
   const dialogue = await readDialogue();
   const service = serviceUrl === undefined ? await startLocalService({ command }) : undefined;
   const baseUrl = service?.baseUrl ?? serviceUrl ?? "";
-  const client = new UnderstudyClient({ baseUrl, ...(apiKey === undefined ? {} : { apiKey }) });
+  const client = new UnderstudyClient({ baseUrl, apiKey });
   const server = gameServer(dialogue, new Performances(client, new Cache(cacheFolder), dialogue));
   server.listen(port, "127.0.0.1");
   await once(server, "listening");

@@ -27,7 +27,7 @@ const BVH = "text/x-bvh";
 export interface ClientOptions {
   /** As `http://127.0.0.1:8000`; a path before the service's own is kept. */
   readonly baseUrl: string;
-  readonly apiKey?: string;
+  readonly apiKey?: string | undefined;
   /** For each call with all its attempts; 60,000 unless given. */
   readonly timeoutMs?: number;
   readonly retry?: Partial<RetryPolicy>;
