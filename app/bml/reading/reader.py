@@ -6,6 +6,7 @@ names. White space between elements is ignored, runs of it in attributes count a
 `description` is not checked.
 """
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from itertools import islice
@@ -23,6 +24,7 @@ MOST_MISTAKES = 100
 """The maximum number of reported mistakes, and of foreign names, per file."""
 
 _MOST_IN_MESSAGE = 5
+_XML_LINE_END = re.compile(r"\r\n?|\n")
 _DEFAULT_LIMITS = ReadingLimits()
 
 
@@ -120,9 +122,9 @@ def _foreign_names(element: Element, kind: ElementKind, dialect: Dialect) -> Ite
 
 
 def _wrong_bml(content: bytes, path: Path, found: list[tuple[Place, str]]) -> WrongBmlError:
-    lines = content.decode(errors="replace").split("\n")
+    lines = _XML_LINE_END.split(content.decode(errors="replace"))
     mistakes = tuple(
-        Mistake(path, place.line, place.column, message, lines[place.line - 1].rstrip("\r").replace("\t", " "))
+        Mistake(path, place.line, place.column, message, lines[place.line - 1].replace("\t", " "))
         for place, message in found
     )
     told = "; ".join(f"line {mistake.line}: {mistake.message}" for mistake in mistakes[:_MOST_IN_MESSAGE])

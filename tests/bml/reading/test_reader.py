@@ -182,6 +182,12 @@ def test_every_mistake_is_told_with_its_source_line() -> None:
     assert all(mistake.path == Path("take.bml") for mistake in mistakes)
 
 
+@pytest.mark.parametrize("line_end", ["\n", "\r\n", "\r"])
+def test_a_line_may_end_as_xml_lets_it(line_end: str) -> None:
+    [mistake] = refusal(RIGHT.replace('lexeme="BEAT" ', "").replace("\n", line_end)).mistakes
+    assert (mistake.line, mistake.source_line.strip()[:8]) == (3, "<gesture")
+
+
 def test_gazes_of_other_joints_or_at_another_time_may_be() -> None:
     second = '<gaze id="z2" target="Cy" influence="{}" start="{}" end="2"/></bml>'
     for influence, start in (("NECK", 0.5), ("EYES", 1)):
