@@ -3,6 +3,7 @@
 A `Knowledge` lives for one derivation and is the only thing in the chainer that changes.
 """
 
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -138,6 +139,26 @@ Filed: TypeAlias = defaultdict[object, list[Fact]]
 
 
 @dataclass(slots=True)
+class Sorted:
+    """The numbers that facts of a list have as one of their arguments, in order, each with its fact's place there."""
+
+    values: list[tuple[int | float, int]] = field(default_factory=list)
+    has_texts: bool = False
+
+    def take(self, facts: Sequence[Fact], position: int) -> None:
+        """Takes in what was added to the list since the last time."""
+        if self.has_texts or len(facts) == len(self.values):
+            return
+        for number in range(len(self.values), len(facts)):
+            value = facts[number].arguments[position]
+            if isinstance(value, str):
+                self.has_texts = True
+                return
+            self.values.append((value, number))
+        self.values.sort()
+
+
+@dataclass(slots=True)
 class Knowledge:
     """Facts in order of derivation, filed under every index. New facts are filed when the round ends (`end_round`)."""
 
@@ -153,6 +174,7 @@ class Knowledge:
     recent: defaultdict[Beginning, list[Fact]] = field(default_factory=lambda: defaultdict(list))
     _pending: list[Fact] = field(default_factory=list)
     _filing: Mapping[str, list[tuple[Pick, Filed]]] = field(default_factory=dict)
+    _sorted: dict[tuple[int, object, int], Sorted] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.filed = [defaultdict(list) for _ in self.indexes]
@@ -168,6 +190,19 @@ class Knowledge:
                 self.known[fact.predicate][fact.arguments] = fact
                 self.facts.append(fact)
         self._file(self.facts)
+
+    def between(self, index: int, key: object, position: int, *, least: Argument, most: Argument) -> Sequence[Fact]:
+        """Those filed under the key whose argument at `position` lies between two numbers, both included, in order of
+        derivation; all of them where there are texts among the numbers."""
+        facts = self.filed[index][key]
+        if isinstance(least, str) or isinstance(most, str):
+            return facts
+        ordered = self._sorted.setdefault((index, key, position), Sorted())
+        ordered.take(facts, position)
+        if ordered.has_texts:
+            return facts
+        begin, end = bisect_left(ordered.values, (least,)), bisect_right(ordered.values, (most, len(facts)))
+        return [facts[number] for number in sorted(number for _, number in ordered.values[begin:end])]
 
     def add(self, predicate: str, arguments: tuple[Argument, ...]) -> tuple[Fact, bool]:
         """The fact, and whether it is new; a new one is seen by joins from the next round on."""

@@ -26,7 +26,12 @@ from ..language.tree import (
     Statement,
     Variable,
 )
-from .steps import Absent, Compute, Evaluate, Join, JoinRecent, Shape, Step, Test
+from .steps import Absent, Compute, Evaluate, Join, JoinBetween, JoinRecent, Shape, Step, Test
+
+_MIRRORED = {"<": ">", ">": "<", "=": "=", "!": "!"}
+"""Comparisons by their first sign, seen from the other side."""
+
+_INVERSE = {"+": "-", "-": "+"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,7 +182,14 @@ class _Planner:
         arguments = self.layout.identity(atom)
         index, key = self._lookup(atom, bound)
         then = self.rest(bound | _bound_by(arguments), joins, conditions)
-        return Join(index, key, self._shape(chosen, bound, keyed=True), then)
+        shape = self._shape(chosen, bound, keyed=True)
+        for position, argument in enumerate(arguments):
+            if isinstance(argument, Variable) and argument.name not in bound:
+                limits = _limits(argument.name, conditions, bound)
+                if limits is not None:
+                    least, most = map(self.layout.evaluator, limits)
+                    return JoinBetween(index, key, position, least, most, shape, then)
+        return Join(index, key, shape, then)
 
     def _condition(
         self, condition: Statement, bound: frozenset[str], joins: tuple[int, ...], conditions: tuple[Statement, ...]
@@ -253,6 +265,28 @@ def _among(arguments: Sequence[Expression]) -> tuple[tuple[int, frozenset[Argume
         for position, argument in enumerate(arguments)
         if isinstance(argument, Alternatives)
     )
+
+
+def _limits(
+    variable: str, conditions: Sequence[Statement], bound: frozenset[str]
+) -> tuple[Expression, Expression] | None:
+    """The least and the most that guards let a variable be, by what is bound; None unless both are known."""
+    limits: dict[str, Expression] = {}
+    for guard in (part for part in conditions if isinstance(part, Guard)):
+        for side, other, mirrored in ((guard.left, guard.right, False), (guard.right, guard.left, True)):
+            alone, limit = _moved(side, other)
+            if isinstance(alone, Variable) and alone.name == variable and variables_of(limit) <= bound:
+                limits.setdefault(_MIRRORED[guard.operator[0]] if mirrored else guard.operator[0], limit)
+    return (limits[">"], limits["<"]) if limits.keys() >= {"<", ">"} else None
+
+
+def _moved(side: Expression, other: Expression) -> tuple[Expression, Expression]:
+    """The sides of a guard with a whole number that is added on this one moved to the other."""
+    if not isinstance(side, Operation) or side.operator not in _INVERSE:
+        return side, other
+    if isinstance(side.right, Constant) and isinstance(side.right.value, int):
+        return side.left, Operation(_INVERSE[side.operator], other, side.right, side.place)
+    return side, other
 
 
 def _operation(sign: str, left: Evaluate, right: Evaluate, environment: Environment) -> Argument:

@@ -12,6 +12,9 @@ from ..knowledge import Beginning, Environment, Fact, Knowledge, Origin, Pick
 from ..language.arithmetic import ComputationError
 from ..language.tree import Argument
 
+FEW = 16
+"""So many facts are looked at one by one sooner than in order."""
+
 Evaluate: TypeAlias = Callable[[Environment], Argument]
 
 
@@ -66,6 +69,37 @@ class Join:
         facts = knowledge.filed[self.index].get(self.key(environment))
         if facts:
             self.shape.each(facts, self.then, knowledge, environment)
+
+
+@dataclass(frozen=True, slots=True)
+class JoinBetween:
+    """As `Join`, where guards say between which numbers the argument at `position` lies: of many facts under the key
+    only those are looked at. The guards follow as tests of their own, so both limits may be those of a wider range.
+    """
+
+    index: int
+    key: Pick
+    position: int
+    least: Evaluate
+    most: Evaluate
+    shape: Shape
+    then: Step
+
+    def run(self, knowledge: Knowledge, environment: Environment) -> None:
+        key = self.key(environment)
+        facts = knowledge.filed[self.index].get(key)
+        if facts:
+            found = self._between(facts, key, knowledge, environment) if len(facts) > FEW else facts
+            self.shape.each(found, self.then, knowledge, environment)
+
+    def _between(
+        self, facts: Sequence[Fact], key: object, knowledge: Knowledge, environment: Environment
+    ) -> Sequence[Fact]:
+        try:
+            least, most = self.least(environment), self.most(environment)
+        except ComputationError:  # the guard's own test tells the author, if it comes to that
+            return facts
+        return knowledge.between(self.index, key, self.position, least=least, most=most)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,10 +6,12 @@ import subprocess
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 import pytest
 
+from tests.support.operations import operations_of
 from understudy.errors import AuthoringError
 from understudy.rules.chaining.chainer import Call, Derivation, Fact, Limits, derive
 from understudy.rules.program.program import Program, load_program
@@ -324,3 +326,37 @@ def test_what_cannot_be_computed_is_reported_at_its_place(
 def test_given_facts_must_be_declared(load: Load, wrong: Fact) -> None:
     with pytest.raises(ValueError, match="no predicate is declared so"):
         derive(load(COUNTING), [wrong])
+
+
+BETWEEN = "rule between\nforeach\n near($s, $e)\n number($p)\n $s <= $p\n $p < $e - 1\nassert\n level($p)"
+MANY = 400
+
+
+def test_what_lies_between_two_numbers_is_found_among_many(load: Load) -> None:
+    facts = [fact("number", number / 2) for number in range(MANY)]
+    spans = [fact("near", 3, 6), fact("near", 100, 100), fact("near", 5, 8)]
+    expected = {fact("level", number) for number in (3, 3.5, 4, 4.5, 5, 5.5, 6, 6.5)}
+    assert derived(derive(load(BETWEEN), [*facts, *spans])) == expected
+
+
+def test_what_lies_between_is_found_among_facts_that_come_later(load: Load) -> None:
+    count = f"rule count\nforeach\n number($n)\n $n < {MANY}\n $m = $n + 1\nassert\n number($m)\n\n"
+    derivation = derive(load(count + BETWEEN), [fact("number", 0), fact("near", 300, 304), fact("near", 1, 4)])
+    assert {known for known in derived(derivation) if known.predicate == "level"} == {
+        fact("level", number) for number in (1, 2, 300, 301, 302)
+    }
+
+
+def test_of_many_facts_only_those_between_are_looked_at(load: Load) -> None:
+    program, spans = load(BETWEEN), [fact("near", number, number + 3) for number in range(MANY)]
+    half, whole = (
+        operations_of(partial(derive, program, [*spans[:count], *(fact("number", each) for each in range(count))]))
+        for count in (MANY // 2, MANY)
+    )
+    assert whole <= 2.2 * half
+
+
+def test_a_text_among_the_numbers_is_the_rules_mistake(load: Load) -> None:
+    facts = [fact("number", number) for number in range(30)]
+    with pytest.raises(AuthoringError, match="between: "):
+        derive(load(BETWEEN), [*facts, fact("number", "many"), fact("near", 3, 6)])
