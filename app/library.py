@@ -16,6 +16,7 @@ from .bml.choice.speech.lead_in import with_lead_in
 from .bml.writing.smartbody_tables import VisemeNames
 from .errors import InputError
 from .model import Direction, GivenFunction, Level, Mode, Performance
+from .motion_formats import AudioFile
 from .performance import (
     AcousticModels,
     AlignedLine,
@@ -281,6 +282,19 @@ def write_ctm(found: Performance | Analysis | AlignedLine, name: str = "audio") 
     return to_ctm(_aligned(found).words, name).encode()
 
 
+class MotionFileKeywords(TypedDict, total=False):
+    """How a motion's file is written; what is left out is as `FileOptions` has it.
+
+    BVH begins with a `t_pose`, and its root has its OFFSET zero with `root_at_origin`; `keys` are those of GLB; `audio`
+    is the recording's file, which USD names or holds (docs/motion-formats.md).
+    """
+
+    t_pose: bool
+    root_at_origin: bool
+    keys: Keys | Literal["baked", "sparse"]
+    audio: str | os.PathLike[str] | None
+
+
 def write_motion(
     models: Understudy | Realizer,
     realized: Realized,
@@ -288,21 +302,22 @@ def write_motion(
     *,
     skeleton: str | None = None,
     avatar: FileSource | None = None,
-    t_pose: bool = False,
-    root_at_origin: bool = False,
-    keys: Keys | Literal["baked", "sparse"] = Keys.BAKED,
+    **written: Unpack[MotionFileKeywords],
 ) -> bytes:
     """The motion as `form`, a `MotionFormat` or the name of a file that ends in one ("line.glb", or "glb" alone).
 
     `skeleton` names the joints of BVH and JSON as another rig does, `avatar` is a GLB or VRM file that wears the motion
-    in GLB, `keys` are those of GLB; BVH begins with a `t_pose`, and its root has its OFFSET zero with `root_at_origin`
-    (docs/motion-formats.md). Raises InputError `motion_format`, `unknown_skeleton`, `unknown_avatar`,
-    UndecodableError `avatar_undecodable`, and ModuleNotFoundError for a picture without matplotlib.
+    in GLB. Raises InputError `motion_format`, `unknown_skeleton`, `unknown_avatar`, UndecodableError
+    `avatar_undecodable`, ServiceError `usd_missing`, `blender_missing` and `blender_failed`, and ModuleNotFoundError
+    for a picture without matplotlib.
     """
     motion_format = form if isinstance(form, MotionFormat) else format_of(f".{PurePath(form).name}")
     wearer = AvatarOptions(skeleton, None if avatar is None else _content(avatar))
-    options = check_realize_options({"t_pose": t_pose, "root_at_origin": root_at_origin, "keys": keys})
-    return _write_motion(realized, _realizer(models), motion_format, wearer, options.files)
+    audio = written.pop("audio", None)
+    options = check_realize_options(dict(written))
+    recording = None if audio is None else AudioFile(os.fspath(audio), _content(audio))
+    files = replace(options.files, audio=recording, blender=read_settings().blender)
+    return _write_motion(realized, _realizer(models), motion_format, wearer, files)
 
 
 def _line(

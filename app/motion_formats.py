@@ -1,6 +1,6 @@
 """What motion is written as, told by the name of its file, and how."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from .errors import InputError
@@ -15,6 +15,10 @@ class MotionFormat(StrEnum):
     JSON = ".json"
     CSV = ".csv"
     VISEMES = ".visemes.txt"
+    USDA = ".usda"
+    USDC = ".usdc"
+    USDZ = ".usdz"
+    FBX = ".fbx"
     SHEET = ".png"
     SPEEDS = ".speed.png"
 
@@ -27,14 +31,27 @@ class Keys(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class AudioFile:
+    """The recording as files refer to it: by the name of its file, from where they lie, and its content."""
+
+    name: str
+    content: bytes = field(repr=False)
+
+
+@dataclass(frozen=True, slots=True)
 class FileOptions:
     """How files are written: BVH with a T-pose as its first frame, or with its root at the origin; GLB with baked keys
-    or sparse ones."""
+    or sparse ones; formats that know of sound with the recording; FBX by `blender`, or a Python that has `bpy`."""
 
     t_pose: bool = False
     root_at_origin: bool = False
     keys: Keys = Keys.BAKED
+    audio: AudioFile | None = None
+    blender: str | None = None
 
+
+SCENES = frozenset({MotionFormat.USDA, MotionFormat.USDC, MotionFormat.USDZ})
+"""Formats that usd-core writes."""
 
 PICTURES = frozenset({MotionFormat.SHEET, MotionFormat.SPEEDS})
 """Formats that matplotlib draws."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -25,13 +26,15 @@ from .bml.reading.reader import read_bml
 from .bml.reading.record import Record, read_record
 from .bml.reading.resolving import Resolved, resolve
 from .model import Behavior, Channel, FloatArray, Level, Notice, Performance, Schedule, Target, Word
-from .motion_formats import FileOptions, Keys, MotionFormat, format_of
+from .motion_formats import SCENES, AudioFile, FileOptions, Keys, MotionFormat, format_of
 from .progress import Progress, no_progress
 from .realizer.body.motion import Motion
 from .realizer.exporting.arkit_csv import to_arkit_csv
 from .realizer.exporting.avatar import to_avatar_glb
 from .realizer.exporting.bvh import to_bvh
 from .realizer.exporting.clip_json import to_clip_json
+from .realizer.exporting.extras import require_usd
+from .realizer.exporting.fbx.conversion import to_fbx
 from .realizer.exporting.glb import to_glb
 from .realizer.exporting.viseme_list import to_viseme_text
 from .realizer.exporting.vrma import to_vrma
@@ -310,6 +313,13 @@ def write_motion(
         ),
         MotionFormat.GLB: lambda: _glb(realized, realizer, wearer.avatar, options.keys),
         MotionFormat.VRMA: lambda: to_vrma(motion, skeleton),
+        **{form: partial(_usd, realized, realizer, form, options.audio) for form in SCENES},
+        MotionFormat.FBX: lambda: to_fbx(
+            _glb(realized, realizer, wearer.avatar, Keys.BAKED),
+            len(motion.body.times_s),
+            motion.frame_rate_hz,
+            blender=options.blender,
+        ),
         MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig, visemes=_viseme_weights(realized, realizer)),
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
         MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
@@ -326,6 +336,22 @@ def _glb(realized: Realized, realizer: Realizer, avatar: bytes | None, keys: Key
     if avatar is None:
         return to_glb(realized.motion, performer.skeleton, performer.looks, sparse_for=sparse_for)
     return to_avatar_glb(realized.motion, performer.skeleton, avatar, realizer.rigs, sparse_for=sparse_for)
+
+
+def _usd(realized: Realized, realizer: Realizer, form: MotionFormat, audio: AudioFile | None) -> bytes:
+    """Raises ServiceError `usd_missing`."""
+    require_usd()
+    from .realizer.exporting.usd.stage import UsdForm, to_usd  # an extra, which most do without
+
+    performer = realizer.performer(realized.schedule.character)
+    return to_usd(
+        realized.motion,
+        performer.skeleton,
+        UsdForm(form.value.removeprefix(".")),
+        performer.looks,
+        behaviors=realized.schedule.behaviors,
+        audio=audio,
+    )
 
 
 def _viseme_weights(realized: Realized, realizer: Realizer) -> FloatArray | None:

@@ -49,6 +49,9 @@ class Settings(BaseSettings):
     cache: str | None = Field(
         default=None, description='where compiled rules are kept between processes, "off" for nowhere'
     )
+    blender: str | None = Field(
+        default=None, description="the Blender that writes FBX, or a Python that has bpy; blender in the PATH if unset"
+    )
     host: str = Field(default="127.0.0.1", description="address the service listens on")
     port: int = Field(default=8000, ge=0, le=65535, description="port the service listens on; 0 picks a free one")
     api_keys: SecretStr | None = Field(

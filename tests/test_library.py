@@ -131,6 +131,8 @@ def test_motion_is_as_long_as_its_recording_and_files_are_as_asked(
     assert f"Frames: {frames + 1}\n".encode() in bvh
     assert b"\tOFFSET 0.0000 0.0000 0.0000\n\tCHANNELS 6" in bvh
     assert b'"name":"face"' in library.write_motion(understudy, realized, "line.glb", keys="sparse")
+    pytest.importorskip("pxr", reason="usd-core is not installed")
+    assert b"numbers.flac" in library.write_motion(understudy, realized, "line.usda", audio=AUDIO)
     with pytest.raises(library.InputError, match="keys"):
         library.write_motion(understudy, realized, "line.glb", keys="few")  # type: ignore[arg-type]
 

@@ -83,7 +83,7 @@ def test_a_performance_writes_its_motion_too(capfdbinary: Captured, tmp_path: Pa
 
 @pytest.mark.parametrize(
     ("output", "told"),
-    [("a.fbx", "motion is written as .bvh"), ("missing/a.bvh", "there is no folder")],
+    [("a.max", "motion is written as .bvh"), ("missing/a.bvh", "there is no folder")],
 )
 def test_a_wrong_output_is_told_in_one_line_before_the_work(
     capfdbinary: Captured, tmp_path: Path, beat: Path, output: str, told: str
@@ -110,4 +110,24 @@ def test_an_unknown_skeleton_is_told_with_those_there_are(capfdbinary: Captured,
     code, err = _run(capfdbinary, "realize", str(beat), "-o", str(tmp_path / "a.bvh"), "--skeleton", "biped")
     assert code == 2
     assert "mixamo" in err
+    assert not (tmp_path / "a.bvh").exists()
+
+
+def test_a_scene_names_the_recording_from_where_it_lies(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
+    pytest.importorskip("pxr", reason="usd-core is not installed: pip install 'understudy[usd]'")
+    (tmp_path / "scenes").mkdir()
+    (tmp_path / "line.flac").write_bytes(Path(AUDIO).read_bytes())
+    output = tmp_path / "scenes" / "a.usda"
+    code, _err = _run(capfdbinary, "realize", str(beat), "--audio", str(tmp_path / "line.flac"), "-o", str(output))
+    assert code == 0
+    assert b"@../line.flac@" in output.read_bytes()
+
+
+def test_without_blender_nothing_is_done_in_vain(
+    capfdbinary: Captured, tmp_path: Path, beat: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("UNDERSTUDY_BLENDER", str(tmp_path / "blender"))
+    code, err = _run(capfdbinary, "realize", str(beat), "-o", str(tmp_path / "a.fbx"), "-o", str(tmp_path / "a.bvh"))
+    assert code != 0
+    assert "UNDERSTUDY_BLENDER" in err
     assert not (tmp_path / "a.bvh").exists()

@@ -8,6 +8,8 @@ from pathlib import PurePosixPath
 
 from ...errors import InputError
 from ...motion_formats import PICTURES, MotionFormat
+from ...realizer.exporting.extras import require_writer
+from ...settings import Settings
 from ...yaml_files import did_you_mean
 
 
@@ -59,6 +61,13 @@ def needs_motion(formats: Sequence[OutputFormat]) -> bool:
 
 def needs_pictures(formats: Sequence[OutputFormat]) -> bool:
     return any(form in PICTURES for form in formats)
+
+
+def require_writers(formats: Sequence[OutputFormat], settings: Settings) -> None:
+    """Raises ServiceError where what a format needs is not there."""
+    for form in formats:
+        if isinstance(form, MotionFormat):
+            require_writer(form, settings.blender)
 
 
 def act_path(path: str) -> str:

@@ -14,7 +14,7 @@ import numpy as np
 from ...errors import InputError
 from ...library import write_ctm, write_json, write_textgrid
 from ...model import Channel, Performance
-from ...motion_formats import MotionFormat
+from ...motion_formats import AudioFile, FileOptions, MotionFormat
 from ...performance import (
     Analysis,
     BmlForm,
@@ -74,6 +74,7 @@ def _files(
     job: LineJob, models: Understudy, audio: bytes, performance: Performance, realized: Mapping[str, Realized]
 ) -> Iterator[OutputFile]:
     wearer = AvatarOptions(job.motion.skeleton)
+    options = FileOptions(audio=AudioFile(job.audio.path.name, audio), blender=models.acoustic.settings.blender)
     form = job.options.form
     spoken: Mapping[LineFormat, Callable[[], bytes]] = {
         LineFormat.BML_JSON: lambda: write_bml_json(performance, form),
@@ -85,7 +86,7 @@ def _files(
     for target in job.targets:
         if isinstance(target.form, MotionFormat):
             for name, part in realized.items():
-                yield _file(target, name, write_motion(part, models.realizer, target.form, wearer))
+                yield _file(target, name, write_motion(part, models.realizer, target.form, wearer, options))
         elif target.form is LineFormat.BML:
             yield from _bml_files(target, performance, form)
         else:

@@ -9,7 +9,10 @@ from ...motion_formats import Keys
 from ...realizer.body.motion import FRAME_RATES_HZ
 from ..distinct_files import InputFile, OutputFile
 
-MOTION_HELP = ".bvh, .glb, .vrma, .json, .csv (ARKit), .visemes.txt, .png (contact sheet) or .speed.png (wrist speeds)"
+MOTION_HELP = (
+    ".bvh, .glb, .vrma, .json, .csv (ARKit), .visemes.txt, .usda, .usdc, .usdz, .fbx (by Blender), "
+    ".png (contact sheet) or .speed.png (wrist speeds)"
+)
 AUDIO_HELP = "WAV, FLAC or OGG file; - for standard input"
 
 

@@ -15,7 +15,7 @@ from ...batch.reports.dry_run import dry_run
 from ...batch.request import BatchRequest
 from ...batch.running.engine import Engine
 from ...batch.scripts.columns import read_named
-from ...batch.work.formats import formats_named, needs_pictures
+from ...batch.work.formats import formats_named, needs_pictures, require_writers
 from ...batch.work.jobs import MotionForm
 from ...bml.markup.documents import DialectName, TimeForm
 from ...bml.writing.smartbody_tables import VisemeNames
@@ -42,6 +42,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     require_skeleton(request.motion.skeleton)
     if needs_pictures(request.formats) or request.thumbnails:
         require_plot("sheet.png")
+    require_writers(request.formats, settings)
     if arguments.service:
         from ...batch.running.service import require_served
 

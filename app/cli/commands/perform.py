@@ -20,14 +20,14 @@ from ..inputs.early import require_character, require_usable
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import read_line
 from ..log import Log
-from ..outputs.motions import MotionOptions, require_motions, write_motions
+from ..outputs.motions import MotionOptions, recording, require_motions, write_motions
 from ..outputs.summary import summary
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
-    _check_targets(arguments)
-    motion = MotionOptions.of(arguments)
+    _check_targets(arguments, settings)
+    motion = MotionOptions.of(arguments, settings)
     line = read_line(arguments, settings)
     options = _options(arguments)
     require_character(options.character)
@@ -35,7 +35,10 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     require_usable(line, settings)
     performance = _performed(line, options, arguments.reference, settings, log)
     if arguments.realize:
-        _realize(performance, arguments.realize, motion, log)
+        from ...realization import PreparedSchedule
+
+        audio = recording(arguments.audio, line.audio)
+        write_motions(arguments.realize, PreparedSchedule.of(performance), motion, audio, log)
     _write(performance, options.form, arguments, log)
     log.warnings(performance.notices)
     if arguments.output != STANDARD:
@@ -65,12 +68,6 @@ def _performed(
     with Understudy.load(settings) as understudy:
         options = replace(options, reference=speaker_reference(understudy.acoustic, reference, log))
         return perform(understudy, line, options, log.stage)
-
-
-def _realize(performance: Performance, names: Sequence[str], motion: MotionOptions, log: Log) -> None:
-    from ...realization import PreparedSchedule
-
-    write_motions(names, PreparedSchedule.of(performance), motion, log)
 
 
 def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespace, log: Log) -> None:
@@ -118,7 +115,7 @@ def _beside(output: str, name: str) -> OutputFile:
     return OutputFile(PurePath(output).with_suffix(f".{name}.bml"))
 
 
-def _check_targets(arguments: argparse.Namespace) -> None:
+def _check_targets(arguments: argparse.Namespace, settings: Settings) -> None:
     """Raises InputError before the work when its result could not be written."""
     if arguments.listener and arguments.output == STANDARD:
         raise InputError("usage", "a listener's BML goes beside the speaker's; say where with -o OUT.bml")
@@ -127,6 +124,6 @@ def _check_targets(arguments: argparse.Namespace) -> None:
     require_distinct(arguments, beside)
     for output in (arguments.output, *beside):
         require_writable(output, field="output")
-    require_motions(arguments.realize, field="realize")
+    require_motions(arguments.realize, settings, field="realize")
     if arguments.trace:
         require_writable(arguments.trace, field="trace")

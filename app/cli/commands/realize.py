@@ -14,7 +14,7 @@ from ...settings import Settings, read_settings
 from ...targets import read_targets
 from ..files import STANDARD, read_bytes
 from ..log import Log
-from ..outputs.motions import MotionOptions, require_motions, write_motions
+from ..outputs.motions import MotionOptions, recording, require_motions, write_motions
 
 if TYPE_CHECKING:
     from ...hearing import AcousticModels
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
-    require_motions(arguments.output, field="output")
+    require_motions(arguments.output, settings, field="output")
     if arguments.bml == STANDARD and arguments.audio == STANDARD:
         raise InputError("usage", "only one of BML and audio can come from standard input (-)")
-    options = MotionOptions.of(arguments)
+    options = MotionOptions.of(arguments, settings)
     check_stillness(arguments.stillness)
     audio = None
     if arguments.audio:
@@ -34,7 +34,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     bml = read_bytes(arguments.bml, limit=settings.max_body_bytes, field="bml")
     staged = _prepared(bml, audio, arguments, settings, log)
     log.warnings(staged.notices)
-    write_motions(arguments.output, staged, options, log)
+    write_motions(arguments.output, staged, options, recording(arguments.audio, audio), log)
     return 0
 
 

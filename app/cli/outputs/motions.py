@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import argparse
+import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...loading import load_realizer
-from ...motion_formats import PICTURES, FileOptions, Keys, format_of
+from ...motion_formats import PICTURES, AudioFile, FileOptions, Keys, format_of
 from ...realizer.body.motion import Decision, check_tail
 from ...realizer.body.skeleton import Skeleton
+from ...realizer.exporting.extras import require_writer
 from ...realizer.exporting.retargeting import find_rig, load_rigs
 from ...resources import resource_folder
-from ..files import read_bytes, require_writable, write
+from ...settings import Settings
+from ..files import STANDARD, read_bytes, require_writable, write
 from ..log import Log
 from .plot import require_plot
 
@@ -23,12 +27,14 @@ if TYPE_CHECKING:
 LARGEST_AVATAR_BYTES = 256 << 20
 
 
-def require_motions(names: Sequence[str], *, field: str) -> None:
-    """Raises InputError for a name that could not be written, before the work is done; ServiceError for a picture when
-    matplotlib is not there."""
+def require_motions(names: Sequence[str], settings: Settings, *, field: str) -> None:
+    """Raises InputError for a name that could not be written, before the work is done; ServiceError where what its
+    format needs is not there: matplotlib for pictures, usd-core, Blender."""
     for name in names:
-        if format_of(name) in PICTURES:
+        form = format_of(name)
+        if form in PICTURES:
             require_plot(name)
+        require_writer(form, settings.blender)
         require_writable(name, field=field)
 
 
@@ -50,18 +56,21 @@ class MotionOptions:
     files: FileOptions
 
     @classmethod
-    def of(cls, arguments: argparse.Namespace) -> MotionOptions:
+    def of(cls, arguments: argparse.Namespace, settings: Settings) -> MotionOptions:
         """Raises InputError `unknown_skeleton`, `value_wrong` and `file_unreadable`."""
         require_skeleton(arguments.skeleton)
         check_tail(arguments.tail)
         name = arguments.avatar
         avatar = read_bytes(name, limit=LARGEST_AVATAR_BYTES, field="avatar") if name else None
-        files = FileOptions(arguments.t_pose, arguments.root_at_origin, Keys(arguments.keys))
+        files = FileOptions(arguments.t_pose, arguments.root_at_origin, Keys(arguments.keys), blender=settings.blender)
         return cls(arguments.fps, arguments.tail, arguments.skeleton, avatar, files)
 
 
-def write_motions(names: Sequence[str], staged: PreparedSchedule, options: MotionOptions, log: Log) -> None:
-    """Realizes the schedule once and writes it to every name; decisions are told."""
+def write_motions(
+    names: Sequence[str], staged: PreparedSchedule, options: MotionOptions, audio: AudioFile | None, log: Log
+) -> None:
+    """Realizes the schedule once and writes it to every name; decisions are told. Files name the recording as it lies
+    from where they are."""
     from ...realization import AvatarOptions, realize_prepared, write_motion
 
     realizer = load_realizer()
@@ -71,9 +80,25 @@ def write_motions(names: Sequence[str], staged: PreparedSchedule, options: Motio
     log.stage("export")
     wearer = AvatarOptions(options.skeleton, options.avatar)
     for name in names:
-        write(name, write_motion(realized, realizer, format_of(name), wearer, options.files))
+        files = replace(options.files, audio=audio and _from(name, audio))
+        write(name, write_motion(realized, realizer, format_of(name), wearer, files))
     if realized.motion.decisions:
         log.note("\n".join(_told(decision) for decision in realized.motion.decisions))
+
+
+def recording(name: str | None, content: bytes | None) -> AudioFile | None:
+    """The recording; None where it has no name."""
+    return None if name in (None, STANDARD) or content is None else AudioFile(str(name), content)
+
+
+def _from(output: str, audio: AudioFile) -> AudioFile:
+    """The recording by its path from the output's folder, with forward slashes."""
+    folder = Path(output).resolve().parent
+    try:
+        name = os.path.relpath(Path(audio.name).resolve(), folder)
+    except ValueError:  # it lies on another disk of Windows
+        name = str(Path(audio.name).resolve())
+    return replace(audio, name=Path(name).as_posix())
 
 
 def _told(decision: Decision) -> str:

@@ -96,11 +96,11 @@ def _extras(motion: Motion, layer: Layer, behaviors: Iterable[Behavior]) -> dict
         "frame_rate_hz": motion.frame_rate_hz,
         "audio_offset_s": round(start_s - motion.lead_in_s, 6),
         "tolerances": {"rotation_deg": ROTATION_DEG, "translation_m": PLACE_M, "weight": WEIGHT},
-        "markers": [_marker(motion, each, start_s) for each in shown],
+        "markers": [marker(motion, each, start_s) for each in shown],
     }
 
 
-def _marker(motion: Motion, behavior: Behavior, start_s: float) -> Json:
+def marker(motion: Motion, behavior: Behavior, start_s: float) -> Json:
     """A behaviour as played: when, what for, and what was decided about it."""
     points = {name: round(time_s - start_s, 6) for name, time_s in motion.realized[behavior.id].in_order()}
     return {

@@ -1,9 +1,9 @@
-// What others make of our motion files: Khronos' validator, and three.js's readers of glTF and BVH.
+// What others make of our motion files: Khronos' validator, and three.js's readers of glTF, BVH and FBX.
 //
 //     node benchmarks/realizer/exporting/formats.mjs NODE_MODULES FRAME_RATE_HZ FILE...
 //
 // Prints one JSON object: for each file the validator's counts, or the world positions of its joints in some frames
-// (metres in glTF, centimetres in BVH), by joint name.
+// (metres in glTF and FBX, centimetres in BVH), by joint name.
 
 import fs from 'node:fs';
 import path from 'node:path';
@@ -15,6 +15,7 @@ globalThis.self = globalThis;
 const THREE = await load('three/build/three.module.js');
 const { GLTFLoader } = await load('three/examples/jsm/loaders/GLTFLoader.js');
 const { BVHLoader } = await load('three/examples/jsm/loaders/BVHLoader.js');
+const { FBXLoader } = await load('three/examples/jsm/loaders/FBXLoader.js');
 const validator = (await load('gltf-validator/index.js')).default;
 const STEP = 7;
 
@@ -25,7 +26,10 @@ function positions(root, clip, frameRate) {
   for (let frame = 0; frame / frameRate < clip.duration; frame += STEP) {
     mixer.setTime(frame / frameRate);
     root.updateMatrixWorld(true);
+    const seen = new Set(); // FBXLoader has a bone once for every mesh that it moves, one in the other
     root.traverse((node) => {
+      if (seen.has(node.name)) return;
+      seen.add(node.name);
       const at = new THREE.Vector3().setFromMatrixPosition(node.matrixWorld);
       (found[node.name] ??= []).push(at.toArray());
     });
@@ -49,9 +53,17 @@ function readBvh(content) {
   return { joints: positions(root, clip, rate) };
 }
 
+function readFbx(content) {
+  const bytes = content.buffer.slice(content.byteOffset, content.byteOffset + content.byteLength);
+  const root = new FBXLoader().parse(bytes, '');
+  const [clip] = root.animations;
+  return { duration_s: clip.duration, joints: positions(root, clip, rate) };
+}
+
+const readers = { '.bvh': readBvh, '.fbx': readFbx };
 const found = {};
 for (const file of files) {
   const content = fs.readFileSync(file);
-  found[path.extname(file)] = file.endsWith('.bvh') ? readBvh(content) : await readBinary(content);
+  found[path.extname(file)] = await (readers[path.extname(file)] ?? readBinary)(content);
 }
 console.log(JSON.stringify(found));
