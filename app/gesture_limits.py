@@ -29,8 +29,17 @@ SHORTEST_TRANSITION_S = 0.15
 """Even for hands that are close together, since orientation and shape must change as well."""
 EASY_TRANSITION_S = 0.30
 """The part of a gap that a prolonged hold leaves at least (people's preparations last .30 to 1.05 s)."""
+SHORTEST_STROKE_S = 0.23
+"""The fifth percentile of people's strokes (shared/motion.md)."""
+BRIEFEST_SHARE = 0.5
+"""The least of a stroke's way and time that still shows what it is."""
+WHOLE_SHARE = 0.8
+"""A stroke that has this much of its time is made whole."""
 LATEST_S = 0.7
 """A gesture on the first sound of a recording may come this late, two words, rather than not at all."""
+
+_ROUNDING_S = 0.002
+"""Times of schedules are whole milliseconds."""
 
 Offset = tuple[float, float, float]
 
@@ -47,6 +56,19 @@ def playable_size(size: float, stroke_speed_m_s: float) -> float:
     return size * TOP_STROKE_SPEED_M_S / max(size * stroke_speed_m_s, TOP_STROKE_SPEED_M_S)
 
 
+def brief_share(stroke_s: float) -> float:
+    """How much of a stroke's way and time is left of it where there is no time for the whole: it begins nearer to where
+    it ends, as fast as ever. The paper would drop the gesture (§3.8); people make it smaller."""
+    share = max(BRIEFEST_SHARE, SHORTEST_STROKE_S / stroke_s)
+    return share if share <= WHOLE_SHARE else 1.0
+
+
+def is_brief(stroke_s: float, longest_s: float) -> bool:
+    """Whether a stroke is brief where a schedule has `longest_s` for it: too little for the whole, but not so little
+    that it must mean something else."""
+    return brief_share(stroke_s) * stroke_s - _ROUNDING_S <= longest_s < WHOLE_SHARE * stroke_s
+
+
 def shortest_transition_s(way_m: float, stroke_speed_m_s: float) -> float:
     """The least time from one gesture's relax time to the start of the next stroke: the way may be faster than that
     stroke by `BLEND_SPEED_THRESHOLD_M_S`."""
@@ -60,10 +82,20 @@ def equal_transition_s(way_m: float, stroke_speed_m_s: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class ArmEnds:
-    """Where an arm's wrist is when the stroke starts and when the hand relaxes."""
+    """Where an arm's wrist is when the stroke starts, when it ends and when the hand relaxes."""
 
     stroke_start: Offset
+    stroke_end: Offset
     relax: Offset
+
+    def scaled(self, factor: float) -> "ArmEnds":
+        return ArmEnds(*(_scaled(offset, factor) for offset in (self.stroke_start, self.stroke_end, self.relax)))
+
+    def begun_nearer(self, share: float) -> "ArmEnds":
+        """The ends of a stroke that has only the last `share` of its way."""
+        pairs = zip(self.stroke_start, self.stroke_end, strict=True)
+        x_m, y_m, z_m = (end_m + share * (start_m - end_m) for start_m, end_m in pairs)
+        return ArmEnds((x_m, y_m, z_m), self.stroke_end, self.relax)
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,16 +110,30 @@ class GestureForm:
 
     def in_manner(self, manner: Manner) -> "GestureForm":
         """The form as a character makes it that takes more or less space and time for gestures."""
-        arms = {
-            arm: ArmEnds(_scaled(ends.stroke_start, manner.space), _scaled(ends.relax, manner.space))
-            for arm, ends in self.arms.items()
-        }
         return GestureForm(
             self.before_s / manner.pace,
             self.after_s / manner.pace,
             self.stroke_speed_m_s * manner.pace * manner.space,
-            arms,
+            {arm: ends.scaled(manner.space) for arm, ends in self.arms.items()},
         )
+
+    @property
+    def stroke_s(self) -> float:
+        return self.before_s + self.after_s
+
+    def brief(self) -> "GestureForm":
+        """The form as it is made where there is no time for the whole stroke."""
+        share = brief_share(self.stroke_s)
+        return GestureForm(
+            share * self.before_s,
+            share * self.after_s,
+            self.stroke_speed_m_s,
+            {arm: ends.begun_nearer(share) for arm, ends in self.arms.items()},
+        )
+
+    def within(self, longest_s: float) -> "GestureForm":
+        """The form as it is made in a schedule that has `longest_s` for its stroke."""
+        return self.brief() if is_brief(self.stroke_s, longest_s) else self
 
     def size(self, amount: float | None) -> float:
         return playable_size(size_of(amount), self.stroke_speed_m_s)

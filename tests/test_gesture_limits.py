@@ -4,13 +4,17 @@ import pytest
 
 from understudy.figures import Manner
 from understudy.gesture_limits import (
+    BRIEFEST_SHARE,
     EASY_TRANSITION_S,
+    SHORTEST_STROKE_S,
     SHORTEST_TRANSITION_S,
     SLOWEST_STROKE_M_S,
     ArmEnds,
     GestureForm,
     GestureTable,
+    brief_share,
     equal_transition_s,
+    is_brief,
     playable_size,
     shortest_transition_s,
     size_of,
@@ -23,7 +27,7 @@ def form(
     start_m: float = 0.0, relax_m: float = 0.3, *arms: Hand, speed_m_s: float = 0.6, before_s: float = 0.3
 ) -> GestureForm:
     """A stroke outwards."""
-    ends = ArmEnds((start_m, 0.0, 0.0), (relax_m, 0.0, 0.0))
+    ends = ArmEnds((start_m, 0.0, 0.0), (relax_m, 0.0, 0.0), (relax_m, 0.0, 0.0))
     return GestureForm(before_s, 0.2, speed_m_s, dict.fromkeys(arms or (Hand.RIGHT,), ends))
 
 
@@ -72,8 +76,28 @@ def test_a_lexeme_that_is_not_in_the_table_has_no_forms() -> None:
 
 def test_who_gestures_wide_and_fast_has_strokes_and_ways_of_his_own() -> None:
     """As the realizer makes clips in a manner: times by pace, ways by space, speeds by both."""
-    form = GestureForm(0.4, 0.2, 0.6, {Hand.LEFT: ArmEnds((0.1, 0.0, 0.0), (0.0, 0.2, 0.0))})
+    form = GestureForm(0.4, 0.2, 0.6, {Hand.LEFT: ArmEnds((0.1, 0.0, 0.0), (0.0, 0.2, 0.0), (0.0, 0.2, 0.0))})
     own = form.in_manner(Manner(space=1.2, pace=1.25))
     assert (own.before_s, own.after_s) == pytest.approx((0.32, 0.16))
     assert own.stroke_speed_m_s == pytest.approx(0.6 * 1.2 * 1.25)
     assert own.arms[Hand.LEFT].relax == pytest.approx((0.0, 0.24, 0.0))
+
+
+def test_a_brief_form_begins_nearer_to_its_end_and_is_as_fast() -> None:
+    whole = GestureForm(0.4, 0.2, 0.6, {Hand.LEFT: ArmEnds((0.4, 0.0, 0.2), (0.0, 0.2, 0.2), (0.0, 0.1, 0.0))})
+    brief = whole.brief()
+    assert brief.stroke_s == pytest.approx(BRIEFEST_SHARE * whole.stroke_s)
+    assert brief.before_s / brief.after_s == pytest.approx(whole.before_s / whole.after_s)
+    assert brief.stroke_speed_m_s == whole.stroke_speed_m_s
+    assert brief.arms[Hand.LEFT].stroke_start == pytest.approx((0.2, 0.1, 0.2))
+    assert brief.arms[Hand.LEFT].relax == whole.arms[Hand.LEFT].relax
+
+
+def test_no_stroke_is_briefer_than_peoples() -> None:
+    assert brief_share(0.4) * 0.4 == pytest.approx(SHORTEST_STROKE_S)
+    assert brief_share(0.25) == brief_share(0.1) == 1.0
+
+
+@pytest.mark.parametrize(("longest_s", "brief"), [(0.6, False), (0.48, False), (0.47, True), (0.3, True), (0.2, False)])
+def test_a_stroke_is_brief_where_it_has_half_to_four_fifths_of_its_time(longest_s: float, *, brief: bool) -> None:
+    assert is_brief(0.6, longest_s) is brief

@@ -9,22 +9,62 @@ from pathlib import Path
 
 import pytest
 
-from understudy.model import Performance
+from understudy.bml.choice.timing.candidates import stressed_vowel_s
+from understudy.model import Channel, DirectedMoment, Direction, Level, Performance
 from understudy.performance import Line, Options, Understudy, perform
+from understudy.realization import realize, schedule_of
 from understudy.settings import Settings
 
 AUDIO = Path(__file__).parents[1] / "audio" / "figure8.flac"
 
 
+LINE = Line(AUDIO.read_bytes(), AUDIO.with_suffix(".txt").read_text())
+
+NOTES = Direction(
+    (
+        *(DirectedMoment(word, word, word, 3, gesture=("self",)) for word in (0, 3, 5)),
+        DirectedMoment(2, 2, 2, 3, gesture=("negation",), head=("shake",)),
+        DirectedMoment(8, 8, 8, 3, gesture=("all_sweep",)),
+        DirectedMoment(10, 11, 10, 3, gesture=("point_there",)),
+    )
+)
+"""What the figure shows, as a director would ask for it."""
+
+NEGATIONS = frozenset({"NEGATION", "PUSH_AWAY"})
+ALL = frozenset({"SURROUND", "INCLUSIVITY", "SWEEP_ALL"})
+
+
 @pytest.fixture(scope="module")
-def performance(understudy: Understudy) -> Performance:
+def paper(understudy: Understudy) -> Understudy:
     settings = Settings(emphasis="ratio", choice="priority")
-    paper = replace(
+    return replace(
         understudy,
         acoustic=replace(understudy.acoustic, settings=settings),
         behavior=replace(understudy.behavior, settings=settings),
     )
-    return perform(paper, Line(AUDIO.read_bytes(), AUDIO.with_suffix(".txt").read_text()), Options())
+
+
+@pytest.fixture(scope="module")
+def performance(paper: Understudy) -> Performance:
+    return perform(paper, LINE, Options())
+
+
+def _struck(performance: Performance) -> list[tuple[int, str]]:
+    """The gestures that are made, each with the word about whose stressed vowel its stroke ends, but a syllable early
+    at most."""
+    vowels_s = {word.index: stressed_vowel_s(word) for word in performance.utterance.words}
+    made = [each for each in performance.behaviors if each.kept and each.kind is Channel.GESTURE]
+    ends_s = [(each.sync.stroke_end or 0.0, each.lexeme) for each in made]
+    return [
+        (min(vowels_s, key=lambda index: (not -0.02 <= vowels_s[index] - end_s <= 0.11, index)), lexeme)
+        for end_s, lexeme in sorted(ends_s)
+    ]
+
+
+def _are_played(understudy: Understudy, performance: Performance) -> bool:
+    """Whether the realizer makes every gesture of a performance, in its time."""
+    motion = realize(understudy.realizer, schedule_of(performance))
+    return not [each for each in motion.decisions if each.action in ("dropped", "late")]
 
 
 def _spans(performance: Performance, class_name: str, subtype: str = "plain") -> set[tuple[int, int]]:
@@ -55,7 +95,7 @@ def test_the_stressed_words_are_emphasised(performance: Performance) -> None:
 def test_prominence_hears_emphasis_in_a_flat_voice_too_and_less_of_it(
     understudy: Understudy, performance: Performance
 ) -> None:
-    ours = perform(understudy, Line(AUDIO.read_bytes(), AUDIO.with_suffix(".txt").read_text()), Options())
+    ours = perform(understudy, LINE, Options())
     found = {first for first, _ in _spans(ours, "emphasis")}
     assert 1 in found
     assert len(found) < len(_spans(performance, "emphasis"))
@@ -78,3 +118,45 @@ def test_self_is_shown_by_the_gesture_me(performance: Performance) -> None:
 def test_not_is_shown_by_a_shake_with_the_negation_gesture(performance: Performance) -> None:
     shown = {behavior.lexeme for behavior in performance.behaviors if behavior.kept and behavior.first == 2}
     assert {"SHAKE", "NEGATION"} <= shown
+
+
+@pytest.mark.parametrize("lead_in_s", [0.0, 0.6])
+@pytest.mark.parametrize("agitation", Level)
+def test_a_director_has_all_six_strokes_and_the_shake(
+    understudy: Understudy, agitation: Level, lead_in_s: float
+) -> None:
+    options = Options(agitation=agitation, lead_in_s=lead_in_s)
+    played = perform(understudy, replace(LINE, direction=NOTES), options)
+    assert not [notice for notice in played.notices if notice.code == "direction_unplayed"]
+    by_note = {each.moment: each.lexeme for each in played.behaviors if each.kept and each.moment}
+    assert [by_note[f"note{note}.gesture"] for note in range(3)] == ["ME"] * 3
+    assert (by_note["note3.gesture"], by_note["note3.head"]) == ("NEGATION", "SHAKE")
+    assert by_note["note4.gesture"] in ALL
+    assert by_note["note5.gesture"] in {"THERE", "POINT_FRONT"}
+    assert _are_played(understudy, played)
+
+
+def test_by_priority_an_agitated_speaker_makes_them_all(paper: Understudy) -> None:
+    """As in the figure, whose speaker is highly agitated; the mapping draws, and this draw shows all by the hands."""
+    played = perform(paper, LINE, Options(agitation=Level.HIGH, lead_in_s=0.6, seed=1))
+    struck = _struck(played)
+    assert [word for word, lexeme in struck if lexeme == "ME"] == [0, 3, 5]
+    assert [word for word, lexeme in struck if lexeme in NEGATIONS] == [2]
+    assert [word for word, lexeme in struck if lexeme in ALL] == [8]
+    assert [word for word, lexeme in struck if lexeme.startswith("POINT")] == [10]
+    assert _are_played(paper, played)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_by_priority_the_hands_show_self_three_times_and_the_denial_whatever_is_drawn(
+    paper: Understudy, seed: int
+) -> None:
+    played = perform(paper, LINE, Options(agitation=Level.HIGH, lead_in_s=0.6, seed=seed))
+    struck = _struck(played)
+    assert [word for word, lexeme in struck if lexeme == "ME"] == [0, 3, 5]
+    assert [word for word, lexeme in struck if lexeme in NEGATIONS] == [2]
+
+
+def test_agitation_drives_how_much_functions_ask_for(paper: Understudy) -> None:
+    counts = [len(_struck(perform(paper, LINE, Options(agitation=level, lead_in_s=0.6, seed=1)))) for level in Level]
+    assert counts[0] < counts[-1]

@@ -8,12 +8,14 @@ How a movement is timed by its word is in `timing/candidates.py`, which alternat
 
 from collections.abc import Iterable
 from dataclasses import replace
+from types import MappingProxyType
 
-from ...model import Behavior, BehaviorCandidates, Channel, Interval, Mode, Utterance
+from ...model import Behavior, BehaviorCandidates, Channel, Interval, Level, Mode, Utterance
 from .characters.characters import Character
 from .idle.idle_behaviors import idle_behaviors
 from .idle.saccades import TALKING
-from .selection.choosing import Line, choose
+from .selection.attempts import Line
+from .selection.choosing import choose
 from .selection.filling import Rest, fillers
 from .selection.modes import in_mode
 from .selection.necessity import BLINK, needed
@@ -24,6 +26,10 @@ from .timing.transitions import eased
 
 PLANNED_MORE = 1.6
 """Ideas crowd in some lines and are absent from others: a planned line may have this many times the usual gestures."""
+
+ASKED_MORE = MappingProxyType({Level.LOW: 3.6, Level.MEDIUM: 4.0, Level.HIGH: 4.6})
+"""How many times the usual gestures functions may ask for by priority alone, as in the paper's Figure 8: in the usual
+character a stroke every .7 s. Agitation drives the quantity (§1)."""
 
 PAUSE_S = 0.5
 """A line has its share of the pause between lines. It makes up for the gestures that find no place in their line, so
@@ -52,7 +58,9 @@ def schedule(
     planned = any(each.moment for each in candidates)
     spoken_s = duration_s - utterance.lead_in_s
     at_rate = most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0))
-    line = Line(timed, character, max(at_rate + _second_places(candidates), _noted(candidates)))
+    level = utterance.agitation.level if utterance.agitation else Level.MEDIUM
+    most_asked = most_gestures(character, spoken_s * ASKED_MORE[level])
+    line = Line(timed, character, at_rate + _second_places(candidates), most_asked)
     kept, lost = choose(candidates, line)
     kept, needless = needed(kept, candidates)
     usual = replace(line, most_gestures=most_gestures(character, spoken_s))
@@ -92,12 +100,6 @@ def _second_places(candidates: Iterable[BehaviorCandidates]) -> int:
     """Contrasts whose second place is shown: it is one idea with the first, and the rate allows both or neither."""
     moments = (each.moment for each in candidates if each.moment)
     return sum(moment.set_against is not None and moment.set_against < moment.stroke for moment in moments)
-
-
-def _noted(candidates: Iterable[BehaviorCandidates]) -> int:
-    """Gestures that a director's notes ask for, whatever the character's rate."""
-    moments = (each.moment for each in candidates if each.moment)
-    return sum(moment.note is not None and moment.channel is Channel.GESTURE for moment in moments)
 
 
 def numbered(behaviors: Iterable[Behavior]) -> tuple[Behavior, ...]:

@@ -49,6 +49,11 @@ def stroke_start_m(placed: PlacedGesture, side: Hand) -> FloatArray:
     return wrist_m(placed, side, placed.clip.markers.stroke_start)
 
 
+def stroke_end_m(placed: PlacedGesture, side: Hand) -> FloatArray:
+    """The wrist's position (3,) at the end of the stroke."""
+    return wrist_m(placed, side, placed.clip.markers.stroke_end)
+
+
 def relax_m(placed: PlacedGesture, side: Hand) -> FloatArray:
     """The wrist's position (3,) at the relax time."""
     return wrist_m(placed, side, placed.clip.markers.relax)

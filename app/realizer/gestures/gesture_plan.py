@@ -6,6 +6,7 @@ Conventions: seconds from the start of the audio; markers of placed gestures are
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import inf
 
 from ...gesture_limits import playable_size
 from ...model import Hand, Level, SyncPoints
@@ -18,7 +19,8 @@ Position = tuple[float, float, float]
 @dataclass(frozen=True, slots=True)
 class GestureRequest:
     """A gesture of the schedule: category, desired stroke and relax time, priority (paper §3.8, eq. 4), and what our
-    BML adds: hand, level of agitation, size (1 as defined) and the name of a target."""
+    BML adds: hand, level of agitation, size (1 as defined), the name of a target, and the longest that its stroke may
+    take, where it says that."""
 
     behavior: str
     category: str
@@ -29,6 +31,7 @@ class GestureRequest:
     level: Level = Level.MEDIUM
     size: float = 1.0
     target: str | None = None
+    longest_stroke_s: float = inf
 
 
 @dataclass(frozen=True, slots=True)

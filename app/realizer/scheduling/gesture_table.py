@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from ...gesture_limits import ArmEnds, Forms, GestureForm, GestureTable, Offset
 from ...model import FloatArray, Hand, Level
-from ..arms.wrist_paths import relax_m, stroke_start_m
+from ..arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
 from ..gestures.gesture import Clip, Depth, Height, Place, Sideways
 from ..gestures.gesture_plan import GestureRequest
 from ..gestures.gesture_space import sector_m
@@ -34,10 +34,8 @@ def _forms(library: Clips, lexemes: list[str]) -> Iterator[tuple[tuple[str, Leve
 
 def _form(clip: Clip, request: GestureRequest) -> GestureForm:
     placed = with_target(place_clip(clip, request), MappingProxyType({}))
-    ends = {
-        arm: ArmEnds(_offset(stroke_start_m(placed, arm), placed.size), _offset(relax_m(placed, arm), placed.size))
-        for arm in placed.arms
-    }
+    places_of = (stroke_start_m, stroke_end_m, relax_m)
+    ends = {arm: ArmEnds(*(_offset(place_m(placed, arm), placed.size) for place_m in places_of)) for arm in placed.arms}
     markers = clip.markers
     before_s, after_s = markers.stroke - markers.stroke_start, markers.stroke_end - markers.stroke
     return GestureForm(before_s, after_s, clip.stroke_speed_m_s, MappingProxyType(ends))

@@ -1,7 +1,7 @@
 """The gesture scheduler (paper §3.8): from a schedule's gestures to clips on a timeline for each arm.
 
-In order: each gesture gets a clip (`selection`), aligned by its stroke and never time-warped; conflicting neighbours
-are replaced or pruned by priority (`pruning`); strokes are repeated on further emphases (`repetition`); gestures close
+In order: each gesture gets a clip (`selection`), aligned by its stroke and not time-warped; conflicting neighbours are
+replaced or pruned by priority (`pruning`); strokes are repeated on further emphases (`repetition`); gestures close
 together blend into units, and units end at rest (`arm_timelines`). Whatever is not played as requested has a
 `Decision`. docs/realizer-scheduling.md explains the rules.
 """

@@ -3,20 +3,23 @@
 A clip fits if the time from its stroke to its relax time is no longer than the request's (eq. 5). The paper's clips are
 recordings, whose post-stroke hold can be extended but not cut. Ours hold a pose between two keys, so a clip whose hold
 alone is too long is used if no other fits, with its hold cut; eq. 5 then requires only that the stroke ends by the
-relax time. `TOLERANCE_S` more is accepted, since schedules are made before the clip is known, end strokes on stressed
-vowels to the millisecond, and may have no hold at all.
+relax time. A clip whose stroke is longer than the schedule's is made with a brief one (`brief_strokes`). `TOLERANCE_S`
+more is accepted, since schedules are made before the clip is known, end strokes on stressed vowels to the millisecond,
+and may have no hold at all.
 """
 
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
+from math import inf
 from typing import Protocol
 
 import numpy as np
 
-from ...gesture_limits import LATEST_S, size_of
-from ...model import Behavior, Channel, Hand, Level, Schedule
+from ...gesture_limits import LATEST_S, is_brief, size_of
+from ...model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
 from ..body.motion import Decision
+from ..gestures.brief_strokes import brief
 from ..gestures.gesture import Clip
 from ..gestures.gesture_plan import GestureRequest, PlacedGesture
 
@@ -54,7 +57,20 @@ def _request(gesture: Behavior, level: Level) -> GestureRequest:
         level=level,
         size=size_of(gesture.amount),
         target=gesture.target,
+        longest_stroke_s=_longest_stroke_s(sync),
     )
+
+
+def _longest_stroke_s(sync: SyncPoints) -> float:
+    if sync.stroke_start is None or sync.stroke_end is None:
+        return inf
+    return sync.stroke_end - sync.stroke_start
+
+
+def in_the_time(clip: Clip, request: GestureRequest) -> Clip:
+    """The clip, with a brief stroke where the schedule has no time for the whole."""
+    stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
+    return brief(clip) if is_brief(stroke_s, request.longest_stroke_s) else clip
 
 
 def fits(clip: Clip, request: GestureRequest) -> bool:
@@ -86,7 +102,7 @@ def in_time(placed: PlacedGesture) -> PlacedGesture:
 
 def candidate_clips(request: GestureRequest, library: Clips) -> tuple[tuple[Clip, ...], tuple[Decision, ...]]:
     """The clips that fit a request, none if it must be dropped, and the decisions made."""
-    clips = clips_of(request, library)
+    clips = tuple(in_the_time(clip, request) for clip in clips_of(request, library))
     decisions = tuple(_substitution(clips[0], request)) if clips else ()
     if not clips:
         reason = f"the library has no clip for {request.category}, nor a beat that could stand in"

@@ -57,10 +57,22 @@ def test_the_stroke_is_aligned_and_the_hold_extended_to_the_desired_relax_time()
 )
 def test_a_clip_longer_than_stroke_to_relax_does_not_fit(relax_s: float, kept: bool, action: list[str]) -> None:
     """Eq. 5: the clip has .4 s to relax, .2 s without its hold, and .1 s is forgiven."""
-    plan = planned([gesture("g1", 2.0, relax_s)])
+    asked = gesture("g1", 2.0, relax_s)
+    plan = planned([replace(asked, sync=replace(asked.sync, stroke_end=None))])
     assert bool(plan.gestures) is kept
     if relax_s != 2.31:
         assert actions(plan, "g1") == action
+
+
+def test_a_stroke_for_which_the_schedule_has_half_the_time_is_brief() -> None:
+    """The clip's takes .5 s, of which .3 s before the emphasis."""
+    asked = gesture("g1", 2.0, 3.0)
+    hurried = replace(asked, sync=replace(asked.sync, stroke_start=1.85, stroke_end=2.1))
+    (arm,) = planned([hurried]).gestures
+    assert (arm.markers.stroke_start, arm.markers.stroke, arm.markers.stroke_end) == pytest.approx((1.85, 2.0, 2.1))
+    barely = replace(asked, sync=replace(asked.sync, stroke_start=1.75, stroke_end=2.17))
+    (arm,) = planned([barely]).gestures
+    assert arm.markers.stroke_start == pytest.approx(1.7)
 
 
 def test_of_clips_only_one_that_fits_is_taken() -> None:

@@ -78,9 +78,17 @@ class Timing:
 
 
 @dataclass(frozen=True, slots=True)
+class BriefGesture:
+    """A gesture whose stroke is smaller and shorter than usual, for want of time: its forms by hand, and its timing."""
+
+    timing: Timing
+    forms: Mapping[Hand, Forms]
+
+
+@dataclass(frozen=True, slots=True)
 class BehaviorEntry:
     """A line of the table. A gesture whose `hand` is None takes the hand in use, or the character's own. `forms` are
-    those of the gesture library by hand, where they are known."""
+    those of the gesture library by hand, where they are known, and `brief` is the gesture made in less time."""
 
     name: str
     channel: Channel
@@ -93,6 +101,7 @@ class BehaviorEntry:
     target: str | None = None
     direction: str | None = None
     forms: Mapping[Hand, Forms] = field(default_factory=dict)
+    brief: BriefGesture | None = None
 
 
 def _in_order(durations: tuple[float, float]) -> tuple[float, float]:

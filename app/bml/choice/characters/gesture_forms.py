@@ -1,7 +1,8 @@
 """Gestures as the library has them: strokes that last as long as they will, and ways that take the time they need.
 
 The table's durations of strokes are what people were measured to take; a gesture that is scheduled has the stroke of
-its clip, which is never time-warped (paper §3.8). Of several forms that a gesture may take the longest counts.
+its clip, which is never time-warped (paper §3.8), or the last part of it where there is no time for the whole. Of
+several forms that a gesture may take the longest counts.
 """
 
 from collections.abc import Mapping
@@ -13,7 +14,7 @@ from ....figures import Manner
 from ....gesture_limits import Forms, GestureTable
 from ....model import Channel, Hand, Level
 from ....on_demand import OnDemand
-from ..behavior_table.table import BehaviorEntry, Phase, Timing
+from ..behavior_table.table import BehaviorEntry, BriefGesture, Phase, Timing
 from .characters import Character, Characters
 
 
@@ -50,7 +51,25 @@ def with_forms(character: Character, table: GestureTable, level: Level) -> Chara
 def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level, manner: Manner) -> BehaviorEntry:
     found = table.of(entry.lexeme, level) if entry.channel is Channel.GESTURE else {}
     forms = {hand: tuple(form.in_manner(manner) for form in of_hand) for hand, of_hand in found.items()}
-    return replace(entry, forms=forms, timing=_timing(entry.timing, _of_hands(forms, entry.hand))) if forms else entry
+    if not forms:
+        return entry
+    longest_s = _briefest_s(_of_hands(forms, entry.hand))
+    brief = {hand: tuple(form.within(longest_s) for form in of_hand) for hand, of_hand in forms.items()}
+    return replace(
+        entry,
+        forms=forms,
+        timing=_timing(entry.timing, _of_hands(forms, entry.hand)),
+        brief=BriefGesture(_timing(_without_hold(entry.timing), _of_hands(brief, entry.hand)), brief),
+    )
+
+
+def _briefest_s(forms: Forms) -> float:
+    """The least time in which any of the forms can be made; those that take little more than the brief ones are made
+    whole."""
+    longest_s = max(form.brief().stroke_s for form in forms)
+    while (needed_s := max(form.within(longest_s).stroke_s for form in forms)) > longest_s:
+        longest_s = needed_s
+    return longest_s
 
 
 def _of_hands(forms: Mapping[Hand, Forms], hand: Hand | None) -> Forms:
@@ -63,3 +82,8 @@ def _timing(timing: Timing, forms: Forms) -> Timing:
     before_s, after_s = max(form.before_s for form in forms), max(form.after_s for form in forms)
     stroke_s = before_s + after_s
     return replace(timing, stroke=Phase(stroke_s, stroke_s), emphasis=before_s / stroke_s)
+
+
+def _without_hold(timing: Timing) -> Timing:
+    """The timing where nothing need be held."""
+    return replace(timing, hold=Phase(0.0, timing.hold.usual_s))

@@ -12,7 +12,8 @@ from itertools import pairwise
 from ....model import Behavior, Channel, Mode, Movement, Word
 from ..timing.candidates import PlacedBehavior, asked
 from ..timing.conflicts import Fitted, Kept, fitted
-from .choosing import Line, with_hand
+from .attempts import Line
+from .hands import with_hand
 
 BEAT = "beat_gesture"
 BEAT_PRIORITY = 1.0

@@ -12,18 +12,19 @@ from math import floor
 
 from ....gesture_limits import LATEST_S, Forms
 from ....model import Behavior, Channel, Hand, Interval, Movement, Phone, SyncPoints, Word
-from ..behavior_table.table import STROKED, Anchor, BehaviorEntry
+from ..behavior_table.table import STROKED, Anchor, BehaviorEntry, BriefGesture, Phase
 from ..idle.idle_behaviors import IdleBehavior
 from .phases import Placing, Window, placed, soonest, underway
 
 
 @dataclass(frozen=True, slots=True)
 class PlacedBehavior:
-    """A behaviour with what it is timed by; a gesture with its forms by hand."""
+    """A behaviour with what it is timed by; a gesture with its forms by hand, and as it is made in less time."""
 
     behavior: Behavior
     placing: Placing
     forms: Mapping[Hand, Forms] = field(default_factory=dict)
+    brief: BriefGesture | None = None
 
     @property
     def own_forms(self) -> Forms:
@@ -45,14 +46,25 @@ class PlacedBehavior:
         return min(self.firm_end_s, sync.stroke_end + timing.hold.shortest_s + timing.retraction.shortest_s)
 
 
-def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], name: str) -> PlacedBehavior:
-    """The movement as `entry` makes it, with `name` for its id; kept is false where it cannot be timed."""
+def asked(
+    movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], name: str, *, may_be_brief: bool = False
+) -> PlacedBehavior:
+    """The movement as `entry` makes it, with `name` for its id; kept is false where it cannot be timed.
+
+    The stroke of one that `may_be_brief` is so where it would be late otherwise, or if its neighbours take that.
+    """
+    brief = entry.brief if may_be_brief else None
+    if brief:
+        entry = replace(entry, timing=replace(entry.timing, hold=Phase(0.0, entry.timing.hold.usual_s)))
     words = [word for word in timed if movement.first <= word.index <= movement.last]
     if words:
         at_s, until_s = stressed_vowel_s(_stroke_word(movement, entry.anchor, words)), interval_of(words[-1]).end_s
     else:
         at_s = until_s = max((interval_of(word).end_s for word in timed if word.index < movement.first), default=0.0)
     placing, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
+    if brief and placing.at_s > at_s:
+        entry = replace(entry, timing=brief.timing, forms=brief.forms)
+        placing, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
     late_s = placing.at_s - at_s if entry.channel is Channel.GESTURE else 0.0
     behavior = replace(
         _behavior(entry, name, _sync(placing), movement.first, movement.last),
@@ -64,7 +76,7 @@ def asked(movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], nam
         kept=bool(words) and late_s <= LATEST_S,
         reason=_late(late_s) if late_s > LATEST_S else hurry if words else "none of its words is spoken",
     )
-    return PlacedBehavior(behavior, placing, entry.forms)
+    return PlacedBehavior(behavior, placing, entry.forms, brief)
 
 
 def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:

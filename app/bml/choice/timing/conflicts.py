@@ -4,14 +4,15 @@ Candidates come in the order of their priority. Gestures compete hand by hand, f
 move, everything else channel by channel, and a look aside, which turns the head, competes with what the head does. One
 that does not fit beside those taken before is shortened to what its phases need at least; a look whose head is taken
 goes to the eyes alone. If that is not enough, the retraction of its predecessor gives way to its preparation, and then
-its hold, which joins the two into one gesture unit (§3.8); a gesture may then come `EARLY_S` before its word; if that
-is not enough either, it loses, with the winner's id and the reason.
+its hold, which joins the two into one gesture unit (§3.8); a gesture may then come `EARLY_S` before its word, or its
+successor may begin later, or its stroke, and then its successor's, is made smaller in less time; if that is not enough
+either, it loses, with the winner's id and the reason.
 
 Between two gestures of a hand lies at least the time that it takes from the one to the other
 (`understudy.gesture_limits`), by which the realizer judges them too: what is kept is played.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from ....gesture_limits import TransitionTimes, transition_times
@@ -40,6 +41,8 @@ class Fitted:
 EARLY_S = 0.1
 """How much before its word a gesture may be, rather than not at all: a syllable."""
 
+BRIEFLY = "smaller and shorter than usual, for want of time"
+
 NEAR_S = 1.0
 """Of a gesture that is over this long before another begins, the hand is back in time."""
 
@@ -62,46 +65,55 @@ def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
     earlier = [other for other in rivals if other.placing.at_s <= candidate.placing.at_s]
     later = [other for other in rivals if other.placing.at_s > candidate.placing.at_s]
     candidate = _with_way(candidate, earlier)
-    window, sync = _usual_window(candidate, earlier, later), candidate.behavior.sync
+    (_, window), sync = next(_in_windows(candidate, earlier, later, _latest_end_s)), candidate.behavior.sync
     if window.from_s <= sync.start and sync.end <= window.to_s:
         return Fitted(candidate, (*kept, candidate))
     heads = [other.behavior for other in rivals if other.behavior.kind is Channel.HEAD and _overlap(candidate, other)]
     if candidate.behavior.kind is Channel.GAZE and heads:
         return fitted(_with_the_eyes_alone(candidate, heads[0]), kept)
     neighbour = _neighbour(candidate, earlier, later)
-    for moved in _moved(candidate):
-        for window in _windows(moved, earlier, later):
-            within = _within(moved, window, neighbour)
-            if within is not None:
-                ready = (_making_way(other, within) if other in earlier else other for other in kept)
-                return Fitted(within, (*ready, within))
+    for moved, window in _ways_to_fit(candidate, earlier, later):
+        within = _within(moved, window, neighbour)
+        if within is not None:
+            ready = (_making_way(other, within) if other in earlier else _waiting(other, within) for other in kept)
+            return Fitted(within, (*ready, within))
     return beaten(candidate.behavior, neighbour)
 
 
+def _ways_to_fit(
+    candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
+) -> Iterator[tuple[PlacedBehavior, Window]]:
+    """The candidate as it might be made, with the windows that its neighbours leave it, the least changed first."""
+    yield from _in_windows(candidate, earlier, later, _latest_end_s)
+    if candidate.brief is None:
+        return
+    made = (candidate, _with_way(_made_brief(candidate), earlier))
+    for latest_end_s in (_end_before_stroke_s, _end_before_brief_stroke_s):
+        for each in made:
+            yield from _in_windows(each, earlier, later, latest_end_s)
+
+
+def _in_windows(
+    candidate: PlacedBehavior,
+    earlier: Sequence[PlacedBehavior],
+    later: Sequence[PlacedBehavior],
+    latest_end_s: Callable[[PlacedBehavior, PlacedBehavior], float],
+) -> Iterator[tuple[PlacedBehavior, Window]]:
+    """At its word and then, for a stroke cannot be shorter, a little before it: what the neighbours leave as they are,
+    then without the retraction of the one before, then without its hold."""
+    for moved in _moved(candidate):
+        to_s = min((latest_end_s(moved, each) for each in later), default=Window().to_s)
+        yield moved, Window(max((each.behavior.sync.end for each in earlier), default=0.0), to_s)
+        yield moved, Window(max((each.firm_end_s for each in earlier), default=0.0), to_s)
+        yield moved, Window(max((each.stroke_end_s for each in earlier), default=0.0), to_s)
+
+
 def _moved(candidate: PlacedBehavior) -> Iterator[PlacedBehavior]:
-    """The candidate; then a gesture, whose stroke cannot be shorter, a little before its word."""
     yield candidate
     if candidate.own_forms:
         placing = replace(candidate.placing, at_s=candidate.placing.at_s - EARLY_S)
         reason = f"{EARLY_S:g} s before its word, to be in time for its neighbour"
         yield replace(candidate, placing=placing, behavior=replace(candidate.behavior, reason=reason))
-
-
-def _windows(
-    candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
-) -> Iterator[Window]:
-    """What the neighbours leave: as they are, then without the retraction of the one before, then without its hold."""
-    usual = _usual_window(candidate, earlier, later)
-    yield usual
-    yield replace(usual, from_s=max((each.firm_end_s for each in earlier), default=0.0))
-    yield replace(usual, from_s=max((each.stroke_end_s for each in earlier), default=0.0))
-
-
-def _usual_window(
-    candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
-) -> Window:
-    begin_s = max((each.behavior.sync.end for each in earlier), default=0.0)
-    return Window(begin_s, min((_latest_end_s(candidate, each) for each in later), default=Window().to_s))
 
 
 def _with_way(candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior]) -> PlacedBehavior:
@@ -121,6 +133,18 @@ def _latest_end_s(candidate: PlacedBehavior, later: PlacedBehavior) -> float:
     sync = later.behavior.sync
     start_s = sync.start if sync.stroke_start is None else sync.stroke_start
     return min(sync.start, start_s - transition(candidate, later).shortest_s)
+
+
+def _end_before_stroke_s(candidate: PlacedBehavior, later: PlacedBehavior) -> float:
+    """The same where the later one's preparation may begin later."""
+    sync = later.behavior.sync
+    start_s = sync.start if sync.stroke_start is None else sync.stroke_start
+    return start_s - transition(candidate, later).shortest_s
+
+
+def _end_before_brief_stroke_s(candidate: PlacedBehavior, later: PlacedBehavior) -> float:
+    """The same where the later one's stroke may be brief as well."""
+    return _end_before_stroke_s(candidate, _made_brief(later))
 
 
 def transition(first: PlacedBehavior, second: PlacedBehavior) -> TransitionTimes:
@@ -184,6 +208,30 @@ def _making_way(earlier: PlacedBehavior, later: PlacedBehavior) -> PlacedBehavio
     relax_s = None if sync.relax is None else min(sync.relax, start_s)
     sync = replace(sync, relax=relax_s, end=start_s)
     return replace(earlier, behavior=replace(earlier.behavior, sync=sync, reason=reason))
+
+
+def _waiting(later: PlacedBehavior, earlier: PlacedBehavior) -> PlacedBehavior:
+    """The later of two, begun when the earlier one is over; its stroke brief where the way there takes that."""
+    if not compete(later.behavior, earlier.behavior) or later.behavior.sync.start >= earlier.behavior.sync.end:
+        return later
+    if earlier.behavior.sync.end > _end_before_stroke_s(earlier, later):
+        later = _made_brief(later)
+    reason = later.behavior.reason or _shortened_beside(earlier.behavior)
+    sync = replace(later.behavior.sync, start=earlier.behavior.sync.end)
+    return replace(later, behavior=replace(later.behavior, sync=sync, reason=reason))
+
+
+def _made_brief(gesture: PlacedBehavior) -> PlacedBehavior:
+    """A gesture in its place with its brief stroke, which ends when the whole would; as it is where it has none."""
+    brief, sync = gesture.brief, gesture.behavior.sync
+    if brief is None or sync.stroke_end is None:
+        return gesture
+    timing = replace(brief.timing, preparation=gesture.placing.timing.preparation)
+    start_s = round(sync.stroke_end - timing.stroke.usual_s, 3)
+    stroke_s = round(start_s + timing.emphasis * timing.stroke.usual_s, 3)
+    sync = replace(sync, ready=start_s, stroke_start=start_s, stroke=stroke_s)
+    behavior = replace(gesture.behavior, sync=sync, reason=BRIEFLY)
+    return PlacedBehavior(behavior, replace(gesture.placing, timing=timing), brief.forms, brief)
 
 
 def _shortened_beside(neighbour: Behavior) -> str:

@@ -7,8 +7,9 @@ import pytest
 
 from tests.support.by_hand import function, movement, spoken
 from understudy.bml.choice.characters.characters import Characters
-from understudy.bml.choice.selection.choosing import EASILY_S, Line, choose
-from understudy.model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Movement
+from understudy.bml.choice.selection.attempts import Line
+from understudy.bml.choice.selection.choosing import EASILY_S, choose
+from understudy.model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Moment, Movement
 
 DEFAULT = Characters.load(Path(__file__).resolve().parents[4] / "lexicon").named("default")
 WORDS = spoken(" ".join(["word"] * 40))
@@ -28,7 +29,7 @@ def settled(
 ) -> tuple[list[Behavior], list[Behavior]]:
     """What is kept and what is lost, in order of time."""
     character = replace(DEFAULT, strokes_per_unit=strokes_per_unit)
-    kept, lost = choose(candidates, Line(WORDS, character, most_gestures))
+    kept, lost = choose(candidates, Line(WORDS, character, most_gestures, most_gestures))
     in_time = sorted((each.behavior for each in kept), key=lambda behavior: behavior.sync.start)
     return in_time, list(lost)
 
@@ -85,19 +86,49 @@ def test_an_alternative_that_fits_is_preferred_to_one_that_must_be_shortened() -
     assert "shortened" in (beside[-1].reason or "") or lexemes(beside)[-1] == "HERE"
 
 
-@pytest.mark.parametrize(("word", "made"), [(16, False), (17, True)])
-def test_no_gesture_is_made_again_within_five_seconds(word: int, *, made: bool) -> None:
-    kept, lost = settled(between((movement("gesture_me", 4),)), between((movement("gesture_me", word),)))
+def planned(offer: BehaviorCandidates) -> BehaviorCandidates:
+    """The offer as if for a moment of the plan, not for a function."""
+    assert offer.function is not None
+    first, last = offer.function.first, offer.function.last
+    moment = Moment(f"moment.{first}", Channel.GESTURE, first, last, first, ("self",), 0.5)
+    alternatives = tuple(
+        replace(each, movements=tuple(replace(one, moment=moment.id) for one in each.movements))
+        for each in offer.alternatives
+    )
+    return BehaviorCandidates(None, alternatives, moment)
+
+
+def test_the_same_gesture_within_five_seconds_is_less_suitable() -> None:
+    again = between((movement("gesture_me", 8),), (movement("gesture_you", 8),))
+    assert lexemes(settled(again)[0]) == ["ME"]
+    assert lexemes(settled(between((movement("gesture_me", 4, priority=5),)), again)[0]) == ["ME", "YOU"]
+
+
+@pytest.mark.parametrize(("word", "made"), [(6, False), (8, True)])
+def test_no_planned_gesture_is_made_again_within_1_2_seconds(word: int, *, made: bool) -> None:
+    asks = [planned(between((movement("gesture_me", each),))) for each in (4, word)]
+    kept, lost = settled(*asks)
     assert len(kept) == (2 if made else 1)
-    assert made or "made already within 5 s" in (lost[0].reason or "")
+    assert made or "made already within 1.2 s" in (lost[0].reason or "")
 
 
 @pytest.mark.parametrize(("word", "made"), [(8, False), (9, True)])
-def test_hands_are_not_switched_within_two_seconds(word: int, *, made: bool) -> None:
-    left = movement("gesture_point_left", 4, priority=5)
-    kept, lost = settled(between((left,)), between((movement("gesture_point_right", word),)))
+def test_planned_hands_are_not_switched_within_two_seconds(word: int, *, made: bool) -> None:
+    asks = [planned(between((movement(f"gesture_point_{side}", at),))) for side, at in (("left", 4), ("right", word))]
+    kept, lost = settled(*asks)
     assert len(kept) == (2 if made else 1)
     assert made or lost[0].reason == "the other hand is in use for POINT_LEFT"
+
+
+def test_what_only_the_hands_can_show_keeps_them() -> None:
+    """Something more important has other means, and would leave neither hand the time."""
+    both_or_nod = between((movement("gesture_question_both", 6, priority=5),), (movement("small_nod", 6, priority=5),))
+    alone, _ = settled(both_or_nod)
+    assert lexemes(alone) == ["QUESTION"]
+    words = spoken(" ".join(["word"] * 20), word_s=0.12)
+    only_by_hand = between((movement("gesture_me", 5, priority=2),))
+    kept, _ = choose([both_or_nod, only_by_hand], Line(words, DEFAULT, 9, 9))
+    assert sorted(each.behavior.lexeme for each in kept) == ["ME", "NOD"]
 
 
 def test_a_free_gesture_keeps_the_hand_in_use() -> None:
@@ -131,10 +162,10 @@ def test_of_equals_a_gesture_that_has_its_time_goes_before_one_that_has_not() ->
     words = spoken("No I never", start_s=0.0, word_s=0.3)
     first, second = between((movement("gesture_me", 0),)), between((movement("gesture_negation", 2),))
     for asked in ((first, second), (second, first)):
-        kept, lost = choose(asked, Line(words, DEFAULT, 1))
+        kept, lost = choose(asked, Line(words, DEFAULT, 1, 1))
         assert [each.behavior.lexeme for each in kept] == ["NEGATION"]
         assert lexemes(list(lost)) == ["ME"]
-    kept, _ = choose([first], Line(words, DEFAULT, 1))
+    kept, _ = choose([first], Line(words, DEFAULT, 1, 1))
     assert [each.behavior.lexeme for each in kept] == ["ME"]
 
 

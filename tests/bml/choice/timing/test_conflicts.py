@@ -5,10 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from understudy.bml.choice.behavior_table.table import GLANCE, LOOK, Phase, Timing
+from understudy.bml.choice.behavior_table.table import GLANCE, LOOK, BriefGesture, Phase, Timing
 from understudy.bml.choice.timing.candidates import PlacedBehavior
 from understudy.bml.choice.timing.conflicts import compete, resolve
 from understudy.bml.choice.timing.phases import Placing, Window, placed
+from understudy.gesture_limits import ArmEnds, GestureForm
 from understudy.model import Behavior, Channel, Hand
 
 GESTURE = Timing(Phase(0.2, 0.4), Phase(0.2, 0.4), Phase(0.0, 1.0), Phase(0.0, 0.5))
@@ -180,3 +181,52 @@ def test_a_mouth_and_brows_move_at_once_and_two_mouths_do_not() -> None:
     )
     assert compete(smile, press)
     assert not compete(smile, frown)
+
+
+FORM = GestureForm(0.3, 0.2, 1.0, {Hand.RIGHT: ArmEnds((0.15, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))})
+"""Back to its start from its end takes .15 s, the least there is; its stroke takes .5 s, half of it when brief."""
+
+
+def asked_for(name: str, at_s: float, priority: float = 1.0) -> PlacedBehavior:
+    """A gesture that may be brief."""
+    timing = replace(GESTURE, stroke=Phase(0.5, 0.5))
+    brief = BriefGesture(replace(timing, stroke=Phase(0.25, 0.25)), {Hand.RIGHT: (FORM.brief(),)})
+    placing = Placing(timing, at_s, at_s, stroked=True)
+    sync = placed(placing, Window())
+    assert sync is not None
+    behavior = Behavior(name, Channel.GESTURE, "X", sync, 0, 0, priority, hand=Hand.RIGHT)
+    return PlacedBehavior(behavior, placing, {Hand.RIGHT: (FORM,)}, brief)
+
+
+@pytest.mark.parametrize(
+    ("apart_s", "priorities", "stroke_s"),
+    [
+        (0.7, (2.0, 1.0), 0.5),
+        (0.7, (1.0, 2.0), 0.5),
+        (0.56, (1.0, 2.0), 0.5),
+        (0.56, (2.0, 1.0), 0.25),
+        (0.45, (1.0, 2.0), 0.25),
+        (0.45, (2.0, 1.0), 0.25),
+    ],
+)
+def test_what_is_asked_for_is_made_brief_where_there_is_no_time_for_the_whole(
+    apart_s: float, priorities: tuple[float, float], stroke_s: float
+) -> None:
+    """The second stroke has .65 s for the whole and the way there; the first, if it chooses last, may be early."""
+    outcome = resolved(asked_for("one", 2.0, priorities[0]), asked_for("two", 2.0 + apart_s, priorities[1]))
+    one, two = outcome["one"].sync, outcome["two"].sync
+    assert outcome["one"].kept
+    assert outcome["two"].kept
+    assert (two.stroke_end or 0.0) - (two.stroke_start or 0.0) == pytest.approx(stroke_s)
+    assert (two.stroke_start or 0.0) - (one.relax or 0.0) >= 0.15 - 1e-6
+    assert one.end <= two.start
+
+
+def test_one_loses_where_even_the_brief_stroke_has_no_time() -> None:
+    outcome = resolved(asked_for("one", 2.0, 2.0), asked_for("two", 2.38))
+    assert (outcome["one"].kept, outcome["two"].kept) == (True, False)
+
+
+def test_what_was_planned_is_not_made_brief() -> None:
+    planned = (replace(each, brief=None) for each in (asked_for("one", 2.0, 2.0), asked_for("two", 2.45)))
+    assert not resolved(*planned)["two"].kept

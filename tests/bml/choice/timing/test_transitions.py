@@ -8,7 +8,7 @@ from understudy.gesture_limits import ArmEnds, GestureForm
 from understudy.model import Behavior, Channel, Hand
 
 TIMING = Timing(Phase(0.2, 0.2), Phase(0.5, 0.5), Phase(0.0, 2.0), Phase(0.0, 0.0))
-RIGHT = GestureForm(0.3, 0.2, 0.6, {Hand.RIGHT: ArmEnds((0.0, 0.0, 0.0), (0.3, 0.0, 0.0))})
+RIGHT = GestureForm(0.3, 0.2, 0.6, {Hand.RIGHT: ArmEnds((0.0, 0.0, 0.0), (0.3, 0.0, 0.0), (0.3, 0.0, 0.0))})
 """Back over its .3 m at .6 m/s takes .5 s."""
 
 

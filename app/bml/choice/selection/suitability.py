@@ -1,0 +1,96 @@
+"""How well an attempt suits what is there already (the paper's heuristics, §3.4): wholly rather than in part, at its
+usual length rather than shortened, with a gesture that joins the one before it rather than one that just misses it; not
+again what was made a moment ago, and not with the other hand.
+"""
+
+from collections.abc import Iterator
+
+from ....model import Behavior, Channel
+from ..timing.conflicts import Kept
+from .attempts import Attempt, Line
+from .hands import HAND_SWITCH_S, stroke_s, switches
+
+REPEAT_S = 5.0
+"""A gesture made again within this time, from stroke to stroke, is less suitable."""
+
+HEAD_REPEAT_S = 2.0
+"""A head movement, face or gaze again within this time is less suitable."""
+
+IN_PART = 0.4
+SHORTENED = 0.7
+REPEATED = 0.5
+HAND_SWITCHED = 0.3
+MISSING_THE_UNIT = 0.5
+UNIT_TOO_LONG = 0.3
+HANDS_IDLE = 0.05
+"""What an alternative is worth of a perfect one: see `suitability`."""
+
+NEAR_UNIT_S = 1.0
+"""A gesture that begins this soon after another is over could have joined it."""
+
+
+def suitability(attempt: Attempt, line: Line) -> float:
+    """How well an alternative suits what is there, in [0, 1]; 0 when nothing of it can be."""
+    suits = 1.0 if not attempt.lost else IN_PART * len(attempt.own) / (len(attempt.own) + len(attempt.lost))
+    for each in attempt.own:
+        behavior = each.candidate.behavior
+        if each.shortened:
+            suits *= SHORTENED
+        if behavior.kind is Channel.GESTURE:
+            suits *= _unity(behavior, attempt.kept, line.character.strokes_per_unit)
+            suits *= _habit(behavior, attempt.kept)
+        elif any(_repeats(behavior, other.behavior) for other in attempt.kept):
+            suits *= REPEATED
+    gestures = sum(other.behavior.kind is Channel.GESTURE for other in attempt.kept)
+    with_gesture = any(each.candidate.behavior.kind is Channel.GESTURE for each in attempt.own)
+    return suits if with_gesture or gestures >= line.most_gestures else suits * HANDS_IDLE
+
+
+def _repeats(behavior: Behavior, other: Behavior) -> bool:
+    if other.id == behavior.id or form(other) != form(behavior):
+        return False
+    return abs(other.sync.start - behavior.sync.start) < HEAD_REPEAT_S
+
+
+def _habit(gesture: Behavior, kept: Kept) -> float:
+    """How well a gesture goes with what the hands do about then (paper §3.4: against inordinate switching of hands and
+    the same gesture over and over). Planned ones are refused instead (`_refused`)."""
+    if gesture.moment:
+        return 1.0
+    others = [
+        each.behavior for each in kept if each.behavior.kind is Channel.GESTURE and each.behavior.id != gesture.id
+    ]
+    apart = [(other, abs(stroke_s(gesture) - stroke_s(other))) for other in others]
+    repeated = any(other.lexeme == gesture.lexeme and apart_s < REPEAT_S for other, apart_s in apart)
+    switched = any(switches(gesture, other) and apart_s < HAND_SWITCH_S for other, apart_s in apart)
+    return (REPEATED if repeated else 1.0) * (HAND_SWITCHED if switched else 1.0)
+
+
+def _unity(gesture: Behavior, kept: Kept, strokes_per_unit: int) -> float:
+    """How well a gesture goes with its neighbours: alone or joined, in no longer a unit than the character's."""
+    others = [other.behavior for other in kept if other.behavior.kind is Channel.GESTURE]
+    strokes = 1 + sum(1 for _ in _joined_before(gesture, others)) + sum(1 for _ in _joined_after(gesture, others))
+    if strokes > strokes_per_unit:
+        return UNIT_TOO_LONG
+    near = any(0 < gesture.sync.start - other.sync.end < NEAR_UNIT_S for other in others) or any(
+        0 < other.sync.start - gesture.sync.end < NEAR_UNIT_S for other in others
+    )
+    return MISSING_THE_UNIT if near and strokes == 1 else 1.0
+
+
+def _joined_before(gesture: Behavior, others: list[Behavior]) -> Iterator[Behavior]:
+    for other in others:
+        if other.sync.end == gesture.sync.start:
+            yield other
+            yield from _joined_before(other, others)
+
+
+def _joined_after(gesture: Behavior, others: list[Behavior]) -> Iterator[Behavior]:
+    for other in others:
+        if other.sync.start == gesture.sync.end:
+            yield other
+            yield from _joined_after(other, others)
+
+
+def form(behavior: Behavior) -> tuple[Channel, str]:
+    return behavior.kind, behavior.lexeme

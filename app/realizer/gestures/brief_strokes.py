@@ -1,0 +1,58 @@
+"""Gestures made smaller and shorter where there is no time for the whole stroke.
+
+The paper does not time-warp strokes and drops a gesture that has no time (§3.8). People whose ideas crowd make less of
+each: here a brief stroke begins nearer to where it ends and is as fast as ever, so that hands have no more to do than
+in a whole one. How much is left is in `understudy.gesture_limits`, by which schedules are made.
+"""
+
+from dataclasses import replace
+
+from ...gesture_limits import brief_share
+from ...model import Hand
+from .gesture import ArmKey, Clip, ClipKey, Markers, Place
+from .gesture_space import sector_m
+
+
+def brief(clip: Clip) -> Clip:
+    """The clip with the last part of its stroke's way only, in the same part of its time; what comes before and after
+    lasts as long as before."""
+    markers = clip.markers
+    share = brief_share(markers.stroke_end - markers.stroke_start)
+    ends = {side: _end(clip, side) for side in (Hand.LEFT, Hand.RIGHT)}
+    keys = tuple(
+        replace(
+            key,
+            time_s=_in_less_time(markers, key.time_s, share),
+            left=_nearer(key.left, ends[Hand.LEFT], share) if _is_before_the_end(markers, key) else key.left,
+            right=_nearer(key.right, ends[Hand.RIGHT], share) if _is_before_the_end(markers, key) else key.right,
+        )
+        for key in clip.keys
+    )
+    times_s = (_in_less_time(markers, getattr(markers, name), share) for name in Markers.__slots__)
+    return replace(clip, markers=Markers(*times_s), keys=keys)
+
+
+def _in_less_time(markers: Markers, time_s: float, share: float) -> float:
+    """A time in the clip, in the brief one."""
+    in_stroke_s = min(max(time_s, markers.stroke_start), markers.stroke_end) - markers.stroke_start
+    return time_s - (1 - share) * in_stroke_s
+
+
+def _is_before_the_end(markers: Markers, key: ClipKey) -> bool:
+    """Whether a key is where the hand waits for the stroke, or in the stroke."""
+    return markers.ready <= key.time_s < markers.stroke_end
+
+
+def _end(clip: Clip, side: Hand) -> Place | None:
+    """Where a hand's stroke ends: its last place until then."""
+    arms = (key.left if side is Hand.LEFT else key.right for key in clip.keys if key.time_s <= clip.markers.stroke_end)
+    places = [arm.place for arm in arms if arm is not None and arm.place is not None]
+    return places[-1] if places else None
+
+
+def _nearer(arm: ArmKey | None, end: Place | None, share: float) -> ArmKey | None:
+    """The key with its place that share of the way from the end."""
+    if arm is None or arm.place is None or end is None:
+        return arm
+    x_m, y_m, z_m = end.offset_m + share * (sector_m(arm.place) - sector_m(end))
+    return replace(arm, place=replace(end, offset_m=(float(x_m), float(y_m), float(z_m))))

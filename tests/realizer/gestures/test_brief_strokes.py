@@ -1,0 +1,51 @@
+"""Brief strokes, on every gesture of the library."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from understudy.gesture_limits import brief_share
+from understudy.loading import load_gestures
+from understudy.model import Hand, Level
+from understudy.realizer.arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
+from understudy.realizer.gestures.brief_strokes import brief
+from understudy.realizer.gestures.gesture import Clip, Markers
+from understudy.realizer.gestures.gesture_plan import GestureRequest, PlacedGesture
+
+LIBRARY = load_gestures()
+
+
+def placed(clip: Clip) -> PlacedGesture:
+    return PlacedGesture(GestureRequest("g1", clip.category, 5.0, 6.0, 1.0, clip.hand), clip, 6.0)
+
+
+def clips() -> list[Clip]:
+    return [clip for name in LIBRARY.categories for clip in LIBRARY.clips(name, Level.MEDIUM, Hand.RIGHT)]
+
+
+@pytest.mark.parametrize("clip", clips(), ids=lambda clip: f"{clip.category} {clip.name}")
+def test_a_brief_stroke_has_the_last_part_of_the_way_in_that_part_of_the_time(clip: Clip) -> None:
+    share = brief_share(clip.markers.stroke_end - clip.markers.stroke_start)
+    made, whole = placed(brief(clip)), placed(clip)
+    stroke_s = made.clip.markers.stroke_end - made.clip.markers.stroke_start
+    assert stroke_s == pytest.approx(share * (clip.markers.stroke_end - clip.markers.stroke_start))
+    for arm in (clip.hand,):
+        end_m = stroke_end_m(whole, arm)
+        assert stroke_end_m(made, arm) == pytest.approx(end_m)
+        assert relax_m(made, arm) == pytest.approx(relax_m(whole, arm))
+        way_m = np.linalg.norm(stroke_start_m(made, arm) - end_m)
+        assert way_m <= share * np.linalg.norm(stroke_start_m(whole, arm) - end_m) + 1e-6
+
+
+def test_what_surrounds_the_stroke_lasts_as_long() -> None:
+    clip = next(each for each in clips() if each.category == "NEGATION")
+    lasts = [
+        {names: getattr(each, names[1]) - getattr(each, names[0]) for names in pairwise(Markers.__slots__)}
+        for each in (clip.markers, brief(clip).markers)
+    ]
+    in_stroke = {("stroke_start", "stroke"), ("stroke", "stroke_end")}
+    for names, whole_s in lasts[0].items():
+        assert lasts[1][names] == pytest.approx(0.5 * whole_s if names in in_stroke else whole_s, abs=0.02)
+    times_s = [key.time_s for key in brief(clip).keys]
+    assert times_s == sorted(times_s)
