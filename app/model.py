@@ -506,7 +506,8 @@ class Schedule:
 
     `phrases` are stretches of speech between pauses, `emphases_s` the moments of stress in it, `agitation` the level at
     which clips are chosen, `character` who moves. The recording starts at `lead_in_s`. `stillness` (0 to 1) is how much
-    less than usual the body does by itself: at 1 it only breathes. `targets` are where it looks and points.
+    less than usual the body does by itself: at 1 it only breathes. `targets` are where it looks and points,
+    `functions` what the words do, for those who want to know why.
     """
 
     behaviors: tuple[Behavior, ...]
@@ -520,3 +521,4 @@ class Schedule:
     lead_in_s: float = 0.0
     stillness: float = 0.0
     targets: tuple[Target, ...] = ()
+    functions: tuple[Function, ...] = ()

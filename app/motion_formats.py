@@ -19,6 +19,10 @@ class MotionFormat(StrEnum):
     USDC = ".usdc"
     USDZ = ".usdz"
     FBX = ".fbx"
+    OTIO = ".otio"
+    TEXTGRID = ".TextGrid"
+    EAF = ".eaf"
+    EVENTS = ".events.csv"
     SHEET = ".png"
     SPEEDS = ".speed.png"
 
@@ -53,14 +57,22 @@ class FileOptions:
 SCENES = frozenset({MotionFormat.USDA, MotionFormat.USDC, MotionFormat.USDZ})
 """Formats that usd-core writes."""
 
+EDITORIAL = frozenset({MotionFormat.OTIO, MotionFormat.TEXTGRID, MotionFormat.EAF, MotionFormat.EVENTS})
+"""Timelines, tiers and tables of what happens, rather than the motion."""
+
 PICTURES = frozenset({MotionFormat.SHEET, MotionFormat.SPEEDS})
 """Formats that matplotlib draws."""
+
+
+def is_editorial(name: str) -> bool:
+    """Whether a file of this name is one of `EDITORIAL`."""
+    return name.lower().endswith(tuple(form.value.lower() for form in EDITORIAL))
 
 
 def format_of(name: str) -> MotionFormat:
     """The format of a file's name; raises InputError `motion_format`."""
     lower = name.lower()
-    fitting = [each for each in MotionFormat if lower.endswith(each.value)]
+    fitting = [each for each in MotionFormat if lower.endswith(each.value.lower())]
     if not fitting:
         known = ", ".join(each.value for each in MotionFormat)
         raise InputError("motion_format", f"{name}: motion is written as {known}; end the name in one of them")

@@ -25,8 +25,12 @@ from .bml.reading.pawns import scene_of
 from .bml.reading.reader import read_bml
 from .bml.reading.record import Record, read_record
 from .bml.reading.resolving import Resolved, resolve
+from .editorial.annotations import to_elan, to_textgrid
+from .editorial.events import timeline_events, tracks_of
+from .editorial.table import to_event_table
+from .editorial.timeline import to_otio
 from .model import Behavior, Channel, FloatArray, Level, Notice, Performance, Schedule, Target, Word
-from .motion_formats import SCENES, AudioFile, FileOptions, Keys, MotionFormat, format_of
+from .motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat, format_of
 from .progress import Progress, no_progress
 from .realizer.body.motion import Motion
 from .realizer.exporting.arkit_csv import to_arkit_csv
@@ -134,6 +138,7 @@ def schedule_of(performance: Performance) -> Schedule:
         lead_in_s=utterance.lead_in_s,
         stillness=performance.stillness,
         targets=performance.targets,
+        functions=tuple(function for function in performance.functions if function.kept),
     )
 
 
@@ -323,6 +328,7 @@ def write_motion(
         MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig, visemes=_viseme_weights(realized, realizer)),
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
         MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
+        **{form: partial(_editorial, realized, form, options.audio) for form in EDITORIAL},
         MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule), looks=looks),
         MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),
     }
@@ -352,6 +358,22 @@ def _usd(realized: Realized, realizer: Realizer, form: MotionFormat, audio: Audi
         behaviors=realized.schedule.behaviors,
         audio=audio,
     )
+
+
+def _editorial(realized: Realized, form: MotionFormat, audio: AudioFile | None) -> bytes:
+    """Functions and movements in time, for those who cut, annotate and count."""
+    schedule, motion = realized.schedule, realized.motion
+    events, lead_in_s = timeline_events(schedule, motion.realized), schedule.lead_in_s
+    match form:
+        case MotionFormat.OTIO:
+            lasting = {"lead_in_s": lead_in_s, "duration_s": schedule.duration_s}
+            return to_otio(events, motion.frame_rate_hz, audio=audio, **lasting)
+        case MotionFormat.EVENTS:
+            return to_event_table(events, clock_starts_s=lead_in_s)
+    tracks = tracks_of(events, clock_starts_s=lead_in_s, words=schedule.words)
+    if form is MotionFormat.EAF:
+        return to_elan(tracks, audio.name if audio else "")
+    return to_textgrid(tracks, schedule.duration_s - lead_in_s)
 
 
 def _viseme_weights(realized: Realized, realizer: Realizer) -> FloatArray | None:

@@ -1,13 +1,29 @@
 """Content negotiation by the Accept header (RFC 9110 §12.5.1)."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from ..errors import NotAcceptableError
+from ..motion_formats import MotionFormat
 
 XML = "application/xml"
 JSON = "application/json"
 GLB = "model/gltf-binary"
 BVH = "text/x-bvh"
+MOTION_TYPES: Mapping[str, MotionFormat] = MappingProxyType(
+    {
+        JSON: MotionFormat.JSON,
+        GLB: MotionFormat.GLB,
+        BVH: MotionFormat.BVH,
+        "model/vnd.usda": MotionFormat.USDA,
+        "model/vnd.usdz+zip": MotionFormat.USDZ,
+        "application/vnd.pixar.opentimelineio+json": MotionFormat.OTIO,
+        "text/praat-textgrid": MotionFormat.TEXTGRID,
+        "text/x-eaf+xml": MotionFormat.EAF,
+        "text/csv": MotionFormat.EVENTS,
+    }
+)
+"""What motion is answered as; the first where anything will do."""
 ANYTHING = "*/*"
 LONGEST_ACCEPT = 1000
 """Characters of an Accept header that are read."""

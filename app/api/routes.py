@@ -6,7 +6,7 @@ from starlette.responses import PlainTextResponse
 from ..errors import ServiceError, UnsupportedFormatError
 from .bodies import media_type_of
 from .metrics import MEDIA_TYPE as METRICS
-from .negotiation import BVH, GLB, JSON, XML, chosen
+from .negotiation import JSON, MOTION_TYPES, XML, chosen
 from .service import Service, Shared
 from .workers.messages import Task
 from .working import worked
@@ -30,9 +30,9 @@ async def post_perform(request: Request, shared: Shared) -> Response:
 async def post_realize(request: Request, shared: Shared) -> Response:
     """BML in, motion out: the BML alone as the body, or a form with `bml`, the `audio` of its speech, an `avatar`
     (GLB or VRM) and `options` (JSON: agitation, character, fps, seed, skeleton, stillness, targets).
-    Answers a clip as JSON, GLB or BVH.
+    Answers a clip as JSON, GLB, BVH, USD, or a timeline (OpenTimelineIO, TextGrid, ELAN, CSV), by `Accept`.
     """
-    chosen(request.headers.get("accept"), (JSON, GLB, BVH), "motion")
+    chosen(request.headers.get("accept"), tuple(MOTION_TYPES), "motion")
     return await worked(request, shared, Task.REALIZE)
 
 

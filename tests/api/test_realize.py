@@ -29,7 +29,16 @@ def client(nursery: Nursery) -> Iterator[TestClient]:
 
 @pytest.mark.parametrize(
     ("accept", "begins"),
-    [("application/json", b"{"), ("model/gltf-binary", b"glTF"), ("text/x-bvh", b"HIERARCHY"), ("*/*", b"{")],
+    [
+        ("application/json", b"{"),
+        ("model/gltf-binary", b"glTF"),
+        ("text/x-bvh", b"HIERARCHY"),
+        ("application/vnd.pixar.opentimelineio+json", b'{\n "OTIO_SCHEMA"'),
+        ("text/praat-textgrid", b'File type = "ooTextFile"'),
+        ("text/x-eaf+xml", b"<?xml"),
+        ("text/csv", b"tier,id,label"),
+        ("*/*", b"{"),
+    ],
 )
 def test_accept_tells_the_form_of_the_motion(client: TestClient, accept: str, begins: bytes) -> None:
     answer = client.post("/realize", content=BEAT, headers={**XML, "Accept": accept})

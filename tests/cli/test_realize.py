@@ -123,6 +123,21 @@ def test_a_scene_names_the_recording_from_where_it_lies(capfdbinary: Captured, t
     assert b"@../line.flac@" in output.read_bytes()
 
 
+def test_a_performance_is_written_as_a_timeline_instead_of_bml(capfdbinary: Captured, tmp_path: Path) -> None:
+    names = [tmp_path / name for name in ("a.TextGrid", "a.eaf", "a.events.csv")]
+    realized = [part for name in names for part in ("--realize", str(name))]
+    output = tmp_path / "a.otio"
+    code, _err = _run(capfdbinary, "perform", AUDIO, "--text-file", TEXT_FILE, "-o", str(output), *realized)
+    assert code == 0
+    timeline = json.loads(output.read_bytes())
+    assert timeline["OTIO_SCHEMA"] == "Timeline.1"
+    functions = next(track for track in timeline["tracks"]["children"] if track["name"] == "functions")
+    assert any(child["OTIO_SCHEMA"] == "Clip.2" for child in functions["children"])
+    assert b"functions" in names[0].read_bytes()
+    assert b"figure8.flac" in names[1].read_bytes()
+    assert len(names[2].read_text().splitlines()) > 10
+
+
 def test_without_blender_nothing_is_done_in_vain(
     capfdbinary: Captured, tmp_path: Path, beat: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

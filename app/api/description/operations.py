@@ -4,11 +4,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from ..negotiation import MOTION_TYPES
 from .answers import JSON, Json, answer, errors, reference
 
 XML = "application/xml"
-GLB = "model/gltf-binary"
-BVH = "text/x-bvh"
 FORM = "multipart/form-data"
 
 _FILE: Json = {"type": "string", "format": "binary"}
@@ -62,6 +61,11 @@ def _form(required: list[str], parts: dict[str, Json], example: Json) -> Json:
     return {FORM: {"schema": schema, "encoding": as_json, "example": example}}
 
 
+def _of_file(media_type: str) -> Json:
+    """Binary, or text."""
+    return _FILE if media_type.startswith("model/") else {"type": "string"}
+
+
 def _named(name: str) -> Json:
     return {JSON: {"schema": reference(name)}}
 
@@ -95,8 +99,12 @@ _REALIZE = Operation(
     LINES,
     "Play BML",
     answer(
-        "The motion, by `Accept`: a clip as JSON, GLB or BVH.",
-        {**_named("ClipResponse"), GLB: {"schema": _FILE}, BVH: {"schema": {"type": "string"}}},
+        "The motion, by `Accept`: a clip as JSON, GLB, BVH or USD; or a timeline of what happens, for OpenTimelineIO, "
+        "Praat, ELAN or as CSV.",
+        {
+            **_named("ClipResponse"),
+            **{media_type: {"schema": _of_file(media_type)} for media_type in MOTION_TYPES if media_type != JSON},
+        },
         warned=True,
     ),
     frozenset(_WORK),

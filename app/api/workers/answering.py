@@ -5,10 +5,10 @@ understood. Everything here may be slow, take much memory or fail; none of it is
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
-from types import MappingProxyType
 
 from ...errors import InputError, UnsupportedFormatError
 from ...model import Notice
+from ...motion_formats import AudioFile
 from ...performance import (
     Line,
     Options,
@@ -19,7 +19,7 @@ from ...performance import (
     write_listener,
     write_speech_file,
 )
-from ...realization import AvatarOptions, BmlInput, MotionFormat, prepare_schedule, realize_prepared, write_motion
+from ...realization import AvatarOptions, BmlInput, prepare_schedule, realize_prepared, write_motion
 from ...realizer.body.motion import check_tail
 from ...schemas.direction import read_direction
 from ...schemas.given_functions import read_functions
@@ -34,15 +34,12 @@ from ...schemas.requests import (
 from ...schemas.responses import FunctionsResponse, PerformResponse
 from ...targets import targets_of
 from ..bodies import BML_TYPES, form_limits, media_type_of
-from ..negotiation import BVH, GLB, JSON, XML, chosen
+from ..negotiation import JSON, MOTION_TYPES, XML, chosen
 from .form import Part, read_form
 from .messages import Answer, Job, Task
 from .speaker import with_reference
 
 WARNINGS_HEADER = "Understudy-Warnings"
-_MOTION_FORMATS: Mapping[str, MotionFormat] = MappingProxyType(
-    {JSON: MotionFormat.JSON, GLB: MotionFormat.GLB, BVH: MotionFormat.BVH}
-)
 
 
 def answered(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
@@ -93,11 +90,12 @@ class _Asked:
     sheet: BmlInput
     question: RealizeOptions
     avatar: bytes | None = None
+    audio: AudioFile | None = None
 
 
 def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
     """The motion in the form asked for."""
-    media_type = chosen(job.accept, tuple(_MOTION_FORMATS), "motion")
+    media_type = chosen(job.accept, tuple(MOTION_TYPES), "motion")
     asked = _asked(understudy, job, content)
     question, realizer = asked.question, understudy.realizer
     check_tail(question.tail_s)
@@ -116,7 +114,8 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
     limits.check(staged.schedule, frame_rate_hz=question.fps, tail_s=question.tail_s)
     realized = realize_prepared(realizer, staged, frame_rate_hz=question.fps, tail_s=question.tail_s)
     wearer = AvatarOptions(question.skeleton, asked.avatar)
-    body = write_motion(realized, realizer, _MOTION_FORMATS[media_type], wearer, question.files)
+    files = replace(question.files, audio=asked.audio)
+    body = write_motion(realized, realizer, MOTION_TYPES[media_type], wearer, files)
     limits.check_content(body)
     return Answer(media_type, _headers(realized.motion.notices)), body
 
@@ -134,7 +133,8 @@ def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
     parts = {name: part.content for name, part in form.items()}
     question = read_realize_options(parts["options"]) if "options" in parts else RealizeOptions()
     sheet = BmlInput(parts["bml"], Path(form["bml"].file_name or "bml"), parts.get("audio"))
-    return _Asked(sheet, question, parts.get("avatar"))
+    name = PurePath(form["audio"].file_name or "").name if "audio" in form else ""
+    return _Asked(sheet, question, parts.get("avatar"), AudioFile(name, parts["audio"]) if name else None)
 
 
 def _understood(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:

@@ -29,12 +29,16 @@ OutputFormat = LineFormat | MotionFormat
 _ACT = ".xml"
 _CLIP = "clip.json"
 """The motion's JSON, beside that of the whole performance."""
+_TIERS = "tiers.TextGrid"
+"""Functions and movements, beside words and phones alone."""
 
 
 def extension_of(form: OutputFormat) -> str:
     """What the names of a format's files end in, without the dot; also the format's own name."""
     if form is MotionFormat.JSON:
         return _CLIP
+    if form is MotionFormat.TEXTGRID:
+        return _TIERS
     return form.value.removeprefix(".")
 
 

@@ -10,7 +10,8 @@ from ...realizer.body.motion import FRAME_RATES_HZ
 from ..distinct_files import InputFile, OutputFile
 
 MOTION_HELP = (
-    ".bvh, .glb, .vrma, .json, .csv (ARKit), .visemes.txt, .usda, .usdc, .usdz, .fbx (by Blender), "
+    ".bvh, .glb, .vrma, .json, .csv (ARKit), .visemes.txt, .usda, .usdc, .usdz, .fbx (by Blender), .otio, "
+    ".TextGrid, .eaf, .events.csv, "
     ".png (contact sheet) or .speed.png (wrist speeds)"
 )
 AUDIO_HELP = "WAV, FLAC or OGG file; - for standard input"

@@ -11,6 +11,7 @@ from ...bml.writing.smartbody_tables import VisemeNames
 from ...bml.writing.writer import BmlForm, speech_file_name, write_bml, write_bml_json, write_speech_file
 from ...errors import InputError
 from ...model import Level, Mode, Performance
+from ...motion_formats import is_editorial
 from ...schemas.requests import listener_names
 from ...settings import Settings, read_settings
 from ...targets import read_targets
@@ -34,11 +35,12 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     require_reference(arguments.reference, settings)
     require_usable(line, settings)
     performance = _performed(line, options, arguments.reference, settings, log)
-    if arguments.realize:
+    realized = [*arguments.realize, *([arguments.output] if is_editorial(arguments.output) else [])]
+    if realized:
         from ...realization import PreparedSchedule
 
         audio = recording(arguments.audio, line.audio)
-        write_motions(arguments.realize, PreparedSchedule.of(performance), motion, audio, log)
+        write_motions(realized, PreparedSchedule.of(performance), motion, audio, log)
     _write(performance, options.form, arguments, log)
     log.warnings(performance.notices)
     if arguments.output != STANDARD:
@@ -77,6 +79,8 @@ def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespac
 
     if arguments.trace:
         write(arguments.trace, PerformanceResponse.of_performance(performance).to_json(indent=2) + b"\n")
+    if is_editorial(arguments.output):
+        return
     written = write_bml_json if arguments.output.lower().endswith(".json") else write_bml
     write(arguments.output, written(performance, form))
     speech = write_speech_file(performance, form)

@@ -1,0 +1,45 @@
+"""TextGrids as praatio, ELAN files as pympi read them."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.editorial import LEAD_IN_S, REALIZED, SCHEDULE
+from understudy.editorial.annotations import to_elan, to_textgrid
+from understudy.editorial.events import timeline_events, tracks_of
+
+TRACKS = tracks_of(timeline_events(SCHEDULE, REALIZED), clock_starts_s=LEAD_IN_S, words=SCHEDULE.words)
+TIERS = {"words", "functions", "gesture", "head", "face", "face_2", "eyes", "gesture.rule", "face.function"}
+GESTURE = (pytest.approx(0.5), pytest.approx(2.1), "NEGATION")
+"""Half a second earlier than in the performance, which has a lead-in."""
+
+
+def test_praat_finds_a_tier_for_functions_and_every_channel(tmp_path: Path) -> None:
+    from praatio import textgrid  # type: ignore[import-untyped]
+
+    path = tmp_path / "line.TextGrid"
+    path.write_bytes(to_textgrid(TRACKS, 3.5))
+    grid = textgrid.openTextgrid(str(path), includeEmptyIntervals=False)
+    assert set(grid.tierNames) >= TIERS
+    assert (grid.minTimestamp, grid.maxTimestamp) == (0.0, 3.5)
+    assert tuple(grid.getTier("gesture").entries[0]) == GESTURE
+    assert [entry.label for entry in grid.getTier("functions").entries] == ["negation/plain", "emphasis/voice"]
+    assert grid.getTier("gesture.rule").entries[0].label == "show_negation"
+    assert [entry.label for entry in grid.getTier("words").entries] == ["No", "I", "have", "seen"]
+
+
+def test_elan_finds_the_same_tiers_and_the_recording(tmp_path: Path) -> None:
+    elan = pytest.importorskip("pympi.Elan", reason="pympi-ling is not installed (test extra)")
+    path = tmp_path / "line.eaf"
+    path.write_bytes(to_elan(TRACKS, "line.wav"))
+    found = elan.Eaf(str(path))
+    assert set(found.get_tier_names()) >= TIERS
+    (start_ms, end_ms, label), *_ = found.get_annotation_data_for_tier("gesture")
+    assert (start_ms / 1000, end_ms / 1000, label) == GESTURE
+    assert found.get_annotation_data_for_tier("gesture.function")[0][2] == "negation/plain"
+    assert found.media_descriptors[0]["MEDIA_URL"] == "line.wav"
+
+
+@pytest.mark.parametrize("end_s", [3.5, 0.0])
+def test_the_grid_is_as_long_as_what_is_in_it(end_s: float) -> None:
+    assert f"xmax = {max(end_s, 2.6):g}".encode() in to_textgrid(TRACKS, end_s)
