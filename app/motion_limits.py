@@ -16,10 +16,14 @@ class MotionLimits:
     frames: int
     content_bytes: int
 
+    def check_count(self, behaviors: int) -> None:
+        """Raises InputError `motion_too_large` for so many behaviours, before it is known when they are."""
+        self._check("behaviours", behaviors, self.behaviors)
+
     def check(self, schedule: Schedule, *, frame_rate_hz: int, tail_s: float = 0.0) -> None:
         """Raises InputError `motion_too_large` with the limit that the schedule passes."""
         end_s = max([schedule.duration_s, *(behavior.sync.end for behavior in schedule.behaviors)]) + tail_s
-        self._check("behaviours", len(schedule.behaviors), self.behaviors)
+        self.check_count(len(schedule.behaviors))
         self._check("seconds", end_s, self.duration_s)
         self._check("frames", math.ceil(end_s * frame_rate_hz), self.frames)
 

@@ -31,6 +31,7 @@ from .editorial.table import to_event_table
 from .editorial.timeline import to_otio
 from .model import Behavior, Channel, FloatArray, Level, Notice, Performance, Schedule, Target, Word
 from .motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat, format_of
+from .motion_limits import MotionLimits
 from .progress import Progress, no_progress
 from .realizer.body.motion import Motion
 from .realizer.exporting.arkit_csv import to_arkit_csv
@@ -101,11 +102,13 @@ class Realized:
 
 @dataclass(frozen=True, slots=True)
 class BmlInput:
-    """A BML file that is to be played: its content, its name in messages, and the recording of its speech."""
+    """A BML file that is to be played: its content, its name in messages, the recording of its speech, and what limits
+    the number of its behaviours, if anything does."""
 
     bml: bytes
     name: Path
     audio: bytes | None = None
+    limits: MotionLimits | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,11 +161,14 @@ def prepare_schedule(
     `agitation` overrides what the voice says, `character` who is named in the file, and `seed` the one it records;
     `stillness` (0 to 1) is how much less than it says moves; `targets` are where things are, beside and before the
     file's own; `acoustic` may be None where there is no recording to hear. Raises WrongBmlError, TooLargeError, and
-    InputError for audio, words, targets or a stillness that cannot be used.
+    InputError for audio, words, targets or a stillness that cannot be used, and for too many behaviours before their
+    times are sought.
     """
     check_stillness(stillness)
     check_targets(targets)
     document, notices = read_bml(sheet.bml, sheet.name)
+    if sheet.limits is not None:
+        sheet.limits.check_count(sum(1 for _ in document.root.children))
     record = read_record(document)
     speech = _speech(acoustic, sheet.audio, document, record, progress)
     progress("resolve")

@@ -13,6 +13,7 @@ import soundfile
 from tests.support.bml_records import without_record
 from understudy.errors import InputError
 from understudy.model import Channel, Level, Mode, Performance
+from understudy.motion_limits import MotionLimits
 from understudy.performance import BmlForm, Line, Options, TimeForm, Understudy, perform, write_bml
 from understudy.realization import (
     BmlInput,
@@ -169,3 +170,14 @@ def test_a_clip_has_the_weights_of_the_visemes_if_something_is_said(
         clip = json.loads(write_motion(realized, realizer, MotionFormat.JSON))
         assert ("visemes" in clip) == bool(spoken.visemes)
         assert max(clip["blendshapes"]["jawOpen"]) > 0.1 or not spoken.visemes
+
+
+def test_behaviors_are_counted_before_their_times_are_sought() -> None:
+    """Waits among them, of which nothing is left in the schedule."""
+    waits = "".join(f'<wait id="w{n}" start="0" end="1"/>' for n in range(3))
+    bml = f'<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="c">{waits}</bml>'.encode()
+    assert not prepare_schedule(
+        None, BmlInput(bml, Path("a.bml"), limits=MotionLimits(3, 10, 600, 1))
+    ).schedule.behaviors
+    with pytest.raises(InputError, match="3 behaviours; at most 2"):
+        prepare_schedule(None, BmlInput(bml, Path("a.bml"), limits=MotionLimits(2, 10, 600, 1)))

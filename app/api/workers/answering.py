@@ -122,9 +122,9 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
 
 def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
     """Raises InputError `field_missing`, UnsupportedFormatError `media_type`, and what the form's own checks raise."""
-    sent = media_type_of(job.content_type)
+    limits, sent = understudy.acoustic.settings.motion_limits, media_type_of(job.content_type)
     if sent in BML_TYPES:
-        return _Asked(BmlInput(content, Path("bml")), RealizeOptions())
+        return _Asked(BmlInput(content, Path("bml"), limits=limits), RealizeOptions())
     if sent != "multipart/form-data":
         raise UnsupportedFormatError("media_type", f"send BML as {XML}, or multipart/form-data with bml and audio")
     form = read_form(job.content_type, content, form_limits(Task.REALIZE, understudy.acoustic.settings))
@@ -132,7 +132,7 @@ def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
         raise InputError("field_missing", "the field bml is missing; send the BML that is to be played", field="bml")
     parts = {name: part.content for name, part in form.items()}
     question = read_realize_options(parts["options"]) if "options" in parts else RealizeOptions()
-    sheet = BmlInput(parts["bml"], Path(form["bml"].file_name or "bml"), parts.get("audio"))
+    sheet = BmlInput(parts["bml"], Path(form["bml"].file_name or "bml"), parts.get("audio"), limits)
     name = PurePath(form["audio"].file_name or "").name if "audio" in form else ""
     return _Asked(sheet, question, parts.get("avatar"), AudioFile(name, parts["audio"]) if name else None)
 
