@@ -58,6 +58,9 @@ class Settings(BaseSettings):
         default=None, description="keys of which callers send one, separated by commas; anybody may call if unset"
     )
     api_keys_file: Path | None = Field(default=None, description="a file with further keys, one a line")
+    api_key: SecretStr | None = Field(
+        default=None, description="the key that `understudy batch --service` sends to another's service"
+    )
     allow_anonymous: bool = Field(
         default=False, description="listen on addresses that others can reach although there is no key"
     )

@@ -7,7 +7,7 @@ are seconds from the start of the recording.
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..model import Direction, Interval, Level
+from ..model import Direction, Interval, Level, Target
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +32,7 @@ class ScriptLine:
     listeners: tuple[str, ...] | None = None
     agitation: Level | None = None
     seed: int | None = None
+    targets: tuple[Target, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,9 +8,11 @@ from types import MappingProxyType
 from pydantic import Field, RootModel
 
 from ...errors import AuthoringError, InputError, Mistake
-from ...model import Level
+from ...model import Level, Target
 from ...performance import SpeakerReference
 from ...schemas.references import read_reference
+from ...schemas.requests import Positions
+from ...targets import targets_of
 from ...yaml_files import Entry, Source, did_you_mean
 
 EVERYONE_ELSE = "*"
@@ -27,6 +29,7 @@ class _Part(Entry):
     reference: str = LEARN
     listener: list[str] | None = None
     profile: str | None = None
+    target: Positions = Field(default_factory=dict)
 
 
 class _Cast(RootModel[dict[str, _Part]]):
@@ -38,7 +41,7 @@ class Part:
     """How a character of the script is performed; None leaves it to the command's options.
 
     `reference` is how he usually sounds where a file says it, `is_learnt` whether it is to be learnt from the batch.
-    `listeners` are those of the script whom he talks to, None those of the scene.
+    `listeners` are those of the script whom he talks to, None those of the scene; `targets` is where things are.
     """
 
     character: str | None = None
@@ -48,6 +51,7 @@ class Part:
     reference: SpeakerReference | None = None
     is_learnt: bool = True
     listeners: tuple[str, ...] | None = None
+    targets: tuple[Target, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +83,8 @@ def read_cast(path: Path, characters: frozenset[str]) -> Cast:
         try:
             parts[folded(name)] = _part(part, path.parent)
         except InputError as error:
-            mistakes.append(source.mistake((name, "reference"), error.message))
+            key = "target" if error.code == "target_wrong" else "reference"
+            mistakes.append(source.mistake((name, key), error.message))
     if mistakes:
         raise AuthoringError(tuple(mistakes))
     remarks = tuple(
@@ -96,7 +101,7 @@ def folded(name: str) -> str:
 
 
 def _part(part: _Part, folder: Path) -> Part:
-    """Raises InputError for a reference that cannot be read."""
+    """Raises InputError for a reference that cannot be read, and `target_wrong`."""
     reference = None
     if part.reference not in {LEARN, NONE}:
         try:
@@ -112,6 +117,7 @@ def _part(part: _Part, folder: Path) -> Part:
         reference,
         part.reference == LEARN,
         None if part.listener is None else tuple(part.listener),
+        targets_of(part.target),
     )
 
 

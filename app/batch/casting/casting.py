@@ -3,6 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from ...model import Target
 from ...performance import Options
 from ...schemas.requests import MOST_LISTENERS
 from ...yaml_files import did_you_mean
@@ -46,6 +47,7 @@ class Casting:
             reference=part.reference,
             listeners=tuple(listener_name(name) for name in listeners),
             played_by=tuple((listener_name(name), self._performer(name)) for name in listeners),
+            targets=_together(self.common.targets, part.targets, line.targets),
             form=replace(self.common.form, audio_file=take.recording.path.name),
         )
 
@@ -74,3 +76,8 @@ class Casting:
         by_name = {listener_name(name).casefold(): name for name in told}
         by_name.pop(listener_name(line.character).casefold(), None)
         return tuple(by_name.values())[:MOST_LISTENERS]
+
+
+def _together(*placed: Sequence[Target]) -> tuple[Target, ...]:
+    """Targets of several places, each name where the last says."""
+    return tuple({target.name: target for targets in placed for target in targets}.values())

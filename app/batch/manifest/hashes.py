@@ -62,6 +62,7 @@ def input_hash(job: LineJob, recording: str) -> str:
         job.text,
         repr(job.direction),
         repr((options.character, options.agitation, options.seed, options.stillness, options.played_by)),
+        repr(options.targets),
         _reference(options.reference),
         repr([target.path for target in job.targets]),
     )

@@ -19,7 +19,7 @@ from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
 from ...performance import DialectName, SpeakerReference
 from ...schemas.references import ReferenceForm
-from ...settings import Settings
+from ...settings import PREFIX, Settings
 from ..work.formats import LineFormat, OutputFormat, act_path, beside, extension_of, recording_name
 from ..work.jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
 from ..work.speaking import ReferenceJob
@@ -41,14 +41,15 @@ class ServiceEngine:
     """A service at a URL, to which so many lines are posted at a time."""
 
     def __init__(self, url: str, posts: int, settings: Settings) -> None:
-        """Raises InputError `service_unreachable`."""
+        """Raises InputError `service_unreachable`, and `key_wrong` where the service wants another API key or one."""
         self.places = posts
         self._url = url.rstrip("/")
         self._settings = settings
         self._threads = ThreadPoolExecutor(posts, thread_name_prefix="post")
         self._voices = Processes(1)
         self._closed = threading.Event()
-        _require_ready(self._url)
+        self._headers = _headers(settings)
+        _require_ready(self._url, self._headers)
 
     def submit(self, job: LineJob) -> "Future[LineOutcome]":
         return self._threads.submit(self._perform, job)
@@ -88,7 +89,7 @@ class ServiceEngine:
         ends_s = time.monotonic() + LONGEST_WAIT_S
         wait_s = USUAL_WAIT_S
         while True:
-            answer, trouble = _post(f"{self._url}/perform", job, audio)
+            answer, trouble = _post(f"{self._url}/perform", job, audio, self._headers)
             if answer is not None and answer.status_code not in {429, 503}:
                 return answer
             told_s = _told_wait_s(answer) if answer is not None else None
@@ -106,24 +107,31 @@ def require_served(formats: tuple[OutputFormat, ...]) -> None:
         raise InputError("format_unknown", message, field="format")
 
 
-def _require_ready(url: str) -> None:
+def _headers(settings: Settings) -> dict[str, str]:
+    key = settings.api_key
+    return {"Accept": "application/json"} | ({"Authorization": f"Bearer {key.get_secret_value()}"} if key else {})
+
+
+def _require_ready(url: str, headers: Mapping[str, str]) -> None:
     try:
-        requests.get(f"{url}/healthz", timeout=ANSWER_S).raise_for_status()
+        answer = requests.get(f"{url}/characters", headers=headers, timeout=ANSWER_S)
+        if answer.status_code == requests.codes.unauthorized:
+            message = f"{url}: {_failure(answer).message}; batch sends what is in {PREFIX}API_KEY"
+            raise InputError("key_wrong", message, field="service")
+        answer.raise_for_status()
     except requests.RequestException as error:
         message = f"{url}: no service answers there ({type(error).__name__}); start one with understudy serve"
         raise InputError("service_unreachable", message, field="service") from None
 
 
-def _post(url: str, job: LineJob, audio: bytes) -> tuple[requests.Response | None, str]:
+def _post(url: str, job: LineJob, audio: bytes, headers: Mapping[str, str]) -> tuple[requests.Response | None, str]:
     """The answer, or why there is none."""
     files = {"audio": (_audio_name(job), audio)}
     fields = {"text": job.text, "options": json.dumps(_options(job))}
     if job.direction is not None:
         fields["direction"] = json.dumps(asdict(job.direction))
     try:
-        return requests.post(
-            url, data=fields, files=files, headers={"Accept": "application/json"}, timeout=ANSWER_S
-        ), ""
+        return requests.post(url, data=fields, files=files, headers=headers, timeout=ANSWER_S), ""
     except requests.RequestException as error:
         return None, type(error).__name__
 
@@ -149,6 +157,7 @@ def _options(job: LineJob) -> dict[str, Any]:
         "bmlt_audio": options.form.bmlt_audio,
         "lead_in_s": options.lead_in_s,
         "stillness": options.stillness,
+        "targets": {target.name: target.position_m for target in options.targets},
     }
     if options.agitation is not None:
         told["agitation"] = options.agitation.value

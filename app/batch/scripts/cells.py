@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ...errors import InputError
-from ...model import Direction, Interval, Level
+from ...model import Direction, Interval, Level, Target
 from ...schemas.direction import read_direction
+from ...targets import read_targets
 from ..model import Problem
 from .columns import Columns
 
@@ -59,6 +60,14 @@ class Row:
     def listeners(self) -> tuple[str, ...] | None:
         told = self.text("listener")
         return tuple(name.strip() for name in _SEPARATORS.split(told) if name.strip()) if told else None
+
+    def targets(self) -> tuple[Target, ...]:
+        """NAME=X,Y,Z, several separated by semicolons."""
+        try:
+            return read_targets(part for part in self.text("target").split(";") if part.strip())
+        except InputError as error:
+            self.wrong("target", error.code, error.message)
+            return ()
 
     def direction(self) -> tuple[Direction | None, str]:
         """A director's notes, in JSON or as the name of a .json file beside the script; anything else is a comment."""

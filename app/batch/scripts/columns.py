@@ -26,6 +26,7 @@ FIELDS = (
     "listener",
     "agitation",
     "seed",
+    "target",
 )
 """What a column can be."""
 

@@ -81,6 +81,7 @@ def _read_row(row: Row) -> tuple[ScriptLine, list[Problem]]:
         listeners=row.listeners(),
         agitation=row.level(),
         seed=row.whole_number("seed"),
+        targets=row.targets(),
     )
     if not line.text:
         row.wrong("text", "text_empty", "no words; write what is spoken")

@@ -23,6 +23,7 @@ from ...bml.writing.writer import BmlForm
 from ...errors import InputError
 from ...model import Level, Mode
 from ...settings import Settings, read_settings
+from ...targets import read_targets
 from ..distinct_files import OutputFile, require_distinct
 from ..files import write_standard
 from ..inputs.early import require_character
@@ -96,6 +97,7 @@ def _options(arguments: argparse.Namespace) -> Options:
         ),
         lead_in_s=arguments.lead_in,
         stillness=arguments.stillness,
+        targets=read_targets(arguments.target),
     )
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from understudy.batch.casting.cast_file import read_cast
 from understudy.errors import AuthoringError
-from understudy.model import Level
+from understudy.model import Level, Target
 
 OURS = frozenset({"default", "expansive"})
 
@@ -24,6 +24,7 @@ def test_what_a_cast_says(tmp_path: Path) -> None:
         write(
             tmp_path,
             "Mrs. O'Hara: {character: expansive, seed: 7, agitation: low, stillness: 0.5, listener: [BEN, Cat]}\n"
+            "Dog: {target: {door: [1, 1.4, 2.0]}}\n"
             "BEN: {reference: ben.json, profile: grandfather}\n"
             "'*': {reference: none}\n",
         ),
@@ -33,6 +34,7 @@ def test_what_a_cast_says(tmp_path: Path) -> None:
     assert (part.character, part.seed, part.agitation, part.stillness) == ("expansive", 7, Level.LOW, 0.5)
     assert part.listeners == ("BEN", "Cat")
     assert part.is_learnt
+    assert cast.part("dog").targets == (Target("door", (1.0, 1.4, 2.0)),)
     ben = cast.part("Ben")
     assert ben.reference is not None
     assert (ben.reference.recordings, ben.is_learnt) == (3, False)
@@ -42,10 +44,12 @@ def test_what_a_cast_says(tmp_path: Path) -> None:
 
 
 def test_every_mistake_is_told_with_its_place(tmp_path: Path) -> None:
-    path = write(tmp_path, "ANNA:\n  character: expansiv\nanna:\n  reference: gone.json\n")
+    path = write(
+        tmp_path, "ANNA:\n  character: expansiv\nanna:\n  reference: gone.json\nBEN:\n  target: {door: [1, 2, 5000]}\n"
+    )
     with pytest.raises(AuthoringError) as raised:
         read_cast(path, OURS)
-    assert sorted(mistake.line for mistake in raised.value.mistakes) == [2, 4, 4]
+    assert sorted(mistake.line for mistake in raised.value.mistakes) == [2, 4, 4, 6]
     assert "did you mean 'expansive'" in raised.value.message
 
 

@@ -9,7 +9,7 @@ from understudy.batch.casting.cast_file import Cast, Part
 from understudy.batch.casting.casting import Casting
 from understudy.batch.casting.partners import listener_name, neighbours
 from understudy.batch.model import Recording, ScriptLine, Take
-from understudy.model import Level
+from understudy.model import Level, Target
 from understudy.performance import Options
 
 OURS = ("default", "expansive", "ben")
@@ -49,6 +49,15 @@ def test_the_row_goes_before_the_cast() -> None:
     plain = line(3, "Ann")
     made = options(plain, [*lines, plain], ann=part)
     assert (made.seed, made.agitation, made.listeners) == (3, Level.LOW, ("BEN",))
+
+
+def test_things_are_where_the_row_says_else_the_cast_else_the_command() -> None:
+    told = line(1, "Ann", targets=(Target("door", (3, 1, 1)),))
+    part = Part(targets=(Target("door", (2, 1, 1)), Target("cup", (2, 1, 1))))
+    common = Options(targets=tuple(Target(name, (1, 1, 1)) for name in ("door", "cup", "moon")))
+    casting = Casting.of(Cast(MappingProxyType({"ann": part})), common, OURS, [told], has_partners=True)
+    targets = casting.options(Take("l1", told, Recording(Path("x.wav")))).targets
+    assert {target.name: target.position_m[0] for target in targets} == {"door": 3, "cup": 2, "moon": 1}
 
 
 @pytest.mark.parametrize(

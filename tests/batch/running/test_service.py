@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 import uvicorn
+from pydantic import SecretStr
 
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
@@ -19,6 +20,7 @@ from understudy.batch.work.jobs import Failure, LineJob, Target
 from understudy.batch.work.performing import perform_job
 from understudy.errors import InputError
 from understudy.model import DirectedMoment, Direction
+from understudy.model import Target as Place
 from understudy.motion_formats import MotionFormat
 from understudy.performance import BmlForm, DialectName, Options, Understudy
 from understudy.settings import Settings
@@ -28,15 +30,18 @@ JOB = LineJob(
     "one",
     (AUDIO / "figure8.txt").read_text(encoding="utf-8"),
     AudioSource(AUDIO / "figure8.flac"),
-    Options(seed=3, listeners=("default",), stillness=0.1),
+    Options(seed=3, listeners=("default",), stillness=0.1, targets=(Place("lights", (1.0, 2.0, 3.0)),)),
     tuple(Target(form, f"one.{form}") for form in (LineFormat.BML, LineFormat.PERFORMANCE)),
     direction=Direction(moments=(DirectedMoment(0, 2, stroke=2, importance=3, gesture=("negation",)),)),
 )
 
 
+KEY = SecretStr("a-key-of-the-team-alone")
+
+
 @pytest.fixture(scope="module")
 def url(nursery: Nursery) -> Iterator[str]:
-    app = create_app(Settings(workers=1), nursery)
+    app = create_app(Settings(workers=1, api_keys=KEY), nursery)
     server = uvicorn.Server(uvicorn.Config(app, port=0, log_config=None))
     thread = threading.Thread(target=server.run)
     thread.start()
@@ -58,7 +63,7 @@ def test_a_line_is_performed_there_as_here(
     url: str, understudy: Understudy, dialect: DialectName, paths: list[str]
 ) -> None:
     job = replace(JOB, options=replace(JOB.options, form=BmlForm(dialect, audio_file="figure8.flac")))
-    with closing(ServiceEngine(url, 2, Settings())) as engine:
+    with closing(ServiceEngine(url, 2, Settings(api_key=KEY))) as engine:
         there = engine.submit(job).result()
     here = perform_job(job, understudy)
     assert [file for file in there.files if file.form is LineFormat.BML] == [
@@ -72,7 +77,7 @@ def test_a_line_is_performed_there_as_here(
 
 
 def test_what_the_line_has_wrong_is_its_failure(url: str) -> None:
-    with closing(ServiceEngine(url, 1, Settings())) as engine:
+    with closing(ServiceEngine(url, 1, Settings(api_key=KEY))) as engine:
         outcome = engine.submit(replace(JOB, text=" ", direction=None)).result()
     assert outcome.failure is not None
     assert outcome.failure.code == "text_empty"
@@ -88,6 +93,13 @@ def test_a_full_service_is_asked_again_when_it_says() -> None:
         outcome = engine.submit(JOB).result(timeout=30)
     assert answers == []
     assert outcome.failure == Failure("x", "y")
+
+
+@pytest.mark.parametrize("settings", [Settings(), Settings(api_key=SecretStr("another-key-of-somebody"))])
+def test_a_service_that_wants_another_key_is_told_before_any_line(url: str, settings: Settings) -> None:
+    with pytest.raises(InputError, match="UNDERSTUDY_API_KEY") as raised:
+        ServiceEngine(url, 1, settings)
+    assert raised.value.code == "key_wrong"
 
 
 def test_no_service_is_told() -> None:

@@ -7,7 +7,7 @@ import pytest
 from understudy.batch.model import Script
 from understudy.batch.scripts.delimited import read_delimited
 from understudy.errors import InputError, UndecodableError
-from understudy.model import Interval, Level
+from understudy.model import Interval, Level, Target
 
 
 def read(text: str, **named: str) -> Script:
@@ -24,14 +24,15 @@ def test_any_separator_though_the_words_have_commas(separator: str) -> None:
 
 def test_all_that_a_sheet_can_say_of_a_line() -> None:
     script = read(
-        "id,text,file,direction,scene,take,start,end,listener,agitation,seed\n"
-        'a1,"Two\nrows",v/a.wav,whispers,4,2.0,1:02.5,63,"Ben; Cat",HIGH,7\n'
+        "id,text,file,direction,scene,take,start,end,listener,agitation,seed,target\n"
+        'a1,"Two\nrows",v/a.wav,whispers,4,2.0,1:02.5,63,"Ben; Cat",HIGH,7,"door=1,1.4,2; Ben=0,1.5,1"\n'
     )
     (line,) = script.lines
     assert script.problems == ()
     assert (line.text, line.recording, line.comment, line.scene) == ("Two rows", "v/a.wav", "whispers", "4")
     assert (line.take, line.seed, line.agitation, line.listeners) == (2, 7, Level.HIGH, ("Ben", "Cat"))
     assert line.interval == Interval(62.5, 63)
+    assert line.targets == (Target("door", (1.0, 1.4, 2.0)), Target("Ben", (0.0, 1.5, 1.0)))
 
 
 def test_director_notes_in_a_cell_or_a_file_beside_the_sheet(tmp_path: Path) -> None:
@@ -48,18 +49,19 @@ def test_director_notes_in_a_cell_or_a_file_beside_the_sheet(tmp_path: Path) -> 
 
 def test_every_problem_is_told_with_its_row_and_column() -> None:
     script = read(
-        "id,text,seed,direction,start\n"
+        "id,text,seed,direction,start,target\n"
         "a,fine,,,\n"
-        "b,,x,,\n"
+        "b,,x,,,door\n"
         ",words,,,\n"
         'A,words,,"{""moments"": 3}",\n'
         "A,words,,,\n"
         "e,words,,gone.json,12\n"
-        "f,words,,,,spare\n"
+        "f,words,,,,,spare\n"
     )
     assert [line.id for line in script.lines] == ["a"]
     assert [(problem.row, problem.column, problem.code) for problem in script.problems] == [
         (3, "C (seed)", "value_wrong"),
+        (3, "F (target)", "target_wrong"),
         (3, "B (text)", "text_empty"),
         (4, "A (id)", "id_missing"),
         (5, "D (direction)", "direction_wrong"),
