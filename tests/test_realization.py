@@ -150,7 +150,7 @@ def test_the_name_tells_the_format(name: str, expected: MotionFormat) -> None:
 
 def test_a_name_of_no_format_is_refused() -> None:
     with pytest.raises(InputError, match=r"\.bvh, \.glb"):
-        format_of("motion.fbx")
+        format_of("motion.mp4")
 
 
 def test_the_same_line_and_seed_give_the_same_bytes(understudy: Understudy, performance: Performance) -> None:
