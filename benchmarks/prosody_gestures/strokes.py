@@ -7,13 +7,15 @@ learnt from the other folds' speakers, their strokes against those of the rules 
 both begin on words at most one apart. Then, with the shipped model, the directors' lines by score.py: strokes within a
 word of a director's. Each beside the prosody mode (directors' lines only) and chance: the same strokes, all of a line's
 moved round it by one random time, so that their number and spacing stay. Live decodes wait as the live mode does; a
-stroke counts where it is, "late" where it can be performed at the earliest, when it was decided.
+stroke counts where it is, "late" where it can be performed at the earliest, when it was decided. The last rows have
+other bounds than the shipped one.
 """
 
 import argparse
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -22,7 +24,8 @@ from benchmarks.acting.directing import AFTER_STROKE_S, READERS, load_score
 from training.prosody_gestures.performed_lines import HANDS, STROKE, PerformedLine, learn, read_performed, strokes_of
 from training.prosody_gestures.train import CORPORA, FILE
 from understudy.model import FRAME_SHIFT_S
-from understudy.prosody_gestures.live_gestures import LiveGestures
+from understudy.prosody_gestures.live_decoder import Commitment
+from understudy.prosody_gestures.live_gestures import COMMITMENT, LiveGestures
 from understudy.prosody_gestures.semi_markov import FRAME_S
 from understudy.prosody_gestures.voice_model import VoiceModel
 from understudy.resources import resource_folder
@@ -30,6 +33,13 @@ from understudy.resources import resource_folder
 DRAWS = 20
 CHUNK_FRAMES = 4
 """Contours are heard .04 s at a time."""
+
+OTHERS = MappingProxyType(
+    {
+        f"bound {frames * FRAME_S:.2f} s": Commitment(frames, each, 8.0)
+        for frames, each in ((2, 2), (4, 4), (16, 4), (32, 8))
+    }
+)
 
 Strokes = Sequence[tuple[float, float]]
 """Where each stroke begins and ends, in seconds."""
@@ -41,9 +51,13 @@ def decoded(model: VoiceModel, line: PerformedLine) -> Strokes:
     return [(stroke.start * FRAME_S, stroke.end * FRAME_S) for stroke in found]
 
 
-def lived(model: VoiceModel, line: PerformedLine) -> tuple[Strokes, Strokes]:
+def lived(model: VoiceModel, line: PerformedLine, commitment: Commitment) -> tuple[Strokes, Strokes]:
     """The strokes of the live decode: where they are, and when they can be performed."""
-    live, where, when = LiveGestures(model), list[tuple[float, float]](), list[tuple[float, float]]()
+    live, where, when = (
+        LiveGestures(model, commitment=commitment),
+        list[tuple[float, float]](),
+        list[tuple[float, float]](),
+    )
     for first in range(0, len(line.f0_hz) + CHUNK_FRAMES, CHUNK_FRAMES):
         last = first + CHUNK_FRAMES
         ended = first >= len(line.f0_hz)
@@ -143,9 +157,10 @@ def directors_lines(performed: Path, directing: Path) -> None:
     report("the rules", judge, {line.name: line.strokes_s.tolist() for line in lines}, lines)
     report("prosody mode", judge, {line.name: line.strokes_s.tolist() for line in beaten}, lines)
     report("the voice alone, full decode", judge, {line.name: decoded(model, line) for line in lines}, lines)
-    live = {line.name: lived(model, line) for line in lines}
-    report("the voice alone, live", judge, {name: where for name, (where, _) in live.items()}, lines)
-    report("the voice alone, live, late", judge, {name: when for name, (_, when) in live.items()}, lines)
+    for name, commitment in (("live", COMMITMENT), *OTHERS.items()):
+        live = {line.name: lived(model, line, commitment) for line in lines}
+        report(f"the voice alone, {name}", judge, {each: where for each, (where, _) in live.items()}, lines)
+        report(f"the voice alone, {name}, late", judge, {each: when for each, (_, when) in live.items()}, lines)
 
 
 def main() -> None:

@@ -30,38 +30,44 @@ _AT_ONCE = 16
 """Frames transformed together, few enough for their spectra to fit into the processor's cache."""
 
 _STRETCH = 4000
-_MARGIN = 1600
+MARGIN = 1600
+RESIDUAL_FRAMES = 5
 """Frames per block of the residual, and the samples of context on either side. Both are multiples of the residual's own
-frame shift, so that its frames lie where they would in the whole signal."""
+frame shift, as are `RESIDUAL_FRAMES`, so that its frames lie where they would in the whole signal."""
 
 
-def summed_harmonics(samples: FloatArray, band_hz: int) -> Iterator[tuple[slice, SingleArray]]:
-    """Block by block, the frames' indices and the SRH of each candidate (candidates × frames).
+def summed_harmonics(
+    samples: FloatArray, band_hz: int, frames: range | None = None
+) -> Iterator[tuple[slice, SingleArray]]:
+    """Block by block, the frames' indices and the SRH of each candidate (candidates × frames), of all frames or those
+    of a range that begins at a multiple of `RESIDUAL_FRAMES`.
 
     The energy of each frame from 0 Hz to `band_hz`, which is at least the highest harmonic, is normalized to 1.
     """
+    asked = range(frame_count(len(samples))) if frames is None else frames
     decimation = 1 if band_hz > SAMPLE_RATE_HZ // 4 else 2
     rate_hz = SAMPLE_RATE_HZ // decimation
     window = np.blackman(round(_WINDOW_S * rate_hz) + 1)[:-1].astype(np.float32)
     padded = np.zeros((_AT_ONCE, rate_hz // BIN_HZ), dtype=np.float32)
-    for block, frames in _frames_of_residual(samples, len(window), decimation):
-        amplitudes = np.empty((len(frames), band_hz // BIN_HZ), dtype=np.float32)
-        for first in range(0, len(frames), _AT_ONCE):
-            some = frames[first : first + _AT_ONCE]
+    for block, residual in _frames_of_residual(samples, len(window), decimation, asked):
+        amplitudes = np.empty((len(residual), band_hz // BIN_HZ), dtype=np.float32)
+        for first in range(0, len(residual), _AT_ONCE):
+            some = residual[first : first + _AT_ONCE]
             np.multiply(some, window, out=padded[: len(some), : len(window)])
             spectra = scipy.fft.rfft(padded[: len(some)])[:, : amplitudes.shape[1]]
             np.abs(spectra, out=amplitudes[first : first + _AT_ONCE])
         yield block, _eq_3(amplitudes)
 
 
-def _frames_of_residual(samples: FloatArray, length: int, decimation: int) -> Iterator[tuple[slice, SingleArray]]:
+def _frames_of_residual(
+    samples: FloatArray, length: int, decimation: int, asked: range
+) -> Iterator[tuple[slice, SingleArray]]:
     """Block by block, the frames' indices and samples; the residual of the whole signal is never in memory at once."""
-    count = frame_count(len(samples))
-    for first in range(0, count, _STRETCH):
-        begin = max(first * SHIFT_SAMPLES - _MARGIN, 0)
-        stretch = samples[begin : (first + _STRETCH) * SHIFT_SAMPLES + _MARGIN]
+    for first in range(asked.start, asked.stop, _STRETCH):
+        some = min(_STRETCH, asked.stop - first)
+        begin = max(first * SHIFT_SAMPLES - MARGIN, 0)
+        stretch = samples[begin : (first + some) * SHIFT_SAMPLES + MARGIN]
         residual = prediction_residual(stretch, decimation=decimation)
-        some = min(_STRETCH, count - first)
         centre, shift = (first * SHIFT_SAMPLES - begin) // decimation, SHIFT_SAMPLES // decimation
         for block, frames in blocks_of_frames(residual, length, some, shift=shift, centre=centre):
             yield slice(first + block.start, first + block.stop), frames

@@ -68,9 +68,15 @@ def band_power(samples: FloatArray) -> SingleArray:
     return power
 
 
+def band_level_db(power: SingleArray) -> FloatArray:
+    """The level of each frame in dB, given its `band_power`."""
+    level_db: FloatArray = 10 * np.log10(np.sum(power, axis=1, dtype=np.float64) + _LEAST_ENERGY)
+    return level_db
+
+
 def band_levels(power: SingleArray) -> Levels:
     """The level of each frame relative to those of the whole signal, given its `band_power`."""
-    level_db = 10 * np.log10(np.sum(power, axis=1, dtype=np.float64) + _LEAST_ENERGY)
+    level_db = band_level_db(power)
     loud_db, quiet_db = np.percentile(level_db, [LOUD_PERCENTILE, QUIET_PERCENTILE])
     return Levels(
         below_loud_db=np.clip(level_db - loud_db, -WIDEST_BELOW_LOUD_DB, 0),

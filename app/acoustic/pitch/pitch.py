@@ -98,7 +98,7 @@ def pitch_if_voiced(audio: Audio, tuning: Tuning = TUNED) -> tuple[FloatArray, F
     candidates = _best_candidates(audio.samples, tuning)
     power = band_power(audio.samples)
     levels = band_levels(power)
-    gains = candidates.merits * _frame_weights(levels, tuning.faintest_weight)[:, None]
+    gains = candidates.merits * frame_weights(levels, tuning.faintest_weight)[:, None]
     path = best_path(gains, candidates.octaves, tuning.octave_cost)
     f0_hz, srh = (_along(path, each) for each in (candidates.f0_hz, candidates.srh))
     refined_hz, correlation = periods_nearby(power, f0_hz)
@@ -111,7 +111,7 @@ def _along(path: NDArray[np.intp], table: FloatArray) -> FloatArray:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Candidates:
+class Candidates:
     """The ten best candidates of every frame (frames × 10).
 
     numbers: indices into `CANDIDATES_HZ`.
@@ -131,7 +131,7 @@ class _Candidates:
         return np.log2(CANDIDATES_HZ).astype(np.float32)[self.numbers]
 
 
-def _best_candidates(samples: FloatArray, tuning: Tuning) -> _Candidates:
+def _best_candidates(samples: FloatArray, tuning: Tuning) -> Candidates:
     """The greatest local maxima within the speaker's range, including its ends if SRH rises towards them."""
     halves, searched = _first_pass(samples, tuning)
     shape = (halves.shape[1], _CANDIDATES_PER_FRAME)
@@ -139,16 +139,24 @@ def _best_candidates(samples: FloatArray, tuning: Tuning) -> _Candidates:
     merits_of_best, f0_hz = np.empty((2, *shape), dtype=np.float32)
     for first in range(0, halves.shape[1], BLOCK):
         block = slice(first, first + BLOCK)
-        strengths = halves[: searched.stop + 1, block].astype(np.float32)
-        merits = _merits(strengths, tuning.submultiple_share).T.copy()
-        peaks = np.where(is_peak(merits[:, searched]), merits[:, searched], np.float32(-np.inf))
-        best = np.argpartition(-peaks, _CANDIDATES_PER_FRAME, axis=1)[:, :_CANDIDATES_PER_FRAME]
-        columns = best + searched.start
-        merits_of_best[block] = np.take_along_axis(peaks, best, axis=1)
-        numbers[block] = columns
-        f0_hz[block] = CANDIDATES_HZ[columns] + BIN_HZ * peak_offsets(merits, columns)
-        srh[block] = np.take_along_axis(strengths, columns.T, axis=0).T
-    return _Candidates(numbers, merits_of_best, f0_hz, srh)
+        found = candidates_of(halves[: searched.stop + 1, block].astype(np.float32), searched, tuning)
+        numbers[block], merits_of_best[block] = found.numbers, found.merits
+        f0_hz[block], srh[block] = found.f0_hz, found.srh
+    return Candidates(numbers, merits_of_best, f0_hz, srh)
+
+
+def candidates_of(strengths: SingleArray, searched: slice, tuning: Tuning) -> Candidates:
+    """The best candidates of some frames within a range, from their SRH (candidates × frames)."""
+    merits = merits_of(strengths, tuning.submultiple_share).T.copy()
+    peaks = np.where(is_peak(merits[:, searched]), merits[:, searched], np.float32(-np.inf))
+    best = np.argpartition(-peaks, _CANDIDATES_PER_FRAME, axis=1)[:, :_CANDIDATES_PER_FRAME]
+    columns = best + searched.start
+    return Candidates(
+        columns.astype(np.uint8),
+        np.take_along_axis(peaks, best, axis=1),
+        (CANDIDATES_HZ[columns] + BIN_HZ * peak_offsets(merits, columns)).astype(np.float32),
+        np.take_along_axis(strengths, columns.T, axis=0).T.astype(np.float16),
+    )
 
 
 def _first_pass(samples: FloatArray, tuning: Tuning) -> tuple[_Halves, slice]:
@@ -157,17 +165,21 @@ def _first_pass(samples: FloatArray, tuning: Tuning) -> tuple[_Halves, slice]:
     halves = np.empty((len(CANDIDATES_HZ), frame_count(len(samples))), dtype=np.float16)
     trusted = []
     for block, strengths in summed_harmonics(samples, tuning.unit_energy_band_hz):
-        merits = _merits(strengths, tuning.submultiple_share)
+        merits = merits_of(strengths, tuning.submultiple_share)
         trusted.append(merits.argmax(axis=0)[merits.max(axis=0) > RANGE_THRESHOLD])
         halves[:, block] = strengths
-    trusted_hz = CANDIDATES_HZ[np.concatenate(trusted)]
+    return halves, speaker_range(CANDIDATES_HZ[np.concatenate(trusted)], tuning)
+
+
+def speaker_range(trusted_hz: FloatArray, tuning: Tuning) -> slice:
+    """The candidates that are searched, given the f0 of reliable frames; all, if there are none."""
     if not len(trusted_hz):
-        return halves, slice(0, len(CANDIDATES_HZ))
+        return slice(0, len(CANDIDATES_HZ))
     first, last = np.searchsorted(CANDIDATES_HZ, np.median(trusted_hz) * np.array(tuning.speaker_range))
-    return halves, slice(int(first), min(int(last) + 1, len(CANDIDATES_HZ)))
+    return slice(int(first), min(int(last) + 1, len(CANDIDATES_HZ)))
 
 
-def _merits(strengths: SingleArray, submultiple_share: float) -> SingleArray:
+def merits_of(strengths: SingleArray, submultiple_share: float) -> SingleArray:
     """The scores of the first candidates for the path search (candidates × frames): SRH less a share of the greatest at
     an odd submultiple."""
     if not submultiple_share:
@@ -195,6 +207,6 @@ def _submultiples(divisor: int) -> tuple[int, NDArray[np.intp], SingleArray]:
 _SUBMULTIPLES = tuple(map(_submultiples, ODD_DIVISORS))
 
 
-def _frame_weights(levels: Levels, faintest: float) -> FloatArray:
+def frame_weights(levels: Levels, faintest: float) -> FloatArray:
     """Weights from 1 for loud frames down to `faintest`, linear in dB."""
     return faintest + (1 - faintest) * (1 + levels.below_loud_db / WIDEST_BELOW_LOUD_DB)

@@ -74,6 +74,17 @@ def add_realize(add: Adding) -> None:
     add_motion(parser)
 
 
+def add_live(add: Adding) -> None:
+    parser = add("live", "speech as it comes, gestures as they are decided, without the words; one JSON object a line")
+    parser.add_argument("audio", metavar="FILE", type=InputFile, help=AUDIO_HELP)
+    parser.add_argument(
+        "--rate",
+        metavar="HZ",
+        type=int,
+        help="FILE is raw: 16-bit little-endian samples, one channel, so many a second; from - as they come",
+    )
+
+
 def add_analyses(add: Adding) -> None:
     analyze = add("analyze", "what a line says and does, as JSON, before any movement is chosen")
     add_line(analyze)

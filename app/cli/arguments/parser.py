@@ -8,7 +8,7 @@ from ...version import __version__
 from .batch import add_batch
 from .command import commands_of, voices
 from .libraries import add_characters, add_gestures, add_profiles, add_rules
-from .lines import add_analyses, add_perform, add_realize
+from .lines import add_analyses, add_live, add_perform, add_realize
 from .serving import add_serve
 
 
@@ -31,6 +31,7 @@ def make_parser() -> argparse.ArgumentParser:
     add = commands_of(parser)
     add_perform(add)
     add_realize(add)
+    add_live(add)
     add_batch(add)
     add_analyses(add)
     add_rules(add)

@@ -1,0 +1,209 @@
+"""The tracker of `understudy.acoustic.pitch.pitch` for a signal that still goes on.
+
+What it asks of the whole recording is asked of what was heard so far: the speaker's range is that of the reliable
+frames until now, loud and quiet are levels of the last `LEVEL_FRAMES`. The path through the candidates is decided
+`PATH_FRAMES` behind the last frame, a voicing that is still open `VOICING_FRAMES` later. With its window and its blocks
+of `RESIDUAL_FRAMES` a frame is decided at the latest `LATEST_S` after it was heard.
+`python -m benchmarks.live.pitch` compares it with the recording's.
+"""
+
+from collections import deque
+from itertools import accumulate
+
+import numpy as np
+
+from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray, SingleArray
+from ..signal.best_path import best_path
+from ..signal.frames import SHIFT_SAMPLES, frame_count
+from .harmonics import CANDIDATES_HZ, MARGIN, RESIDUAL_FRAMES, summed_harmonics
+from .periodicity import (
+    LOUD_PERCENTILE,
+    QUIET_PERCENTILE,
+    WIDEST_ABOVE_QUIET_DB,
+    WIDEST_BELOW_LOUD_DB,
+    Levels,
+    band_level_db,
+    band_power,
+    periods_nearby,
+)
+from .pitch import (
+    RANGE_THRESHOLD,
+    TUNED,
+    Candidates,
+    Tuning,
+    candidates_of,
+    frame_weights,
+    merits_of,
+    speaker_range,
+)
+from .voicing import measures
+
+PATH_FRAMES = 2
+VOICING_FRAMES = 2
+NEEDED_SAMPLES = 1200
+"""What must be heard after a frame's centre: half of its window of 100 ms, and of the residual's windows."""
+
+LATEST_S = NEEDED_SAMPLES / SAMPLE_RATE_HZ + (RESIDUAL_FRAMES + PATH_FRAMES + VOICING_FRAMES) * FRAME_SHIFT_S
+LEVEL_FRAMES = 1000
+RELIABLE_FRAMES = 3000
+"""How many frames are remembered, of levels and of reliable f0."""
+
+FEWEST_RELIABLE = 10
+LEAST_RANGE_DB = 20.0
+"""Before anything loud is heard, loud is so much above quiet."""
+
+
+class StreamingPitch:
+    """Takes samples at `SAMPLE_RATE_HZ` and gives the f0 of each frame, 0 where unvoiced, as it is decided."""
+
+    def __init__(self, tuning: Tuning = TUNED) -> None:
+        self._tuning = tuning
+        self._samples: FloatArray = np.empty(0)
+        self._begin = self._heard = self._next = 0
+        self._levels_db: deque[float] = deque(maxlen=LEVEL_FRAMES)
+        self._reliable: deque[float] = deque(maxlen=RELIABLE_FRAMES)
+        self._path = _PendingPath(tuning)
+        self._voicing = _PendingVoicing(tuning)
+
+    def hear(self, samples: FloatArray) -> FloatArray:
+        """The f0 in Hz of the frames that are decided by more samples."""
+        self._samples = np.concatenate([self._samples, samples])
+        self._heard += len(samples)
+        decided = []
+        while self._heard >= (self._next + RESIDUAL_FRAMES - 1) * SHIFT_SAMPLES + NEEDED_SAMPLES:
+            decided.append(self._decided(RESIDUAL_FRAMES, PATH_FRAMES))
+            self._forget()
+        return np.concatenate([*decided, np.empty(0)])
+
+    def finish(self) -> FloatArray:
+        """The f0 of the remaining frames, when the signal has ended: as many in all as its recording has."""
+        decided = []
+        while (left := frame_count(self._heard) - self._next) > 0:
+            decided.append(self._decided(min(left, RESIDUAL_FRAMES), PATH_FRAMES if left > RESIDUAL_FRAMES else 0))
+        return np.concatenate([*decided, self._voicing.finish()])
+
+    def _decided(self, count: int, behind: int) -> FloatArray:
+        """Measures the next frames; the f0 of those that are decided by them."""
+        first = self._next - self._begin // SHIFT_SAMPLES
+        self._next += count
+        frames = range(first, first + count)
+        srh = np.concatenate(
+            [each for _, each in summed_harmonics(self._samples, self._tuning.unit_energy_band_hz, frames)], axis=1
+        )
+        power = self._power(frames)
+        found = candidates_of(srh, self._range(srh), self._tuning)
+        self._path.add(found, power, self._levels(power))
+        return self._voicing.add(*self._path.decided(behind))
+
+    def _power(self, frames: range) -> SingleArray:
+        """The power of frames, without transforming what lies before them."""
+        before = min(frames.start, 2)
+        begin = (frames.start - before) * SHIFT_SAMPLES
+        return band_power(self._samples[begin : begin + (before + len(frames) + 2) * SHIFT_SAMPLES])[
+            before : before + len(frames)
+        ]
+
+    def _range(self, srh: SingleArray) -> slice:
+        """The speaker's range, by all that was heard."""
+        merits = merits_of(srh, self._tuning.submultiple_share)
+        best = merits.argmax(axis=0)
+        self._reliable.extend(CANDIDATES_HZ[best[merits.max(axis=0) > RANGE_THRESHOLD]].tolist())
+        known = self._reliable if len(self._reliable) >= FEWEST_RELIABLE else ()
+        return speaker_range(np.array(known), self._tuning)
+
+    def _levels(self, power: SingleArray) -> Levels:
+        level_db = band_level_db(power)
+        self._levels_db.extend(level_db.tolist())
+        loud_db, quiet_db = np.percentile(np.array(self._levels_db), [LOUD_PERCENTILE, QUIET_PERCENTILE])
+        loud_db = max(loud_db, quiet_db + LEAST_RANGE_DB)
+        return Levels(
+            below_loud_db=np.clip(level_db - loud_db, -WIDEST_BELOW_LOUD_DB, 0),
+            above_quiet_db=np.clip(level_db - quiet_db, 0, WIDEST_ABOVE_QUIET_DB),
+        )
+
+    def _forget(self) -> None:
+        """Drops samples that no frame needs any more, whole blocks of them."""
+        begin = max(0, self._next * SHIFT_SAMPLES - MARGIN)
+        self._samples = self._samples[begin - self._begin :]
+        self._begin = begin
+
+
+class _PendingPath:
+    """The candidates of frames of which none has been chosen yet, and the one chosen last."""
+
+    def __init__(self, tuning: Tuning) -> None:
+        self._tuning = tuning
+        self._gains, self._octaves, self._f0_hz, self._srh = (np.empty((0, 10)) for _ in range(4))
+        self._power: SingleArray = np.empty((0, 0), dtype=np.float32)
+        self._levels = np.empty((0, 2))
+        self._fixed = False
+
+    def add(self, found: Candidates, power: SingleArray, levels: Levels) -> None:
+        gains = found.merits * frame_weights(levels, self._tuning.faintest_weight)[:, None]
+        self._gains = np.concatenate([self._gains, gains])
+        self._octaves = np.concatenate([self._octaves, found.octaves])
+        self._f0_hz = np.concatenate([self._f0_hz, found.f0_hz])
+        self._srh = np.concatenate([self._srh, found.srh])
+        self._power = np.concatenate([self._power, power]) if self._power.size else power
+        columns = np.column_stack([levels.below_loud_db, levels.above_quiet_db])
+        self._levels = np.concatenate([self._levels, columns])
+
+    def decided(self, behind: int) -> tuple[FloatArray, FloatArray]:
+        """The f0 and the evidence of voicing of all frames but the last `behind`; the path goes on from there."""
+        first, last = int(self._fixed), len(self._gains) - behind
+        if last <= first:
+            return np.empty(0), np.empty((0, 4))
+        path = best_path(self._gains, self._octaves, self._tuning.octave_cost)[:last]
+        rows = np.arange(last)
+        f0_hz, srh = self._f0_hz[rows, path][first:], self._srh[rows, path][first:]
+        refined_hz, correlation = periods_nearby(self._power[first:last], f0_hz)
+        evidence = measures(srh, correlation, Levels(*self._levels[first:last].T))
+        self._go_on(last - 1, int(path[-1]))
+        return refined_hz if self._tuning.refines else f0_hz, evidence
+
+    def _go_on(self, row: int, column: int) -> None:
+        """Keeps what is not decided, and the last frame that is, with its choice alone."""
+        self._gains, self._octaves = self._gains[row:].copy(), self._octaves[row:]
+        self._f0_hz, self._srh = self._f0_hz[row:], self._srh[row:]
+        self._power, self._levels = self._power[row:], self._levels[row:]
+        self._gains[0] = -np.inf
+        self._gains[0, column] = 0.0
+        self._fixed = True
+
+
+class _PendingVoicing:
+    """The frames of which it is open whether they are voiced (`voicing.voiced_frames`)."""
+
+    def __init__(self, tuning: Tuning) -> None:
+        self._voicing = tuning.voicing
+        self._f0_hz = np.empty(0)
+        self._advantages: FloatArray = np.empty(0)
+        self._before = 0.0
+
+    def add(self, f0_hz: FloatArray, evidence: FloatArray) -> FloatArray:
+        """The f0 of the frames that are decided by more, 0 where unvoiced."""
+        cost = self._voicing.change_cost
+        excess = evidence @ self._voicing.weights - self._voicing.threshold
+        more = list(
+            accumulate(excess.tolist(), lambda before, here: min(max(before, -cost), cost) + here, initial=self._before)
+        )
+        self._before = more[-1]
+        self._f0_hz = np.concatenate([self._f0_hz, f0_hz])
+        self._advantages = np.concatenate([self._advantages, more[1:]])
+        decided = np.flatnonzero(np.abs(self._advantages) >= cost)
+        count = max(int(decided[-1]) + 1 if len(decided) else 0, len(self._f0_hz) - VOICING_FRAMES)
+        return self._leave(count)
+
+    def finish(self) -> FloatArray:
+        return self._leave(len(self._f0_hz))
+
+    def _leave(self, count: int) -> FloatArray:
+        """Decides so many frames: each as the next that is certain, the last ones as they stand."""
+        if not count:
+            return np.empty(0)
+        certain = np.abs(self._advantages[:count]) >= self._voicing.change_cost
+        certain[-1] = True
+        deciding = np.flatnonzero(certain)[np.cumsum(certain) - certain]
+        left = np.where(self._advantages[deciding] > 0, self._f0_hz[:count], 0.0)
+        self._f0_hz, self._advantages = self._f0_hz[count:], self._advantages[count:]
+        return left

@@ -1,0 +1,53 @@
+"""What the body does, told as it is decided: an event where a phase of hands, head or brows begins.
+
+Times are seconds from the start of the sound. An event comes at the latest `LATEST_S` after what it is about was heard.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ..acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
+from ..model import FloatArray
+from ..prosody_gestures.live_gestures import LATEST_S as GESTURES_LATEST_S
+from ..prosody_gestures.live_gestures import LiveGestures, Phase
+from ..prosody_gestures.voice_model import VoiceModel
+from .voice import StreamingVoice
+
+LATEST_S = PITCH_LATEST_S + GESTURES_LATEST_S
+
+
+@dataclass(frozen=True, slots=True)
+class LiveEvent:
+    """`part` ("hands", "head", "brows") goes into `state` at `start_s`; that was decided when `heard_s` had been
+    heard."""
+
+    part: str
+    state: str
+    start_s: float
+    heard_s: float
+
+
+class LiveEvents:
+    """Takes mono samples in [-1, 1] at `rate_hz` and tells what begins. Memory does not grow."""
+
+    def __init__(self, model: VoiceModel, rate_hz: int) -> None:
+        self._voice, self._gestures, self._rate_hz = StreamingVoice(rate_hz), LiveGestures(model), rate_hz
+        self._heard = 0
+
+    @property
+    def heard_s(self) -> float:
+        return self._heard / self._rate_hz
+
+    def hear(self, samples: FloatArray) -> tuple[LiveEvent, ...]:
+        """What is decided by more samples."""
+        self._heard += len(samples)
+        return self._told(self._gestures.hear(*self._voice.hear(samples)))
+
+    def finish(self) -> tuple[LiveEvent, ...]:
+        """What remains, when the sound has ended."""
+        return self._told((*self._gestures.hear(*self._voice.finish()), *self._gestures.finish()))
+
+    def _told(self, phases: Iterable[Phase]) -> tuple[LiveEvent, ...]:
+        return tuple(
+            LiveEvent(phase.part, phase.state, phase.start_s, self.heard_s) for phase in phases if phase.begins
+        )
