@@ -23,6 +23,7 @@ from .model import (
     Utterance,
     Word,
 )
+from .profiles.profile import Profile
 from .rules.knowledge import Fact
 from .targets import check_targets
 
@@ -52,7 +53,8 @@ class Options:
     """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
     it usually sounds. `lead_in_s` is how long before the recording the performance begins,
     `stillness` (0 to 1) how much less than usual moves, `targets` are where things and listeners are. `played_by` has
-    our characters by the names of listeners that are none of ours.
+    our characters by the names of listeners that are none of ours. `profile` is whose gestures are made, or the name of
+    one in the lexicon.
 
     Raises InputError `value_wrong` and `target_wrong`.
     """
@@ -68,11 +70,15 @@ class Options:
     stillness: float = 0.0
     played_by: tuple[tuple[str, str], ...] = ()
     targets: tuple[Target, ...] = ()
+    profile: Profile | str | None = None
 
     def __post_init__(self) -> None:
         if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:
             message = f"lead_in_s: {self.lead_in_s:g}; give 0 to {LONGEST_LEAD_IN_S:g} seconds"
             raise InputError("value_wrong", message, field="lead_in_s")
+        if self.profile is not None and self.mode is not Mode.SEMANTIC:
+            message = f"profile: a profile's gestures show what is meant; mode {self.mode} has others"
+            raise InputError("value_wrong", message, field="profile")
         check_stillness(self.stillness)
         check_targets(self.targets)
 

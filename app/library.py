@@ -73,7 +73,8 @@ class PerformKeywords(TypedDict, total=False):
     among movements that serve equally, `mode` says where gestures come from, `listener` has the names of those who
     listen, and `reference` is how the speaker usually sounds (`make_reference`). The performance begins `lead_in_s` (0
     to 3) before the recording; `stillness` (0 to 1) is how much less than usual moves. `targets` are where things and
-    listeners are, [x, y, z] in metres by name: Y up, the character at the origin facing +Z, its left +X.
+    listeners are, [x, y, z] in metres by name: Y up, the character at the origin facing +Z, its left +X. `profile` is
+    whose gestures are made (docs/profiles.md).
     """
 
     character: str
@@ -85,6 +86,7 @@ class PerformKeywords(TypedDict, total=False):
     lead_in_s: float
     stillness: float
     targets: Mapping[str, Sequence[float]]
+    profile: str | None
 
 
 class RealizeKeywords(TypedDict, total=False):

@@ -96,9 +96,21 @@ def load_profile(name: str, lexemes: Collection[str]) -> Profile:
     Raises InputError `unknown_profile`, and AuthoringError with every mistake in its file.
     """
     if name not in profile_names():
-        message = f"there is no profile {shown(name)}{did_you_mean(name, profile_names())}"
-        raise InputError("unknown_profile", f"{message}; there are {', '.join(profile_names())}", field="profile")
+        raise _unknown_profile(name)
     return load_profile_file(resource_folder("lexicon") / "profiles" / f"{name}.yaml", lexemes)
+
+
+def usable_profile(name: str, folder: Path = Path()) -> Profile | str:
+    """What `name` says of a profile: one of the lexicon, which stays its name, or a file in `folder` that ends in
+    .yaml.
+
+    Raises as `load_profile` does, before anything large is loaded.
+    """
+    if name.endswith(".yaml"):
+        return load_profile_file(folder / name, load_characters().gesture_lexemes)
+    if name not in profile_names():
+        raise _unknown_profile(name)
+    return name
 
 
 def load_profile_file(path: Path, lexemes: Collection[str]) -> Profile:
@@ -115,6 +127,12 @@ def load_realizer() -> Realizer:
 
     figures = {character.name: character.figure for character in load_characters().by_name.values()}
     return Realizer.with_library(load_gestures(), resource_folder("lexicon"), figures)
+
+
+def _unknown_profile(name: str) -> InputError:
+    known = profile_names()
+    message = f"there is no profile {shown(name)}{did_you_mean(name, known)}; there are {', '.join(known)}"
+    return InputError("unknown_profile", message, field="profile")
 
 
 def _authored(folder: Path) -> list[Path]:

@@ -432,7 +432,10 @@ class Behavior:
     """One movement of the schedule. `rule` mapped it, `function` (an id) is what it shows; both are None for what the
     body does by itself, such as blinks. `moment` (an id) is the moment it belongs to. `lexeme` is the BML word for it,
     `amount` its size in [0, 1], `target` what a gaze or a pointing is at, `repetitions` how often a nod or shake goes.
-    What lost a conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words."""
+    What lost a conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words.
+
+    `after_strokes_s` are the ends of a gesture's strokes after its main one, seconds after that; None leaves them to
+    the realizer."""
 
     id: str
     kind: Channel
@@ -452,6 +455,7 @@ class Behavior:
     kept: bool = True
     lost_to: str | None = None
     reason: str | None = None
+    after_strokes_s: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)

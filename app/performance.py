@@ -35,14 +35,31 @@ from .bml.choice.characters.gesture_forms import FormedCharacters
 from .bml.choice.listeners.addressees import addressed, placed_listeners
 from .bml.choice.listeners.head_rates import HeadRates
 from .bml.choice.listeners.listening import Listener, listen
-from .bml.choice.scheduling import schedule
+from .bml.choice.scheduling import numbered, schedule
 from .bml.choice.speech.lead_in import with_lead_in
 from .bml.choice.speech.visemes import visemes
 from .bml.choice.stillness import with_stillness
 from .bml.markup.documents import DialectName, TimeForm
-from .bml.writing.writer import BmlForm, losses, write_bml, write_bml_json, write_speech_file
+from .bml.writing.writer import BmlForm, write_bml, write_bml_json, write_speech_file
+from .errors import InputError
+from .gesture_scripts import (
+    as_speaker,
+    gesture_script,
+    repertoire_of,
+    scripted_behaviors,
+    without_chosen_gestures,
+    without_planned_gestures,
+)
 from .hearing import AcousticModels, align, align_words, analyze_signal, make_reference
-from .loading import load_characters, load_families, load_gesture_table, load_mapping_rules, load_realizer
+from .loading import (
+    load_characters,
+    load_families,
+    load_gesture_table,
+    load_mapping_rules,
+    load_profile,
+    load_realizer,
+    profile_names,
+)
 from .model import (
     Agitation,
     BehaviorCandidates,
@@ -56,6 +73,8 @@ from .model import (
     Utterance,
 )
 from .on_demand import OnDemand
+from .profiles.generation.script import GestureScript
+from .profiles.profile import Profile
 from .progress import Progress, no_progress
 from .resources import resource_folder
 from .rules.derivation import understand
@@ -92,11 +111,13 @@ __all__ = [
     "make_reference",
     "perform",
     "perform_heard",
+    "script_analysis",
     "to_ctm",
     "to_textgrid",
     "write_bml",
     "write_bml_json",
     "write_listener",
+    "write_script",
     "write_speech_file",
 ]
 
@@ -112,6 +133,7 @@ class BehaviorModels:
     planner: Planner
     head_rates: HeadRates
     performers: FormedCharacters
+    profiles: Mapping[str, OnDemand[Profile]]
 
     @classmethod
     def load(cls, settings: Settings) -> Self:
@@ -129,7 +151,18 @@ class BehaviorModels:
             planner=Planner.load(models / "acting", lexicon / "acting", families, rules.program.argument_counts),
             head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
             performers=FormedCharacters.of(characters, load_gesture_table(characters.gesture_lexemes)),
+            profiles={
+                name: OnDemand(partial(load_profile, name, characters.gesture_lexemes)) for name in profile_names()
+            },
         )
+
+    def profile(self, profile: Profile | str | None) -> Profile | None:
+        """The profile, or that of this name in the lexicon; raises InputError `unknown_profile`."""
+        if not isinstance(profile, str):
+            return profile
+        if profile not in self.profiles:
+            return load_profile(profile, self.characters.gesture_lexemes)
+        return self.profiles[profile].get()
 
 
 QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
@@ -218,15 +251,51 @@ def perform_analysis(
     progress: Progress = no_progress,
 ) -> Performance:
     """The performance of a line that was heard and understood (paper §3.4, §3.5), with a director's notes on it."""
+    return _performed(understudy, analysis, options, direction, progress)[0]
+
+
+def write_script(
+    understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
+) -> tuple[Performance, GestureScript]:
+    """The performance of a recorded line and the gesture script that its hands follow, by the profile of the options
+    (NGS §3.3); raises as `perform` does, and InputError `value_wrong` where there is no profile."""
+    analysis = analyze(understudy, line, agitation=options.agitation, progress=progress)
+    return script_analysis(understudy, analysis, options, line.direction)
+
+
+def script_analysis(
+    understudy: Understudy, analysis: Analysis, options: Options, direction: Direction | None = None
+) -> tuple[Performance, GestureScript]:
+    """The same for a line that was heard and understood."""
+    performance, script = _performed(understudy, analysis, options, direction)
+    if script is None:
+        raise InputError("value_wrong", "profile: a gesture script is written by a profile; name one", field="profile")
+    return performance, script
+
+
+def _performed(
+    understudy: Understudy,
+    analysis: Analysis,
+    options: Options,
+    direction: Direction | None = None,
+    progress: Progress = no_progress,
+) -> tuple[Performance, GestureScript | None]:
     behavior, agitation = understudy.behavior, analysis.utterance.agitation
+    profile = behavior.profile(options.profile)
     level = agitation.level if agitation else Level.MEDIUM
     character = behavior.performers.named(options.character, level)
+    if profile is not None:
+        character = as_speaker(character, profile)
     progress("plan")
     moments = plan_moments(behavior, analysis, character, direction)
+    if profile is not None:
+        moments = without_planned_gestures(moments)
     targets = placed_listeners(options.listeners, options.targets)
     utterance = with_lead_in(analysis.utterance, options.lead_in_s)
     progress("mapping")
     candidates = _candidates(behavior, replace(analysis, utterance=utterance), moments, character, seed=options.seed)
+    if profile is not None:
+        candidates = tuple(without_chosen_gestures(candidates, character.lexemes))
     named = mentions(utterance, options.targets)
     pointing = tuple(pointing_candidates(named, analysis.functions))
     candidates = (*without_overlapped(candidates, named), *pointing)
@@ -240,6 +309,11 @@ def perform_analysis(
         mode=options.mode,
         several_listeners=len(options.listeners) > 1,
     )
+    script = None
+    if profile is not None:
+        repertoire = repertoire_of(character, behavior.families, direction, behaviors)
+        script = gesture_script(profile, repertoire, utterance, analysis.functions, seed=options.seed)
+        behaviors = numbered((*behaviors, *scripted_behaviors(script, analysis.functions, behaviors)))
     behaviors = addressed(behaviors, options.listeners, targets)
     lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
     performance = Performance(
@@ -254,8 +328,7 @@ def perform_analysis(
         targets=targets,
     )
     performance = reduce(partial(_heard_by, behavior, dict(options.played_by)), options.listeners, performance)
-    performance = with_stillness(performance, options.stillness)
-    return replace(performance, notices=performance.notices + losses(performance, options.form))
+    return with_stillness(performance, options.stillness), script
 
 
 def _candidates(

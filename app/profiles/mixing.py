@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
 
+from ..model import Hand
 from .profile import (
     FormHabit,
     HeadHabit,
@@ -35,8 +36,8 @@ def mix(one: Profile, other: Profile, share: float, *, name: str) -> Profile:
         gestures_per_minute=_between(one.gestures_per_minute, other.gestures_per_minute, share),
         tags={tag: _tag(one, other, tag, share) for tag in _names(one.tags, other.tags)},
         lexemes=_lexemes(one, other, share),
-        follows=_rows(one.follows, other.follows, share),
-        hand_follows=_rows(one.hand_follows, other.hand_follows, share),
+        follows=_rows((one.follows, other.follows), (_lexeme_shares(one), _lexeme_shares(other)), share),
+        hand_follows=_rows((one.hand_follows, other.hand_follows), (_hand_shares(one), _hand_shares(other)), share),
         units=_units(one.units, other.units, share),
         phases=_phases(one.phases, other.phases, share),
         smoothing=_smoothing(one.smoothing, other.smoothing, share),
@@ -93,13 +94,23 @@ def _lexemes(one: Profile, other: Profile, share: float) -> dict[str, LexemeHabi
 
 
 def _rows(
-    one: Mapping[str, Mapping[Named, float]], other: Mapping[str, Mapping[Named, float]], share: float
+    rows: tuple[Mapping[str, Mapping[Named, float]], Mapping[str, Mapping[Named, float]]],
+    shares: tuple[Mapping[Named, float], Mapping[Named, float]],
+    share: float,
 ) -> dict[str, Mapping[Named, float]]:
-    """Rows of both; a row that only one has is its own."""
+    """Rows of both; in place of a row that only one has, the other has what it does at all."""
     return {
-        first: _table(one.get(first, other.get(first, {})), other.get(first, one.get(first, {})), share)
-        for first in _names(one, other)
+        first: _table(rows[0].get(first, shares[0]), rows[1].get(first, shares[1]), share) for first in _names(*rows)
     }
+
+
+def _lexeme_shares(profile: Profile) -> dict[str, float]:
+    return {lexeme: habit.share for lexeme, habit in profile.lexemes.items()}
+
+
+def _hand_shares(profile: Profile) -> dict[Hand, float]:
+    habits = profile.lexemes.values()
+    return {hand: sum(each.share * each.hands.get(hand, 0.0) for each in habits) for hand in Hand}
 
 
 def _units(one: UnitHabit, other: UnitHabit, share: float) -> UnitHabit:
@@ -107,6 +118,7 @@ def _units(one: UnitHabit, other: UnitHabit, share: float) -> UnitHabit:
     sizes = (each.sizes + (0.0,) * (longest - len(each.sizes)) for each in (one, other))
     return UnitHabit(
         _between(one.merge_within_s, other.merge_within_s, share),
+        _between(one.joined, other.joined, share),
         tuple(_between(first, second, share) for first, second in zip(*sizes, strict=True)),
     )
 

@@ -72,10 +72,11 @@ class FormHabit:
 
 @dataclass(frozen=True, slots=True)
 class UnitHabit:
-    """Gestures that are nearer than `merge_within_s`, end of stroke to start of stroke, in a segment of speech are one
-    unit; `sizes` are the shares of units of 1, 2, … 6 and more gestures."""
+    """Of gestures that are nearer than `merge_within_s`, end of stroke to start of stroke, in a segment of speech, the
+    share `joined` is one unit; `sizes` are the shares of units of 1, 2, … 6 and more gestures."""
 
     merge_within_s: float
+    joined: float
     sizes: tuple[float, ...]
 
 

@@ -10,6 +10,15 @@ from itertools import pairwise
 from ..model import Interval, Word
 
 PAUSE_S = 0.6
+LONGEST_PAUSE_S = 2.0
+"""What of a pause counts as speech; the rest is silence in which nobody gestures."""
+
+
+SHORTEST_RETRACTION_S, SHORTEST_PREPARATION_S, AFTER_STROKE_S = 0.4, 0.35, 0.1
+"""The least time in which hands go to rest and come from there (`understudy.realizer.scheduling.rests`), and how long a
+stroke is held before."""
+SHORTEST_REST_S = AFTER_STROKE_S + SHORTEST_RETRACTION_S + SHORTEST_PREPARATION_S
+"""Gestures that are nearer are one unit, for there is no time to rest."""
 
 
 def segments_of(words: Sequence[Word]) -> tuple[tuple[int, int], ...]:
@@ -18,6 +27,14 @@ def segments_of(words: Sequence[Word]) -> tuple[tuple[int, int], ...]:
     breaks = [place for place, (word, following) in enumerate(pairwise(timed), start=1) if _parted(word, following)]
     starts, ends = [0, *breaks], [*breaks, len(timed)]
     return tuple((timed[start].index, timed[end - 1].index) for start, end in zip(starts, ends, strict=True) if timed)
+
+
+def spoken_s(words: Sequence[Word], segments: Sequence[tuple[int, int]]) -> float:
+    """How long is spoken in segments of words, with the pauses between them, so far as these count."""
+    by_index = {word.index: word for word in words}
+    spans = [(time_of(by_index[first]).start_s, time_of(by_index[last]).end_s) for first, last in segments]
+    pauses_s = sum(min(LONGEST_PAUSE_S, other[0] - one[1]) for one, other in pairwise(spans))
+    return sum(end_s - start_s for start_s, end_s in spans) + pauses_s
 
 
 def time_of(word: Word) -> Interval:

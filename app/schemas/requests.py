@@ -99,6 +99,9 @@ class PerformOptions(BaseModel):
     ] = 0.0
     stillness: Stillness = 0.0
     targets: Positions = {}
+    profile: Annotated[
+        str | None, Field(description="Whose gestures are made: a gesture profile's name.", examples=["sweeping"])
+    ] = None
 
     def to_options(self) -> Options:
         return Options(
@@ -112,6 +115,7 @@ class PerformOptions(BaseModel):
             lead_in_s=self.lead_in_s,
             stillness=self.stillness,
             targets=targets_of(self.targets),
+            profile=self.profile,
         )
 
 

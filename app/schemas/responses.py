@@ -227,6 +227,7 @@ class BehaviorResponse(ResponseModel):
     kept: bool
     lost_to: str | None = None
     reason: str | None = None
+    after_strokes_s: list[Number] | None = None
 
 
 class TermResponse(ResponseModel):

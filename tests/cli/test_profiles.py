@@ -1,5 +1,7 @@
 """`understudy profiles`: learning, mixing, listing, showing, and what it tells of mistakes."""
 
+import json
+import re
 from pathlib import Path
 
 import pytest
@@ -71,3 +73,19 @@ def test_mistakes_are_told(capfdbinary: Captured, tmp_path: Path) -> None:
         code, out, err = _run(capfdbinary, "profiles", *argv)
         assert (code, out) == (2, "")
         assert told in err
+
+
+def test_perform_and_script_take_a_profile_by_name_or_file(capfdbinary: Captured, tmp_path: Path) -> None:
+    line = ("examples/example.flac", "--text-file", "examples/example.txt", "--quiet")
+    script, motion = tmp_path / "script.json", tmp_path / "out.bvh"
+    assert _run(capfdbinary, "script", *line, "--profile", "lexicon/profiles/sparing.yaml", "-o", str(script))[0] == 0
+    assert _run(capfdbinary, "realize", str(script), "-o", str(motion), "--quiet")[0] == 0
+    assert motion.stat().st_size > 10_000
+    code, out, _ = _run(capfdbinary, "perform", *line, "--profile", "sparing")
+    assert code == 0
+    lexemes = [each["lexeme"] for each in json.loads(script.read_text())["gestures"] if each["kept"]]
+    assert lexemes
+    assert re.findall(r'<gesture [^>]*lexeme="(\w+)"', out) == lexemes
+    code, _, err = _run(capfdbinary, "perform", *line, "--profile", "spareing")
+    assert code == 2
+    assert "did you mean 'sparing'?" in err

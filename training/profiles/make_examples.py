@@ -17,11 +17,13 @@ from pathlib import Path
 from pydantic import RootModel
 
 from training.profiles.clock import spoken
+from understudy.gesture_scripts import repertoire_of
 from understudy.model import Behavior, Channel, Function, Interval, Level, Word
 from understudy.performance import Analysis, Line, Options, Understudy, analyze, perform_analysis
 from understudy.profiles.annotation.elan import write_elan
 from understudy.profiles.annotation.tables import write_json_tracks
 from understudy.profiles.annotation.tracks import Span, Track, rows_of, with_attribute_tracks
+from understudy.profiles.generation.repertoire import PlayableGesture
 from understudy.profiles.segments import time_of
 from understudy.profiles.tags import tag_of
 from understudy.settings import Settings
@@ -77,10 +79,10 @@ def main() -> None:
     styles = Source(HERE / "styles.yaml").validated(Styles).root
     with Understudy.load(Settings()) as understudy:
         performed = list(performed_lines(understudy, options.lines, options.takes))
-        strokes_s = stroke_durations_s(understudy)
+        offered = offered_gestures(understudy)
     options.target.mkdir(parents=True, exist_ok=True)
     for name, style in styles.items():
-        tracks = tuple(Session(style, strokes_s, random.Random(name)).tracks(performed))
+        tracks = tuple(Session(style, offered, random.Random(name)).tracks(performed))
         if name == "sparing":
             rows = (row for track in with_attribute_tracks(tracks) for row in rows_of(track))
             (options.target / f"{name}.eaf").write_bytes(write_elan(tuple(rows)))
@@ -122,11 +124,10 @@ def unspoken_analyses(understudy: Understudy, texts: Sequence[str]) -> list[Anal
     ]
 
 
-def stroke_durations_s(understudy: Understudy) -> dict[str, float]:
-    """How long the stroke of each lexeme lasts in the library."""
+def offered_gestures(understudy: Understudy) -> Mapping[str, PlayableGesture]:
+    """How long the stroke of each lexeme lasts in the library, and with which hands the table offers it."""
     character = understudy.behavior.performers.named("default", Level.MEDIUM)
-    gestures = (entry for entry in character.entries.values() if entry.channel is Channel.GESTURE)
-    return {entry.lexeme: entry.timing.stroke.usual_s for entry in gestures}
+    return repertoire_of(character, understudy.behavior.families).gestures
 
 
 def _text(recording: Path) -> str:
@@ -148,9 +149,9 @@ class Gesture:
 class Session:
     """One speaker's session: everything that is drawn is drawn by his style, in order."""
 
-    def __init__(self, style: Style, strokes_s: Mapping[str, float], rng: random.Random) -> None:
+    def __init__(self, style: Style, offered: Mapping[str, PlayableGesture], rng: random.Random) -> None:
         self.style = style
-        self.strokes_s = strokes_s
+        self.offered = offered
         self.rng = rng
         self.owed = 0.0
         self.hand = ""
@@ -204,11 +205,12 @@ class Session:
         for place, (word, tag, group) in enumerate(planned):
             before = made[-1] if made else None
             lexeme = self._drawn(self._lexemes(tag))
+            stroke_s = self.offered[lexeme].stroke_s
             end_s = words[word].end_s + self.rng.gauss(*self.style.offset_s)
-            start_s = end_s - self.strokes_s[lexeme]
+            start_s = end_s - stroke_s
             free_s = before.strokes[-1].end_s + LEAST_S if before else 0.3
             if start_s < free_s:
-                start_s, end_s = free_s, free_s + self.strokes_s[lexeme]
+                start_s, end_s = free_s, free_s + stroke_s
             until_s = words[planned[place + 1][0]].end_s - 1.0 if place + 1 < len(planned) else words[-1].end_s
             strokes = [Interval(start_s, end_s), *self._after(word, end_s, until_s, words)]
             gap_s = start_s - before.strokes[-1].end_s if before else 99.0
@@ -216,7 +218,7 @@ class Session:
             joined = gap_s < SHORTEST_GAP_S or (
                 same and gap_s < LONGEST_JOINED_S and self.rng.random() < self.style.joined
             )
-            made.append(Gesture(lexeme, self._hand(), word, strokes, joined, group))
+            made.append(Gesture(lexeme, self._hand(lexeme), word, strokes, joined, group))
         return made
 
     def _after(self, word: int, end_s: float, until_s: float, words: Sequence[Span]) -> Iterator[Interval]:
@@ -268,9 +270,11 @@ class Session:
     def _lasting(self, spread: tuple[float, float]) -> float:
         return max(0.15, self.rng.gauss(*spread))
 
-    def _hand(self) -> str:
-        if not self.hand or self.rng.random() > self.style.hand_kept:
-            self.hand = self._drawn(self.style.hands)
+    def _hand(self, lexeme: str) -> str:
+        """The hand in use, or another of the style's; one that the table does not offer is never taken."""
+        offered = {hand: weight for hand, weight in self.style.hands.items() if hand in self.offered[lexeme].forms}
+        if self.hand not in offered or self.rng.random() > self.style.hand_kept:
+            self.hand = self._drawn(offered)
         return self.hand
 
     def _lexemes(self, tag: str) -> Mapping[str, float]:

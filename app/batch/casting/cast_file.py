@@ -8,8 +8,10 @@ from types import MappingProxyType
 from pydantic import Field, RootModel
 
 from ...errors import AuthoringError, InputError, Mistake
+from ...loading import usable_profile
 from ...model import Level, Target
 from ...performance import SpeakerReference
+from ...profiles.profile import Profile
 from ...schemas.references import read_reference
 from ...schemas.requests import Positions
 from ...targets import targets_of
@@ -41,7 +43,8 @@ class Part:
     """How a character of the script is performed; None leaves it to the command's options.
 
     `reference` is how he usually sounds where a file says it, `is_learnt` whether it is to be learnt from the batch.
-    `listeners` are those of the script whom he talks to, None those of the scene; `targets` is where things are.
+    `listeners` are those of the script whom he talks to, None those of the scene; `targets` is where things are,
+    `profile` is whose gestures he makes.
     """
 
     character: str | None = None
@@ -52,15 +55,15 @@ class Part:
     is_learnt: bool = True
     listeners: tuple[str, ...] | None = None
     targets: tuple[Target, ...] = ()
+    profile: Profile | str | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Cast:
-    """The parts by folded name; `names` are as the file has them, `remarks` what of it has no effect."""
+    """The parts by folded name; `names` are as the file has them."""
 
     parts: Mapping[str, Part]
     names: tuple[str, ...] = ()
-    remarks: tuple[str, ...] = ()
 
     def part(self, name: str) -> Part:
         """The part of a script's character."""
@@ -83,16 +86,13 @@ def read_cast(path: Path, characters: frozenset[str]) -> Cast:
         try:
             parts[folded(name)] = _part(part, path.parent)
         except InputError as error:
-            key = "target" if error.code == "target_wrong" else "reference"
+            key = {"target_wrong": "target", "unknown_profile": "profile"}.get(error.code, "reference")
             mistakes.append(source.mistake((name, key), error.message))
+        except AuthoringError as error:
+            mistakes += error.mistakes
     if mistakes:
         raise AuthoringError(tuple(mistakes))
-    remarks = tuple(
-        f"{path}: the profile {part.profile!r} of {name} has no effect: gesture profiles come with a later version"
-        for name, part in told.items()
-        if part.profile is not None
-    )
-    return Cast(MappingProxyType(parts), tuple(told), remarks)
+    return Cast(MappingProxyType(parts), tuple(told))
 
 
 def folded(name: str) -> str:
@@ -101,7 +101,8 @@ def folded(name: str) -> str:
 
 
 def _part(part: _Part, folder: Path) -> Part:
-    """Raises InputError for a reference that cannot be read, and `target_wrong`."""
+    """Raises InputError for a reference that cannot be read, `target_wrong`, `unknown_profile`; AuthoringError for a
+    profile with mistakes."""
     reference = None
     if part.reference not in {LEARN, NONE}:
         try:
@@ -118,6 +119,7 @@ def _part(part: _Part, folder: Path) -> Part:
         part.reference == LEARN,
         None if part.listener is None else tuple(part.listener),
         targets_of(part.target),
+        None if part.profile is None else usable_profile(part.profile, folder),
     )
 
 

@@ -45,6 +45,7 @@ class Casting:
             seed=next(seed for seed in (line.seed, part.seed, self.common.seed) if seed is not None),
             stillness=self.common.stillness if part.stillness is None else part.stillness,
             reference=part.reference,
+            profile=part.profile or self.common.profile,
             listeners=tuple(listener_name(name) for name in listeners),
             played_by=tuple((listener_name(name), self._performer(name)) for name in listeners),
             targets=_together(self.common.targets, part.targets, line.targets),
@@ -60,7 +61,7 @@ class Casting:
         known = {folded(line.character): line.character for line in lines}
         unknown = [name for name in self.cast.names if name != "*" and folded(name) not in known]
         told = [f"nobody in the script is called {name!r}{did_you_mean(name, known.values())}" for name in unknown]
-        return (*self.cast.remarks, *told)
+        return tuple(told)
 
     def _performer(self, name: str) -> str:
         """Whom the cast says, else our character of that name, else whom the command says."""

@@ -65,6 +65,7 @@ def input_hash(job: LineJob, recording: str) -> str:
         repr(options.targets),
         _reference(options.reference),
         repr([target.path for target in job.targets]),
+        *([] if options.profile is None else [repr(options.profile)]),
     )
 
 

@@ -161,6 +161,8 @@ def _options(job: LineJob) -> dict[str, Any]:
     }
     if options.agitation is not None:
         told["agitation"] = options.agitation.value
+    if options.profile is not None:
+        told["profile"] = options.profile if isinstance(options.profile, str) else options.profile.name
     if options.reference is not None:
         told["reference"] = ReferenceForm.of(options.reference).model_dump()
     return told

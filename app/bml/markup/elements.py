@@ -160,6 +160,7 @@ _RECORD = _kind(
                 "first": _COUNT,
                 "last": _COUNT,
                 "phases": Attribute(Kind.DURATIONS),
+                "afterStrokes": Attribute(Kind.DURATIONS),
                 **dict.fromkeys(("target", "rule", "function", "moment", "reason"), _TEXT),
             },
             namespace=OURS,

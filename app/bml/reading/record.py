@@ -40,6 +40,7 @@ class Record:
             last=_count(found, "last") or 0,
             amount=_number(found, "amount") if gesture else behavior.amount,
             target=behavior.target or (_text(found, "target") if gesture else None),
+            after_strokes_s=_times_s(found, "afterStrokes") if gesture else None,
             rule=_text(found, "rule"),
             function=_text(found, "function"),
             moment=_text(found, "moment"),
@@ -105,6 +106,12 @@ def _notice(found: Mapping[str, Value]) -> Notice:
 def _number(found: Mapping[str, Value], name: str) -> float | None:
     value = found.get(name)
     return float(value) if isinstance(value, int | float) else None
+
+
+def _times_s(found: Mapping[str, Value], name: str) -> tuple[float, ...] | None:
+    """The times of a list; 0 stands for an empty one."""
+    value = _text(found, name)
+    return None if value is None else tuple(float(part) for part in value.split() if float(part) > 0)
 
 
 def _count(found: Mapping[str, Value], name: str) -> int | None:

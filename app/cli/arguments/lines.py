@@ -47,10 +47,29 @@ def add_perform(add: Adding) -> None:
     add_motion(parser)
 
 
+def add_script(add: Adding) -> None:
+    parser = add("script", "what the hands do in a speaker's way, as a gesture script: JSON that realize plays")
+    add_line(parser)
+    add_functions(parser)
+    parser.add_argument(
+        "--profile", metavar="P", required=True, help="a gesture profile's name (see profiles list), or its .yaml file"
+    )
+    parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
+    add_agitation(parser)
+    parser.add_argument("--seed", type=int, default=0, help="another number draws other gestures (default 0)")
+    parser.add_argument(
+        "--lead-in", metavar="SECONDS", type=float, default=0.0, help="begin that long before the recording (0 to 3)"
+    )
+    add_output(parser, "SCRIPT.json", "where the script goes (default: standard output)", default=STANDARD)
+
+
 def add_realize(add: Adding) -> None:
     parser = add("realize", "BML in, motion out")
     parser.add_argument(
-        "bml", metavar="FILE.bml", type=InputFile, help="BML 1.0 core or SmartBody's; - for standard input"
+        "bml",
+        metavar="FILE.bml",
+        type=InputFile,
+        help="BML 1.0 core or SmartBody's, or the gesture script of understudy script; - for standard input",
     )
     parser.add_argument(
         "--audio", metavar="AUDIO", type=InputFile, help="the recording of its speech, for lips and words"

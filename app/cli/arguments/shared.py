@@ -22,6 +22,9 @@ def add_manner(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     add_agitation(parser)
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
+    parser.add_argument(
+        "--profile", metavar="P", help="whose gestures: a profile's name (see profiles list), or its .yaml file"
+    )
     modes = [mode.value for mode in Mode]
     parser.add_argument(
         "--mode", choices=modes, default="semantic", help="gestures from the meaning, the stress, or chance"

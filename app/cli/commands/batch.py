@@ -27,6 +27,7 @@ from ...targets import read_targets
 from ..distinct_files import OutputFile, require_distinct
 from ..files import write_standard
 from ..inputs.early import require_character
+from ..inputs.profiles import optional_profile
 from ..log import Log
 from ..outputs.batch_progress import progress_for
 from ..outputs.motions import require_skeleton
@@ -98,6 +99,7 @@ def _options(arguments: argparse.Namespace) -> Options:
         lead_in_s=arguments.lead_in,
         stillness=arguments.stillness,
         targets=read_targets(arguments.target),
+        profile=optional_profile(arguments.profile),
     )
 
 

@@ -20,6 +20,7 @@ from ..files import STANDARD, require_writable, write
 from ..inputs.early import require_character, require_usable
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import read_line
+from ..inputs.profiles import optional_profile
 from ..log import Log
 from ..outputs.motions import MotionOptions, recording, require_motions, write_motions
 from ..outputs.summary import summary
@@ -59,6 +60,7 @@ def _options(arguments: argparse.Namespace) -> Options:
         lead_in_s=arguments.lead_in,
         stillness=arguments.stillness,
         targets=read_targets(arguments.target),
+        profile=optional_profile(arguments.profile),
     )
 
 

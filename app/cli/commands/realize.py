@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ...bml.choice.stillness import check_stillness
 from ...errors import InputError
 from ...model import Level
+from ...schemas.gesture_script import read_script
 from ...settings import Settings, read_settings
 from ...targets import read_targets
 from ..files import STANDARD, read_bytes
@@ -42,8 +43,10 @@ def _prepared(
     bml: bytes, audio: bytes | None, arguments: argparse.Namespace, settings: Settings, log: Log
 ) -> PreparedSchedule:
     """The schedule; what hears is loaded only where there is something to hear."""
-    from ...realization import BmlInput, prepare_schedule
+    from ...realization import BmlInput, PreparedSchedule, prepare_schedule
 
+    if bml.lstrip().startswith(b"{"):
+        return PreparedSchedule.of(read_script(bml))
     sheet = BmlInput(bml, Path("standard input" if arguments.bml == STANDARD else arguments.bml), audio)
     level = arguments.agitation and Level(arguments.agitation)
     with ExitStack() as stack:

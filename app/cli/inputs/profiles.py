@@ -1,17 +1,18 @@
-"""Gesture profiles as the command line names them: by name in the lexicon, or as a file."""
+"""Gesture profiles as the command line names them: by name in the lexicon, or as a file that ends in .yaml."""
 
-from pathlib import Path
-
-from ...loading import load_characters, load_profile, load_profile_file
+from ...loading import load_characters, load_profile, usable_profile
 from ...profiles.profile import Profile
-
-SUFFIX = ".yaml"
 
 
 def named_profile(name: str) -> Profile:
-    """The profile of that name, or in the file of that name, which ends in .yaml.
+    """The profile of that name, or in the file of that name.
 
     Raises InputError `unknown_profile`, and AuthoringError with every mistake in its file.
     """
-    lexemes = load_characters().gesture_lexemes
-    return load_profile_file(Path(name), lexemes) if name.endswith(SUFFIX) else load_profile(name, lexemes)
+    found = usable_profile(name)
+    return load_profile(found, load_characters().gesture_lexemes) if isinstance(found, str) else found
+
+
+def optional_profile(name: str | None) -> Profile | str | None:
+    """The profile that an option names, if it is given; raises as `named_profile` does."""
+    return None if name is None else usable_profile(name)

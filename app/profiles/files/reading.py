@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
-from types import MappingProxyType
 
 from ...errors import AuthoringError
 from ...yaml_files import Source, did_you_mean
@@ -111,11 +110,11 @@ def _profile(form: ProfileForm, name: str) -> Profile:
         annotated_s=form.annotated_s,
         gestures=form.gestures,
         gestures_per_minute=form.gestures_per_minute,
-        tags=MappingProxyType({tag: TagHabit(each.occurrences, each.gestures) for tag, each in form.tags.items()}),
-        lexemes=MappingProxyType({lexeme: _lexeme(each) for lexeme, each in form.lexemes.items()}),
-        follows=MappingProxyType(form.follows),
-        hand_follows=MappingProxyType(form.hand_follows),
-        units=UnitHabit(form.units.merge_within_s, form.units.sizes),
+        tags={tag: TagHabit(each.occurrences, each.gestures) for tag, each in form.tags.items()},
+        lexemes={lexeme: _lexeme(each) for lexeme, each in form.lexemes.items()},
+        follows=form.follows,
+        hand_follows=form.hand_follows,
+        units=UnitHabit(form.units.merge_within_s, form.units.joined, form.units.sizes),
         phases=PhaseHabit(
             preparation_s=Spread(*form.phases.preparation_s),
             hold_s=Spread(*form.phases.hold_s),
@@ -125,7 +124,7 @@ def _profile(form: ProfileForm, name: str) -> Profile:
         smoothing=Smoothing(**form.smoothing.model_dump()),
         rests=RestHabit(**form.rests.model_dump()),
         head=HeadHabit(**form.head.model_dump()),
-        forms=MappingProxyType({lexeme: _form(each) for lexeme, each in form.lexemes.items()}),
+        forms={lexeme: _form(each) for lexeme, each in form.lexemes.items()},
         database=tuple(map(_occurrence, form.database)),
         lead=Lead(form.lead_s.main, form.lead_s.after),
     )

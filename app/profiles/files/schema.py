@@ -37,6 +37,7 @@ class LexemeForm(Entry):
 
 class UnitForm(Entry):
     merge_within_s: float = Field(default=1.5, ge=0, le=10)
+    joined: _Share = 1.0
     sizes: tuple[_Share, ...] = Field(default=(), max_length=7)
 
 

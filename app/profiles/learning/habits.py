@@ -18,8 +18,9 @@ from ..profile import (
     Spread,
     UnitHabit,
 )
+from ..segments import SHORTEST_REST_S
+from ..space import size_of
 from .observations import ObservedGesture
-from .space import size_of
 
 OWN_MEAN = 3.0
 """How many gestures of a lexeme weigh as much as the speaker's mean over all."""
@@ -79,10 +80,17 @@ def spread_of(values: Iterable[float], prior: Spread | None = None) -> Spread:
 
 
 def unit_habit(annotations: Iterable[Annotation], gestures: Iterable[ObservedGesture]) -> UnitHabit:
-    """Sizes of units, and the distance that best tells neighbours in one unit from those in two."""
+    """Sizes of units, the distance that best tells neighbours in one unit from those in two, and how many of those that
+    are nearer are one, where there is time for two."""
     sizes = Counter(min(len(unit.phrases), LONGEST_UNIT + 1) for each in annotations for unit in each.units)
     gaps = [(each.gap_s, each.joined) for each in gestures if each.gap_s is not None]
-    return UnitHabit(_threshold_s(gaps), tuple(sizes[size] / sizes.total() for size in range(1, LONGEST_UNIT + 2)))
+    threshold_s = _threshold_s(gaps)
+    free = [joined for gap_s, joined in gaps if SHORTEST_REST_S <= gap_s < threshold_s]
+    return UnitHabit(
+        merge_within_s=threshold_s,
+        joined=sum(free) / len(free) if free else 1.0,
+        sizes=tuple(sizes[size] / sizes.total() for size in range(1, LONGEST_UNIT + 2)),
+    )
 
 
 def _threshold_s(gaps: Sequence[tuple[float, bool]]) -> float:

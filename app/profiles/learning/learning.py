@@ -13,6 +13,7 @@ from ...model import Hand
 from ..annotation.model import Annotation
 from ..probabilities import shares_of
 from ..profile import FIRST, Profile, Smoothing
+from ..segments import spoken_s
 from .habits import (
     database_of,
     form_habits,
@@ -22,7 +23,7 @@ from .habits import (
     rest_habit,
     unit_habit,
 )
-from .observations import all_of, spoken_s
+from .observations import all_of
 from .tables import rows_of, tag_table
 
 FEWEST_GESTURES = 10
@@ -38,7 +39,7 @@ def learn(annotations: Sequence[Annotation], name: str, description: str = "") -
     if len(gestures) < FEWEST_GESTURES:
         message = f"{len(gestures)} gestures are annotated; a profile is learnt from {FEWEST_GESTURES} or more"
         raise InputError("too_few_gestures", message, field="annotation")
-    seconds = sum(map(spoken_s, annotations))
+    seconds = sum(spoken_s(each.words, each.segments) for each in annotations)
     hand_counts = Counter(each.phrase.hand for each in gestures)
     hand_share = shares_of({hand: hand_counts[hand] + 1.0 for hand in Hand})
     lexeme_share = shares_of(Counter(each.phrase.lexeme for each in gestures))

@@ -90,20 +90,6 @@ def tags_meant(phrase: Phrase, annotation: Annotation) -> tuple[TaggedWords, ...
     return tuple(each for each in on_words if phrase.tag in (None, each.tag))
 
 
-def spoken_s(annotation: Annotation) -> float:
-    """The time from the first word to the last of a recording, pauses that are longer than a sentence apart."""
-    spans = [
-        (time_of(annotation.words[first]).start_s, time_of(annotation.words[last]).end_s)
-        for first, last in annotation.segments
-    ]
-    ends = [spans[0][0] if spans else 0.0, *(end_s for _start_s, end_s in spans)]
-    return sum(end_s - max(start_s - LONGEST_PAUSE_S, ends[place]) for place, (start_s, end_s) in enumerate(spans))
-
-
-LONGEST_PAUSE_S = 2.0
-"""What of a pause counts as speech; the rest is silence in which nobody gestures."""
-
-
 def level_tags(tag: str) -> tuple[str, ...]:
     """A tag, its class, and any: what is known of each stands for the one before."""
     return tuple(dict.fromkeys((tag, tag.partition(".")[0], ANY_TAG)))

@@ -19,8 +19,9 @@ Position = tuple[float, float, float]
 @dataclass(frozen=True, slots=True)
 class GestureRequest:
     """A gesture of the schedule: category, desired stroke and relax time, priority (paper §3.8, eq. 4), and what our
-    BML adds: hand, level of agitation, size (1 as defined), the name of a target, and the longest that its stroke may
-    take, where it says that."""
+    BML adds: hand, level of agitation, size (1 as defined), the name of a target, the longest that its stroke may take,
+    where it says that, and the ends of further strokes, seconds after that of the main one (None: as the emphases of
+    the speech have it)."""
 
     behavior: str
     category: str
@@ -32,6 +33,7 @@ class GestureRequest:
     size: float = 1.0
     target: str | None = None
     longest_stroke_s: float = inf
+    after_strokes_s: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ be still: a person's hand does not stand in the air (`Holds`).
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from itertools import chain, repeat
 from math import inf
 
 import numpy as np
@@ -32,7 +33,10 @@ BEAT_REPEATS = 2
 
 def with_repeats(placed: PlacedGesture, emphases_s: Iterable[float], until_s: float) -> PlacedGesture:
     """The gesture with its stroke repeated on the emphases before `until_s`, and its relax time after the last one."""
-    repeats = tuple(_repeats(placed, sorted(emphases_s), until_s))
+    asked_s = placed.request.after_strokes_s
+    repeats = tuple(
+        _repeats(placed, sorted(emphases_s), until_s) if asked_s is None else _asked(placed, asked_s, until_s)
+    )
     if not repeats:
         return placed
     return replace(placed, repeats=repeats, relax_s=max(placed.relax_s, min(repeats[-1].end_s + AFTER_S, until_s)))
@@ -61,9 +65,27 @@ def _repeats(placed: PlacedGesture, emphases_s: list[float], until_s: float) -> 
         last_s = emphasis_s
 
 
+def _asked(placed: PlacedGesture, after_strokes_s: Iterable[float], until_s: float) -> Iterator[Repeat]:
+    """The strokes that the schedule asks for, so far as the arm is free; each after the first as large as the last of
+    those that nobody asked for."""
+    stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
+    amplitudes = chain(AMPLITUDES, repeat(AMPLITUDES[-1]))
+    last_s = placed.stroke_end_s
+    for after_s in after_strokes_s:
+        end_s = placed.stroke_end_s + after_s
+        if end_s > until_s:
+            return
+        if end_s - last_s >= SHORTEST_SPACING_S:
+            begin_s = end_s - min(end_s - last_s, max(stroke_s, SHORTEST_SPACING_S))
+            yield Repeat(begin_s, end_s, next(amplitudes))
+            last_s = end_s
+
+
 def repeats_until_s(placed: PlacedGesture, later: Iterable[PlacedGesture], setting: TransitionContext) -> float:
-    """How long a gesture may be repeated: until the end of its phrase, or until an arm leaves for its next gesture."""
-    phrase = setting.phrase_of(placed.request.stroke_s)
+    """How long a gesture may be repeated: until the end of its phrase, unless its strokes are asked for, or until an
+    arm leaves for its next gesture."""
+    asked = placed.request.after_strokes_s is not None
+    phrase = None if asked else setting.phrase_of(placed.request.stroke_s)
     ends_s = [inf if phrase is None else setting.phrases[phrase].end_s]
     following = list(later)
     for side in placed.arms:

@@ -28,6 +28,9 @@ MEDIUM_GAP_S = 10.0
 
 POSTURES: Mapping[str, str | None] = MappingProxyType(
     {
+        "HANDS_CLASPED": CLASPED,
+        "HANDS_AT_SIDE": AT_SIDE,
+        "HANDS_IN_POCKETS": IN_POCKETS,
         "HANDS_FOLDED": "folded",
         "HANDS_BEHIND_BACK": BEHIND_BACK,
         "HANDS_ON_HIPS": "on_hips",

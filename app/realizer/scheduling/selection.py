@@ -58,6 +58,7 @@ def _request(gesture: Behavior, level: Level) -> GestureRequest:
         size=size_of(gesture.amount),
         target=gesture.target,
         longest_stroke_s=_longest_stroke_s(sync),
+        after_strokes_s=gesture.after_strokes_s,
     )
 
 

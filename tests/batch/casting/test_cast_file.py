@@ -25,7 +25,7 @@ def test_what_a_cast_says(tmp_path: Path) -> None:
             tmp_path,
             "Mrs. O'Hara: {character: expansive, seed: 7, agitation: low, stillness: 0.5, listener: [BEN, Cat]}\n"
             "Dog: {target: {door: [1, 1.4, 2.0]}}\n"
-            "BEN: {reference: ben.json, profile: grandfather}\n"
+            "BEN: {reference: ben.json, profile: sparing}\n"
             "'*': {reference: none}\n",
         ),
         OURS,
@@ -39,17 +39,18 @@ def test_what_a_cast_says(tmp_path: Path) -> None:
     assert ben.reference is not None
     assert (ben.reference.recordings, ben.is_learnt) == (3, False)
     assert not cast.part("Dora").is_learnt
-    assert len(cast.remarks) == 1
-    assert "profile" in cast.remarks[0]
+    assert ben.profile == "sparing"
 
 
 def test_every_mistake_is_told_with_its_place(tmp_path: Path) -> None:
     path = write(
-        tmp_path, "ANNA:\n  character: expansiv\nanna:\n  reference: gone.json\nBEN:\n  target: {door: [1, 2, 5000]}\n"
+        tmp_path,
+        "ANNA:\n  character: expansiv\nanna:\n  reference: gone.json\nBEN:\n  target: {door: [1, 2, 5000]}\n"
+        "EVE:\n  profile: sparin\n",
     )
     with pytest.raises(AuthoringError) as raised:
         read_cast(path, OURS)
-    assert sorted(mistake.line for mistake in raised.value.mistakes) == [2, 4, 4, 6]
+    assert sorted(mistake.line for mistake in raised.value.mistakes) == [2, 4, 4, 6, 8]
     assert "did you mean 'expansive'" in raised.value.message
 
 

@@ -9,8 +9,9 @@ from understudy.errors import InputError
 from understudy.model import Hand
 from understudy.profiles.annotation.reading import annotation_of, read_annotations
 from understudy.profiles.learning.learning import learn
-from understudy.profiles.learning.observations import observed_gestures, observed_tags, spoken_s
+from understudy.profiles.learning.observations import observed_gestures, observed_tags
 from understudy.profiles.profile import Profile
+from understudy.profiles.segments import spoken_s
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +34,7 @@ def test_observations_of_a_short_annotation() -> None:
         {"NEGATION": 1.0, "": 0.0},
         {"YOU": 1.0, "": 0.0},
     ]
-    assert spoken_s(annotation) == pytest.approx(2.4)
+    assert spoken_s(annotation.words, annotation.segments) == pytest.approx(2.4)
 
 
 def test_a_gesture_on_words_of_several_tags_is_shared_by_them() -> None:

@@ -1,5 +1,7 @@
 """Strokes repeated on further emphases."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -46,6 +48,26 @@ def test_the_hold_follows_the_last_repetition() -> None:
     assert with_repeats(struck(), [2.6], 9.0).relax_s == pytest.approx(2.7)
     assert with_repeats(struck(), [], 9.0).relax_s == 2.5
     assert with_repeats(struck(), [2.6], 2.65).relax_s == 2.65
+
+
+@pytest.mark.parametrize(
+    ("asked_s", "until_s", "ends_s"),
+    [
+        ((), 9.0, []),
+        ((0.5, 1.0), 9.0, [2.7, 3.2]),
+        ((0.2, 0.6), 9.0, [2.8]),
+        ((0.5, 1.0), 3.0, [2.7]),
+        ((0.5, 1.0, 1.5, 2.0), 9.0, [2.7, 3.2, 3.7, 4.2]),
+    ],
+)
+def test_strokes_that_are_asked_for_are_made_and_no_others(
+    asked_s: tuple[float, ...], until_s: float, ends_s: list[float]
+) -> None:
+    placed = struck(repetition=1.0)
+    asked = replace(placed, request=replace(placed.request, after_strokes_s=asked_s))
+    repeats = with_repeats(asked, [2.6, 3.0], until_s).repeats
+    assert [repeat.end_s for repeat in repeats] == pytest.approx(ends_s)
+    assert [repeat.amplitude for repeat in repeats] == [0.6, 0.4, 0.25, 0.25][: len(ends_s)]
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,8 @@ centre of gesture space (`XC YCC ZMiddle`) makes it larger, nearer to the body s
 from collections.abc import Iterable
 from statistics import fmean
 
-from ..annotation.model import Position
-from ..annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
+from .annotation.model import Position
+from .annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
 
 USUAL_STEPS = 1.5
 """How many sectors from the centre the stroke of a usual gesture is."""

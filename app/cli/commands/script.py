@@ -1,0 +1,35 @@
+"""`understudy script`: what the hands do with a line in a speaker's way, as a gesture script."""
+
+import argparse
+
+from ...analysis import Options
+from ...model import Level
+from ...schemas.gesture_script import script_json
+from ...settings import read_settings
+from ..files import require_writable, write
+from ..inputs.early import require_character, require_usable
+from ..inputs.lines import read_line
+from ..inputs.profiles import optional_profile
+from ..log import Log
+
+
+def run(arguments: argparse.Namespace, log: Log) -> int:
+    settings = read_settings()
+    require_writable(arguments.output, field="output")
+    line = read_line(arguments, settings)
+    options = Options(
+        character=arguments.character,
+        agitation=arguments.agitation and Level(arguments.agitation),
+        seed=arguments.seed,
+        lead_in_s=arguments.lead_in,
+        profile=optional_profile(arguments.profile),
+    )
+    require_character(options.character)
+    require_usable(line, settings)
+    from ...performance import Understudy, write_script  # now that all is told which can be told without it
+
+    with Understudy.load(settings) as understudy:
+        performance, script = write_script(understudy, line, options, log.stage)
+    write(arguments.output, script_json(script, performance.utterance, performance.character))
+    log.warnings(performance.notices)
+    return 0

@@ -1,0 +1,84 @@
+"""A gesture script as behaviours of a schedule: gestures with their after-strokes, and the rests of the hands."""
+
+from collections.abc import Iterator, Mapping
+
+from ...model import Behavior, Channel, SyncPoints
+from .script import GestureScript, ScriptedGesture, ScriptedUnit
+
+PRIORITY = 5.0
+"""Of every gesture of a script: what cannot be played beside what was asked for has been given up already."""
+
+RESTS: Mapping[str, str] = {
+    "clasped": "HANDS_CLASPED",
+    "at_side": "HANDS_AT_SIDE",
+    "in_pockets": "HANDS_IN_POCKETS",
+    "folded": "HANDS_FOLDED",
+    "behind_back": "HANDS_BEHIND_BACK",
+    "on_hips": "HANDS_ON_HIPS",
+    "open": "ARMS_OPEN",
+}
+"""The postures that have the hands rest so."""
+
+ShownFunctions = Mapping[tuple[str, int, int], str]
+"""The ids of functions by tag, first and last word."""
+
+
+def behaviors_of(script: GestureScript, functions: ShownFunctions) -> tuple[Behavior, ...]:
+    """The gestures of a script, those that were given up among them, and the rests of its units."""
+    made = (_gesture(each, script.profile, functions) for each in script.gestures)
+    return (*made, *_rests(script))
+
+
+def _gesture(gesture: ScriptedGesture, profile: str, functions: ShownFunctions) -> Behavior:
+    main, *others = gesture.strokes
+    emphasis_s = main.end_s if gesture.emphasis_s is None else gesture.emphasis_s
+    sync = SyncPoints(
+        start=gesture.start_s,
+        ready=main.start_s,
+        stroke_start=main.start_s,
+        stroke=emphasis_s,
+        stroke_end=main.end_s,
+        relax=gesture.relax_s,
+        end=gesture.end_s,
+    )
+    return Behavior(
+        id=gesture.id,
+        kind=Channel.GESTURE,
+        lexeme=gesture.lexeme,
+        sync=sync.shifted(0.0),
+        first=gesture.first,
+        last=gesture.last,
+        priority=PRIORITY,
+        rule=f"profile_{profile}",
+        function=functions.get((gesture.tag, gesture.first, gesture.last)),
+        hand=gesture.hand,
+        amount=gesture.amount,
+        kept=gesture.kept,
+        reason=gesture.reason,
+        after_strokes_s=tuple(round(each.end_s - main.end_s, 3) for each in others),
+    )
+
+
+def _rests(script: GestureScript) -> Iterator[Behavior]:
+    """A posture of the hands where a unit ends in another rest than the one before."""
+    rest = ""
+    for number, unit in enumerate(script.units):
+        if unit.rest != rest:
+            rest = unit.rest
+            yield _posture(unit, number, script)
+
+
+def _posture(unit: ScriptedUnit, number: int, script: GestureScript) -> Behavior:
+    last = next(each for each in script.gestures if each.id == unit.gestures[-1])
+    sync = SyncPoints(start=last.relax_s, end=unit.end_s)
+    return Behavior(
+        id=f"script.rest.{number}",
+        kind=Channel.POSTURE,
+        lexeme=RESTS[unit.rest],
+        sync=sync.shifted(0.0),
+        first=last.first,
+        last=last.last,
+        priority=PRIORITY,
+        rule=f"profile_{script.profile}",
+        reason=f"the hands rest {unit.rest} after {last.lexeme}",
+    )

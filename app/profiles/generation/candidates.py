@@ -1,0 +1,107 @@
+"""Candidates (NGS §3.3, steps 1 to 3): the words as places for strokes, and what could be made on each.
+
+A gesture is a candidate for a tag if it is likely enough among the gestures that come with it (the paper takes
+P(g∣s) > .1). Its stroke may fall on the tag's last word, and, where the tag is in the rheme of its segment, on the
+focus. The rheme is the segment from its first verb on, the focus the most emphasised of its words, the last of equals;
+the paper has both marked by hand.
+
+Our tags are communicative functions, of which nearly every phrase has one, so that P(g∣s) alone is seldom over .1: the
+threshold is on the share of g among the gestures of s, and P(any∣s) weighs the place. It is .02, not .1, by which 15 to
+17 % of a speaker's gestures became others than his (`python -m benchmarks.profiles`; with .02 6 to 10 %). A word that
+shows several tags adds them up, as the counts of learning were shared among them.
+"""
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+from ...model import Utterance, Word
+from ..annotation.model import TaggedWords
+from ..profile import Profile, TagHabit
+from ..segments import segments_of, time_of
+from .repertoire import Repertoire
+
+THRESHOLD = 0.02
+
+VERB_PHRASE = "initial_verb_phrase"
+"""The tag of the first verb of a clause, with which its rheme begins."""
+
+LEMMAS_NEAR = 2
+"""A gesture that needs one of its lemmas finds it no more words away (as the plan of moments has it)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A word on which a stroke may fall: its end, its segment, how likely each lexeme is there, and the likeliest tag
+    of each with its words."""
+
+    word: int
+    end_s: float
+    segment: int
+    weights: Mapping[str, float]
+    tags: Mapping[str, TaggedWords]
+
+
+def places_of(
+    profile: Profile, repertoire: Repertoire, utterance: Utterance, tags: Sequence[TaggedWords]
+) -> tuple[Place, ...]:
+    """The places of a line in order of time; those where nothing can be made are none."""
+    words = {word.index: word for word in utterance.words if word.interval is not None}
+    segments = segments_of(utterance.words)
+    lemmas = _lemmas(utterance)
+    found: dict[int, dict[str, list[tuple[float, TaggedWords]]]] = {}
+    for tag in tags:
+        habit, on = profile.tag(tag.tag), tuple(_words_for(tag, segments, words, tags))
+        for word, (lexeme, likely) in product(on, _candidates(habit) if habit else ()):
+            if repertoire.allows(lexeme, word, _near(lemmas, word)):
+                found.setdefault(word, {}).setdefault(lexeme, []).append((likely / len(on), tag))
+    return tuple(
+        Place(
+            word=word,
+            end_s=time_of(words[word]).end_s,
+            segment=_segment(segments, word),
+            weights={lexeme: sum(likely for likely, _tag in shown) for lexeme, shown in found[word].items()},
+            tags={lexeme: max(shown, key=lambda each: each[0])[1] for lexeme, shown in found[word].items()},
+        )
+        for word in sorted(found)
+    )
+
+
+def _candidates(habit: TagHabit) -> Iterator[tuple[str, float]]:
+    """The gestures that are likely enough with a tag; they have the likelihood of the others too."""
+    total = sum(habit.lexemes.values())
+    likely = {lexeme: share for lexeme, share in habit.lexemes.items() if share > THRESHOLD * total}
+    scale = total / sum(likely.values()) if likely else 0.0
+    yield from ((lexeme, scale * share) for lexeme, share in likely.items())
+
+
+def _words_for(
+    tag: TaggedWords, segments: Sequence[tuple[int, int]], words: Mapping[int, Word], tags: Sequence[TaggedWords]
+) -> Iterable[int]:
+    """The tag's own word, and the focus of the rheme that it is in."""
+    own = [word for word in range(tag.first, tag.last + 1) if word in words]
+    if not own:
+        return ()
+    first, last = segments[_segment(segments, own[-1])]
+    verbs = [each.first for each in tags if each.tag == VERB_PHRASE and first <= each.first <= last]
+    rheme = [word for word in range(min(verbs, default=first), last + 1) if word in words]
+    if own[-1] not in rheme or not any(words[word].emphasis for word in rheme):
+        return (own[-1],)
+    focus = max(reversed(rheme), key=lambda word: words[word].emphasis or 0.0)
+    return dict.fromkeys((own[-1], focus))
+
+
+def _segment(segments: Sequence[tuple[int, int]], word: int) -> int:
+    return next(number for number, (first, last) in enumerate(segments) if first <= word <= last)
+
+
+def _lemmas(utterance: Utterance) -> Mapping[int, set[str]]:
+    lemmas: dict[int, set[str]] = {}
+    for token in utterance.parse.tokens:
+        lemmas.setdefault(token.word, set()).add(token.lemma.lower())
+    return lemmas
+
+
+def _near(lemmas: Mapping[int, set[str]], word: int) -> Collection[str]:
+    about = range(word - LEMMAS_NEAR, word + LEMMAS_NEAR + 1)
+    return set[str]().union(*(lemmas.get(each, set()) for each in about))

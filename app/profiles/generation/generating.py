@@ -1,0 +1,202 @@
+"""A line's gestures in a speaker's way: the sixteen steps of NGS §3.3, in their order.
+
+     1–3  words, tags, candidates                                   `candidates`
+     4, 5  the sequence of gestures at the speaker's rate, and hands `sequence`
+     6    the form of the hand is the library's for the lexeme, in the size of the speaker's
+     7, 8  units; a preparation where there is time                  `units`
+     9    where strokes lead from and to: an occurrence of the speaker's GestureDB
+    10–13 strokes and their times, what gives way                    `phases`
+    14–16 holds, retractions, the script                             `units`, `script`
+
+Everything that is drawn is drawn from the seed and the words.
+"""
+
+import random
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import zip_longest
+from math import inf
+from statistics import fmean
+
+from ...gesture_limits import USUAL_AMOUNT, transition_times
+from ...model import Hand, Interval, Utterance, Word
+from ..annotation.model import TaggedWords
+from ..profile import Occurrence, Profile
+from ..segments import segments_of, spoken_s
+from ..space import size_of
+from .candidates import places_of
+from .phases import Timed, after, drawn_main, form_of, with_after_strokes
+from .repertoire import PlayableGesture, Repertoire
+from .script import GestureScript, ScriptedGesture, ScriptedUnit
+from .sequence import Drawn, drawn_gestures, drawn_hands
+from .units import Bounds, bounds_of, joined, rest_after
+
+PREPARED_S = 0.5
+"""With less time than this before its stroke a gesture is not prepared anew."""
+
+
+@dataclass(frozen=True, slots=True)
+class Speaker:
+    """Who gestures, what may be made, and the seed; `likeliest` has the likeliest sequence instead of one drawn."""
+
+    profile: Profile
+    repertoire: Repertoire
+    seed: int = 0
+    likeliest: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class _Made:
+    """A gesture that found its time."""
+
+    drawn: Drawn
+    hand: Hand
+    timed: Timed
+
+
+def generate(speaker: Speaker, utterance: Utterance, tags: Sequence[TaggedWords]) -> GestureScript:
+    """The gesture script of a line whose words are timed; nothing where none is."""
+    profile, repertoire = speaker.profile, speaker.repertoire
+    words = [word for word in utterance.words if word.interval is not None]
+    rng = random.Random(f"{speaker.seed} {profile.name} {' '.join(word.text for word in words)}")
+    places = places_of(profile, repertoire, utterance, tags)
+    expected = profile.gestures_per_minute * spoken_s(words, segments_of(words)) / 60
+    chosen = drawn_gestures(profile, places, expected=expected, rng=rng, likeliest=speaker.likeliest)
+    hands = drawn_hands(profile, chosen, repertoire, rng=rng)
+    by_index = {word.index: word for word in words}
+    timed = [
+        drawn_main(profile, each.lexeme, by_index[each.place.word], repertoire.gestures[each.lexeme].stroke_s, rng)
+        for each in chosen
+    ]
+    made, given_up = _in_turn(repertoire, list(map(_Made, chosen, hands, timed)))
+    made = [_struck(speaker, each, following, words, rng) for each, following in zip_longest(made, made[1:])]
+    end_s = utterance.duration_s or (words[-1].interval.end_s if words and words[-1].interval else 0.0)
+    gestures, units = _script(speaker, made, end_s, rng)
+    every = sorted((*gestures, *given_up), key=lambda each: (each.strokes[0].start_s, each.word))
+    return GestureScript(profile.name, speaker.seed, tuple(every), units)
+
+
+def _in_turn(repertoire: Repertoire, wanted: Sequence[_Made]) -> tuple[list[_Made], list[ScriptedGesture]]:
+    """Those for which there is time after the one before, moved back if need be, and the others (step 11)."""
+    made: list[_Made] = []
+    given_up: list[ScriptedGesture] = []
+    for each in wanted:
+        free_s = made[-1].timed.strokes[0].end_s + _way_s(repertoire, made[-1], each) if made else 0.0
+        timed = after(each.timed, free_s)
+        if timed is None:
+            before = f"{made[-1].drawn.lexeme} leaves it no time" if made else "there is no time before its word"
+            given_up.append(_given_up(each, before))
+        elif any(_overlap(timed, taken) for taken in repertoire.taken):
+            given_up.append(_given_up(each, "the hands do what is asked of them"))
+        else:
+            made.append(replace(each, timed=timed))
+    return made, given_up
+
+
+def _way_s(repertoire: Repertoire, one: _Made, other: _Made) -> float:
+    """The least time from the stroke of one gesture to that of the next."""
+    gestures = repertoire.gestures[one.drawn.lexeme], repertoire.gestures[other.drawn.lexeme]
+    return transition_times(
+        gestures[0].forms[one.hand], gestures[1].forms[other.hand], amounts=(gestures[0].amount, gestures[1].amount)
+    ).shortest_s
+
+
+def _overlap(timed: Timed, taken: Interval) -> bool:
+    return timed.strokes[0].start_s - PREPARED_S < taken.end_s and taken.start_s < timed.strokes[-1].end_s + PREPARED_S
+
+
+def _given_up(each: _Made, reason: str) -> ScriptedGesture:
+    strokes = each.timed.strokes
+    start_s, end_s = max(0.0, strokes[0].start_s), max(0.0, strokes[-1].end_s)
+    bounds = Bounds(start_s, end_s, end_s, last=True)
+    name = f"given_up.{each.drawn.place.word}"
+    return replace(_scripted(each, bounds, name), kept=False, reason=reason)
+
+
+def _struck(speaker: Speaker, each: _Made, following: _Made | None, words: Sequence[Word], rng: random.Random) -> _Made:
+    """The gesture with its after-strokes (steps 10 and 12), which leave the way to the next."""
+    until_s = inf
+    if following is not None:
+        until_s = following.timed.strokes[0].start_s - _way_s(speaker.repertoire, each, following)
+    later = [word for word in words if word.index > each.drawn.place.word]
+    timed = with_after_strokes(speaker.profile, each.drawn.lexeme, each.timed, later, until_s=until_s, rng=rng)
+    return replace(each, timed=timed)
+
+
+def _script(
+    speaker: Speaker, made: Sequence[_Made], end_s: float, rng: random.Random
+) -> tuple[list[ScriptedGesture], tuple[ScriptedUnit, ...]]:
+    """The gestures with their bounds and forms, and their units."""
+    profile, strokes = speaker.profile, [each.timed for each in made]
+    segments = [each.drawn.place.segment for each in made]
+    bounds = list(bounds_of(profile.phases, strokes, joined(profile, strokes, segments, rng)))
+    gestures: list[ScriptedGesture] = []
+    for number, (each, bound) in enumerate(zip(made, bounds, strict=True)):
+        gesture = _scripted(each, bound, f"script.{number}")
+        before = gestures[-1] if gestures and not bounds[number - 1].last else None
+        playable = speaker.repertoire.gestures[gesture.lexeme]
+        gestures.append(_sized(_placed(gesture, profile, before, rng), profile, playable))
+    return gestures, tuple(_units(profile, gestures, bounds, end_s))
+
+
+def _scripted(each: _Made, bounds: Bounds, name: str) -> ScriptedGesture:
+    tag = each.drawn.place.tags[each.drawn.lexeme]
+    moved_s = each.timed.moved_s
+    return ScriptedGesture(
+        id=name,
+        lexeme=each.drawn.lexeme,
+        hand=each.hand,
+        tag=tag.tag,
+        first=tag.first,
+        last=tag.last,
+        word=each.drawn.place.word,
+        start_s=bounds.start_s,
+        strokes=each.timed.strokes,
+        relax_s=bounds.relax_s,
+        end_s=bounds.end_s,
+        held=each.timed.held,
+        reason=f"{moved_s:.2f} s later, for want of time before it" if moved_s else None,
+    )
+
+
+def _placed(
+    gesture: ScriptedGesture, profile: Profile, before: ScriptedGesture | None, rng: random.Random
+) -> ScriptedGesture:
+    """The gesture where the speaker made it once (step 9): where there is no time for a preparation, from where the one
+    before it ended, if he ever did."""
+    known = [each for each in profile.database if each.lexeme == gesture.lexeme]
+    fitting = [each for each in known if each.hand is gesture.hand] or known
+    if before is not None and before.end is not None and gesture.strokes[0].start_s - before.relax_s < PREPARED_S:
+        fitting = [each for each in fitting if each.start == before.end] or fitting
+    if not fitting:
+        return gesture
+    chosen = rng.choice(fitting)
+    return replace(gesture, start=chosen.start, end=chosen.end, path=chosen.path)
+
+
+def _sized(gesture: ScriptedGesture, profile: Profile, playable: PlayableGesture) -> ScriptedGesture:
+    """The gesture with its emphasis, as large as the speaker makes it, and on this occasion."""
+    known = [_size(each) for each in profile.database if each.lexeme == gesture.lexeme]
+    own = size_of([gesture.start, gesture.end]) / fmean(known) if gesture.start and gesture.end and known else 1.0
+    size = form_of(profile, gesture.lexeme).size * own
+    main = gesture.strokes[0]
+    amount = (USUAL_AMOUNT if playable.amount is None else playable.amount) * size**2
+    emphasis_s = main.start_s + playable.emphasis * main.duration_s
+    return replace(gesture, emphasis_s=emphasis_s, amount=min(1.0, amount))
+
+
+def _size(occurrence: Occurrence) -> float:
+    return size_of((occurrence.start, occurrence.end))
+
+
+def _units(
+    profile: Profile, gestures: Sequence[ScriptedGesture], bounds: Sequence[Bounds], end_s: float
+) -> Iterator[ScriptedUnit]:
+    first = 0
+    for place, (gesture, bound) in enumerate(zip(gestures, bounds, strict=True)):
+        if bound.last:
+            next_s = gestures[place + 1].start_s if place + 1 < len(gestures) else max(end_s, bound.end_s)
+            names = tuple(each.id for each in gestures[first : place + 1])
+            rest = rest_after(profile.rests, next_s - gesture.end_s)
+            yield ScriptedUnit(names, gestures[first].start_s, gesture.end_s, rest)
+            first = place + 1

@@ -1,0 +1,102 @@
+"""When the strokes of a gesture are (NGS §3.3, steps 10, 12 and 13), and what gives way where there is no time (11).
+
+The main stroke ends with its word, by the speaker's own offset and deviation, and then earlier by the lead; an
+independent hold begins with its word. After-strokes end with the words that follow, at least `SPACING_S` apart, and
+lead by less. The stroke lasts as long as its clip, which is never time-warped. Where a stroke would come sooner after
+the one before than hands can go, it is moved back by at most `MOVED_S`, else the gesture is given up; after-strokes
+that would be in the next gesture's way are not made (the paper makes them and moves or gives up the next gesture).
+Times are seconds.
+"""
+
+import random
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from ...gesture_limits import LATEST_S
+from ...model import Hand, Interval, Word
+from ..profile import FormHabit, LexemeHabit, Profile, Spread
+from ..segments import time_of
+
+SPACING_S = 0.35
+"""The least time from the end of a stroke to that of the next of the same gesture."""
+
+MOVED_S = 0.5
+MOST_STROKES = 6
+LONGEST_HELD_S = 1.0
+"""How long an independent hold lasts at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class Timed:
+    """The strokes of a gesture, and by how much they were moved back; `held` is an independent hold."""
+
+    strokes: tuple[Interval, ...]
+    held: bool
+    moved_s: float = 0.0
+
+
+def drawn_main(profile: Profile, lexeme: str, word: Word, stroke_s: float, rng: random.Random) -> Timed:
+    """The main stroke of a gesture on a word, before it meets its neighbours."""
+    habit = habit_of(profile, lexeme)
+    time = time_of(word)
+    if rng.random() < habit.held:
+        start_s = time.start_s - profile.lead.main_s
+        return Timed((Interval(start_s, start_s + min(time.duration_s, LONGEST_HELD_S)),), held=True)
+    end_s = time.end_s + drawn(habit.offset_s, rng) - profile.lead.main_s
+    return Timed((Interval(end_s - stroke_s, end_s),), held=False)
+
+
+def after(timed: Timed, free_s: float) -> Timed | None:
+    """The gesture so late that its stroke begins at `free_s` or later; None where that is too late."""
+    late_s = free_s - timed.strokes[0].start_s
+    if late_s <= 0:
+        return timed
+    most_s = LATEST_S if free_s <= 0 else MOVED_S
+    if late_s > most_s:
+        return None
+    strokes = tuple(Interval(each.start_s + late_s, each.end_s + late_s) for each in timed.strokes)
+    return Timed(strokes, timed.held, late_s)
+
+
+def with_after_strokes(
+    profile: Profile, lexeme: str, timed: Timed, following: Sequence[Word], *, until_s: float, rng: random.Random
+) -> Timed:
+    """The gesture with as many strokes as are drawn, on the words that follow and before `until_s`."""
+    habit = habit_of(profile, lexeme)
+    strokes = min(MOST_STROKES, max(1, round(drawn(habit.strokes, rng))))
+    if timed.held or strokes == 1:
+        return timed
+    length_s = profile.phases.after_stroke_s.mean
+    made = list(_after_strokes(timed.strokes[0].end_s, length_s, following, profile.lead.after_s, until_s))
+    return Timed((*timed.strokes, *made[: strokes - 1]), timed.held, timed.moved_s)
+
+
+def _after_strokes(
+    end_s: float, length_s: float, following: Sequence[Word], lead_s: float, until_s: float
+) -> Iterator[Interval]:
+    for word in following:
+        at_s = time_of(word).end_s - lead_s
+        if at_s > until_s:
+            return
+        if at_s >= end_s + SPACING_S:
+            yield Interval(max(end_s, at_s - length_s), at_s)
+            end_s = at_s
+
+
+def habit_of(profile: Profile, lexeme: str) -> LexemeHabit:
+    """How the speaker makes a lexeme; one that the profile does not know is made in one stroke, with its word."""
+    usual = LexemeHabit(0.0, {hand: 1 / len(Hand) for hand in Hand}, Spread(1.0), Spread(0.0))
+    return profile.lexemes.get(lexeme, usual)
+
+
+def form_of(profile: Profile, lexeme: str) -> FormHabit:
+    """The form that the speaker gives a lexeme."""
+    return profile.forms.get(lexeme, FormHabit())
+
+
+def drawn(spread: Spread, rng: random.Random) -> float:
+    """A value about the mean, within two deviations: people's rare extremes are slips."""
+    return min(
+        max(rng.gauss(spread.mean, spread.deviation), spread.mean - 2 * spread.deviation),
+        spread.mean + 2 * spread.deviation,
+    )

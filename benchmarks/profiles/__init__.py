@@ -1,0 +1,3 @@
+"""Whether gestures made by a profile are the speaker's. Run `python -m benchmarks.profiles`. Imports
+`understudy.profiles`, and `training.profiles` for lines without recordings. Begin with `__main__.py`.
+"""

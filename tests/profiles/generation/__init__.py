@@ -1,0 +1,1 @@
+"""From profile and words to a gesture script."""

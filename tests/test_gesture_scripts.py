@@ -1,0 +1,131 @@
+"""A speaker's profile on a whole line: what the hands do is the profile's, what rules and notes forbid stays so."""
+
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from understudy.errors import InputError
+from understudy.model import (
+    Avoidance,
+    Behavior,
+    Channel,
+    DirectedMoment,
+    Direction,
+    Hand,
+    Interval,
+    Mode,
+    Performance,
+    Word,
+)
+from understudy.performance import Analysis, Options, Understudy, perform_analysis, script_analysis, write_bml
+from understudy.realization import BmlInput, PreparedSchedule, prepare_schedule, realize_prepared
+from understudy.schemas.gesture_script import read_script, script_json
+from understudy.understanding import find_functions_in_all
+
+TEXT = "No, I told you that I have never seen so many people, and we all know it. What do you want from me?"
+WORD_S = 0.35
+
+
+@pytest.fixture(scope="module")
+def analysis(understudy: Understudy) -> Analysis:
+    words = tuple(
+        Word(number, text, Interval(0.4 + WORD_S * number, 0.4 + WORD_S * (number + 1)))
+        for number, text in enumerate(TEXT.split())
+    )
+    language = understudy.language
+    [found] = find_functions_in_all(language, [words])
+    return replace(found, utterance=replace(found.utterance, duration_s=0.8 + WORD_S * len(words)))
+
+
+def _gestures(performance: Performance) -> list[Behavior]:
+    return [each for each in performance.behaviors if each.kind is Channel.GESTURE and each.kept]
+
+
+def test_the_hands_follow_the_profile_and_say_so(understudy: Understudy, analysis: Analysis) -> None:
+    left = both = 0
+    for seed in range(4):
+        small = _gestures(perform_analysis(understudy, analysis, Options(profile="sparing", seed=seed)))
+        large = _gestures(perform_analysis(understudy, analysis, Options(profile="sweeping", seed=seed)))
+        assert {each.rule for each in small} == {"profile_sparing"}
+        assert {each.rule for each in large} == {"profile_sweeping"}
+        left += sum(each.hand is Hand.LEFT for each in small) - sum(each.hand is Hand.LEFT for each in large)
+        both += sum(each.hand is Hand.BOTH for each in large) - sum(each.hand is Hand.BOTH for each in small)
+        assert max(each.amount or 0 for each in small) < min(each.amount or 0 for each in large)
+        functions = {each.id for each in analysis.functions}
+        assert all(each.function in functions for each in (*small, *large))
+    assert left > 0
+    assert both > 0
+
+
+def test_nothing_overlaps_on_a_hand_or_among_postures(understudy: Understudy, analysis: Analysis) -> None:
+    for seed in range(4):
+        behaviors = perform_analysis(understudy, analysis, Options(profile="sweeping", seed=seed)).behaviors
+        for channel in (Channel.GESTURE, Channel.POSTURE):
+            kept = sorted(
+                (each for each in behaviors if each.kept and each.kind is channel), key=lambda each: each.sync.start
+            )
+            for one, other in pairwise(kept):
+                assert one.sync.end <= other.sync.start + 1e-9, (one, other)
+
+
+def test_what_a_director_avoids_is_not_made_and_what_he_asks_for_is(understudy: Understudy, analysis: Analysis) -> None:
+    still = Direction(avoid=(Avoidance(0, 10, ("hands",)),))
+    asked = Direction(moments=(DirectedMoment(6, 7, 7, 3, gesture=("negation",)),), complete=True)
+    for seed in range(3):
+        options = Options(profile="sweeping", seed=seed)
+        first_s = min(
+            (each.sync.stroke_start or 0 for each in _gestures(perform_analysis(understudy, analysis, options, still))),
+            default=99.0,
+        )
+        assert first_s > 0.4 + 11 * WORD_S - 1.0
+        [made] = _gestures(perform_analysis(understudy, analysis, options, asked))
+        assert (made.moment is not None, made.rule != "profile_sweeping") == (True, True)
+
+
+def test_heads_and_eyes_follow_too(understudy: Understudy, analysis: Analysis) -> None:
+    def heads(profile: str) -> int:
+        behaviors = perform_analysis(understudy, analysis, Options(profile=profile)).behaviors
+        return sum(each.kind is Channel.HEAD and each.kept and bool(each.moment) for each in behaviors)
+
+    assert heads("sparing") <= heads("sweeping")
+
+
+def test_without_a_profile_there_is_no_script(understudy: Understudy, analysis: Analysis) -> None:
+    with pytest.raises(InputError, match="name one"):
+        script_analysis(understudy, analysis, Options())
+    with pytest.raises(InputError, match="there is no profile 'sweepin'; did you mean 'sweeping'"):
+        perform_analysis(understudy, analysis, Options(profile="sweepin"))
+    with pytest.raises(InputError, match="mode prosody"):
+        Options(profile="sweeping", mode=Mode.PROSODY)
+
+
+def test_script_and_bml_are_played_as_performed(understudy: Understudy, analysis: Analysis) -> None:
+    performance, script = script_analysis(understudy, analysis, Options(profile="sweeping", seed=2))
+    read = read_script(script_json(script, performance.utterance, performance.character))
+    wanted = {each.id: each for each in _gestures(performance)}
+    assert len(_gestures(read)) == len(wanted) == len(script.made)
+    for one, other in zip(_gestures(read), wanted.values(), strict=True):
+        assert (one.lexeme, one.hand, one.after_strokes_s) == (other.lexeme, other.hand, other.after_strokes_s)
+        assert [time_s for _name, time_s in one.sync.in_order()] == pytest.approx(
+            [time_s for _name, time_s in other.sync.in_order()], abs=0.002
+        )
+    played = realize_prepared(understudy.realizer, PreparedSchedule.of(read))
+    assert not [each for each in played.motion.notices if each.code == "gesture_not_played"]
+    bml = write_bml(performance)
+    again = prepare_schedule(None, BmlInput(bml, Path("x.bml")))
+    after = {each.id: each.after_strokes_s for each in again.schedule.behaviors if each.kind is Channel.GESTURE}
+    assert after == {name: each.after_strokes_s for name, each in wanted.items()}
+
+
+def test_a_script_that_is_wrong_is_told() -> None:
+    with pytest.raises(InputError, match="duration_s"):
+        read_script(b'{"profile": "x", "gestures": []}')
+    with pytest.raises(InputError, match="a unit has g9"):
+        read_script(
+            b'{"profile": "x", "duration_s": 1, "gestures": [], '
+            b'"units": [{"start_s": 0, "end_s": 1, "gestures": ["g9"], "rest": "open"}]}'
+        )
+    with pytest.raises(InputError, match="no JSON"):
+        read_script(b"{")
