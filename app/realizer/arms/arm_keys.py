@@ -28,6 +28,7 @@ REST_NOISE, HOLD_NOISE, ADDED_NOISE, STROKE_NOISE = 0.6, 1.0, 0.5, 0.1
 
 _SHORTEST_KEY_S = 0.02
 """Keys closer together than this are merged: they add no information and would distort the curve between them."""
+_UNSAID = KeyCurve()
 _BACK = 0.5
 """The share of a repetition that the backward movement takes."""
 FINGER_ROWS = 12
@@ -187,8 +188,10 @@ def _on_the_clock(gesture: ArmGesture, clip_s: float) -> float:
         return gesture.placed.offset_s + clip_s
     before = ((clip.start, clock.start), (clip.ready, clock.ready), (clip.stroke_start, clock.stroke_start))
     after = ((clip.stroke_end, clock.stroke_end), (clip.relax, clock.relax), (clip.end, clock.end))
-    known = np.array(before if clip_s < clip.stroke_start else after)
-    return float(np.interp(clip_s, known[:, 0], known[:, 1]))
+    first, middle, last = before if clip_s < clip.stroke_start else after
+    (from_s, on_s), (to_s, off_s) = (first, middle) if clip_s < middle[0] else (middle, last)
+    share = (clip_s - from_s) / (to_s - from_s) if to_s > from_s else 1.0
+    return on_s + min(max(share, 0.0), 1.0) * (off_s - on_s)
 
 
 def _timed(gesture: ArmGesture, posed: _Posed) -> TimedPose:
@@ -203,6 +206,8 @@ def _timed(gesture: ArmGesture, posed: _Posed) -> TimedPose:
 
 def _shaped(timed: TimedPose, curve: KeyCurve) -> TimedPose:
     """The key with what its frame itself says of the curve."""
+    if curve == _UNSAID:
+        return timed
     said = {name: getattr(curve, name) for name in KeyCurve.__slots__}
     return replace(timed, **{name: value for name, value in said.items() if value is not None})
 

@@ -4,6 +4,9 @@ Conventions: metres as in `understudy.realizer.gestures.gesture_space`, seen fro
 of one arm can be compared. The realized wrist may differ by some centimetres (joint limits, collisions).
 """
 
+from bisect import bisect_right
+from math import dist
+
 import numpy as np
 
 from ...model import FloatArray, Hand
@@ -61,7 +64,7 @@ def relax_m(placed: PlacedGesture, side: Hand) -> FloatArray:
 
 def distance_m(one: FloatArray, other: FloatArray) -> float:
     """The Euclidean distance between two positions."""
-    return float(np.linalg.norm(one - other))
+    return dist(one, other)
 
 
 def _wrist_m(clip: Clip, side: Hand, time_s: float, size: float) -> FloatArray:
@@ -69,6 +72,9 @@ def _wrist_m(clip: Clip, side: Hand, time_s: float, size: float) -> FloatArray:
     said = [(key.time_s, key_of.place) for key in within if (key_of := arm_key(key, side)) and key_of.place]
     if not said:
         return sector_m(_UNPLACED, size)
-    times_s = [at_s for at_s, _place in said]
-    places_m = np.array([sector_m(place, size) for _at_s, place in said])
-    return np.array([np.interp(time_s, times_s, places_m[:, axis]) for axis in range(3)])
+    passed = bisect_right(said, time_s, key=lambda each: each[0])
+    (from_s, place), (to_s, later) = said[max(passed - 1, 0)], said[min(passed, len(said) - 1)]
+    from_m = sector_m(place, size)
+    if not from_s < time_s < to_s:
+        return from_m
+    return np.asarray(from_m + (time_s - from_s) / (to_s - from_s) * (sector_m(later, size) - from_m))

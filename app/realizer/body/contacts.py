@@ -4,8 +4,8 @@ Conventions: depths in metres, positive inside; arrays (T, P) have a column for 
 compared with the trunk, the head, the upper legs and the other arm's forearm and hand (see `build`).
 """
 
-from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product
 
 import numpy as np
@@ -41,8 +41,9 @@ _BLOCK = 2_000
 """Frames compared at a time, to limit memory in long motions."""
 
 
+@lru_cache(maxsize=64)
 def radii_m(skeleton: Skeleton) -> FloatArray:
-    """The distance (P,) at which each pair touches."""
+    """The distance (P,) at which each pair touches. Cached; never mutated."""
     build = build_of(skeleton.proportions)
     return np.array([build[limb].radius_m + build[other].radius_m for limb, other in PAIRS])
 
@@ -74,8 +75,7 @@ class PosedBody:
     @classmethod
     def of(cls, skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> "PosedBody":
         """The frames of a motion; runs forward kinematics on the joints needed."""
-        joints = {skeleton.index[BUILD[number].joint] for number in _USED}
-        return cls(rotations, *forward(skeleton, rotations, hips_m, _with_parents(skeleton, joints)))
+        return cls(rotations, *forward(skeleton, rotations, hips_m, _compared_joints(skeleton)))
 
     def frames(self, which: slice | NDArray[np.intp]) -> "PosedBody":
         """A selection of the frames."""
@@ -122,19 +122,28 @@ def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray
 
 def _lines(skeleton: Skeleton, body: PosedBody) -> tuple[FloatArray, FloatArray]:
     """Both ends (parts, T, 3) of the segments of the compared parts, in the world."""
-    build = build_of(skeleton.proportions)
-    joints = [skeleton.index[build[number].joint] for number in _USED]
+    joints, ends_m = _carried(skeleton)
     at = np.moveaxis(body.positions_m, 1, 0)[joints]
     turned = np.moveaxis(body.orientations, 1, 0)[joints]
-    ends = [[getattr(build[number], end) for number in _USED] for end in ("start_m", "end_m")]
-    starts, stops = (at + rotate(turned, np.array(end)[:, None]) for end in ends)
+    starts, stops = (at + rotate(turned, end_m) for end_m in ends_m)
     return starts, stops
 
 
-def _with_parents(skeleton: Skeleton, joints: Iterable[int]) -> frozenset[int]:
+@lru_cache(maxsize=64)
+def _carried(skeleton: Skeleton) -> tuple[list[int], FloatArray]:
+    """The joints that carry the compared parts, and where both ends of these are (2, parts, 1, 3). Cached; never
+    mutated."""
+    build = build_of(skeleton.proportions)
+    ends_m = [[getattr(build[number], end) for number in _USED] for end in ("start_m", "end_m")]
+    return [skeleton.index[build[number].joint] for number in _USED], np.array(ends_m)[:, :, None]
+
+
+@lru_cache(maxsize=64)
+def _compared_joints(skeleton: Skeleton) -> frozenset[int]:
+    """The joints that carry compared parts, with their parents."""
     found: set[int] = set()
-    for joint in joints:
-        above = joint
+    for number in _USED:
+        above = skeleton.index[BUILD[number].joint]
         while above >= 0 and above not in found:
             found.add(above)
             above = skeleton.parents[above]

@@ -7,10 +7,11 @@ elbow crease forward, because there flexion (-x), abduction (z) and rotation (y,
 meaning.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...model import FloatArray
 from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, multiply, nearest_sign
@@ -67,32 +68,31 @@ def _sided(side: str, limit: Limit) -> Limit:
 LIMITS: tuple[Limit, ...] = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in (*_ARM, *_PHALANGES)))
 
 
+_CLAMPED = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in _ARM))
+
+
 def violations(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
     """By how many degrees each of `LIMITS` is exceeded (…, limits) by local rotations (…, J, 4); 0 where it is
     respected."""
     passed = np.zeros((*rotations.shape[:-2], len(LIMITS)))
-    for columns in _alike(LIMITS):
-        lowest, highest = _bounds(LIMITS, columns)
-        angles = _measured(skeleton, LIMITS, columns, rotations)
-        over = np.maximum(angles - highest, lowest - angles).max(axis=-1)
-        passed[..., columns] = np.where(over > _TOLERATED_DEG, over, 0.0)
+    for alike in _alike(LIMITS):
+        angles = _measured(skeleton, alike, rotations)
+        over = np.maximum(angles - alike.highest_deg, alike.lowest_deg - angles).max(axis=-1)
+        passed[..., alike.columns] = np.where(over > _TOLERATED_DEG, over, 0.0)
     return passed
 
 
 def clamped(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
     """The local rotations (…, J, 4) with trunk, neck and arms clamped to their limits. Where a limit applies to a
     chain, its last joint is corrected. Fingers are not touched: their tables respect the limits."""
-    limits = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in _ARM))
     kept = rotations.copy()
-    for columns in _alike(limits):
-        lowest, highest = _bounds(limits, columns)
-        angles = _measured(skeleton, limits, columns, kept)
-        over = np.maximum(angles - highest, lowest - angles).max(axis=-1) > _TOLERATED_DEG
-        for place, column in enumerate(columns):
-            if over[..., place].any():
-                last = skeleton.index[limits[column].joints[-1]]
-                within = _brought_back(skeleton, limits[column], kept, angles[..., place, :])
-                kept[..., last, :] = np.where(over[..., place, None], within, kept[..., last, :])
+    for alike in _alike(_CLAMPED):
+        angles = _measured(skeleton, alike, kept)
+        over = np.maximum(angles - alike.highest_deg, alike.lowest_deg - angles).max(axis=-1) > _TOLERATED_DEG
+        for place in np.flatnonzero(over.any(axis=tuple(range(over.ndim - 1)))):
+            last = skeleton.index[alike.limits[place].joints[-1]]
+            within = _brought_back(skeleton, alike.limits[place], kept, angles[..., place, :])
+            kept[..., last, :] = np.where(over[..., place, None], within, kept[..., last, :])
     return kept
 
 
@@ -112,17 +112,20 @@ def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:
     rotation vector on the others."""
     one, other = (bone + 1) % 3, (bone + 2) % 3
     w, along, a, b = rotation[..., 3], rotation[..., bone], rotation[..., one], rotation[..., other]
-    size = np.hypot(w, along)
-    cosine, sine = (
-        np.where(size > _NEAR_ZERO, part / np.maximum(size, _NEAR_ZERO), to) for part, to in ((w, 1), (along, 0))
-    )
-    bend_a, bend_b = a * cosine - b * sine, b * cosine + a * sine
-    bent = np.hypot(bend_a, bend_b)
+    size, bent = np.sqrt(w * w + along * along), np.sqrt(a * a + b * b)
+    twist = 2 * np.arctan2(np.where(w < 0, -along, along), np.abs(w))
     scale = np.where(bent > _NEAR_ZERO, 2 * np.arctan2(bent, size) / np.maximum(bent, _NEAR_ZERO), 2.0)
+    scale /= np.maximum(size, _NEAR_ZERO)
     angles = np.empty((*rotation.shape[:-1], 3))
-    angles[..., bone] = 2 * np.arctan2(along * np.where(w < 0, -1.0, 1.0), np.abs(w))
-    angles[..., one], angles[..., other] = bend_a * scale, bend_b * scale
-    return np.asarray(np.degrees(angles))
+    angles[..., bone], angles[..., one], angles[..., other] = (
+        twist,
+        scale * (a * w - b * along),
+        scale * (b * w + a * along),
+    )
+    if size.min(initial=1.0) <= _NEAR_ZERO:
+        turned_over = size <= _NEAR_ZERO
+        angles[turned_over, one], angles[turned_over, other] = np.pi * a[turned_over], np.pi * b[turned_over]
+    return np.degrees(angles, out=angles)
 
 
 def shoulder_deg(orientation: FloatArray) -> FloatArray:
@@ -152,27 +155,41 @@ def _about_bone(bone: int, angle: FloatArray) -> FloatArray:
     return from_rotation_vector(angle[..., None] * axis)
 
 
-def _alike(limits: Sequence[Limit]) -> list[list[int]]:
-    """The columns of limits, grouped by how they are measured, for speed."""
+@dataclass(frozen=True, slots=True, eq=False)
+class _Alike:
+    """Limits that are measured in the same way, at once for speed: their columns, which are of the right side (n, 1),
+    and their bounds (n, 3)."""
+
+    limits: tuple[Limit, ...]
+    columns: list[int]
+    right: NDArray[np.bool_]
+    lowest_deg: FloatArray
+    highest_deg: FloatArray
+
+
+@cache
+def _alike(limits: tuple[Limit, ...]) -> tuple[_Alike, ...]:
+    """The limits in groups. Cached; never mutated."""
     kinds = [(limit.bone, limit.from_hanging, len(limit.joints)) for limit in limits]
-    return [[column for column, other in enumerate(kinds) if other == kind] for kind in dict.fromkeys(kinds)]
+    groups = [[column for column, other in enumerate(kinds) if other == kind] for kind in dict.fromkeys(kinds)]
+    return tuple(_group(tuple(limits[column] for column in columns), columns) for columns in groups)
 
 
-def _measured(skeleton: Skeleton, limits: Sequence[Limit], columns: Sequence[int], rotations: FloatArray) -> FloatArray:
+def _group(limits: tuple[Limit, ...], columns: list[int]) -> _Alike:
+    right = np.array([[limit.joints[0].startswith("right")] for limit in limits])
+    lowest, highest = ([getattr(limit, end) for limit in limits] for end in ("lowest_deg", "highest_deg"))
+    return _Alike(limits, columns, right, np.array(lowest), np.array(highest))
+
+
+def _measured(skeleton: Skeleton, alike: _Alike, rotations: FloatArray) -> FloatArray:
     """The angles (…, n, 3) of limits that are measured in the same way."""
-    alike = [limits[column] for column in columns]
-    chains = np.array([skeleton.chain(*limit.joints) for limit in alike]).T
-    rotation = rotations[..., chains[0], :]
-    for joints in chains[1:]:
-        rotation = multiply(rotation, rotations[..., joints, :])
-    right = np.array([limit.joints[0].startswith("right") for limit in alike])
-    rotation = np.where(right[:, None], rotation * MIRROR, rotation)
-    return shoulder_deg(rotation) if alike[0].from_hanging else swing_twist_deg(rotation, alike[0].bone)
-
-
-def _bounds(limits: Sequence[Limit], columns: list[int]) -> tuple[FloatArray, FloatArray]:
-    lowest, highest = ([getattr(limits[column], end) for column in columns] for end in ("lowest_deg", "highest_deg"))
-    return np.array(lowest), np.array(highest)
+    first, *others = zip(*(skeleton.chain(*limit.joints) for limit in alike.limits), strict=True)
+    rotation = rotations[..., list(first), :]
+    for joints in others:
+        rotation = multiply(rotation, rotations[..., list(joints), :])
+    rotation = np.where(alike.right, rotation * MIRROR, rotation)
+    kind = alike.limits[0]
+    return shoulder_deg(rotation) if kind.from_hanging else swing_twist_deg(rotation, kind.bone)
 
 
 def _joined(limit: Limit, angles_deg: FloatArray) -> FloatArray:

@@ -12,12 +12,14 @@ from math import copysign
 from types import MappingProxyType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...model import FloatArray
 from ..geometry.rotations import multiply, rotate
 from .proportions import AVERAGE, Proportions
 
 Offset = tuple[float, float, float]
+Joints = NDArray[np.int64]
 
 HIPS_HEIGHT_M = 0.95
 
@@ -142,15 +144,15 @@ def _place(
     only: frozenset[int] | None,
 ) -> None:
     """Fill in the positions and orientations of the joints; their parents' must be known."""
-    for joints, parents in _generations(skeleton, only):
+    for joints, parents, offsets_m in _generations(skeleton, only):
         above = orientations[..., parents, :]
-        positions[..., joints, :] = positions[..., parents, :] + rotate(above, skeleton.offsets_m[joints])
+        positions[..., joints, :] = positions[..., parents, :] + rotate(above, offsets_m)
         orientations[..., joints, :] = multiply(above, rotations[..., joints, :])
 
 
 @lru_cache(maxsize=64)
-def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[list[int], list[int]]]:
-    """Joints and their parents, grouped by depth in the hierarchy: each group can be computed at once.
+def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[Joints, Joints, FloatArray]]:
+    """Joints, their parents and their offsets, grouped by depth in the hierarchy: each group can be computed at once.
     Never mutated."""
     depth = [0] * len(skeleton.parents)
     found: list[tuple[list[int], list[int]]] = []
@@ -162,4 +164,4 @@ def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[
                 joints, parents = found[depth[joint] - 1]
                 joints.append(joint)
                 parents.append(parent)
-    return [generation for generation in found if generation[0]]
+    return [(np.array(joints), np.array(parents), skeleton.offsets_m[joints]) for joints, parents in found if joints]

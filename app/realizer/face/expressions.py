@@ -31,8 +31,9 @@ LATER_S = 0.035
 """How much later the right side of a face moves; smiles and brows begin some 20 to 60 ms apart (Schmidt, Liu & Cohn
 2006)."""
 
-_LATER: FloatArray = np.array([LATER_S * (name.endswith("Right") and name != "eyeBlinkRight") for name in SHAPES])
-_LATER.setflags(write=False)
+_LATER = np.array([name.endswith("Right") and name != "eyeBlinkRight" for name in SHAPES])
+_BY_LATENESS = ((0.0, np.flatnonzero(~_LATER)), (LATER_S, np.flatnonzero(_LATER)))
+"""How much later shapes move, and their columns."""
 
 USUAL_RISE_S = 0.15
 USUAL_FALL_S = 0.3
@@ -49,9 +50,9 @@ def expressions(
         if _is_facial(behavior) and behavior.lexeme in words and side:
             points_s = envelope_points(behavior.sync, frame_s)
             weights = _amount(behavior) * sided(words[behavior.lexeme], side)
-            for later_s in (0.0, LATER_S):
-                moved = np.flatnonzero((weights != 0) & (later_s == _LATER))
-                first, last = np.searchsorted(times_s - later_s, [points_s[0], points_s[-1]])
+            for later_s, columns in _BY_LATENESS:
+                moved = columns[weights[columns] != 0]
+                first, last = np.searchsorted(times_s, (points_s[0] + later_s, points_s[-1] + later_s))
                 if first < last and len(moved):
                     height = envelope(times_s[first:last] - later_s, points_s)
                     left[first:last, moved] *= 1 - height[:, None] * weights[moved]
@@ -84,9 +85,8 @@ def realized_faces(behaviors: tuple[Behavior, ...], frame_s: float) -> dict[str,
 def envelope(times_s: FloatArray, points_s: tuple[float, float, float, float]) -> FloatArray:
     """The curve that is 0 at the first point, 1 from the second to the third, and 0 at the fourth."""
     start_s, ready_s, relax_s, end_s = points_s
-    rise = np.clip((times_s - start_s) / (ready_s - start_s), 0, 1)
-    fall = np.clip((times_s - relax_s) / (end_s - relax_s), 0, 1)
-    return np.asarray(minimum_jerk(rise) - minimum_jerk(fall))
+    rise = minimum_jerk((times_s - start_s) / (ready_s - start_s))
+    return np.asarray(rise - minimum_jerk((times_s - relax_s) / (end_s - relax_s)))
 
 
 def envelope_points(sync: SyncPoints, frame_s: float) -> tuple[float, float, float, float]:

@@ -112,7 +112,8 @@ def _without_gaps(visemes: Iterable[Viseme], start_s: float, end_s: float) -> It
         if viseme.interval.start_s > at_s:
             yield _silence(at_s, viseme.interval.start_s)
         if viseme.interval.end_s > at_s:
-            yield replace(viseme, interval=Interval(max(at_s, viseme.interval.start_s), viseme.interval.end_s))
+            whole = viseme.interval.start_s >= at_s
+            yield viseme if whole else replace(viseme, interval=Interval(at_s, viseme.interval.end_s))
             at_s = viseme.interval.end_s
     if end_s > at_s:
         yield _silence(at_s, end_s)

@@ -29,8 +29,13 @@ def superposed_movements(
     over = np.zeros((len(times_s) + 1, by.shape[1]))
     np.add.at(over, ends, by)
     course = np.cumsum(over[:-1], axis=0)
-    for first, end, start_s, duration_s, change in zip(firsts, ends, starts_s, durations_s, by, strict=True):
-        course[first:end] += minimum_jerk((times_s[first:end] - start_s) / duration_s)[:, None] * change
+    counts = ends - firsts
+    begins = np.cumsum(counts) - counts
+    frames = np.arange(counts.sum()) + np.repeat(firsts - begins, counts)
+    shares = minimum_jerk((times_s[frames] - np.repeat(starts_s, counts)) / np.repeat(durations_s, counts))
+    made = shares[:, None] * np.repeat(by, counts, axis=0)
+    for first, end, begin in zip(firsts.tolist(), ends.tolist(), begins.tolist(), strict=True):
+        course[first:end] += made[begin : begin + end - first]
     return np.asarray(course)
 
 

@@ -13,7 +13,8 @@ def within_speed(rotations: FloatArray, frame_s: float, fastest_rad_s: float) ->
     """The same rotations where none is farther from the one before than the speed allows; where one is, those that
     follow go after it at that speed until they have caught up."""
     most = fastest_rad_s * frame_s
-    too_far = np.flatnonzero(angle_between(rotations[1:], rotations[:-1]) > most) + 1
+    cosines = np.abs(np.einsum("tk,tk->t", rotations[1:], rotations[:-1]))
+    too_far = np.flatnonzero(cosines < np.cos(most / 2)) + 1
     if not len(too_far):
         return rotations
     kept = rotations.copy()

@@ -36,10 +36,11 @@ class Curve:
 
 def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
     """The rotations (T, C, 4) of the curves at `times_s` (T,)."""
-    counts = [max(len(curve.times_s), 2) for curve in curves]
-    key_times_s = np.concatenate([_two_at_least(curve.times_s, 1.0) for curve in curves])
-    keys = with_continuous_signs(np.concatenate([_two_at_least(curve.keys, 0.0) for curve in curves]))
-    shape = np.concatenate([_two_at_least(curve.shape, 0.0) for curve in curves])
+    curves = [curve if len(curve.times_s) > 1 else _of_two_keys(curve) for curve in curves]
+    counts = [len(curve.times_s) for curve in curves]
+    key_times_s = np.concatenate([curve.times_s for curve in curves])
+    keys = with_continuous_signs(np.concatenate([curve.keys for curve in curves]))
+    shape = np.concatenate([curve.shape for curve in curves])
     lasts = np.cumsum(counts, dtype=np.intp) - 1
     spans_s = np.diff(key_times_s)
     spans_s[lasts[:-1]] = 1.0
@@ -59,9 +60,10 @@ def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
     return found
 
 
-def _two_at_least(values: FloatArray, later: float) -> FloatArray:
-    """Repeat the key of a curve that has only one."""
-    return values if len(values) > 1 else np.concatenate([values, values + later])
+def _of_two_keys(curve: Curve) -> Curve:
+    """A curve whose only key is repeated."""
+    times_s = np.concatenate([curve.times_s, curve.times_s + 1.0])
+    return Curve(times_s, np.repeat(curve.keys, 2, axis=0), np.repeat(curve.shape, 2, axis=0))
 
 
 def _segments(curves: Sequence[Curve], firsts: Iterable[int], times_s: FloatArray) -> NDArray[np.intp]:

@@ -8,6 +8,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 
@@ -26,7 +27,7 @@ LAST_RESORT = "BEAT"
 """Gesture Engine §5: requests that no prototype matches are shown by a generic beat."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Library:
     """Gesture definitions in the order of their files and by category, and aliases of categories."""
 
@@ -73,11 +74,7 @@ class Library:
         gesture as mirror images, or one hand makes the leading hand's part of a two-handed one. A definition for the
         left or the right hand is for that hand only.
         """
-        fit = [one for one in self.by_category.get(category, ()) if level in one.levels]
-        either, both = [one for one in fit if one.hand is None], [one for one in fit if one.hand is Hand.BOTH]
-        same = both if hand is Hand.BOTH else [one for one in fit if one.hand in {None, hand}]
-        otherwise = either if hand is Hand.BOTH else both
-        return tuple(clip(one, level, hand, category) for one in same or otherwise)
+        return _clips(self, category, level, hand)
 
     def definition(self, name: str) -> Definition:
         """The definition of this name. Raises InputError `unknown_name`."""
@@ -96,6 +93,16 @@ class Library:
             if category in self.by_category:
                 return category
         return None
+
+
+@lru_cache(maxsize=4096)
+def _clips(library: Library, category: str, level: Level, hand: Hand) -> tuple[Clip, ...]:
+    """`Library.clips`. Cached, since every line asks for clips that others have asked for."""
+    fit = [one for one in library.by_category.get(category, ()) if level in one.levels]
+    either, both = [one for one in fit if one.hand is None], [one for one in fit if one.hand is Hand.BOTH]
+    same = both if hand is Hand.BOTH else [one for one in fit if one.hand in {None, hand}]
+    otherwise = either if hand is Hand.BOTH else both
+    return tuple(clip(one, level, hand, category) for one in same or otherwise)
 
 
 def gesture_files(paths: Iterable[Path]) -> tuple[Path, ...]:

@@ -10,6 +10,7 @@ Conventions: degrees in the table, else radians; positive pitch is down, yaw lef
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from math import hypot
 from types import MappingProxyType
 
 import numpy as np
@@ -100,7 +101,7 @@ def course_of(behavior: Behavior) -> Course:
     sync, movement = behavior.sync, MOVEMENTS[behavior.lexeme]
     stroke_s = (sync.start + sync.end) / 2 if sync.stroke is None else sync.stroke
     relax_s = stroke_s if sync.relax is None else max(sync.relax, stroke_s)
-    widest = max(float(np.linalg.norm(each)) for each in (movement.nods, movement.swings, movement.held))
+    widest = max(hypot(*each) for each in (movement.nods, movement.swings, movement.held))
     least_s = LEAST_S + LEAST_S_PER_RADIAN * _amount(behavior) * np.radians(widest)
     left_s = relax_s if any(movement.held) else stroke_s
     return Course(min(sync.start, stroke_s - least_s), stroke_s, relax_s, max(sync.end, left_s + least_s))

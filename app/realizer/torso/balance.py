@@ -6,6 +6,7 @@ leg's x axis, as in the T-pose.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -36,6 +37,7 @@ Feet = tuple[Footing, Footing]
 _STANDING: Feet = (Footing((0.115, 0.08, -0.012), 0.16), Footing((-0.110, 0.08, -0.038), -0.12))
 
 
+@lru_cache(maxsize=64)
 def standing(skeleton: Skeleton) -> Feet:
     """Slightly apart, toes out, the left foot a little in front."""
     scale, hips = skeleton.proportions.scale, skeleton.proportions.hips
@@ -97,6 +99,7 @@ def _swung(swing: FloatArray, spread: FloatArray) -> FloatArray:
     return np.stack([cz * sx, sz * sx, sz * cx, cz * cx], axis=-1)
 
 
+@lru_cache(maxsize=128)
 def _lengths_m(skeleton: Skeleton, side: str) -> tuple[float, float]:
     thigh, shin = (skeleton.offsets_m[skeleton.index[f"{side}{part}"]] for part in ("LowerLeg", "Foot"))
     return float(np.linalg.norm(thigh)), float(np.linalg.norm(shin))
