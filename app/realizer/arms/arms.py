@@ -5,6 +5,7 @@ Conventions: times in seconds of the audio, increasing; an arm's rotations are (
 part that a key leaves open is interpolated between its neighbours.
 """
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
@@ -23,7 +24,7 @@ FOLLOW_THROUGH_S = 0.3
 
 _SHARE_OF_INTERVAL = 0.35
 _NOISE_HZ = 0.7
-_BLOCK = 1_000
+_BLOCK = 500
 """Frames interpolated at a time, to limit memory in long motions."""
 
 
@@ -68,20 +69,29 @@ class ArmTrack:
 
 
 def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int, noise_scale: float = 1.0) -> FloatArray:
-    """The arm's rotations (T, 19, 4) at `times_s` (T,), with continuous quaternion signs. `noise_scale` (0 to 1)
-    scales the noise of the keys."""
-    said = np.stack([key.pose.defined for key in track.keys])
-    keys = np.stack([key.pose.parts for key in track.keys])
-    shapes = np.array([(key.tension, key.continuity, key.bias) for key in track.keys])
-    key_times_s = _shifted(track)
-    through = [(row, said[:, row]) for row in range(len(PARTS))]
-    curves = [Curve(key_times_s[keyed, row], keys[keyed, row], shapes[keyed]) for row, keyed in through]
-    found = np.empty((len(times_s), len(PARTS) - 1, 4))
+    """The arm's rotations (T, 19, 4) at `times_s` (T,); see `arm_motions`."""
+    return arm_motions((track,), times_s, seed=seed, noise_scale=noise_scale)[:, 0]
+
+
+def arm_motions(tracks: Sequence[ArmTrack], times_s: FloatArray, *, seed: int, noise_scale: float = 1.0) -> FloatArray:
+    """The rotations (T, A, 19, 4) of several arms at `times_s` (T,), with continuous quaternion signs; two cost little
+    more than one. `noise_scale` (0 to 1) scales the noise of the keys."""
+    curves = [curve for track in tracks for curve in _curves(track)]
+    found = np.empty((len(times_s), len(tracks), len(PARTS) - 1, 4))
     for first in range(0, len(times_s), _BLOCK):
         block = slice(first, first + _BLOCK)
-        parts = splines(curves, times_s[block])
-        found[block] = arm_rotations(_stirred(track, parts, times_s[block], seed, noise_scale=noise_scale))
+        parts = splines(curves, times_s[block]).reshape(-1, len(tracks), len(PARTS), 4)
+        found[block] = arm_rotations(_stirred(tracks, parts, times_s[block], seed, noise_scale=noise_scale))
     return with_continuous_signs(found)
+
+
+def _curves(track: ArmTrack) -> Iterator[Curve]:
+    """The spline of each of `PARTS`, through the keys that define it."""
+    keys = np.stack([key.pose.parts for key in track.keys], axis=1)
+    said = ~np.isnan(keys[:, :, 3])
+    shapes = np.array([(key.tension, key.continuity, key.bias) for key in track.keys])
+    for own_s, own, keyed in zip(_shifted(track).T, keys, said, strict=True):
+        yield Curve(own_s, own, shapes) if keyed.all() else Curve(own_s[keyed], own[keyed], shapes[keyed])
 
 
 def _shifted(track: ArmTrack) -> FloatArray:
@@ -96,29 +106,41 @@ def _shifted(track: ArmTrack) -> FloatArray:
     return np.asarray(times_s[:, None] + most_s[:, None] * delays)
 
 
+_STIRRED_ROWS = (slice(0, 5), slice(8, None, 3))
+"""Of `PARTS`: the arm, and the roots of four fingers."""
+
+
 @cache
-def _stir_deg() -> FloatArray:
-    """The amplitude of noise of each part about its axes x, y, z, in degrees (20, 3): joints only in directions in
-    which they turn, fingers only at their roots. Never mutated."""
+def _stirs() -> FloatArray:
+    """By how much each channel of noise turns each part that it stirs about its axes x, y and z, in radians (channels,
+    9, 3): joints only in directions in which they turn. Never mutated."""
     stir = {"Shoulder": (0.0, 0.5, 0.5), "UpperArm": (1.0, 1.0, 1.0), "Elbow": (0.0, 1.2, 0.0)}
     stir |= {"LowerArm": (1.5, 0.0, 0.0), "Hand": (0.0, 0.8, 1.4)}
-    stir |= {part: (0.0, 0.0, 1.5) for part in PARTS if part.endswith("Proximal") and not part.startswith("Thumb")}
-    return np.array([stir.get(part, (0.0, 0.0, 0.0)) for part in PARTS])
+    rows = [part for rows in _STIRRED_ROWS for part in PARTS[rows]]
+    degrees = np.array([stir.get(part, (0.0, 0.0, 1.5)) for part in rows])
+    turned = np.nonzero(degrees)
+    spread = np.zeros((len(turned[0]), *degrees.shape))
+    spread[np.arange(len(spread)), *turned] = np.radians(degrees[turned])
+    return spread
 
 
-def _stirred(track: ArmTrack, parts: FloatArray, times_s: FloatArray, seed: int, *, noise_scale: float) -> FloatArray:
-    """Adds Perlin noise, which "removes the freezing effect during the gesture hold" (paper §3.8)."""
-    strengths = [noise_scale * key.noise for key in track.keys]
-    if not any(strengths):
+def _stirred(
+    tracks: Sequence[ArmTrack], parts: FloatArray, times_s: FloatArray, seed: int, *, noise_scale: float
+) -> FloatArray:
+    """Parts (T, A, 20, 4) with Perlin noise, which "removes the freezing effect during the gesture hold" (paper
+    §3.8)."""
+    if not noise_scale:
         return parts
-    strength = np.interp(times_s, [key.time_s for key in track.keys], strengths)
-    stir_deg = _stir_deg()
-    rows, axes = np.nonzero(stir_deg)
-    side = 0 if track.side is Hand.LEFT else 1
-    noise = perlin(times_s, frequency_hz=_NOISE_HZ, seed=2 * seed + side, channels=len(rows))
-    stirring = np.unique(rows)
-    turn = np.zeros((len(times_s), len(stirring), 3))
-    turn[:, np.searchsorted(stirring, rows), axes] = np.radians(stir_deg[rows, axes]) * noise * strength[:, None]
-    stirred = parts.copy()
-    stirred[:, stirring] = multiply(parts[:, stirring], from_rotation_vector(turn))
-    return stirred
+    spread = _stirs()
+    turn = np.empty((len(times_s), len(tracks), *spread.shape[1:]))
+    for arm, track in enumerate(tracks):
+        strength = np.interp(times_s, [key.time_s for key in track.keys], [key.noise for key in track.keys])
+        side = 0 if track.side is Hand.LEFT else 1
+        noise = perlin(times_s, frequency_hz=_NOISE_HZ, seed=2 * seed + side, channels=len(spread))
+        turn[:, arm] = np.tensordot((noise_scale * strength)[:, None] * noise, spread, 1)
+    turned, first = from_rotation_vector(turn), 0
+    for rows in _STIRRED_ROWS:
+        stirred = parts[:, :, rows]
+        stirred[...] = multiply(stirred, turned[:, :, first : first + stirred.shape[2]])
+        first += stirred.shape[2]
+    return parts

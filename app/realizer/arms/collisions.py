@@ -126,7 +126,8 @@ def _cleared(skeleton: Skeleton, start: PosedBody, swell: int, taper: FloatArray
         swelling = {side: push.swelling(swell, taper) for side, push in pushes.items()}
         body = start.with_arms(skeleton, _moved(skeleton, start, swelling))
         found = contacts(skeleton, body)
-        if found.depth_m.max() < least_m and not _jumps(body.rotations[:, arms], start.rotations[:, arms], swell):
+        turned, before = (each.rotations.take(arms, axis=1) for each in (body, start))
+        if found.depth_m.max() < least_m and not _jumps(turned, before, swell):
             least_m, rotations = float(found.depth_m.max()), body.rotations
         if found.depth_m.max() <= 0:
             break
@@ -175,8 +176,8 @@ def _moved(skeleton: Skeleton, body: PosedBody, pushes: Mapping[str, _Push]) -> 
         frames = np.nonzero((length(push.wrist_m) + length(push.elbow_m))[:, 0] > 1e-6)[0]
         if len(frames):
             pushed = _Push(push.wrist_m[frames], push.elbow_m[frames])
-            joints = skeleton.chain(*(side + name for name in ("UpperArm", "LowerArm", "Hand")))
-            rotations[frames[:, None], joints] = _solved_again(skeleton, body.frames(frames), Hand(side), pushed)
+            joints = skeleton.rows(*(side + name for name in ("UpperArm", "LowerArm", "Hand")))
+            rotations[frames, joints] = _solved_again(skeleton, body.frames(frames), Hand(side), pushed)
     return rotations
 
 
@@ -245,7 +246,7 @@ def _solved_again(skeleton: Skeleton, body: PosedBody, side: Hand, push: _Push) 
     wrist_m, elbow_push_m = (
         rotate(back, vector) * across for vector in (at_m[:, joints[-1]] + push.wrist_m - at_m[:, chest], push.elbow_m)
     )
-    before = body.rotations[:, joints]
+    before = body.rotations.take(joints, axis=1)
     collarbone, upper_arm, lower_arm = (before[:, joint] * mirror for joint in range(3))
     elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
     elbow = elbow + (elbow_push_m - dot(elbow_push_m, elbow) * elbow) / _ELBOW_AT_LEAST_M

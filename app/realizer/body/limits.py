@@ -184,9 +184,9 @@ def _group(limits: tuple[Limit, ...], columns: list[int]) -> _Alike:
 def _measured(skeleton: Skeleton, alike: _Alike, rotations: FloatArray) -> FloatArray:
     """The angles (…, n, 3) of limits that are measured in the same way."""
     first, *others = zip(*(skeleton.chain(*limit.joints) for limit in alike.limits), strict=True)
-    rotation = rotations[..., list(first), :]
+    rotation = rotations.take(first, axis=-2)
     for joints in others:
-        rotation = multiply(rotation, rotations[..., list(joints), :])
+        rotation = multiply(rotation, rotations.take(joints, axis=-2))
     rotation = np.where(alike.right, rotation * MIRROR, rotation)
     kind = alike.limits[0]
     return shoulder_deg(rotation) if kind.from_hanging else swing_twist_deg(rotation, kind.bone)

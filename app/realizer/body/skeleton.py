@@ -110,6 +110,13 @@ class Skeleton:
         """The indices of the joints with these names."""
         return [self.index[name] for name in names]
 
+    def rows(self, *names: str) -> slice:
+        """The same of joints that follow each other, which NumPy reaches much faster. Raises ValueError for others."""
+        first, *later = self.chain(*names)
+        if later != list(range(first + 1, first + 1 + len(later))):
+            raise ValueError(f"the joints {', '.join(names)} do not follow each other")
+        return slice(first, first + len(names))
+
 
 def forward(
     skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, only: frozenset[int] | None = None
@@ -119,8 +126,8 @@ def forward(
 
     With `only`, a set of joints that contains the parents of its members, all others are left at zero.
     """
-    positions = np.zeros((*rotations.shape[:-1], 3))
-    orientations = np.zeros(rotations.shape)
+    *before, joints, _four = rotations.shape
+    positions, orientations = (np.moveaxis(np.zeros((joints, *before, size)), 0, -2) for size in (3, 4))
     positions[..., 0, :], orientations[..., 0, :] = hips_m, rotations[..., 0, :]
     _place(skeleton, rotations, positions, orientations, only)
     return positions, orientations
@@ -131,7 +138,7 @@ def forward_again(
 ) -> tuple[FloatArray, FloatArray]:
     """`forward` after a change of the local rotations of the joints `turned` only (not the hips): copies the given
     positions and orientations and updates those of `turned`. The children of these joints are not updated."""
-    positions, orientations = positions.copy(), orientations.copy()
+    positions, orientations = positions.copy("K"), orientations.copy("K")
     _place(skeleton, rotations, positions, orientations, turned)
     return positions, orientations
 
@@ -143,11 +150,13 @@ def _place(
     orientations: FloatArray,
     only: frozenset[int] | None,
 ) -> None:
-    """Fill in the positions and orientations of the joints; their parents' must be known."""
+    """Fill in the positions and orientations of the joints; their parents' must be known. With the joints' axis first,
+    which is how they lie in memory, several are reached many times faster."""
+    at_m, turned = np.moveaxis(positions, -2, 0), np.moveaxis(orientations, -2, 0)
     for joints, parents, offsets_m in _generations(skeleton, only):
-        above = orientations[..., parents, :]
-        positions[..., joints, :] = positions[..., parents, :] + rotate(above, offsets_m)
-        orientations[..., joints, :] = multiply(above, rotations[..., joints, :])
+        above, shape = turned[parents], (len(joints), *(1,) * (turned.ndim - 2), 3)
+        at_m[joints] = at_m[parents] + rotate(above, offsets_m.reshape(shape))
+        turned[joints] = multiply(above, np.moveaxis(rotations.take(joints, axis=-2), -2, 0))
 
 
 @lru_cache(maxsize=64)

@@ -45,15 +45,18 @@ def blend(
     dominance: Dominance, segments: Segments, targets: FloatArray, articulator: Numbers, times_s: FloatArray
 ) -> FloatArray:
     """The mean (T, channels) of `targets` (segments, channels), each weighted by the dominance over its articulator."""
+    order = np.argsort(articulator, kind="stable")
+    targets, bounds = targets.take(order, axis=1), np.searchsorted(articulator[order], np.arange(articulator.max() + 2))
     blended = np.empty((len(times_s), targets.shape[1]))
     for first in range(0, len(times_s), _FRAMES_AT_ONCE):
         frames = slice(first, first + _FRAMES_AT_ONCE)
         at_s = times_s[frames]
         near = segments.between(float(at_s[0]) - HORIZON_S, float(at_s[-1]) + HORIZON_S)
         weights = _weights(dominance, segments, near, at_s)
-        for number, weight in enumerate(weights / weights.sum(axis=-1, keepdims=True)):
-            blended[frames, articulator == number] = weight @ targets[near][:, articulator == number]
-    return blended
+        weights /= weights.sum(axis=-1, keepdims=True)
+        for weight, first_channel, past in zip(weights, bounds, bounds[1:], strict=False):
+            blended[frames, first_channel:past] = weight @ targets[near, first_channel:past]
+    return blended.take(np.argsort(order), axis=1)
 
 
 def _weights(dominance: Dominance, segments: Segments, near: slice, at_s: FloatArray) -> FloatArray:

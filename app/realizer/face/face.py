@@ -6,6 +6,7 @@ smaller, through an "oo"), but move lips and jaw only in silence, so that no smi
 """
 
 from collections.abc import Mapping
+from functools import cache
 from types import MappingProxyType
 
 import numpy as np
@@ -80,19 +81,21 @@ def micro_movement(times_s: FloatArray, seed: int) -> FloatArray:
     """Idle noise of the face (T, 52), independent for each side."""
     moving = [(column, size) for name, size in MICRO_MOVEMENT.items() for column in COLUMNS[name]]
     noise = perlin(times_s, frequency_hz=MICRO_MOVEMENT_HZ, seed=seed, channels=len(moving))
-    shapes = np.zeros((len(times_s), len(SHAPES)))
-    for channel, (column, size) in enumerate(moving):
-        shapes[:, column] = size * (1 + noise[:, channel]) / 2
-    return shapes
+    columns, sizes = zip(*moving, strict=True)
+    return np.asarray((np.array(sizes) * (1 + noise) / 2) @ np.eye(len(SHAPES))[list(columns)])
 
 
 def _beside_speech(shown: FloatArray, speech: LipSync) -> FloatArray:
     """The expressions, reduced to what speech leaves of the mouth."""
-    shown = shown.copy()
-    for left, names in ((speech.corners, CORNERS), (speech.lips, LIPS)):
-        columns = [column for name in names for column in COLUMNS[name]]
-        shown[:, columns] *= left[:, None]
-    return shown
+    taken = (1 - speech.corners)[:, None] * _among(CORNERS) + (1 - speech.lips)[:, None] * _among(LIPS)
+    return np.asarray(shown * (1 - taken))
+
+
+@cache
+def _among(names: tuple[str, ...]) -> FloatArray:
+    """1 for the shapes of these names, else 0 (52,). Never mutated."""
+    columns = {column for name in names for column in COLUMNS[name]}
+    return np.array([float(column in columns) for column in range(len(SHAPES))])
 
 
 def _sides(times_s: FloatArray, seed: int) -> FloatArray:
@@ -102,7 +105,7 @@ def _sides(times_s: FloatArray, seed: int) -> FloatArray:
     channel = [1 if left else 2 if right else 0 for left, right in side]
     missing = ASYMMETRY * (1 + perlin(times_s, frequency_hz=ASYMMETRY_HZ, seed=seed + 1, channels=3)) / 2
     missing[:, 2] += WEAKER_SIDE
-    made = 1 - missing[:, channel]
+    made = 1 - missing.take(channel, axis=1)
     made[:, COLUMNS["eyeBlink"]] = 1
     return np.asarray(made)
 

@@ -34,8 +34,11 @@ def perlin(
     slopes = _slopes(np.arange(first, last + 1), seed, channels)
     share = at - below
     row = (below - first).astype(np.int64)
-    at_once = row[:, 0] if in_step else (row, np.arange(channels))
-    left, right = slopes[at_once] * share, slopes[1:][at_once] * (share - 1.0)
+    if in_step:
+        left, right = (slopes.take(row[:, 0] + later, axis=0) for later in (0, 1))
+    else:
+        left, right = (slopes.take((row + later) * channels + np.arange(channels)) for later in (0, 1))
+    left, right = left * share, right * (share - 1.0)
     return np.asarray(left + minimum_jerk(share) * (right - left))
 
 

@@ -46,17 +46,17 @@ def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
     spans_s[lasts[:-1]] = 1.0
     turns = _turns(keys, spans_s[:, None], shape, lasts)
     segment = _segments(curves, (lasts - counts + 1).tolist(), times_s)
-    found = keys[segment]
+    found = keys.take(segment, axis=0)
     turning = np.sum([length(turn)[:, 0] for turn in turns], axis=0) > _STILL
-    moving = turning[segment]
-    segment, times_s = segment[moving], times_s[np.nonzero(moving)[0]]
-    share = np.clip((times_s - key_times_s[segment]) / spans_s[segment], 0.0, 1.0)
+    moving = np.flatnonzero(turning.take(segment))
+    segment, times_s = segment.ravel().take(moving), times_s.take(moving // len(curves))
+    share = np.minimum(np.maximum((times_s - key_times_s.take(segment)) / spans_s.take(segment), 0.0), 1.0)
     left, squared = 1 - share, share * share
     weights = (1 - left * left * left, squared * (3 - 2 * share), squared * share)
-    way = keys.T[:, segment]
+    way = np.ascontiguousarray(keys.T).take(segment, axis=1)
     for turn, weight in zip(turns, weights, strict=True):
         way = _product(way, _parts_of_turns(turn, segment, weight))
-    found[moving] = way.T
+    found.reshape(-1, 4)[moving] = way.T
     return found
 
 
@@ -120,10 +120,10 @@ def _parts_of_turns(turns: FloatArray, segment: NDArray[np.intp], weight: FloatA
     spent here.
     """
     angle = length(turns)
-    axis = (turns / np.maximum(angle, 1e-12)).T
-    half = (0.5 * angle[:, 0])[segment] * weight
+    axis = np.ascontiguousarray((turns / np.maximum(angle, 1e-12)).T)
+    half = (0.5 * angle[:, 0]).take(segment) * weight
     found = np.empty((4, *half.shape))
-    np.multiply(axis[:, segment], np.sin(half), out=found[:3])
+    np.multiply(axis.take(segment, axis=1), np.sin(half), out=found[:3])
     np.cos(half, out=found[3])
     return found
 

@@ -63,8 +63,10 @@ def apply_gaze(
     neck, skull = _shared_out(carrying, head)
     aside = (1 - schedule.stillness) * fixation_offsets(times_s, seed=seed)
     at_m = point_in_direction(line[:, 0] + aside[:, 0], line[:, 1] + aside[:, 1], 1.0 / line[:, 2], from_m)
-    rotations[:, skeleton.chain("neck", "head")] = np.stack([neck, skull], axis=1)
-    rotations[:, skeleton.chain(*EYES)] = eye_rotations(face(skeleton, carrying, neck, skull), at_m)
+    rotations[:, skeleton.index["neck"]], rotations[:, skeleton.index["head"]] = neck, skull
+    looking = eye_rotations(face(skeleton, carrying, neck, skull), at_m)
+    for place, eye in enumerate(skeleton.chain(*EYES)):
+        rotations[:, eye] = looking[:, place]
     return BodyMotion(times_s, rotations, body.hips_m)
 
 

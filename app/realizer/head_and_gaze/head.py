@@ -42,7 +42,8 @@ def apply_head_movements(skeleton: Skeleton, body: BodyMotion, schedule: Schedul
     times_s, rotations, frame_s = body.times_s, body.rotations.copy(), float(body.times_s[1] - body.times_s[0])
     joints, eyes = skeleton.chain("neck", "head"), skeleton.chain(*EYES)
     neck, skull = (rotations[:, joint] for joint in joints)
-    seen_m = fixation_point_m(face(skeleton, chest(skeleton, rotations, body.hips_m), neck, skull), rotations[:, eyes])
+    before = face(skeleton, chest(skeleton, rotations, body.hips_m), neck, skull)
+    seen_m = fixation_point_m(before, rotations.take(eyes, axis=1))
     idle = head_attitude(times_s, schedule, seed=seed)
     share = from_pitch_yaw_roll(*(idle.trunk.T / len(TRUNK)))
     for joint in skeleton.chain(*TRUNK):

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...model import FloatArray, Hand
 from ..arms.arm_keys import arm_track
-from ..arms.arms import arm_motion
+from ..arms.arms import arm_motions
 from ..arms.posing import wrist_of
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife
@@ -38,15 +38,14 @@ def apply_gestures(
 ) -> BodyMotion:
     """The body with the plan's arm motion, and the trunk following it and its `accents`. Deterministic for a seed.
     `noise_scale` (0 to 1) scales the arms' noise."""
-    arms: dict[Hand, FloatArray] = {}
-    for side in (Hand.LEFT, Hand.RIGHT):
-        arm = arm_motion(arm_track(skeleton, side, plan), body.times_s, seed=seed, noise_scale=noise_scale)
-        arms[side] = _smooth(arm, body.times_s)
+    tracks = [arm_track(skeleton, side, plan) for side in (Hand.LEFT, Hand.RIGHT)]
+    both = _smooth(arm_motions(tracks, body.times_s, seed=seed, noise_scale=noise_scale), body.times_s)
+    arms = {track.side: both[:, number] for number, track in enumerate(tracks)}
     wrists_m = [wrist_of(skeleton, side, arm) for side, arm in arms.items()]
     followed = with_trunk_following(skeleton, body, wrists_m[0], wrists_m[1], accents)
     for side, arm in arms.items():
-        joints = skeleton.chain(*arm_joints(side))
-        arm[:, 0] = multiply(arm[:, 0], _breath(body.rotations[:, joints[0]]))
+        joints = skeleton.rows(*arm_joints(side))
+        arm[:, 0] = multiply(arm[:, 0], _breath(body.rotations[:, joints.start]))
         followed.rotations[:, joints] = arm
     return followed
 
@@ -68,7 +67,7 @@ def _accents(plan: GesturePlan) -> Iterator[Accent]:
 
 
 def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
-    """Rotations (T, J, 4) without the steps in acceleration that splines have at their keys."""
+    """Rotations (T, …, 4) without the steps in acceleration that splines have at their keys."""
     if len(times_s) < 2:
         return rotations
     width = _MUSCLE_S / float(times_s[1] - times_s[0])

@@ -14,7 +14,8 @@ from ...model import FloatArray
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.rotations import from_axis_angle, inverse, multiply, rotate
 
-LEG_JOINTS = tuple(side + part for side in SIDES for part in ("UpperLeg", "LowerLeg", "Foot"))
+_LEG = ("UpperLeg", "LowerLeg", "Foot")
+LEG_JOINTS = tuple(side + part for side in SIDES for part in _LEG)
 
 STRETCHED = 0.992
 """How much of its length the weight-bearing leg extends to: its knee is bent by about 14°, never locked."""
@@ -74,6 +75,13 @@ def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet 
         thigh = multiply(flat, thigh)
         found += [multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat)]
     return np.stack(found, axis=1)
+
+
+def set_legs(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> None:
+    """Turn the legs of a body with these local rotations (T, J, 4), so that its feet stay in place."""
+    found = legs(skeleton, rotations[:, 0], hips_m)
+    for number, side in enumerate(SIDES):
+        rotations[:, skeleton.rows(*(side + part for part in _LEG))] = found[:, 3 * number : 3 * number + 3]
 
 
 def _leg(skeleton: Skeleton, side: str, way_m: FloatArray) -> tuple[FloatArray, FloatArray]:

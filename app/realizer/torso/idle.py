@@ -21,7 +21,7 @@ from ..geometry.angles import from_pitch_yaw_roll
 from ..geometry.noise import perlin
 from ..geometry.rotations import IDENTITY, multiply
 from ..gestures.arm_joints import arm_joints
-from .balance import LEG_JOINTS, hips_height_m, legs
+from .balance import hips_height_m, set_legs
 from .breathing import QUIET_CYCLE_S, lung_volume
 from .idle_activity import IDLE_ACTIVITY, idle_activity
 from .posture import TrunkPosture, trunk_postures
@@ -99,7 +99,7 @@ def idle_motion(
     hips_m[:, 2] = -_HIPS_BACK_M * held.forward + life.sway_m * sway[:, 13]
     hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0]) - bent_m
     if with_legs:
-        rotations[:, skeleton.chain(*LEG_JOINTS)] = legs(skeleton, rotations[:, 0], hips_m)
+        set_legs(skeleton, rotations, hips_m)
     return BodyMotion(times_s, rotations, hips_m)
 
 
@@ -113,7 +113,7 @@ def _hold_trunk(
         angles[:, number, 0] += _LEAN.get(joint, 0.0) * held.forward
         angles[:, number, 2] += _UPRIGHT.get(joint, 0.0) * np.radians(_PELVIS_DEGREES) * held.weight
         angles[:, number, 2] -= _LEAN.get(joint, 0.0) * held.left
-    rotations[:, skeleton.chain(*_TRUNK)] = from_pitch_yaw_roll(*np.moveaxis(angles, -1, 0))
+    rotations[:, skeleton.rows(*_TRUNK)] = from_pitch_yaw_roll(*np.moveaxis(angles, -1, 0))
 
 
 @cache
@@ -121,7 +121,7 @@ def _hanging(skeleton: Skeleton) -> FloatArray:
     """The pose (J, 4) with arms at the sides. Cached, since solving it costs as much as a second of motion."""
     pose = np.tile(IDENTITY, (len(skeleton.names), 1))
     for side in (Hand.LEFT, Hand.RIGHT):
-        pose[skeleton.chain(*arm_joints(side))] = rest_pose(skeleton, side, "at_side").rotations
+        pose[skeleton.rows(*arm_joints(side))] = rest_pose(skeleton, side, "at_side").rotations
     pose.setflags(write=False)
     return pose
 
@@ -131,7 +131,7 @@ def _stir_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, st
     for side, noise in zip(SIDES, np.split(stirring, 2, axis=1), strict=True):
         stirs = np.radians(_STIRRING_DEGREES) * noise[:, :, None] * (_mirrored(side) * list(_STIRRED.values()))
         stirs[:, 0, 2] += _mirrored(side)[2] * breath
-        stirred = skeleton.chain(*(side + name for name in _STIRRED))
+        stirred = skeleton.rows(*(side + name for name in _STIRRED))
         rotations[:, stirred] = multiply(rotations[0, stirred], from_pitch_yaw_roll(*np.moveaxis(stirs, -1, 0)))
 
 

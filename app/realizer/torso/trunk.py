@@ -19,7 +19,7 @@ from ..body.skeleton import Skeleton
 from ..geometry.rotations import from_rotation_vector, multiply
 from ..geometry.smoothing import smoothed
 from .accents import AccentCourse
-from .balance import LEG_JOINTS, hips_height_m, legs
+from .balance import hips_height_m, set_legs
 
 SHARES: Mapping[str, float] = MappingProxyType({"spine": 0.4, "chest": 0.35, "upperChest": 0.25})
 """Each joint's share of the trunk's rotation."""
@@ -60,7 +60,7 @@ def with_trunk_following(
         hips_m[:, 0] += accents.aside_m
         bent_m = bent_m + accents.dip_m
     hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0]) - bent_m
-    rotations[:, skeleton.chain(*LEG_JOINTS)] = legs(skeleton, rotations[:, 0], hips_m)
+    set_legs(skeleton, rotations, hips_m)
     return replace(body, rotations=rotations, hips_m=hips_m)
 
 
