@@ -24,12 +24,14 @@ TRIES = 200
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """An answer: its status, 0 where the connection ended without one, its content, and how long it took."""
+    """An answer: its status, 0 where the connection ended without one, its content, how long it took, and how long
+    whoever was refused is told to wait."""
 
     status: int
     media_type: str
     content: bytes
     took_s: float
+    retry_after_s: float = 0.0
 
     @property
     def fault(self) -> str | None:
@@ -111,7 +113,8 @@ class Client:
             connection.close()
             return Told(0, "", b"", time.perf_counter() - began_s)
         media_type = (answer.getheader("Content-Type") or "").partition(";")[0]
-        return Told(answer.status, media_type, content, time.perf_counter() - began_s)
+        wait_s = float(answer.getheader("Retry-After") or 0)
+        return Told(answer.status, media_type, content, time.perf_counter() - began_s, wait_s)
 
     def _close(self) -> bool:
         self._own.connection.close()

@@ -20,7 +20,7 @@ from .bars import Bar, watched
 from .endurance import killed, soaked
 from .fuzzing import fuzzed
 from .lines import usual
-from .load import freed, loaded
+from .load import PARTS, USUAL_S
 from .watching import HOST, Watched, serving, watching
 
 OUT = Path(__file__).resolve().parents[2] / "out" / "drill"
@@ -67,7 +67,7 @@ def drill(options: argparse.Namespace) -> list[Bar]:
     if not options.no_attacks:
         bars += attacked(options.only)
     if not options.no_load:
-        bars += [*freed(), *loaded(24)]
+        bars += [bar for part in PARTS.values() for bar in part(USUAL_S)]
     return bars
 
 
@@ -80,7 +80,7 @@ def main(argv: list[str] | None = None) -> int:
     arguments.add_argument("--clients", type=int, default=4, help="requests at the same time")
     arguments.add_argument("--only", default="", help="attacks with this in their names")
     arguments.add_argument("--no-attacks", action="store_true")
-    arguments.add_argument("--no-load", action="store_true", help="neither throughput nor freed places")
+    arguments.add_argument("--no-load", action="store_true", help="neither waits, throughput nor freed places")
     arguments.add_argument("--keep", type=Path, default=OUT, help="where inputs that were answered wrong are kept")
     bars = drill(arguments.parse_args(argv))
     print("\n| what | measured | floor | |\n|---|---|---|---|", *bars, sep="\n")

@@ -1,0 +1,102 @@
+"""Limits on connections, over a socket: how many there are, how long headers take, answers that nobody reads."""
+
+import json
+import socket
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
+from http.client import HTTPConnection
+
+import pytest
+import uvicorn
+from starlette.types import Receive, Scope, Send
+
+from understudy.api.connections import limited_protocol
+from understudy.settings import Settings
+
+GET = b"GET / HTTP/1.1\r\nHost: x\r\n\r\n"
+LARGE = 64 << 20
+"""Bytes: more than the buffers of two sockets hold."""
+
+LONGEST_S = 20.0
+SOON_S = 0.1
+
+
+async def answer(scope: Scope, _receive: Receive, send: Send) -> None:
+    """Many bytes at /large, two elsewhere."""
+    await send({"type": "http.response.start", "status": 200})
+    await send({"type": "http.response.body", "body": b"x" * LARGE if scope["path"] == "/large" else b"ok"})
+
+
+@contextmanager
+def served(**limits: float) -> Iterator[tuple[uvicorn.Server, Callable[[], socket.socket]]]:
+    """A server within these limits, and what connects to it."""
+    settings = Settings.model_validate(limits)
+    config = uvicorn.Config(
+        answer, port=0, log_config=None, lifespan="off", http=limited_protocol(settings), timeout_keep_alive=60
+    )
+    server = uvicorn.Server(config)
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    while not server.started:
+        thread.join(0.02)
+    address = server.servers[0].sockets[0].getsockname()
+    try:
+        yield server, lambda: socket.create_connection(address, timeout=LONGEST_S)
+    finally:
+        server.should_exit = server.force_exit = True
+        thread.join()
+
+
+def test_one_connection_more_is_refused_with_a_problem() -> None:
+    with served(max_connections=1) as (_server, connect), connect() as first:
+        first.sendall(GET)
+        assert first.recv(100).startswith(b"HTTP/1.1 200")
+        with connect() as second:
+            head, _, body = b"".join(iter(lambda: second.recv(4096), b"")).partition(b"\r\n\r\n")
+    assert head.startswith(b"HTTP/1.1 503 ")
+    assert b"retry-after: 1" in head
+    assert json.loads(body)["code"] == "connections_full"
+
+
+@pytest.mark.parametrize("begun", [b"", b"POST / HTTP/1.1\r\nHost: x\r\nX-A: "])
+def test_headers_that_take_too_long_end_the_connection(begun: bytes) -> None:
+    with served(header_s=SOON_S, idle_s=SOON_S) as (_server, connect), connect() as client:
+        client.sendall(begun)
+        assert ended(client)
+
+
+def test_an_answer_that_nobody_reads_ends_the_connection() -> None:
+    with served(idle_s=SOON_S) as (server, connect), connect() as client:
+        client.sendall(GET.replace(b"/ ", b"/large "))
+        ends_s = time.monotonic() + LONGEST_S
+        while not server.server_state.total_requests or server.server_state.connections:
+            assert time.monotonic() < ends_s
+            time.sleep(0.02)
+        assert sum(map(len, received(client))) < LARGE
+
+
+def test_a_kept_connection_may_ask_again_after_longer_than_headers_may_take() -> None:
+    with served(header_s=SOON_S, idle_s=SOON_S) as (_server, connect), closing(HTTPConnection("x")) as client:
+        client.sock = kept = connect()
+        for _ in range(2):
+            client.request("GET", "/")
+            assert client.getresponse().read() == b"ok"
+            time.sleep(4 * SOON_S)
+        assert client.sock is kept
+
+
+def ended(client: socket.socket) -> bool:
+    try:
+        return client.recv(1) == b""
+    except ConnectionResetError:
+        return True
+
+
+def received(client: socket.socket) -> Iterator[bytes]:
+    """What comes until the connection ends."""
+    try:
+        yield from iter(lambda: client.recv(1 << 20), b"")
+    except ConnectionResetError:
+        return
