@@ -27,12 +27,13 @@ def perform_line(
     progress: Progress,
     cancelled: Cancellation,
 ) -> dict[str, PlayedLine]:
-    """The speaker by the name "", and each listener by his; `realizations` are the options with which each is
+    """The speaker by the name "", and each listener by his; `realizations` are the options of those who are to be
     realized. Raises PerformingError and CancelledError."""
     performed = connection.perform(line, progress, cancelled)
+    written = {"": performed.bml, **performed.listeners}
     played = {}
-    for name, bml in {"": performed.bml, **performed.listeners}.items():
-        sheet = Sheet(bml, line.audio, realizations[name])
+    for name, options in realizations.items():
+        sheet = Sheet(written[name], line.audio, options)
         trace = {} if name else performed.trace
         told = () if name else performed.warnings
         played[name] = play_sheet(connection, sheet, progress, cancelled, trace=trace, warnings=told)

@@ -95,13 +95,17 @@ def lay_strip(owner: Any, track_name: str, action: Any, start_frame: int, name: 
     track = _track_with_room(data, track_name, start_frame, start_frame + action.frame_end)
     strip = track.strips.new(name, start_frame, action)
     assign_slot(strip, action)
+    strip.select = False
+    if track.name != track_name:
+        strip.extrapolation = "NOTHING"
     return strip
 
 
 def _laid(owner: Any, layer: str, curves: Iterator[Curve], span: Span) -> Any:
     action = new_action(f"{span.performance} {layer}", owner, curves, span.frames)
     action[OWNER], action["understudy_layer"] = span.performance, layer
-    lay_strip(owner, f"{PREFIX} {layer}", action, span.start_frame, action.name)
+    strip = lay_strip(owner, f"{PREFIX} {layer}", action, span.start_frame, action.name)
+    _cross_fade(owner.animation_data.nla_tracks, strip, f"{PREFIX} {layer}")
     return action
 
 
@@ -139,6 +143,29 @@ def _track_with_room(data: Any, name: str, start_frame: float, end_frame: float)
         if not any(_overlap(strip, start_frame, end_frame) for strip in track.strips):
             return track
     raise AssertionError
+
+
+def _cross_fade(tracks: Any, new: Any, name: str) -> None:
+    """Where the strip overlaps others of its layer, the upper one is faded in over the one that ends, or out over the
+    one that begins."""
+    strips = [strip for track in tracks if _is_layer(track, name) for strip in track.strips]
+    above = False
+    for strip in strips:
+        if strip == new:
+            above = True
+        elif _overlap(strip, new.frame_start, new.frame_end):
+            _fade(strip, new) if above else _fade(new, strip)
+
+
+def _fade(upper: Any, lower: Any) -> None:
+    if lower.frame_start < upper.frame_start:
+        upper.blend_in = max(upper.blend_in, min(lower.frame_end, upper.frame_end) - upper.frame_start)
+    if upper.frame_end < lower.frame_end:
+        upper.blend_out = max(upper.blend_out, upper.frame_end - max(lower.frame_start, upper.frame_start))
+
+
+def _is_layer(track: Any, name: str) -> bool:
+    return bool(track.name == name or track.name.startswith(f"{name} "))
 
 
 def _overlap(strip: Any, start_frame: float, end_frame: float) -> bool:

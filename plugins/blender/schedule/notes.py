@@ -1,7 +1,7 @@
 """Strips as a director's notes (docs/directing.md), so that a line is performed again around them.
 
 A strip that was moved, or is marked to be kept, is a moment with what an audience reads in it, its stroke on the word
-that is spoken then; one that was muted is to be avoided over its words.
+that is spoken then; where one was muted, its part of the body does nothing over its words.
 """
 
 from collections.abc import Mapping, Sequence
@@ -12,6 +12,14 @@ from .behaviors import Behavior
 KEPT = 3
 """The importance of a note: the line fails without it."""
 
+_NOTHING = {
+    "gesture": ("hands",),
+    "head": ("nod", "shake", "tilt", "toss", "turn"),
+    "posture": ("lean_in", "lean_back"),
+    "face": ("brows_up", "frown", "smile", "sad", "squint", "wide_eyes", "lips_pressed", "disgust"),
+    "gaze": ("away", "up", "down", "target"),
+}
+"""All that a part of the body can do, by the words that notes have for it."""
 _CHANNELS = {"gesture": "gesture", "head": "head", "posture": "head", "face": "face", "gaze": "gaze"}
 
 
@@ -24,9 +32,14 @@ def notes(
     """
     moments = [note for behavior, shift_s in kept if (note := _moment(behavior, shift_s, words))]
     avoid = [
-        {"first": behavior.first, "last": behavior.last, "what": [behavior.families[0]], "why": "muted in Blender"}
+        {
+            "first": behavior.first,
+            "last": behavior.last,
+            "what": list(_NOTHING[behavior.kind]),
+            "why": f"{behavior.lexeme.lower()}, muted in Blender",
+        }
         for behavior in muted
-        if behavior.families and behavior.first is not None
+        if behavior.kind in _NOTHING and behavior.families and behavior.first is not None
     ]
     return {"moments": moments, "avoid": avoid}
 

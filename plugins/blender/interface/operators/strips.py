@@ -51,7 +51,6 @@ class PerformAgain(JobOperator):
             raise NoPerformanceError(f"{order.name} was not performed here, but read from BML: play its strips instead")
         options = (order.options or {}) | {"seed": (order.options or {}).get("seed", 0) + 1}
         self._order = replace(order, options=options)
-        options = {name: value for name, value in options.items() if name != "listener"}
         line = Line(order.audio, order.text, options, self._direction(context, record, trace))
         connected, realized = connection(context), {"": order.realization or {}}
         return lambda progress, cancelled: perform_line(connected, line, realized, progress, cancelled)

@@ -195,3 +195,22 @@ def test_an_armature_that_is_no_humanoid_is_told_what_is_missing(blender: Bpy, l
     line.performer = armature
     with pytest.raises(RuntimeError, match="Crane has no bones for hips, head"):
         blender.ops.understudy.perform()
+
+
+def test_a_line_that_begins_before_the_last_has_ended_is_faded_in(blender: Bpy, mannequin: Bpy, line: Bpy) -> None:
+    """With a tail of 1 s the next line begins in it: no joint jumps (without the fades one does by .2 and
+    .5 m), and a third line goes back to the first track."""
+    line.tail_s = 1.0
+    for start in (1, 230, 459):
+        blender.context.scene.frame_current = start
+        blender.ops.understudy.perform()
+    there = tracks(mannequin)
+    assert [each.frame_start for each in there["Understudy body"]] == [1, 459]
+    assert [each.frame_start for each in there["Understudy body 2"]] == [230]
+    for begins in (230, 459):
+        before = heads(blender, mannequin, begins - 1)
+        for frame in range(begins, begins + 25):
+            after = heads(blender, mannequin, frame)
+            furthest = max(float(np.linalg.norm(after[bone] - place)) for bone, place in before.items())
+            assert furthest < 0.08, f"{furthest:.3f} m from frame {frame - 1} to {frame}"
+            before = after

@@ -5,7 +5,7 @@ import pytest
 from plugins.blender.schedule.behaviors import LAYERS, Behavior, behaviors_of
 from plugins.blender.schedule.bml_document import KINDS
 from tests.plugins.blender.clips import clip
-from tests.plugins.blender.schedule.test_bml_document import BML, REALIZED_S
+from tests.plugins.blender.documents import BML, REALIZED_S
 from understudy.model import Channel
 
 TRACE = {

@@ -38,7 +38,7 @@ def test_moments_stay_within_the_line() -> None:
 
 def test_a_muted_one_is_avoided_over_its_words() -> None:
     assert notes([], [gesture(1.6)], WORDS)["avoid"] == [
-        {"first": 2, "last": 4, "what": ["negation"], "why": "muted in Blender"}
+        {"first": 2, "last": 4, "what": ["hands"], "why": "negation, muted in Blender"}
     ]
 
 
@@ -51,4 +51,4 @@ def test_understudy_reads_the_notes() -> None:
     written = notes([(gesture(1.6), -1.0)], [gesture(2.6, kind="head", families=("shake",))], WORDS)
     direction = read_direction(json.dumps(written).encode())
     assert direction.moments[0].stroke == 1
-    assert direction.avoid[0].what == ("shake",)
+    assert "shake" in direction.avoid[0].what
