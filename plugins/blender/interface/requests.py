@@ -98,12 +98,16 @@ def _options(settings: Any, performer: Any, listener: Any) -> Json:
     if settings.lead_in_s:
         found["lead_in_s"] = round(settings.lead_in_s, 4)
     if listener is not None:
-        found["listener"] = [_listener_name(listener)]
+        found["listener"] = [_listener_name(performer, listener)]
     return found
 
 
-def _listener_name(listener: Any) -> str:
-    return target_name(listener.name)
+def _listener_name(performer: Any, listener: Any) -> str:
+    """What a listener that performs is called: as its character, so that it listens as that does, or by its own name
+    where the speaker is the same character."""
+    characters = {each: each.understudy.character or "default" for each in (performer, listener)}
+    alike = characters[performer] == characters[listener]
+    return target_name(listener.name if alike else characters[listener])
 
 
 def _targets(settings: Any, performer: Any, listener: Any) -> dict[str, tuple[float, float, float]]:
@@ -114,7 +118,7 @@ def _targets(settings: Any, performer: Any, listener: Any) -> dict[str, tuple[fl
     spoken_to = listener if listener is not None else settings.camera
     if spoken_to is not None:
         reacting = _reacting(settings, listener) is not None
-        things[_listener_name(spoken_to) if reacting else LISTENER] = spoken_to
+        things[_listener_name(performer, spoken_to) if reacting else LISTENER] = spoken_to
     return places_m(performer, bones_of(performer), things)
 
 
@@ -124,7 +128,7 @@ def _realizations(settings: Any, scene: Any, performer: Any, listener: Any) -> d
     if listener is not None:
         speaker = place_m(listener, bones_of(listener), performer)
         towards = {"targets": {performer.understudy.character or "default": speaker}}
-        found[_listener_name(listener)] = realization(scene, listener, settings.tail_s) | towards
+        found[_listener_name(performer, listener)] = realization(scene, listener, settings.tail_s) | towards
     return found
 
 

@@ -1,7 +1,7 @@
 """A line from its recording to motion, for who speaks and who listens; and BML to motion."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..motion.clip import Clip
@@ -36,8 +36,14 @@ def perform_line(
         sheet = Sheet(written[name], line.audio, options)
         trace = {} if name else performed.trace
         told = () if name else performed.warnings
-        played[name] = play_sheet(connection, sheet, progress, cancelled, trace=trace, warnings=told)
+        one = play_sheet(connection, sheet, progress, cancelled, trace=trace, warnings=told)
+        played[name] = _without_notices(one) if name else one
     return played
+
+
+def _without_notices(played: PlayedLine) -> PlayedLine:
+    """A listener's BML is Understudy's own: that it has no words, which is all that would be told, is as it should."""
+    return replace(played, clip=replace(played.clip, notices=()))
 
 
 def play_sheet(

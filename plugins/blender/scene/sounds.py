@@ -4,7 +4,6 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-import aud
 import bpy
 
 READABLE = {".wav", ".flac", ".ogg"}
@@ -60,15 +59,18 @@ def words_of(scene: Any, strip: Any) -> str:
     return " ".join(each.text for each in sorted(spoken, key=lambda each: float(each.frame_final_start)))
 
 
-def place_sound(scene: Any, path: Path, frame: int, name: str) -> Any:
-    """A strip for a recording on the first channel that has room for it."""
+def place_sound(scene: Any, path: Path, frame: int, name: str) -> tuple[str, ...]:
+    """Places a recording on the first channel that has room for it; why not, where this Blender plays no sounds."""
     editor = scene.sequence_editor or scene.sequence_editor_create()
     strips = editor.strips if hasattr(editor, "strips") else editor.sequences
-    strip = strips.new_sound(name, str(path), 1, frame)
+    try:
+        strip = strips.new_sound(name, str(path), 1, frame)
+    except RuntimeError as error:
+        return (f"{path.name} was not placed: {error}",)
     busy = {each.channel for each in strips if each != strip and _together(each, strip)}
     strip.channel = next(number for number in range(1, 129) if number not in busy)
     strip.show_waveform = True
-    return strip
+    return ()
 
 
 def frame_rate_hz(scene: Any) -> float:
@@ -93,6 +95,12 @@ def _file_of(strip: Any) -> Path:
 
 def _written(path: Path, start_s: float = 0.0, end_s: float | None = None) -> Path:
     """A WAV file with a sound or a part of it."""
+    try:
+        import aud  # Blender may have been built without it
+    except ImportError:
+        raise NoRecordingError(
+            f"this Blender converts no sounds: give {path.name} as WAV, FLAC or OGG, uncut"
+        ) from None
     written = _new_file("recording.wav")
     try:
         sound = aud.Sound(str(path))

@@ -53,7 +53,7 @@ class Behavior:
     @property
     def why(self) -> str:
         """The function that it shows and the rule that chose it, or the reason that it has without."""
-        return f"{self.function} by {self.rule}" if self.rule else self.reason
+        return " by ".join(part for part in (self.function, self.rule) if part) or self.reason
 
     def to_json(self) -> str:
         return json.dumps(asdict(self))

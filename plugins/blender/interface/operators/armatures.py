@@ -1,7 +1,5 @@
 """Performers: a character's own body is added, or the bones of an armature are found."""
 
-import tempfile
-from pathlib import Path
 from typing import Any
 
 import bpy
@@ -9,6 +7,7 @@ import bpy
 from ...retargeting.bone_tables import load_tables
 from ...retargeting.matching import find_bones
 from ...scene.armatures import list_bones
+from ...scene.mannequins import add_body
 from ..jobs import JobOperator, Work
 from ..preferences import connection
 from ..requests import performer_of
@@ -27,23 +26,8 @@ class AddMannequin(JobOperator):
         return lambda _progress, _cancelled: connected.mannequin(character)
 
     def finish(self, context: Any, result: bytes) -> tuple[str, ...]:
-        there, actions = set(bpy.data.objects), set(bpy.data.actions)
-        with tempfile.TemporaryDirectory(prefix="understudy-") as folder:
-            path = Path(folder) / "mannequin.glb"
-            path.write_bytes(result)
-            bpy.ops.import_scene.gltf(filepath=str(path))
-        added = [each for each in bpy.data.objects if each not in there]
-        armature = next(each for each in added if each.type == "ARMATURE")
-        for owner in (
-            *added,
-            *(each.data.shape_keys for each in added if each.type == "MESH" and each.data.shape_keys),
-        ):
-            owner.animation_data_clear()
-        for action in [each for each in bpy.data.actions if each not in actions]:
-            bpy.data.actions.remove(action)
-        for pose in armature.pose.bones:
-            pose.matrix_basis.identity()
-        armature.name = self.character.replace("_", " ").title() if self.character != "default" else "Mannequin"
+        armature = add_body(result)
+        armature.name = "Mannequin" if self.character == "default" else self.character.replace("_", " ").title()
         armature.location = context.scene.cursor.location
         armature.understudy.character = self.character
         context.view_layer.objects.active = armature

@@ -52,7 +52,7 @@ class ImportBml(JobOperator, ImportHelper):
         rate_hz = frame_rate_hz(scene)
         told = lay_performance(self._performer, result, order, rate_hz)
         if order.audio is not None:
-            place_sound(scene, order.audio, round(order.zero_frame), order.name)
+            told += place_sound(scene, order.audio, round(order.zero_frame), order.name)
         if scene.understudy.set_range:
             take_in(scene, result.clip, order.zero_frame, rate_hz)
         return told

@@ -64,7 +64,7 @@ def lay_line(context: Any, request: Request, played: dict[str, PlayedLine]) -> t
         heard = Order(order.name, order.zero_frame, order.audio, "", None, request.realizations[name])
         told += lay_performance(request.listener, played[name], heard, rate_hz)
     if request.new_sound and order.audio is not None:
-        place_sound(scene, order.audio, round(order.zero_frame), order.name)
+        told += place_sound(scene, order.audio, round(order.zero_frame), order.name)
     if scene.understudy.set_range:
         take_in(scene, played[""].clip, order.zero_frame, rate_hz)
     return told

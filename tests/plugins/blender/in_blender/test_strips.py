@@ -30,7 +30,7 @@ def schedule(armature: Bpy) -> dict[str, tuple[float, float]]:
     return found
 
 
-def record_of(armature: Bpy) -> Any:  # noqa: ANN401
+def record_of(armature: Bpy) -> Any:
     """The behaviours of the first performance as they were laid."""
     return json.loads(armature.understudy.performances[0].behaviors)
 

@@ -8,19 +8,19 @@ from plugins.blender.motion.clip import Clip
 from plugins.blender.motion.rotations import Array
 
 
-def tracks(owner: Any) -> dict[str, list[Any]]:  # noqa: ANN401
+def tracks(owner: Any) -> dict[str, list[Any]]:
     """The strips of each track by its name."""
     data = owner.animation_data
     return {track.name: list(track.strips) for track in data.nla_tracks} if data else {}
 
 
-def strip(owner: Any, name: str) -> Any:  # noqa: ANN401
+def strip(owner: Any, name: str) -> Any:
     """The strip whose name begins so."""
     (found,) = [each for strips in tracks(owner).values() for each in strips if each.name.startswith(name)]
     return found
 
 
-def heads(blender: Any, armature: Any, frame: int) -> dict[str, Array]:  # noqa: ANN401
+def heads(blender: Any, armature: Any, frame: int) -> dict[str, Array]:
     """Where each bone begins in the world in a frame, in our axes: Y up, facing Z."""
     blender.context.scene.frame_set(frame)
     found = {}
