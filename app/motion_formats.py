@@ -19,6 +19,8 @@ class MotionFormat(StrEnum):
     USDC = ".usdc"
     USDZ = ".usdz"
     FBX = ".fbx"
+    BAP = ".bap"
+    FAP = ".fap"
     OTIO = ".otio"
     TEXTGRID = ".TextGrid"
     EAF = ".eaf"
@@ -34,6 +36,13 @@ class Keys(StrEnum):
     SPARSE = "sparse"
 
 
+class BapVersion(StrEnum):
+    """What the first line of MPEG-4 body parameters says: MPEG-4's version, or what Greta has for the same units."""
+
+    MPEG4 = "3.1"
+    GRETA = "2.1"
+
+
 @dataclass(frozen=True, slots=True)
 class AudioFile:
     """The recording as files refer to it: by the name of its file, from where they lie, and its content."""
@@ -45,13 +54,15 @@ class AudioFile:
 @dataclass(frozen=True, slots=True)
 class FileOptions:
     """How files are written: BVH with a T-pose as its first frame, or with its root at the origin; GLB with baked keys
-    or sparse ones; formats that know of sound with the recording; FBX by `blender`, or a Python that has `bpy`."""
+    or sparse ones; formats that know of sound with the recording; FBX by `blender`, or a Python that has `bpy`; body
+    parameters with the version of their first line."""
 
     t_pose: bool = False
     root_at_origin: bool = False
     keys: Keys = Keys.BAKED
     audio: AudioFile | None = None
     blender: str | None = None
+    bap: BapVersion = BapVersion.MPEG4
 
 
 SCENES = frozenset({MotionFormat.USDA, MotionFormat.USDC, MotionFormat.USDZ})

@@ -41,6 +41,8 @@ from .realizer.exporting.clip_json import to_clip_json
 from .realizer.exporting.extras import require_usd
 from .realizer.exporting.fbx.conversion import to_fbx
 from .realizer.exporting.glb import to_glb
+from .realizer.exporting.mpeg4.bap import to_bap
+from .realizer.exporting.mpeg4.fap import TABLE, FapTable, to_fap
 from .realizer.exporting.viseme_list import to_viseme_text
 from .realizer.exporting.vrma import to_vrma
 from .realizer.face.diphthongs import with_glides
@@ -49,6 +51,7 @@ from .realizer.gestures.library import LAST_RESORT
 from .realizer.pictures.contact_sheet import draw_sheet, moments_of
 from .realizer.pictures.speed_plot import draw_speeds
 from .realizer.realizing import Realizer, realize
+from .resources import resource_folder
 from .targets import check_targets
 from .transcript import read_transcript
 from .yaml_files import did_you_mean
@@ -334,6 +337,8 @@ def write_motion(
         MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig, visemes=_viseme_weights(realized, realizer)),
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
         MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
+        MotionFormat.BAP: lambda: to_bap(motion, skeleton, options.bap),
+        MotionFormat.FAP: lambda: to_fap(motion, skeleton, FapTable.load(resource_folder("lexicon") / TABLE)),
         **{form: partial(_editorial, realized, form, options.audio) for form in EDITORIAL},
         MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule), looks=looks),
         MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),

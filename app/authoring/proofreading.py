@@ -29,6 +29,8 @@ from ..loading import (
 from ..model import Channel, Hand, Level
 from ..realizer.body.movement_style import MovementStyle
 from ..realizer.body.skeleton import Skeleton
+from ..realizer.exporting.mpeg4.fap import TABLE as FAPS
+from ..realizer.exporting.mpeg4.fap import FapTable
 from ..realizer.exporting.retargeting import load_rigs
 from ..realizer.face.face_tables import FaceTables
 from ..realizer.gestures.aliases import ALIASES, read_aliases
@@ -76,6 +78,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "head_rates.yaml": HeadRates.load,
         "columns.yaml": _check_column_names,
         SMARTBODY: SmartBodyTables.load,
+        FAPS: FapTable.load,
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
@@ -101,6 +104,7 @@ def check_files_in_use() -> None:
         lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
         partial(SmartBodyTables.load, lexicon / SMARTBODY),
+        partial(FapTable.load, lexicon / FAPS),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     ) or _mistakes_of(
         lambda: check_coverage(lexicon, load_gestures()),

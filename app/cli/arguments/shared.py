@@ -5,13 +5,13 @@ import argparse
 from ...bml.markup.documents import DialectName, TimeForm
 from ...bml.writing.smartbody_tables import VisemeNames
 from ...model import Level, Mode
-from ...motion_formats import Keys
+from ...motion_formats import BapVersion, Keys
 from ...realizer.body.motion import FRAME_RATES_HZ
 from ..distinct_files import InputFile, OutputFile
 
 MOTION_HELP = (
     ".bvh, .glb, .vrma, .json, .csv (ARKit), .visemes.txt, .usda, .usdc, .usdz, .fbx (by Blender), .otio, "
-    ".TextGrid, .eaf, .events.csv, "
+    ".TextGrid, .eaf, .events.csv, .bap, .fap, "
     ".png (contact sheet) or .speed.png (wrist speeds)"
 )
 AUDIO_HELP = "WAV, FLAC or OGG file; - for standard input"
@@ -56,6 +56,9 @@ def add_motion(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--root-at-origin", action="store_true", help="OFFSET 0 of the root in .bvh, for readers that add it: three.js"
     )
+    versions = [each.value for each in BapVersion]
+    told = "the first line of .bap: MPEG-4's 3.1, or Greta's 2.1 (default 3.1)"
+    parser.add_argument("--bap-version", choices=versions, default=BapVersion.MPEG4.value, help=told)
     keys = [each.value for each in Keys]
     told = "of .glb: one in every frame, or few that can be edited, with markers (default baked)"
     parser.add_argument("--keys", choices=keys, default="baked", help=told)

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...loading import load_realizer
-from ...motion_formats import PICTURES, AudioFile, FileOptions, Keys, format_of
+from ...motion_formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
 from ...realizer.body.motion import Decision, check_tail
 from ...realizer.body.skeleton import Skeleton
 from ...realizer.exporting.extras import require_writer
@@ -62,7 +62,13 @@ class MotionOptions:
         check_tail(arguments.tail)
         name = arguments.avatar
         avatar = read_bytes(name, limit=LARGEST_AVATAR_BYTES, field="avatar") if name else None
-        files = FileOptions(arguments.t_pose, arguments.root_at_origin, Keys(arguments.keys), blender=settings.blender)
+        files = FileOptions(
+            arguments.t_pose,
+            arguments.root_at_origin,
+            Keys(arguments.keys),
+            blender=settings.blender,
+            bap=BapVersion(arguments.bap_version),
+        )
         return cls(arguments.fps, arguments.tail, arguments.skeleton, avatar, files)
 
 

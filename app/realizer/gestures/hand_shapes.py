@@ -117,7 +117,7 @@ _THUMB_BENDS: Mapping[Bend, tuple[float, float]] = MappingProxyType(
     }
 )
 
-_THUMB_HINGE: FloatArray = np.array([0.513, 0.643, -0.570])
+THUMB_HINGE: FloatArray = np.array([0.513, 0.643, -0.570])
 """The flexion axis of the thumb, whose pad faces the palm and the fingers instead of down."""
 
 _ORDER = tuple(Finger)
@@ -151,7 +151,7 @@ def _rotations(thumb: ThumbBends, others: Sequence[FingerBends]) -> FloatArray:
     bends, roots = np.zeros((15, 3)), np.zeros((15, 3))
     inwards, below, rolled, *hinges = thumb
     roots[0], bends[0] = (0.0, inwards, -below), (rolled, 0.0, 0.0)
-    bends[1:3] = np.array(hinges)[:, None] * _THUMB_HINGE
+    bends[1:3] = np.array(hinges)[:, None] * THUMB_HINGE
     angles = np.array(others)
     bends[3:, 2], roots[3::3, 1] = -angles[:, :3].ravel(), -angles[:, 3]
     return multiply(from_rotation_vector(np.radians(roots)), from_rotation_vector(np.radians(bends)))

@@ -24,6 +24,7 @@ import numpy as np
 from pxr import Usd, UsdSkel, UsdValidation
 from scipy.spatial.transform import Rotation
 
+from tests.support.mpeg4_reading import Body, read_parameters, world
 from understudy.errors import ServiceError
 from understudy.model import FloatArray
 from understudy.motion_formats import AudioFile, FileOptions, MotionFormat
@@ -58,6 +59,7 @@ def main() -> None:
             frames = min(len(found), len(ours))
             apart_mm = 1000 * np.linalg.norm(found[:frames] - ours[:frames], axis=-1).max()
             print(f"{name:6} {apart_mm:.4f} mm apart in {frames} of {len(ours)} frames of {found.shape[1]} joints")
+        _decode(realized, files, skeleton)
         _validate(files)
         _tell_fbx(files)
 
@@ -65,7 +67,7 @@ def main() -> None:
 def _written(realized: Realized, realizer: Realizer, folder: Path) -> Iterator[tuple[MotionFormat, Path]]:
     audio = AudioFile(EXAMPLE.name, EXAMPLE.read_bytes())
     options = FileOptions(root_at_origin=True, audio=audio, blender=read_settings().blender)
-    for form in (*SCENES, *BY_THREE, MotionFormat.JSON):
+    for form in (*SCENES, *BY_THREE, MotionFormat.JSON, MotionFormat.BAP):
         path = folder / f"motion{form}"
         try:
             path.write_bytes(write_motion(realized, realizer, form, options=options))
@@ -118,6 +120,20 @@ def _of_clip(clip: Mapping[str, Any]) -> FloatArray:
             places[name] = places[parent] + turns[parent].apply(np.array(joint["offset_m"]))
             turns[name] = turns[parent] * local
     return np.stack([places[joint["name"]] for joint in joints], axis=1)
+
+
+def _decode(realized: Realized, files: Mapping[MotionFormat, Path], skeleton: Skeleton) -> None:
+    """What a reader of body parameters makes of the joints, all frames: how far they are turned from ours."""
+    joints = Body(read_parameters(files[MotionFormat.BAP].read_bytes())).joints()
+    turns = {name: Rotation.from_quat(realized.motion.body.rotations[:, k]) for name, k in skeleton.index.items()}
+    pairs = zip(*(world(each, skeleton.names, skeleton.parents) for each in (turns, joints)), strict=True)
+    worst = {
+        name: float((Rotation.from_matrix(mine) * Rotation.from_matrix(read).inv()).magnitude().max())
+        for name, (mine, read) in zip(skeleton.names, pairs, strict=True)
+        if not name.endswith("Eye")
+    }
+    collars = max(worst.pop(f"{side}Shoulder") for side in ("left", "right"))
+    print(f".bap: joints in the world at most {max(worst.values()):.5f} rad from ours, collar bones {collars:.4f} rad")
 
 
 def _validate(files: Mapping[MotionFormat, Path]) -> None:
