@@ -10,7 +10,7 @@ Where Algorithm 1 is unclear or misprinted we read it thus:
 - The n best states narrow the predecessor alone in print, for φ, while ψ and ν range over all: nothing would be saved,
   and φ could name another path than ψ has. Here ψ, φ and ν all range over the n best.
 - They are the n best at the boundary where the predecessor ends, not the n best of the frame before t: a state that
-  ended well two seconds ago may be far from the best now.
+  ended well two seconds ago may be far from the best now (`benchmarks.prosody_gestures.tables` measures both).
 - ν, printed as a maximum, is the duration where the maximum is.
 - ψ_1 has no duration as printed, and ψ_0 is undefined; here the first segment has π_j d_j(τ), like any other.
 - T and D_max are frames and seconds in print; here everything is frames.

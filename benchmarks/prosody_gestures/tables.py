@@ -1,14 +1,14 @@
 """RTS' tables 3.1 and 3.2 again: how fast and how alike the decode is with steps m and n best states.
 
     python -m benchmarks.prosody_gestures.tables [--paired FOLDER] [--performed FOLDER] [--clusters N] [--model NAME …]
+        [--trials N]
 
 Real-time factor: processor time of the decode over the length of the speech, unit selection and features left out, as
 theirs. Similarity: the share of frames in the state of the full decode (m = 1, n = all). Models: on the paired
 recordings kinds of arm movements, found by clustering, with labels of intonation phrases (RTS) or mixtures over prosody
 (AHG), learnt from one session and decoded on the other, both ways; on our own schedules one state a gesture lexeme,
-TIMIT's speakers left out in fours. In all of these the voice says so little that the full decode stays with a few
-states, whence any search is alike; so also what the mixtures' model itself might say: paths drawn from it, and features
-from these.
+TIMIT's speakers left out in fours. "Drawn" is what the mixtures' model itself might say: paths drawn from it, and
+features from these, so that the voice tells as much as the model believes.
 
 "As printed" is Algorithm 1 with the n best states of the frame before, whatever the duration; theirs are their figures
 on their machine and data. At the end the live decoder: m = 1, n = all, and what its bound costs.
@@ -103,13 +103,13 @@ def as_printed(model: SemiMarkovModel, log_likelihoods: FloatArray, search: Sear
     return tuple(path[::-1])
 
 
-def paired_trials(pairs: Sequence[MotionPair], clusters: int) -> tuple[list[Trial], list[Trial]]:
-    """Each session's recordings by models of the others': with labels, with mixtures."""
+def paired_trials(pairs: Sequence[MotionPair], clusters: int, most: int | None) -> tuple[list[Trial], list[Trial]]:
+    """Each session's recordings, `most` of them, by models of the others': with labels, with mixtures."""
     streams = movements(pairs)
     labelled, mixed = list[Trial](), list[Trial]()
     for session in sorted({pair.session for pair in pairs}):
         heard = [place for place, pair in enumerate(pairs) if pair.session != session]
-        tested = [pair.features for pair in pairs if pair.session == session]
+        tested = [pair.features for pair in pairs if pair.session == session][:most]
         branches = learn_branches([streams[place] for place in heard], clusters)
         paths = [branches.segment(streams[place]) for place in heard]
         prosody = [pairs[place].features for place in heard]
@@ -246,10 +246,11 @@ def main() -> None:
     parser.add_argument("--paired", type=Path, default=Path("../shared/data/paired/tilburg"))
     parser.add_argument("--performed", type=Path)
     parser.add_argument("--clusters", type=int, default=40)
+    parser.add_argument("--trials", type=int, help="so many recordings of each session are decoded")
     parser.add_argument("--model", nargs="+", choices=MODELS, default=MODELS)
     arguments = parser.parse_args()
     if set(arguments.model) - {"own"}:
-        labelled, mixed = paired_trials(read_pairs(arguments.paired), arguments.clusters)
+        labelled, mixed = paired_trials(read_pairs(arguments.paired), arguments.clusters, arguments.trials)
         if "labels" in arguments.model:
             report("paired recordings, labels of intonation phrases", labelled)
         if "mixtures" in arguments.model:

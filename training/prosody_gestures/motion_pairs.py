@@ -5,7 +5,8 @@ A folder holds either of
 - `NAME.bvh` and `NAME.wav` (or .flac): the Euler angles of arms and forearms, as AHG §3.1 has them;
 - `NAME.npz` with `f0_hz` (NaN where unvoiced) and `envelope` at 100 Hz, `joints`, `body` (frames × joints × 4: x, y, z,
   visibility) and `body_time_s`, as MediaPipe sees a body. Points have no Euler angles: an arm's direction is taken
-  instead, how far it is turned sideways and how far it is raised, of upper arms and forearms.
+  instead, how far it is turned sideways and how far it is raised, of upper arms and forearms. Frames in which a point
+  is lost (NaN) are bridged.
 
 What a name has before its first two underscores is its session, whose people are the same.
 """
@@ -67,10 +68,13 @@ def read_points(path: Path) -> MotionPair:
     f0_hz = np.nan_to_num(arrays["f0_hz"].astype(np.float64))
     energy_db = 20 * np.log10(np.maximum(arrays["envelope"].astype(np.float64), 1e-6))
     places = {str(joint): place for place, joint in enumerate(arrays["joints"])}
-    points = arrays["body"].astype(np.float64)
+    seen = np.isfinite(arrays["body"]).all(axis=(1, 2))
+    if not seen.any():
+        raise InputError("pairs_wrong", f"{path}: no frame of `body` has all of its points")
+    points = arrays["body"][seen].astype(np.float64)
     directions = [points[:, places[end], :3] - points[:, places[begin], :3] for begin, end in LIMBS]
     angles = np.concatenate([_direction(each) for each in directions], axis=1)
-    return _pair(path, energy_db, f0_hz, angles, arrays["body_time_s"].astype(np.float64))
+    return _pair(path, energy_db, f0_hz, angles, arrays["body_time_s"][seen].astype(np.float64))
 
 
 def read_motion(path: Path, joints: Sequence[str] = BVH_JOINTS) -> MotionPair:

@@ -59,6 +59,22 @@ def test_tracked_points_become_directions_of_the_arms(tmp_path: Path) -> None:
     assert pair.angles[down, 2] == pytest.approx(0, abs=0.05), "a quarter of a swing later the forearm does too"
 
 
+def test_lost_points_are_bridged(tmp_path: Path) -> None:
+    """Three frames without a left wrist change nothing by more than the swing bends in a tenth of a second."""
+    write_points(tmp_path, "one_two_three", 0)
+    (whole,) = read_pairs(tmp_path)
+    with np.load(tmp_path / "one_two_three.npz") as file:
+        arrays = dict(file)
+    arrays["body"][50:53, 5] = np.nan
+    np.savez(tmp_path / "one_two_three.npz", **arrays)
+    (bridged,) = read_pairs(tmp_path)
+    assert bridged.angles == pytest.approx(whole.angles, abs=0.02)
+    arrays["body"][:, 5] = np.nan
+    np.savez(tmp_path / "one_two_three.npz", **arrays)
+    with pytest.raises(InputError, match="no frame"):
+        read_pairs(tmp_path)
+
+
 def test_motion_is_brought_to_the_frames_of_its_sound(tmp_path: Path) -> None:
     """A degree each thirtieth of a second, on all axes of four joints; a voice of 150 Hz."""
     write_bvh(tmp_path, "walk")
