@@ -95,3 +95,13 @@ def test_targets_are_added_from_the_selection(blender: Bpy, mannequin: Bpy, lamp
     line.active_target = 1
     blender.ops.understudy.remove_target()
     assert [each.thing for each in line.targets] == [lamp]
+
+
+def test_a_speakers_way_of_gesturing_is_asked_for(blender: Bpy, mannequin: Bpy, line: Bpy) -> None:
+    assert line.text
+    mannequin.understudy.profile = "nobody"
+    with pytest.raises(RuntimeError, match="nobody"):
+        blender.ops.understudy.perform()
+    mannequin.understudy.profile = "sweeping"
+    blender.ops.understudy.perform()
+    assert '"profile": "sweeping"' in mannequin.understudy.performances[0].order
