@@ -32,7 +32,9 @@ test-clients: .venv/installed
 plugin:
 	$(PYTHON) plugins/build_blender.py
 
-test-plugins: .venv/installed .venv-bpy/installed
+test-plugins: .venv/installed-test .venv-bpy/installed
+	-$(BIN)/pip install --quiet --disable-pip-version-check pyufbx
+	UNDERSTUDY_BLENDER=.venv-bpy/bin/python OMP_NUM_THREADS=1 $(BIN)/pytest -rs tests/realizer/exporting/fbx
 	OMP_NUM_THREADS=1 .venv-bpy/bin/python -m pytest -c tests/plugins/in_blender.ini --rootdir=. \
 	    --confcutdir=tests/plugins tests/plugins/blender/in_blender
 

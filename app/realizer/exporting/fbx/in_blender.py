@@ -21,6 +21,7 @@ def convert(glb: str, fbx: str, rate_hz: int, frames: int) -> None:
     for each in scene.objects:
         each.name = each.data.name
     scene.frame_start, scene.frame_end = 0, frames - 1
+    scene.frame_set(0)
     bpy.ops.export_scene.fbx(
         filepath=fbx,
         apply_scale_options="FBX_SCALE_ALL",
