@@ -340,7 +340,7 @@ def _candidates(
     )
     if not moments and behavior.settings.choice != "terms":
         return candidates
-    return candidates_of(Stage(behavior.families, character.lexemes, seed), analysis.utterance, moments, candidates)
+    return candidates_of(Stage(behavior.families, character.entries, seed), analysis.utterance, moments, candidates)
 
 
 def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:

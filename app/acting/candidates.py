@@ -9,6 +9,7 @@ and it goes before its equals, for it knows the words ("two fingers", "to the le
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from ..model import (
     Alternative,
@@ -20,7 +21,7 @@ from ..model import (
     Movement,
     Utterance,
 )
-from .families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyBehavior, family_rule, fitting, merged
+from .families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyBehavior, Playable, family_rule, fitting, merged
 
 LATER_CHOICE = 0.4
 """What each choice of a director's note is worth beside the one before it."""
@@ -40,11 +41,11 @@ RULED = frozenset({Channel.GAZE, Channel.EYES, Channel.POSTURE})
 
 @dataclass(frozen=True, slots=True)
 class Stage:
-    """What the choice of behaviours depends on besides the moment: what shows what, each behaviour's channel and
-    lexeme, and the seed."""
+    """What the choice of behaviours depends on besides the moment: what shows what, the table of behaviours, and the
+    seed."""
 
     families: Families
-    lexemes: Mapping[str, tuple[Channel, str]]
+    behaviors: Mapping[str, Playable]
     seed: int
 
 
@@ -56,7 +57,8 @@ def candidates_of(
     Functions that the caller knows are shown on all channels: he asked for them.
     """
     level = utterance.agitation.level if utterance.agitation else Level.MEDIUM
-    planned = (_of_moment(stage, utterance, moment, offers, level) for moment in moments)
+    by_rank = sorted(offers, key=lambda each: each.rank, reverse=True)
+    planned = (_of_moment(stage, utterance, moment, by_rank, level) for moment in moments)
     ruled = (_ruled(stage, offer) for offer in offers)
     return tuple(each for each in (*planned, *ruled) if each is not None)
 
@@ -68,7 +70,7 @@ def _ruled(stage: Stage, offer: BehaviorCandidates) -> BehaviorCandidates | None
     alternatives = tuple(
         alternative
         for alternative in offer.alternatives
-        if all(stage.lexemes[movement.name][0] in RULED for movement in alternative.movements)
+        if all(stage.behaviors[movement.name].channel in RULED for movement in alternative.movements)
     )
     return replace(offer, alternatives=alternatives) if alternatives else None
 
@@ -80,15 +82,16 @@ def _of_moment(
         token.lemma.lower() for token in utterance.parse.tokens if moment.first <= token.word <= moment.last
     )
     offered = dict(_offered(stage, moment, offers))
+    shares = _shares(moment)
     worths: dict[str, float] = {}
     for family in moment.families:
         listed = _behaviors_of(stage.families, moment.channel, family)
         asking = {each.name for each in listed if each.lemmas}
         for name in fitting(listed, lemmas, level):
-            worth = _worth(stage, moment, name) * (ASKED_BY_LEMMA if name in asking else 1.0)
+            worth = _worth(stage, moment.channel, shares, name) * (ASKED_BY_LEMMA if name in asking else 1.0)
             worths[name] = max(worths.get(name, 0.0), worth * (OFFERED if name in offered else 1.0))
     for name in offered:
-        worths.setdefault(name, OFFERED * _worth(stage, moment, name))
+        worths.setdefault(name, OFFERED * _worth(stage, moment.channel, shares, name))
     generator = random.Random(f"{stage.seed} {moment.id} {utterance.words[moment.stroke].text}")
     best = sorted(worths.items(), key=lambda item: (-item[1], item[0]))[:MOST_ALTERNATIVES]
     function = _function_at(moment, offers)
@@ -120,31 +123,43 @@ def _listed(families: Families, channel: Channel) -> Mapping[str, tuple[FamilyBe
     return by_channel[channel]
 
 
-def _worth(stage: Stage, moment: Moment, name: str) -> float:
-    """What a behaviour is worth at the moment, by all that it may be read as; a head or face by its own kind alone."""
+def _shares(moment: Moment) -> Mapping[str, float]:
+    """What each family is worth at the moment."""
     shares: dict[str, float] = {}
     unsaid = tuple(LATER_CHOICE**place for place in range(len(moment.families)))
     for family, share in zip(moment.families, moment.shares or unsaid, strict=True):
         shares[merged(family)] = max(share, shares.get(merged(family), 0.0))
-    if moment.channel is not Channel.GESTURE:
-        kinds = _listed(stage.families, moment.channel)
+    return shares
+
+
+def _worth(stage: Stage, channel: Channel, shares: Mapping[str, float], name: str) -> float:
+    """What a behaviour is worth by all that it may be read as; a head or face by its own kind alone."""
+    if channel is not Channel.GESTURE:
+        kinds = _listed(stage.families, channel)
         return max(
             (share for kind, share in shares.items() if any(each.name == name for each in kinds[kind])), default=0.0
         )
-    shown = dict.fromkeys(merged(each) for each in stage.families.shows.get(stage.lexemes[name][1], ()))
+    shown = _all_merged(stage.families.shows.get(stage.behaviors[name].lexeme, ()))
     return sum((1.0 if not place else OTHER_FAMILY) * shares.get(family, 0.0) for place, family in enumerate(shown))
+
+
+@lru_cache(maxsize=1024)
+def _all_merged(families: tuple[str, ...]) -> tuple[str, ...]:
+    """The families as plans name them, each once."""
+    return tuple(dict.fromkeys(map(merged, families)))
 
 
 def _offered(
     stage: Stage, moment: Moment, offers: Sequence[BehaviorCandidates]
 ) -> Iterator[tuple[str, tuple[str, str | None]]]:
-    """The behaviours that rules offer for functions on the stroke's word: by name, the rule and the function."""
-    for offer in sorted(offers, key=lambda each: each.rank, reverse=True):
+    """The behaviours that rules offer for functions on the stroke's word: by name, the rule and the function; the last
+    is that of the most important."""
+    for offer in offers:
         if offer.function is None or not offer.function.first <= moment.stroke <= offer.function.last:
             continue
         for alternative in offer.alternatives:
             for movement in alternative.movements:
-                if stage.lexemes[movement.name][0] is moment.channel:
+                if stage.behaviors[movement.name].channel is moment.channel:
                     yield movement.name, (movement.rule, movement.function)
 
 

@@ -67,7 +67,8 @@ def strokes(gain: SingleArray, price: float, *, still: Collection[int] = ()) -> 
 
 def spread(values: SingleArray, near: int = NEAR) -> SingleArray:
     """The sums of the values (W, N) within `near` words of each word."""
-    padded = np.pad(values, ((near, near), (0, 0)))
+    padded = np.zeros((len(values) + 2 * near, values.shape[1]), values.dtype)
+    padded[near : near + len(values)] = values
     windows = [padded[shift : shift + len(values)] for shift in range(2 * near + 1)]
     return np.asarray(np.sum(windows, axis=0), np.float32)
 
@@ -82,8 +83,8 @@ def spans_of(
     """
     for first, last in stretches:
         part = likely[first : last + 1]
-        level = stretch_level(part)
-        clear = sorted(range(len(kinds)), key=lambda place: -float(level[place]) / thresholds[kinds[place]])
+        level = stretch_level(part).tolist()
+        clear = sorted(range(len(kinds)), key=lambda place: -level[place] / thresholds[kinds[place]])
         taken: list[int] = []
         for place in clear:
             passes = level[place] >= thresholds[kinds[place]]

@@ -107,7 +107,7 @@ class Stages:
         offers = offer_movements(self.mapping, utterance, known.functions, seed=seed, facts=known.facts)
         analysis = Analysis(utterance, known.functions, facts=known.facts)
         moments = plan_moments(self.behavior, analysis, self.character)
-        return candidates_of(Stage(self.behavior.families, self.character.lexemes, seed), utterance, moments, offers)
+        return candidates_of(Stage(self.behavior.families, self.character.entries, seed), utterance, moments, offers)
 
 
 def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) -> Outcome:

@@ -1,5 +1,6 @@
 """Which behaviours are offered for a moment, with a small table of families made by hand."""
 
+from dataclasses import dataclass
 from types import MappingProxyType
 
 from understudy.acting.candidates import Stage, candidates_of
@@ -17,13 +18,20 @@ from understudy.model import (
     Word,
 )
 
-LEXEMES = {
-    "open_hand": (Channel.GESTURE, "OPEN_HAND"),
-    "wipe": (Channel.GESTURE, "NEGATION"),
-    "away": (Channel.GESTURE, "DISMISS"),
-    "drink": (Channel.GESTURE, "MIME_DRINK"),
-    "nod": (Channel.HEAD, "NOD"),
-    "glance": (Channel.GAZE, "GLANCE"),
+
+@dataclass(frozen=True)
+class Entry:
+    channel: Channel
+    lexeme: str
+
+
+BEHAVIORS = {
+    "open_hand": Entry(Channel.GESTURE, "OPEN_HAND"),
+    "wipe": Entry(Channel.GESTURE, "NEGATION"),
+    "away": Entry(Channel.GESTURE, "DISMISS"),
+    "drink": Entry(Channel.GESTURE, "MIME_DRINK"),
+    "nod": Entry(Channel.HEAD, "NOD"),
+    "glance": Entry(Channel.GAZE, "GLANCE"),
 }
 FAMILIES = Families(
     gesture=MappingProxyType(
@@ -45,7 +53,7 @@ FAMILIES = Families(
         }
     ),
 )
-STAGE = Stage(FAMILIES, LEXEMES, seed=0)
+STAGE = Stage(FAMILIES, BEHAVIORS, seed=0)
 
 
 def utterance(text: str) -> Utterance:

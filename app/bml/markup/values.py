@@ -7,6 +7,7 @@ around a value is ignored, and runs of it inside count as one space.
 import re
 from collections.abc import Mapping
 from decimal import Decimal
+from functools import lru_cache
 from math import isfinite
 
 from .documents import Reference, Value
@@ -53,11 +54,15 @@ def value_of(text: str, attribute: Attribute) -> Value:
 
 def text_of(value: Value) -> str:
     """The text that represents `value`."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, float):
+        return _fixed(value)
     if isinstance(value, Reference):
         block = f"{value.block}:" if value.block else ""
         offset = f"{'-' if value.offset_s < 0 else '+'}{_fixed(abs(value.offset_s))}" if value.offset_s else ""
         return f"{block}{value.behavior}:{value.point}{offset}"
-    return _fixed(value) if isinstance(value, float) else str(value)
+    return str(value)
 
 
 def _value(text: str, kind: Kind) -> Value:
@@ -101,6 +106,8 @@ def _reference(text: str) -> Reference:
     return Reference(found["behavior"], found["point"], offset_s, found["block"])
 
 
+@lru_cache(maxsize=4096)
 def _fixed(number: float) -> str:
+    """Cached, because the times of phones, shapes and words are the same."""
     short = f"{number:.{PLACES}f}"
     return short if float(short) == number else f"{Decimal(repr(number)):f}"

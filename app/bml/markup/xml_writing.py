@@ -32,7 +32,7 @@ def to_xml(document: Document) -> bytes:
 
 def _write(pieces: list[str], element: Element, kind: ElementKind | None, *, namespace: str, margin: str) -> None:
     """Appends the pieces of an element in a context with the default `namespace` and the indentation `margin`."""
-    own_namespace, name = _split(kind.qualified if kind else element.name)
+    own_namespace, name = (kind.namespace, kind.name) if kind else _split(element.name)
     declared = f' xmlns="{_quoted(own_namespace)}"' if own_namespace != namespace else ""
     pieces.append(f"<{name}{declared}{_attributes(element, kind)}")
     if not element.content:
@@ -53,6 +53,8 @@ def _write(pieces: list[str], element: Element, kind: ElementKind | None, *, nam
 def _attributes(element: Element, kind: ElementKind | None) -> str:
     """The declarations of prefixes, then all attributes."""
     ordered = _in_order(element.attributes, kind)
+    if not any(name[0] == "{" for name in ordered):
+        return "".join([f' {name}="{_quoted(text_of(value))}"' for name, value in ordered.items()])
     namespaces = dict.fromkeys(_split(name)[0] for name in ordered if name[0] == "{")
     prefixes = {each: _PREFIXES.get(each, f"ns{number}") for number, each in enumerate(namespaces, start=1)}
     pieces = [f' xmlns:{prefix}="{_quoted(each)}"' for each, prefix in prefixes.items() if prefix != "xml"]

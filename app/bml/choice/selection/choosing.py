@@ -15,7 +15,7 @@ from ....model import Alternative, Behavior, BehaviorCandidates, Channel
 from ..timing.candidates import asked, interval_of
 from ..timing.conflicts import Kept
 from .attempts import Attempt, Line, attempted, count_made, is_planned
-from .suitability import form, suitability
+from .suitability import form, most_suitable, suitability
 
 HANDS_WANTED = 0.01
 """What an alternative is worth of another that leaves the hands to those who have only the hands."""
@@ -61,8 +61,9 @@ def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
     if begun and interval_of(begun[-1]).start_s >= EASILY_S:
         return False
     movements = (movement for alternative in offer.alternatives for movement in alternative.movements)
-    placed = (asked(movement, line.character.entries[movement.name], line.timed, "") for movement in movements)
-    return any(each.behavior.kind is Channel.GESTURE and each.behavior.sync.stroke_start == 0 for each in placed)
+    entries = ((movement, line.character.entries[movement.name]) for movement in movements)
+    placed = (asked(movement, entry, line.timed, "") for movement, entry in entries if entry.channel is Channel.GESTURE)
+    return any(each.behavior.sync.stroke_start == 0 for each in placed)
 
 
 def _best(offer: BehaviorCandidates, kept: Kept, line: Line, waiting: Sequence[BehaviorCandidates]) -> Attempt:
@@ -78,6 +79,8 @@ def _best(offer: BehaviorCandidates, kept: Kept, line: Line, waiting: Sequence[B
     for number, alternative in enumerate(lucky[1:], start=1):
         if _luck(alternative) >= score:
             break
+        if _luck(alternative) / most_suitable(alternative, kept, line) >= score:
+            continue
         attempt = attempt_at(alternative, number)
         attempt_score = scored(alternative, attempt)
         if attempt_score < score:

@@ -5,7 +5,7 @@ again what was made a moment ago, and not with the other hand.
 
 from collections.abc import Iterator
 
-from ....model import Behavior, Channel
+from ....model import Alternative, Behavior, Channel
 from ..timing.conflicts import Kept
 from .attempts import Attempt, Line
 from .hands import HAND_SWITCH_S, stroke_s, switches
@@ -41,9 +41,20 @@ def suitability(attempt: Attempt, line: Line) -> float:
             suits *= _habit(behavior, attempt.kept)
         elif any(_repeats(behavior, other.behavior) for other in attempt.kept):
             suits *= REPEATED
-    gestures = sum(other.behavior.kind is Channel.GESTURE for other in attempt.kept)
     with_gesture = any(each.candidate.behavior.kind is Channel.GESTURE for each in attempt.own)
-    return suits if with_gesture or gestures >= line.most_gestures else suits * HANDS_IDLE
+    return suits if with_gesture or not _has_idle_hands(attempt.kept, line) else suits * HANDS_IDLE
+
+
+def most_suitable(alternative: Alternative, kept: Kept, line: Line) -> float:
+    """The most that the suitability of an alternative beside the kept can be."""
+    entries = line.character.entries
+    by_hand = any(entries[movement.name].channel is Channel.GESTURE for movement in alternative.movements)
+    return HANDS_IDLE if not by_hand and _has_idle_hands(kept, line) else 1.0
+
+
+def _has_idle_hands(kept: Kept, line: Line) -> bool:
+    """Whether the character usually gestures more."""
+    return sum(other.behavior.kind is Channel.GESTURE for other in kept) < line.most_gestures
 
 
 def _repeats(behavior: Behavior, other: Behavior) -> bool:

@@ -137,7 +137,7 @@ def _with_silence(shapes: list[Viseme], duration_s: float) -> Iterator[Viseme]:
             continue
         if interval.start_s > at_s:
             yield _silence(at_s, interval.start_s)
-        yield replace(shape, interval=interval)
+        yield shape if interval == shape.interval else replace(shape, interval=interval)
         at_s = interval.end_s
     if duration_s > at_s:
         yield _silence(at_s, duration_s)

@@ -61,30 +61,21 @@ def asked(
         at_s, until_s = stressed_vowel_s(_stroke_word(movement, entry.anchor, words)), interval_of(words[-1]).end_s
     else:
         at_s = until_s = max((interval_of(word).end_s for word in timed if word.index < movement.first), default=0.0)
-    placing, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
+    placing, sync, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
     if brief and placing.at_s > at_s:
         entry = replace(entry, timing=brief.timing, forms=brief.forms)
-        placing, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
+        placing, sync, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
     late_s = placing.at_s - at_s if entry.channel is Channel.GESTURE else 0.0
-    behavior = replace(
-        _behavior(entry, name, _sync(placing), movement.first, movement.last),
-        priority=movement.priority,
-        rule=movement.rule,
-        function=movement.function,
-        moment=movement.moment,
-        target=movement.target or entry.target,
-        kept=bool(words) and late_s <= LATEST_S,
-        reason=_late(late_s) if late_s > LATEST_S else hurry if words else "none of its words is spoken",
-    )
+    reason = _late(late_s) if late_s > LATEST_S else hurry if words else "none of its words is spoken"
+    behavior = _behavior(entry, name, sync, movement, reason=reason, kept=bool(words) and late_s <= LATEST_S)
     return PlacedBehavior(behavior, placing, entry.forms, brief)
 
 
 def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:
     """What the body does by itself, with the least priority."""
     placing = _placing(entry, idle.at_s, idle.at_s)
-    placing, _hurry = _in_time(placing, entry.channel)
-    behavior = _behavior(entry, name, _sync(placing), idle.word, idle.word)
-    return PlacedBehavior(replace(behavior, reason=idle.reason), placing)
+    placing, sync, _hurry = _in_time(placing, entry.channel)
+    return PlacedBehavior(_behavior(entry, name, sync, _unasked(entry, idle.word), reason=idle.reason), placing)
 
 
 def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> PlacedBehavior:
@@ -96,7 +87,7 @@ def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> 
     sync = placed(placing, Window(interval.start_s, interval.end_s))
     assert sync is not None, "the interval has room for it"
     name = f"own.{entry.name}.{interval.start_s:.3f}"
-    return PlacedBehavior(replace(_behavior(entry, name, sync, word, word), reason=reason), placing)
+    return PlacedBehavior(_behavior(entry, name, sync, _unasked(entry, word), reason=reason), placing)
 
 
 def stressed_vowel_s(word: Word) -> float:
@@ -146,37 +137,51 @@ def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> Placing:
     return Placing(entry.timing, max(floor(at_s * 1000) / 1000, earliest_s), until_s, stroked)
 
 
-def _in_time(placing: Placing, channel: Channel) -> tuple[Placing, str | None]:
-    """The placing, or one that begins with the performance, and why."""
-    if placed(placing, Window()) is not None:
-        return placing, None
+def _in_time(placing: Placing, channel: Channel) -> tuple[Placing, SyncPoints, str | None]:
+    """The placing, or one that begins with the performance, its sync points, and why."""
+    sync = placed(placing, Window())
+    if sync is not None:
+        return placing, sync, None
     if channel is Channel.GESTURE:
-        return underway(placing), "the hand is raised as the performance begins, for there is no time to raise it"
-    return soonest(placing), "a little late, for there is no time before its word"
+        placing, why = (
+            underway(placing),
+            "the hand is raised as the performance begins, for there is no time to raise it",
+        )
+    else:
+        placing, why = soonest(placing), "a little late, for there is no time before its word"
+    sync = placed(placing, Window())
+    assert sync is not None, "what begins at 0 has room"
+    return placing, sync, why
 
 
 def _late(late_s: float) -> str:
     return f"its stroke would come {late_s:.2f} s after its word, for there is no time before; a lead-in would give it"
 
 
-def _sync(placing: Placing) -> SyncPoints:
-    sync = placed(placing, Window())
-    assert sync is not None, "what begins at 0 has room"
-    return sync
+def _unasked(entry: BehaviorEntry, word: int) -> Movement:
+    """What the body does by itself on a word, with the least priority."""
+    return Movement(entry.name, word, word, 0.0, "", None)
 
 
-def _behavior(entry: BehaviorEntry, name: str, sync: SyncPoints, first: int, last: int) -> Behavior:
+def _behavior(
+    entry: BehaviorEntry, name: str, sync: SyncPoints, movement: Movement, *, reason: str | None, kept: bool = True
+) -> Behavior:
     return Behavior(
         id=name,
         kind=entry.channel,
         lexeme=entry.lexeme,
         sync=sync,
-        first=first,
-        last=last,
-        priority=0.0,
+        first=movement.first,
+        last=movement.last,
+        priority=movement.priority,
+        rule=movement.rule or None,
+        function=movement.function,
+        moment=movement.moment,
         hand=entry.hand,
         amount=entry.amount,
-        target=entry.target,
+        target=movement.target or entry.target,
         direction=entry.direction,
         repetitions=entry.repetitions,
+        kept=kept,
+        reason=reason,
     )
