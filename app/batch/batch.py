@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Protocol
 
 from ..on_demand import OnDemand
 from ..performance import SpeakerReference
@@ -23,26 +22,11 @@ from .request import BatchRequest
 from .running.engine import Engine
 from .running.supervising import Done, supervise
 from .thumbnails import read_thumbnails, remove_other_thumbnails, thumbnail_jobs, thumbnail_paths
+from .watching import Watcher
 from .work.files import clear_unfinished, write_files
 from .work.formats import extension_of
 from .work.jobs import Failure, LineJob, LineOutcome
 from .work.speaking import ReferenceJob
-
-
-class Watcher(Protocol):
-    """Who is told how a batch goes on."""
-
-    def planned(self, plan: Plan) -> None:
-        """The script was read and its lines have their recordings."""
-
-    def learning(self, voices: int) -> None:
-        """The voices of so many speakers are learnt first."""
-
-    def begun(self, entries: int, done: int) -> None:
-        """So many lines can be performed, and so many of them are done already."""
-
-    def ended(self, entry: Entry) -> None:
-        """A line is done, or failed."""
 
 
 @dataclass(frozen=True, slots=True)

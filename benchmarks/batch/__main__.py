@@ -17,9 +17,8 @@ from concurrent.futures import Future
 from pathlib import Path
 
 from understudy.batch.batch import run_batch
-from understudy.batch.manifest.entries import Entry
-from understudy.batch.planning import Plan
 from understudy.batch.request import BatchRequest
+from understudy.batch.watching import Nobody
 from understudy.batch.work.files import write_files
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, LineOutcome, Measures, OutputFile
@@ -108,22 +107,6 @@ class Finished:
         raise NotImplementedError(job.speaker)
 
     def close(self) -> None:
-        pass
-
-
-class Nobody:
-    """Nobody watches."""
-
-    def planned(self, plan: Plan) -> None:
-        pass
-
-    def learning(self, voices: int) -> None:
-        pass
-
-    def begun(self, entries: int, done: int) -> None:
-        pass
-
-    def ended(self, entry: Entry) -> None:
         pass
 
 

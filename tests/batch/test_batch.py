@@ -13,12 +13,13 @@ import understudy
 from understudy.batch.batch import run_batch
 from understudy.batch.manifest.entries import Entry, State
 from understudy.batch.request import BatchRequest
+from understudy.batch.watching import Nobody
 from understudy.batch.work.formats import LineFormat
 from understudy.errors import InputError
 from understudy.performance import Line, Options, Understudy, perform, write_bml
 from understudy.settings import Settings
 
-from ..support.batches import Silent, ThisProcess
+from ..support.batches import ThisProcess
 
 AUDIO = Path(__file__).parents[1] / "audio"
 TEXT = (AUDIO / "figure8.txt").read_text(encoding="utf-8").strip()
@@ -44,7 +45,7 @@ class Batch:
         """Which lines were performed, and the rows of all."""
         engine = ThisProcess(self.models)
         request = replace(self.request, **changes)  # type: ignore[arg-type]
-        entries = run_batch(request, Settings(), lambda: engine, Silent())
+        entries = run_batch(request, Settings(), lambda: engine, Nobody())
         return engine.performed, {entry.id: entry for entry in entries}
 
     def bytes_out(self) -> dict[str, bytes]:

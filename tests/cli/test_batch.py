@@ -14,11 +14,12 @@ import pytest
 
 from understudy.batch.batch import run_batch
 from understudy.batch.request import BatchRequest
+from understudy.batch.watching import Nobody
 from understudy.cli.main import main
 from understudy.performance import Understudy
 from understudy.settings import Settings
 
-from ..support.batches import Silent, ThisProcess
+from ..support.batches import ThisProcess
 
 AUDIO = Path(__file__).parents[1] / "audio"
 TEXT = (AUDIO / "figure8.txt").read_text(encoding="utf-8").strip()
@@ -113,6 +114,6 @@ def test_killed_and_called_again_it_ends_with_the_bytes_of_an_undisturbed_run(
     found = content(folder)
     shutil.rmtree(folder / "out")
     request = BatchRequest(folder / "lines.csv", folder / "audio", folder / "out")
-    run_batch(request, Settings(), lambda: ThisProcess(understudy), Silent())
+    run_batch(request, Settings(), lambda: ThisProcess(understudy), Nobody())
     assert content(folder) == found
     assert len(found) == len(LINES) + 3

@@ -1,9 +1,7 @@
-"""A batch in the process of the tests, with models that are loaded already, watched by nobody."""
+"""A batch in the process of the tests, with models that are loaded already."""
 
 from concurrent.futures import Future
 
-from understudy.batch.manifest.entries import Entry
-from understudy.batch.planning import Plan
 from understudy.batch.work.jobs import LineJob, LineOutcome
 from understudy.batch.work.performing import perform_job
 from understudy.batch.work.speaking import ReferenceJob, learn_reference
@@ -31,20 +29,4 @@ class ThisProcess:
         return future
 
     def close(self) -> None:
-        pass
-
-
-class Silent:
-    """Nobody watches."""
-
-    def planned(self, plan: Plan) -> None:
-        pass
-
-    def learning(self, voices: int) -> None:
-        pass
-
-    def begun(self, entries: int, done: int) -> None:
-        pass
-
-    def ended(self, entry: Entry) -> None:
         pass
