@@ -163,7 +163,7 @@ def divergences(trials: Sequence[Trial], name: str, clusters: int) -> tuple[floa
 def choose(pairs: Sequence[MotionPair], affects: Sequence[FloatArray]) -> None:
     """Figure 3: the correlation of angles and affect within clusters."""
     kept, whole = correlations(pairs, affects, CHOICES)
-    for clusters, each in (*kept.items(), ("all in one", whole)):
+    for clusters, each in (*kept.items(), ("no", whole)):
         print(
             f"{clusters} clusters: "
             + ", ".join(f"{name} {value:.3f}" for name, value in zip(DIMENSIONS, each, strict=True))
