@@ -76,13 +76,13 @@ class JobOperator(bpy.types.Operator):
             return self._failed(error)
 
     def invoke(self, context: Any, _event: Any) -> set[str]:
-        """Works in a thread, unless there is no window to show it in."""
+        """Works in a thread, unless Blender runs without windows, and so without events that would end the work."""
         state = context.window_manager.understudy
         if state.running:
             self.report({"ERROR"}, "Understudy is at work already: wait for it, or cancel it")
             return {"CANCELLED"}
-        if context.window is None:
-            return self.execute(context)
+        if bpy.app.background or context.window is None:
+            return JobOperator.execute(self, context)
         try:
             self._job = Job(self.gather(context))
         except (PerformingError, ValueError, OSError) as error:

@@ -28,11 +28,18 @@ class ImportBml(JobOperator, ImportHelper):
     filter_glob: bpy.props.StringProperty(default="*.bml;*.xml", options={"HIDDEN"})
     audio: bpy.props.StringProperty(name="Recording", subtype="FILE_PATH", description="Of the speech, if there is one")
 
+    by_hand: bpy.props.BoolProperty(options={"HIDDEN", "SKIP_SAVE"})
+
     def invoke(self, context: Any, event: Any) -> set[str]:
-        """First the file, then the work."""
+        """First the file, which Blender's file browser asks for, then the work."""
         if self.properties.is_property_set("filepath"):
             return JobOperator.invoke(self, context, event)
+        self.by_hand = True
         return ImportHelper.invoke(self, context, event)
+
+    def execute(self, context: Any) -> set[str]:
+        """Called by the file browser, the work goes on in a thread; called by a script, at once."""
+        return JobOperator.invoke(self, context, None) if self.by_hand else JobOperator.execute(self, context)
 
     def gather(self, context: Any) -> Work:
         path, performer = Path(self.filepath), performer_of(context)

@@ -63,3 +63,10 @@ def test_what_is_cancelled_is_told_to_end(jobs: Any) -> None:
     job.start()
     job.cancel()
     assert ended(job).result == "ended"
+
+
+def test_without_windows_what_is_invoked_works_at_once(blender: Any, mannequin: Any, line: Any) -> None:
+    assert line.text
+    assert blender.ops.understudy.perform("INVOKE_DEFAULT") == {"FINISHED"}
+    assert mannequin.animation_data.nla_tracks
+    assert not blender.context.window_manager.understudy.running

@@ -136,7 +136,7 @@ def test_anybodys_bml_comes_in(blender: Bpy, mannequin: Bpy, tmp_path: Path, con
     path = tmp_path / "theirs.bml"
     path.write_bytes(content)
     blender.context.scene.frame_current = 10
-    blender.ops.understudy.import_bml(filepath=str(path))
+    blender.ops.understudy.import_bml(filepath=str(path), by_hand=content is BML)
     assert strips <= set(schedule(mannequin))
     assert tracks(mannequin)["Understudy body"][0].frame_start == 10
     assert mannequin.understudy.performances[0].name == "theirs"
