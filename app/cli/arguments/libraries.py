@@ -56,6 +56,12 @@ def add_profiles(add: Adding) -> None:
     learn.add_argument("files", metavar="FILE", nargs="+", type=InputFile, help=formats)
     learn.add_argument("--description", metavar="TEXT", default="", help="who it is, for profiles list")
     add_output(learn, "P.yaml", "where the profile goes (default: standard output)", default=STANDARD)
+    propose = add_action("propose", "a first annotation of a recorded motion, to be corrected in ELAN")
+    propose.add_argument("motion", metavar="MOTION.bvh", type=InputFile, help="the speaker's motion")
+    propose.add_argument(
+        "--words", metavar="FILE", type=InputFile, help="an annotation with the words: .TextGrid, .eaf, …"
+    )
+    add_output(propose, "OUT.eaf", "where the annotation goes: .eaf or .json")
     mix = add_action("mix", "make one that lies between two")
     profile = "a profile's name, or its .yaml file"
     mix.add_argument("profiles", metavar="PROFILE", nargs=2, type=InputFile, help=profile)

@@ -10,11 +10,17 @@ from typing import TYPE_CHECKING
 from ...errors import InputError
 from ...loading import load_characters, profile_names
 from ...on_demand import OnDemand
-from ...profiles.annotation.reading import read_annotations
+from ...profiles.annotation.elan import write_elan
+from ...profiles.annotation.reading import LARGEST_BYTES, read_annotations, read_tracks
+from ...profiles.annotation.tables import write_json_tracks
+from ...profiles.annotation.tracks import Track, merged, rows_of, with_attribute_tracks
 from ...profiles.files.writing import profile_yaml
 from ...profiles.mixing import mix
+from ...profiles.proposing.bvh import read_wrists
+from ...profiles.proposing.phases import proposed_units
+from ...profiles.proposing.proposing import proposed_tracks
 from ...settings import read_settings
-from ..files import STANDARD, require_writable, write, write_standard
+from ..files import STANDARD, read_bytes, require_writable, write, write_standard
 from ..inputs.profiles import named_profile
 from ..log import Log
 from ..outputs.profile_listing import profile_lines
@@ -24,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
-    actions = {"learn": _learn, "mix": _mix, "list": _list, "show": _show}
+    actions = {"learn": _learn, "propose": _propose, "mix": _mix, "list": _list, "show": _show}
     actions[arguments.action](arguments, log)
     return 0
 
@@ -44,6 +50,26 @@ def _language() -> LanguageModels:
     from ...understanding import LanguageModels
 
     return LanguageModels.load(read_settings())
+
+
+def _propose(arguments: argparse.Namespace, log: Log) -> None:
+    writers = {".eaf": _elan, ".json": write_json_tracks}
+    suffix = PurePath(arguments.output).suffix.lower()
+    if suffix not in writers:
+        message = f"{arguments.output}: a proposed annotation is written as {' or '.join(writers)}"
+        raise InputError("annotation_format", message, field="output")
+    require_writable(arguments.output, field="output")
+    others = merged(read_tracks(Path(arguments.words))) if arguments.words else ()
+    content = read_bytes(arguments.motion, limit=LARGEST_BYTES, field="motion")
+    units = tuple(proposed_units(read_wrists(content, Path(arguments.motion))))
+    write(arguments.output, writers[suffix](proposed_tracks(units, others)))
+    log.note(
+        f"{sum(len(unit.phrases) for unit in units)} gestures in {len(units)} units; name them in {arguments.output}"
+    )
+
+
+def _elan(tracks: Sequence[Track]) -> bytes:
+    return write_elan([row for track in with_attribute_tracks(tracks) for row in rows_of(track)])
 
 
 def _mix(arguments: argparse.Namespace, log: Log) -> None:

@@ -2,7 +2,7 @@
 
 A chain over places: a gesture of lexeme g on a place after one of lexeme h weighs P(g∣s) · P(g∣h) / P(g), and a
 constant for each gesture, such that as many are expected as the speaker makes in that time. The paper takes the
-likeliest sequence; that is always the same few gestures. We draw one from all, each as likely as it is, so that the
+likeliest sequence; that is always the same few gestures. We draw from all, each as likely as it is, so that the
 shares of gestures come out as the speaker's (`benchmarks.profiles` has both). Hands are a chain likewise, over
 P(hand∣g) and the hand before.
 
@@ -30,6 +30,7 @@ NEVER = 1e-30
 WIDEST, EXACT = 30.0, 1e-3
 """Between which log weights that of a gesture is sought, and how exactly."""
 
+DRAWS = 12
 NEARLY_ALL = 0.98
 """Of the most gestures that fit, more cannot be expected."""
 
@@ -62,11 +63,7 @@ def drawn_gestures(
         return ()
     chain = _chain(profile, places, lexemes)
     expected = min(expected, NEARLY_ALL * _most(chain))
-    if likeliest:
-        found = _likeliest_of(chain, expected)
-    else:
-        weight = _weight_for(lambda weight: _expected(chain, weight), expected)
-        found = list(_backward(chain, _forward(chain, weight, ALL), partial(_sampled, rng)))
+    found = _likeliest_of(chain, expected) if likeliest else _drawn(chain, expected, rng)
     return tuple(Drawn(places[place], lexemes[lexeme]) for place, lexeme in reversed(found))
 
 
@@ -168,6 +165,15 @@ def _sampled(rng: random.Random, scores: FloatArray) -> int:
 
 def _likeliest(scores: FloatArray) -> int:
     return int(scores.argmax())
+
+
+def _drawn(chain: _Chain, expected: float, rng: random.Random) -> list[tuple[int, int]]:
+    """Of several chains that are drawn the first whose number of gestures is nearest to what is expected: a speaker's
+    rate varies less from line to line than chance would have it."""
+    forward = _forward(chain, _weight_for(lambda weight: _expected(chain, weight), expected), ALL)
+    wanted = int(expected + rng.random())
+    drawn = [list(_backward(chain, forward, partial(_sampled, rng))) for _draw in range(DRAWS)]
+    return min(drawn, key=lambda found: abs(len(found) - wanted))
 
 
 def _likeliest_of(chain: _Chain, expected: float) -> list[tuple[int, int]]:

@@ -30,6 +30,7 @@ def test_as_many_are_made_as_expected_and_none_too_close(expected: float) -> Non
     drawn = [drawn_gestures(_profile(A=0.6, B=0.4), places, expected=expected, rng=rng) for _ in range(50)]
     counts = [len(each) for each in drawn]
     assert sum(counts) / 50 == pytest.approx(expected, abs=3 * (expected / 50) ** 0.5)  # three standard errors
+    assert max(abs(count - expected) for count in counts) <= 2  # several are drawn, and the nearest is taken
     for each in drawn:
         assert all(other.place.end_s - one.place.end_s >= APART_S for one, other in pairwise(each))
 

@@ -1,0 +1,1 @@
+"""A first annotation of a motion."""
