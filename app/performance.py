@@ -40,7 +40,7 @@ from .bml.choice.speech.lead_in import with_lead_in
 from .bml.choice.speech.visemes import visemes
 from .bml.choice.stillness import with_stillness
 from .bml.markup.documents import DialectName, TimeForm
-from .bml.writing.writer import BmlForm, write_bml, write_bml_json, write_speech_file
+from .bml.writing.writer import BmlForm, losses, write_bml, write_bml_json, write_speech_file
 from .errors import InputError
 from .gesture_scripts import (
     as_speaker,
@@ -328,7 +328,8 @@ def _performed(
         targets=targets,
     )
     performance = reduce(partial(_heard_by, behavior, dict(options.played_by)), options.listeners, performance)
-    return with_stillness(performance, options.stillness), script
+    performance = with_stillness(performance, options.stillness)
+    return replace(performance, notices=performance.notices + losses(performance, options.form)), script
 
 
 def _candidates(
