@@ -25,7 +25,7 @@ Named = TypeVar("Named", bound=str)
 def mix(one: Profile, other: Profile, share: float, *, name: str) -> Profile:
     """The profile that is `other` by `share`, in [0, 1], and `one` by the rest.
 
-    What cannot lie between, rests and words of form, is that of the one with the greater share.
+    What cannot lie between, rests and postures, is that of the one with the greater share.
     """
     nearer = other if share > 0.5 else one
     return Profile(
@@ -43,7 +43,7 @@ def mix(one: Profile, other: Profile, share: float, *, name: str) -> Profile:
         smoothing=_smoothing(one.smoothing, other.smoothing, share),
         rests=_rests(one.rests, other.rests, nearer.rests, share),
         head=_head(one.head, other.head, nearer.head, share),
-        forms=_forms(one, other, nearer, share),
+        forms=_forms(one, other, share),
         database=_database(one.database, other.database, share),
         lead=Lead(
             _between(one.lead.main_s, other.lead.main_s, share), _between(one.lead.after_s, other.lead.after_s, share)
@@ -153,15 +153,13 @@ def _head(one: HeadHabit, other: HeadHabit, nearer: HeadHabit, share: float) -> 
     return HeadHabit(_table(one.per_minute, other.per_minute, share), contact, nearer.postures)
 
 
-def _forms(one: Profile, other: Profile, nearer: Profile, share: float) -> dict[str, FormHabit]:
+def _forms(one: Profile, other: Profile, share: float) -> dict[str, FormHabit]:
+    """The forms of both; one that only one of them knows is its own."""
     made = {}
     for name in _names(one.forms, other.forms):
-        first, second = one.forms.get(name), other.forms.get(name)
-        own = nearer.forms.get(name) or first or second
-        assert own is not None, "it is a form of one of them"
-        first, second = first or own, second or own
-        size, after = _between(first.size, second.size, share), _between(first.after_size, second.after_size, share)
-        made[name] = FormHabit(size, own.after_stroke, after, own.hand, own.palm)
+        known = one.forms.get(name) or other.forms[name]
+        first, second = one.forms.get(name, known), other.forms.get(name, known)
+        made[name] = FormHabit(_between(first.size, second.size, share))
     return made
 
 

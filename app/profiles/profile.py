@@ -57,17 +57,10 @@ class Occurrence:
 
 @dataclass(frozen=True, slots=True)
 class FormHabit:
-    """An entry of the animation lexicon: what of a lexeme's form is the speaker's own.
-
-    `after_stroke` is the lexeme of the small movement that follows a main stroke, None for the same once more; `size`
-    scales the movement, `after_size` the after-stroke beside it; `hand` and `palm` are in the gesture language's words.
-    """
+    """An entry of the animation lexicon: what of a lexeme's form is the speaker's own, the rest being the library's.
+    `size` scales the movement."""
 
     size: float = 1.0
-    after_stroke: str | None = None
-    after_size: float = 0.6
-    hand: str | None = None
-    palm: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -135,7 +135,7 @@ def _lexeme(form: LexemeForm) -> LexemeHabit:
 
 
 def _form(form: LexemeForm) -> FormHabit:
-    return FormHabit(form.size, form.after_stroke, form.after_size, form.hand, form.palm)
+    return FormHabit(form.size)
 
 
 def _occurrence(form: OccurrenceForm) -> Occurrence:

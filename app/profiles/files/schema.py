@@ -29,10 +29,6 @@ class LexemeForm(Entry):
     offset_s: _Offset = (0.0, 0.1)
     held: _Share = 0.0
     size: float = Field(default=1.0, ge=0.3, le=2.0)
-    after_stroke: _Lexeme | None = None
-    after_size: float = Field(default=0.6, ge=0.1, le=2.0)
-    hand: str | None = None
-    palm: str | None = None
 
 
 class UnitForm(Entry):
