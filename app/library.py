@@ -56,7 +56,8 @@ from .realization import (
 )
 from .realization import write_motion as _write_motion
 from .schemas.requests import RealizeOptions, check_options, check_realize_options, read_timings
-from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse, ResponseModel
+from .schemas.response_model import ResponseModel
+from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse
 from .settings import Settings, read_settings
 from .targets import targets_of
 

@@ -10,7 +10,7 @@ from ..authoring.catalogue import Character, Item, Kind, shown_path
 from ..model import Hand, Level
 from ..realizer.gestures.clips import clip
 from ..realizer.gestures.gesture import Definition
-from .responses import Number, ResponseModel
+from .response_model import Number, ResponseModel
 
 
 class RuleResponse(ResponseModel):

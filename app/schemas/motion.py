@@ -5,7 +5,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .responses import ResponseModel, WarningResponse
+from .line_parts import WarningResponse
+from .response_model import ResponseModel
 
 Vector = Annotated[list[float], Field(min_length=3, max_length=3, description="x, y, z")]
 Quaternion = Annotated[list[float], Field(min_length=4, max_length=4, description="x, y, z, w")]

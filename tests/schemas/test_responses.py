@@ -27,18 +27,16 @@ from understudy.model import (
     Word,
 )
 from understudy.performance import AlignedLine, Analysis
+from understudy.schemas.line_parts import BehaviorResponse, FunctionResponse, WordResponse
+from understudy.schemas.response_model import ResponseModel
 from understudy.schemas.responses import (
     AgitationResponse,
     AlignResponse,
     AnalysisResponse,
-    BehaviorResponse,
-    FunctionResponse,
     FunctionsResponse,
     MistakeResponse,
     PerformanceResponse,
     PerformResponse,
-    ResponseModel,
-    WordResponse,
 )
 
 WORDS = (

@@ -1,0 +1,232 @@
+"""The parts of a line in JSON: what is heard, said, meant and done, each made from its value of `understudy.model`.
+
+A key is absent if there is no value (a time without audio, the winner where no conflict was lost).
+"""
+
+from collections.abc import Sequence
+from typing import Annotated, Self
+
+from pydantic import AliasPath, BeforeValidator, Field
+
+from ..model import PLAIN, Function, Word
+from .response_model import Number, ResponseModel, Times
+
+
+def _if_so(flag: bool) -> bool | None:
+    return flag or None
+
+
+class WarningResponse(ResponseModel):
+    """A notice about something degraded, dropped or guessed."""
+
+    code: str
+    message: str
+
+
+class PhoneResponse(ResponseModel):
+    """A phone: ARPABET without stress digit; the stress is separate and known only for some input formats."""
+
+    label: str
+    start_s: Number = Field(validation_alias=AliasPath("interval", "start_s"))
+    end_s: Number = Field(validation_alias=AliasPath("interval", "end_s"))
+    stress: int | None = None
+
+
+class WordResponse(ResponseModel):
+    """A word of the transcript; one that is not spoken, such as a lone dash, has no times.
+
+    `spread` is present, and true, if the times are estimated from loudness.
+    """
+
+    index: int
+    text: str
+    start_s: Number | None = Field(default=None, validation_alias=AliasPath("interval", "start_s"))
+    end_s: Number | None = Field(default=None, validation_alias=AliasPath("interval", "end_s"))
+    stressed_ratio: Number | None = None
+    prominence: Number | None = None
+    emphasis: Number | None = None
+    spread: Annotated[bool | None, BeforeValidator(_if_so)] = None
+    phones: list[PhoneResponse]
+
+
+class FillerResponse(ResponseModel):
+    """A hesitation sound that is not a word of the transcript."""
+
+    text: str
+    start_s: Number = Field(validation_alias=AliasPath("interval", "start_s"))
+    end_s: Number = Field(validation_alias=AliasPath("interval", "end_s"))
+
+
+class AudioResponse(ResponseModel):
+    """The recording."""
+
+    duration_s: Number
+
+
+class StressResponse(ResponseModel):
+    """The utterance's stress thresholds; a frame above either is stressed."""
+
+    energy_db: Number
+    f0_hz: Number | None = None
+
+
+class MembershipsResponse(ResponseModel):
+    """The fuzzy memberships of the voice in the levels of agitation; they sum to 1."""
+
+    low: Number
+    medium: Number
+    high: Number
+
+
+class TokenResponse(ResponseModel):
+    """A token of the parser: `word` is the index of its transcript word, `head` the index of its governor."""
+
+    index: int
+    word: int
+    text: str
+    lemma: str
+    part_of_speech: str
+    tag: str
+    dependency: str
+    head: int
+
+
+class PhraseResponse(ResponseModel):
+    """A noun phrase or verb group, by word indices."""
+
+    kind: str
+    first: int
+    last: int
+    head: int
+
+
+class ClauseResponse(ResponseModel):
+    """A clause, by word indices."""
+
+    label: str
+    first: int
+    last: int
+    head: int
+
+
+class ParseResponse(ResponseModel):
+    """The syntactic structure."""
+
+    tokens: list[TokenResponse]
+    phrases: list[PhraseResponse]
+    clauses: list[ClauseResponse]
+
+
+class BecauseResponse(ResponseModel):
+    """One support of a function: a word of the transcript, or a fact with the rule that derived it."""
+
+    word: int | None = None
+    rule: str | None = None
+    fact: str | None = None
+
+
+class FunctionResponse(ResponseModel):
+    """A communicative function of the words `first` to `last`."""
+
+    id: str
+    class_name: str = Field(serialization_alias="class")
+    subtype: str
+    first: int
+    last: int
+    text: str
+    start_s: Number | None = None
+    end_s: Number | None = None
+    priority: Number
+    rule: str
+    because: list[BecauseResponse]
+    kept: bool
+    lost_to: str | None = None
+
+    @classmethod
+    def of(cls, function: Function, words: Sequence[Word]) -> Self:
+        """`words` are those of the whole transcript, for the function's text and times."""
+        spanned = words[function.first : function.last + 1]
+        intervals = [word.interval for word in spanned if word.interval]
+        return cls(
+            id=function.id,
+            class_name=function.class_name,
+            subtype="" if function.subtype == PLAIN else function.subtype,
+            first=function.first,
+            last=function.last,
+            text=" ".join(word.text for word in spanned),
+            start_s=intervals[0].start_s if intervals else None,
+            end_s=intervals[-1].end_s if intervals else None,
+            priority=function.priority,
+            rule=function.rule,
+            because=[BecauseResponse.model_validate(because) for because in function.because],
+            kept=function.kept,
+            lost_to=function.lost_to,
+        )
+
+
+class BehaviorResponse(ResponseModel):
+    """A scheduled behaviour; the times of `sync` are seconds from the start of the audio."""
+
+    id: str
+    kind: str
+    lexeme: str
+    hand: str | None = None
+    amount: Number | None = None
+    target: str | None = None
+    direction: str | None = None
+    repetitions: int | None = None
+    sync: Times
+    first: int
+    last: int
+    priority: Number
+    rule: str | None = None
+    function: str | None = None
+    moment: str | None = None
+    kept: bool
+    lost_to: str | None = None
+    reason: str | None = None
+    after_strokes_s: list[Number] | None = None
+
+
+class TermResponse(ResponseModel):
+    """A reason for a choice, and its weight in log-odds."""
+
+    name: str
+    weight: Number
+
+
+class RejectedResponse(ResponseModel):
+    """Families that a moment does not show, their expected worth, and why they lost."""
+
+    families: list[str]
+    worth: Number
+    reason: str
+
+
+class MomentResponse(ResponseModel):
+    """A stretch of words that means something to hands, head or face: the families that would be right, the likeliest
+    first, the terms that made the first one win, and what lost. `note` is the number of the director's note,
+    `set_against` the word of the stroke that shows the other side of a contrast."""
+
+    id: str
+    channel: str
+    first: int
+    last: int
+    stroke: int
+    families: list[str]
+    shares: list[Number]
+    importance: Number
+    terms: list[TermResponse]
+    rejected: list[RejectedResponse]
+    note: int | None = None
+    set_against: int | None = None
+
+
+class VisemeResponse(ResponseModel):
+    """A viseme: `articulation` is how far its shape is reached, `opening` how wide the jaw opens."""
+
+    label: str
+    start_s: Number = Field(validation_alias=AliasPath("interval", "start_s"))
+    end_s: Number = Field(validation_alias=AliasPath("interval", "end_s"))
+    articulation: Number
+    opening: Number
