@@ -6,7 +6,7 @@ a value returns a changed copy (`dataclasses.replace`).
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 import numpy as np
@@ -511,7 +511,8 @@ class Schedule:
     `phrases` are stretches of speech between pauses, `emphases_s` the moments of stress in it, `agitation` the level at
     which clips are chosen, `character` who moves. The recording starts at `lead_in_s`. `stillness` (0 to 1) is how much
     less than usual the body does by itself: at 1 it only breathes. `targets` are where it looks and points,
-    `functions` what the words do, for those who want to know why.
+    `functions` what the words do, for those who want to know why: BML has none, and nothing that is played depends on
+    them.
     """
 
     behaviors: tuple[Behavior, ...]
@@ -525,4 +526,4 @@ class Schedule:
     lead_in_s: float = 0.0
     stillness: float = 0.0
     targets: tuple[Target, ...] = ()
-    functions: tuple[Function, ...] = ()
+    functions: tuple[Function, ...] = field(default=(), compare=False)

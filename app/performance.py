@@ -7,21 +7,14 @@ know nothing of the stages; the forms in which results leave (BML, TextGrid, CTM
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import partial, reduce
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Self
 
 from threadpoolctl import threadpool_limits
 
 from .acoustic.agitation.speaker import SpeakerReference
 from .acoustic.alignment.timings import to_ctm, to_textgrid
-from .acting.candidates import Stage, candidates_of
-from .acting.families import Families
-from .acting.notes import check_direction, conflicts, directed, unplayed_notes
-from .acting.planning import Planner, plan
-from .acting.targets import mentions, pointing_candidates, without_overlapped
+from .acting.notes import check_direction, conflicts
 from .analysis import (
     AlignedLine,
     Analysis,
@@ -30,55 +23,29 @@ from .analysis import (
     SignalAnalysis,
     Timings,
 )
-from .bml.choice.characters.characters import DEFAULT_CHARACTER, Character, Characters
-from .bml.choice.characters.gesture_forms import FormedCharacters
-from .bml.choice.listeners.addressees import addressed, placed_listeners
-from .bml.choice.listeners.head_rates import HeadRates
-from .bml.choice.listeners.listening import Listener, listen
-from .bml.choice.scheduling import numbered, schedule
-from .bml.choice.speech.lead_in import with_lead_in
-from .bml.choice.speech.visemes import visemes
-from .bml.choice.stillness import with_stillness
+from .bml.choice.characters.characters import DEFAULT_CHARACTER
 from .bml.markup.documents import DialectName, TimeForm
-from .bml.writing.writer import BmlForm, losses, write_bml, write_bml_json, write_speech_file
+from .bml.writing.writer import BmlForm, write_bml, write_bml_json, write_speech_file
 from .errors import InputError
-from .gesture_scripts import (
-    as_speaker,
-    gesture_script,
-    repertoire_of,
-    scripted_behaviors,
-    without_chosen_gestures,
-    without_planned_gestures,
-)
 from .hearing import AcousticModels, align, align_words, analyze_signal, make_reference
 from .loading import (
-    load_characters,
-    load_families,
-    load_gesture_table,
-    load_mapping_rules,
-    load_profile,
     load_realizer,
-    profile_names,
 )
 from .model import (
     Agitation,
-    BehaviorCandidates,
     Direction,
     Level,
     Listening,
-    Moment,
     Notice,
     Parse,
     Performance,
     Utterance,
 )
+from .moving import BehaviorModels, move
 from .on_demand import OnDemand
 from .profiles.generation.script import GestureScript
-from .profiles.profile import Profile
 from .progress import Progress, no_progress
-from .resources import resource_folder
 from .rules.derivation import understand
-from .rules.mapping import MappingRules, offer_movements
 from .settings import Settings
 from .transcript import read_transcript
 from .understanding import LanguageModels, find_functions, find_functions_in_all
@@ -120,53 +87,6 @@ __all__ = [
     "write_script",
     "write_speech_file",
 ]
-
-
-@dataclass(frozen=True, slots=True)
-class BehaviorModels:
-    """What moving needs (paper §3.4, §3.5)."""
-
-    settings: Settings
-    characters: Characters
-    rules: MappingRules
-    families: Families
-    planner: Planner
-    head_rates: HeadRates
-    performers: FormedCharacters
-    profiles: Mapping[str, OnDemand[Profile]]
-
-    @classmethod
-    def load(cls, settings: Settings) -> Self:
-        """Raises AuthoringError with every mistake in characters, behaviour table, families and mapping rules,
-        ServiceError when a model is missing or broken."""
-        lexicon = resource_folder("lexicon")
-        characters = load_characters()
-        families = load_families(characters)
-        rules, models = load_mapping_rules(characters.behavior_names), resource_folder("models")
-        return cls(
-            settings=settings,
-            characters=characters,
-            rules=rules,
-            families=families,
-            planner=Planner.load(models / "acting", lexicon / "acting", families, rules.program.argument_counts),
-            head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
-            performers=FormedCharacters.of(characters, load_gesture_table(characters.gesture_lexemes)),
-            profiles={
-                name: OnDemand(partial(load_profile, name, characters.gesture_lexemes)) for name in profile_names()
-            },
-        )
-
-    def profile(self, profile: Profile | str | None) -> Profile | None:
-        """The profile, or that of this name in the lexicon; raises InputError `unknown_profile`."""
-        if not isinstance(profile, str):
-            return profile
-        if profile not in self.profiles:
-            return load_profile(profile, self.characters.gesture_lexemes)
-        return self.profiles[profile].get()
-
-
-QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
-"""How much the body does at each level of agitation (paper §1), beside how much it does by itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -236,9 +156,7 @@ def perform_heard(
     understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
 ) -> tuple[Analysis, Performance]:
     """What was heard and understood in a line, and its performance; raises as `perform` does."""
-    understudy.behavior.characters.named(options.character)
-    direction_notices = _checked_direction(understudy, line)
-    analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
+    analysis, direction_notices = _heard(understudy, line, options, progress)
     performance = perform_analysis(understudy, analysis, options, line.direction, progress)
     return analysis, replace(performance, notices=direction_notices + performance.notices)
 
@@ -251,7 +169,7 @@ def perform_analysis(
     progress: Progress = no_progress,
 ) -> Performance:
     """The performance of a line that was heard and understood (paper §3.4, §3.5), with a director's notes on it."""
-    return _performed(understudy, analysis, options, direction, progress)[0]
+    return move(understudy.behavior, analysis, options, direction, progress)[0]
 
 
 def write_script(
@@ -259,114 +177,30 @@ def write_script(
 ) -> tuple[Performance, GestureScript]:
     """The performance of a recorded line and the gesture script that its hands follow, by the profile of the options
     (NGS §3.3); raises as `perform` does, and InputError `value_wrong` where there is no profile."""
-    analysis = analyze(understudy, line, agitation=options.agitation, progress=progress)
-    return script_analysis(understudy, analysis, options, line.direction)
+    analysis, direction_notices = _heard(understudy, line, options, progress)
+    performance, script = script_analysis(understudy, analysis, options, line.direction)
+    return replace(performance, notices=direction_notices + performance.notices), script
 
 
 def script_analysis(
     understudy: Understudy, analysis: Analysis, options: Options, direction: Direction | None = None
 ) -> tuple[Performance, GestureScript]:
     """The same for a line that was heard and understood."""
-    performance, script = _performed(understudy, analysis, options, direction)
+    performance, script = move(understudy.behavior, analysis, options, direction)
     if script is None:
         raise InputError("value_wrong", "profile: a gesture script is written by a profile; name one", field="profile")
     return performance, script
 
 
-def _performed(
-    understudy: Understudy,
-    analysis: Analysis,
-    options: Options,
-    direction: Direction | None = None,
-    progress: Progress = no_progress,
-) -> tuple[Performance, GestureScript | None]:
-    behavior, agitation = understudy.behavior, analysis.utterance.agitation
-    profile = behavior.profile(options.profile)
-    level = agitation.level if agitation else Level.MEDIUM
-    character = behavior.performers.named(options.character, level)
-    if profile is not None:
-        character = as_speaker(character, profile)
-    progress("plan")
-    moments = plan_moments(behavior, analysis, character, direction)
-    if profile is not None:
-        moments = without_planned_gestures(moments)
-    targets = placed_listeners(options.listeners, options.targets)
-    utterance = with_lead_in(analysis.utterance, options.lead_in_s)
-    progress("mapping")
-    candidates = _candidates(behavior, replace(analysis, utterance=utterance), moments, character, seed=options.seed)
-    if profile is not None:
-        candidates = tuple(without_chosen_gestures(candidates, character.lexemes))
-    named = mentions(utterance, options.targets)
-    pointing = tuple(pointing_candidates(named, analysis.functions))
-    candidates = (*without_overlapped(candidates, named), *pointing)
-    moments += tuple(each.moment for each in pointing if each.moment)
-    progress("schedule")
-    behaviors = schedule(
-        candidates,
-        utterance,
-        character,
-        seed=options.seed,
-        mode=options.mode,
-        several_listeners=len(options.listeners) > 1,
-    )
-    script = None
-    if profile is not None:
-        repertoire = repertoire_of(character, behavior.families, direction, behaviors)
-        script = gesture_script(profile, repertoire, utterance, analysis.functions, seed=options.seed)
-        behaviors = numbered((*behaviors, *scripted_behaviors(script, analysis.functions, behaviors)))
-    behaviors = addressed(behaviors, options.listeners, targets)
-    lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
-    performance = Performance(
-        utterance=utterance,
-        functions=analysis.functions,
-        behaviors=behaviors,
-        character=character.name,
-        seed=options.seed,
-        notices=analysis.notices + lip_notices + unplayed_notes(moments, behaviors),
-        visemes=lips,
-        moments=moments,
-        targets=targets,
-    )
-    performance = reduce(partial(_heard_by, behavior, dict(options.played_by)), options.listeners, performance)
-    performance = with_stillness(performance, options.stillness)
-    return replace(performance, notices=performance.notices + losses(performance, options.form)), script
-
-
-def _candidates(
-    behavior: BehaviorModels, analysis: Analysis, moments: tuple[Moment, ...], character: Character, *, seed: int
-) -> tuple[BehaviorCandidates, ...]:
-    """What could show the functions, or the moments of a line that is planned."""
-    candidates = offer_movements(
-        behavior.rules, analysis.utterance, analysis.functions, seed=seed, facts=analysis.facts
-    )
-    if not moments and behavior.settings.choice != "terms":
-        return candidates
-    return candidates_of(Stage(behavior.families, character.entries, seed), analysis.utterance, moments, candidates)
-
-
-def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:
-    """What a director's notes say against each other; raises InputError where they do not fit the words."""
-    if line.direction is None:
-        return ()
-    limit = understudy.language.settings.max_text_characters
-    check_direction(line.direction, words=len(read_transcript(line.text, max_characters=limit)))
-    return conflicts(line.direction)
-
-
-def plan_moments(
-    behavior: BehaviorModels, analysis: Analysis, character: Character, direction: Direction | None = None
-) -> tuple[Moment, ...]:
-    """What the line's phrases mean to the body, a director's notes first; nothing but these where functions choose by
-    priority alone, as in the paper.
-
-    How much is done depends on the speaker's agitation (paper §1) and on who performs.
-    """
-    moments: tuple[Moment, ...] = ()
-    if behavior.settings.choice == "terms":
-        agitation = analysis.utterance.agitation
-        quantity = QUANTITY[agitation.level if agitation else Level.MEDIUM] * character.liveliness
-        moments = plan(behavior.planner, analysis.utterance, analysis.functions, analysis.facts, quantity=quantity)
-    return moments if direction is None else directed(direction, moments)
+def _heard(
+    understudy: Understudy, line: Line, options: Options, progress: Progress
+) -> tuple[Analysis, tuple[Notice, ...]]:
+    """What is heard and understood, and what a director's notes say against each other; names are checked first."""
+    understudy.behavior.characters.named(options.character)
+    understudy.behavior.profile(options.profile)
+    notices = _checked_direction(understudy, line)
+    analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
+    return analysis, notices
 
 
 def listener_part(performance: Performance, listening: Listening) -> Performance:
@@ -380,20 +214,13 @@ def write_listener(performance: Performance, listening: Listening, form: BmlForm
     return write_bml(listener_part(performance, listening), replace(form, timing=TimeForm.ABSOLUTE, audio_file=None))
 
 
-def _heard_by(
-    behavior: BehaviorModels, played_by: Mapping[str, str], performance: Performance, name: str
-) -> Performance:
-    """The performance with one more listener: played by whom the options say, else by the character of that name, else
-    by the default."""
-    characters, notices = behavior.characters, performance.notices
-    played = played_by.get(name, name)
-    if played not in characters.by_name:
-        message = f"no character is called {name!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
-        notices = (*notices, Notice("listener_unknown", message))
-    character = characters.by_name.get(played) or characters.named(DEFAULT_CHARACTER)
-    listener = Listener(replace(character, name=name), behavior.head_rates, performance.character)
-    behaviors = listen(performance.behaviors, performance.utterance, listener, seed=performance.seed)
-    return replace(performance, listeners=(*performance.listeners, Listening(name, behaviors)), notices=notices)
+def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:
+    """What a director's notes say against each other; raises InputError where they do not fit the words."""
+    if line.direction is None:
+        return ()
+    limit = understudy.language.settings.max_text_characters
+    check_direction(line.direction, words=len(read_transcript(line.text, max_characters=limit)))
+    return conflicts(line.direction)
 
 
 def analyze(

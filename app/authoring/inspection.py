@@ -11,6 +11,7 @@ from difflib import get_close_matches
 from ..errors import InputError
 from ..loading import load_function_rules, load_realizer
 from ..model import Function, Level, Moment, Utterance
+from ..moving import plan_moments
 from ..on_demand import OnDemand
 from ..performance import (
     DEFAULT_CHARACTER,
@@ -18,7 +19,6 @@ from ..performance import (
     LanguageModels,
     Understudy,
     find_functions,
-    plan_moments,
 )
 from ..rules.chaining.chainer import Derivation, Fact, derive
 from ..rules.chaining.matching import FactBase

@@ -40,7 +40,8 @@ from understudy.model import (
     Utterance,
     Word,
 )
-from understudy.performance import Analysis, BehaviorModels, plan_moments
+from understudy.moving import BehaviorModels, plan_moments
+from understudy.performance import Analysis
 from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules, Understanding, understand
 from understudy.rules.mapping import MappingRules, offer_movements
@@ -103,7 +104,7 @@ class Stages:
         )
 
     def candidates(self, utterance: Utterance, known: Understanding, seed: int) -> tuple[BehaviorCandidates, ...]:
-        """What could show the functions and the moments planned, as in `understudy.performance.perform_analysis`."""
+        """What could show the functions and the moments planned, as in `understudy.moving.move`."""
         offers = offer_movements(self.mapping, utterance, known.functions, seed=seed, facts=known.facts)
         analysis = Analysis(utterance, known.functions, facts=known.facts)
         moments = plan_moments(self.behavior, analysis, self.character)

@@ -1,0 +1,269 @@
+"""What functions make the body do, in order: the plan, the movements that could show it, the choice, the schedule
+(paper §3.4, §3.5), by the rules alone or in a speaker's way (NGS §3.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import partial, reduce
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Self
+
+from .acting.candidates import Stage, candidates_of
+from .acting.families import Families
+from .acting.notes import directed, unplayed_notes
+from .acting.planning import Planner, plan
+from .acting.targets import mentions, pointing_candidates, without_overlapped
+from .analysis import (
+    Analysis,
+    Options,
+)
+from .bml.choice.characters.characters import DEFAULT_CHARACTER, Character, Characters
+from .bml.choice.characters.gesture_forms import FormedCharacters
+from .bml.choice.listeners.addressees import addressed, placed_listeners
+from .bml.choice.listeners.head_rates import HeadRates
+from .bml.choice.listeners.listening import Listener, listen
+from .bml.choice.scheduling import numbered, schedule
+from .bml.choice.speech.lead_in import with_lead_in
+from .bml.choice.speech.visemes import visemes
+from .bml.choice.stillness import with_stillness
+from .bml.writing.writer import losses
+from .gesture_scripts import (
+    as_speaker,
+    gesture_script,
+    repertoire_of,
+    scripted_behaviors,
+    without_chosen_gestures,
+    without_planned_gestures,
+)
+from .loading import (
+    load_characters,
+    load_families,
+    load_gesture_table,
+    load_mapping_rules,
+    load_profile,
+    profile_names,
+)
+from .model import (
+    Behavior,
+    BehaviorCandidates,
+    Direction,
+    Level,
+    Listening,
+    Moment,
+    Notice,
+    Performance,
+)
+from .on_demand import OnDemand
+from .profiles.generation.script import GestureScript
+from .profiles.profile import Profile
+from .progress import Progress, no_progress
+from .resources import resource_folder
+from .rules.mapping import MappingRules, offer_movements
+from .settings import Settings
+
+if TYPE_CHECKING:
+    pass
+
+
+@dataclass(frozen=True, slots=True)
+class BehaviorModels:
+    """What moving needs (paper §3.4, §3.5)."""
+
+    settings: Settings
+    characters: Characters
+    rules: MappingRules
+    families: Families
+    planner: Planner
+    head_rates: HeadRates
+    performers: FormedCharacters
+    profiles: Mapping[str, OnDemand[Profile]]
+
+    @classmethod
+    def load(cls, settings: Settings) -> Self:
+        """Raises AuthoringError with every mistake in characters, behaviour table, families and mapping rules,
+        ServiceError when a model is missing or broken."""
+        lexicon = resource_folder("lexicon")
+        characters = load_characters()
+        families = load_families(characters)
+        rules, models = load_mapping_rules(characters.behavior_names), resource_folder("models")
+        return cls(
+            settings=settings,
+            characters=characters,
+            rules=rules,
+            families=families,
+            planner=Planner.load(models / "acting", lexicon / "acting", families, rules.program.argument_counts),
+            head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
+            performers=FormedCharacters.of(characters, load_gesture_table(characters.gesture_lexemes)),
+            profiles={
+                name: OnDemand(partial(load_profile, name, characters.gesture_lexemes)) for name in profile_names()
+            },
+        )
+
+    def profile(self, profile: Profile | str | None) -> Profile | None:
+        """The profile, or that of this name in the lexicon; raises InputError `unknown_profile`."""
+        if not isinstance(profile, str):
+            return profile
+        if profile not in self.profiles:
+            return load_profile(profile, self.characters.gesture_lexemes)
+        return self.profiles[profile].get()
+
+
+QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
+"""How much the body does at each level of agitation (paper §1), beside how much it does by itself."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Performer:
+    """Who performs, and what the caller asked of him: his character is already that of his profile."""
+
+    behavior: BehaviorModels
+    character: Character
+    profile: Profile | None
+    options: Options
+    direction: Direction | None
+
+    @classmethod
+    def of(cls, behavior: BehaviorModels, level: Level, options: Options, direction: Direction | None) -> Self:
+        """Raises InputError `unknown_character`, `unknown_profile`."""
+        profile = behavior.profile(options.profile)
+        character = behavior.performers.named(options.character, level)
+        return cls(behavior, as_speaker(character, profile) if profile else character, profile, options, direction)
+
+
+def move(
+    behavior: BehaviorModels,
+    analysis: Analysis,
+    options: Options,
+    direction: Direction | None = None,
+    progress: Progress = no_progress,
+) -> tuple[Performance, GestureScript | None]:
+    """The performance of a line that was heard and understood, with a director's notes on it, and the gesture script
+    that its hands follow where a profile is named.
+
+    Raises InputError `unknown_character`, `unknown_profile`.
+    """
+    performer = _Performer.of(behavior, _level(analysis), options, direction)
+    progress("plan")
+    moments = plan_moments(behavior, analysis, performer.character, direction)
+    if performer.profile:
+        moments = without_planned_gestures(moments)
+    analysis = replace(analysis, utterance=with_lead_in(analysis.utterance, options.lead_in_s))
+    progress("mapping")
+    candidates, moments = _offered(performer, analysis, moments)
+    progress("schedule")
+    behaviors, script = _scheduled(performer, analysis, candidates)
+    return _told(performer, analysis, moments, behaviors), script
+
+
+def plan_moments(
+    behavior: BehaviorModels, analysis: Analysis, character: Character, direction: Direction | None = None
+) -> tuple[Moment, ...]:
+    """What the line's phrases mean to the body, a director's notes first; nothing but these where functions choose by
+    priority alone, as in the paper.
+
+    How much is done depends on the speaker's agitation (paper §1) and on who performs.
+    """
+    moments: tuple[Moment, ...] = ()
+    if behavior.settings.choice == "terms":
+        agitation = analysis.utterance.agitation
+        quantity = QUANTITY[agitation.level if agitation else Level.MEDIUM] * character.liveliness
+        moments = plan(behavior.planner, analysis.utterance, analysis.functions, analysis.facts, quantity=quantity)
+    return moments if direction is None else directed(direction, moments)
+
+
+def _level(analysis: Analysis) -> Level:
+    agitation = analysis.utterance.agitation
+    return agitation.level if agitation else Level.MEDIUM
+
+
+def _offered(
+    performer: _Performer, analysis: Analysis, moments: tuple[Moment, ...]
+) -> tuple[tuple[BehaviorCandidates, ...], tuple[Moment, ...]]:
+    """What could show the functions or the moments, and what points at the things that the words name."""
+    candidates = _candidates(performer, analysis, moments)
+    if performer.profile:
+        candidates = tuple(without_chosen_gestures(candidates, performer.character.lexemes))
+    named = mentions(analysis.utterance, performer.options.targets)
+    pointing = tuple(pointing_candidates(named, analysis.functions))
+    candidates = (*without_overlapped(candidates, named), *pointing)
+    return candidates, moments + tuple(each.moment for each in pointing if each.moment)
+
+
+def _candidates(
+    performer: _Performer, analysis: Analysis, moments: tuple[Moment, ...]
+) -> tuple[BehaviorCandidates, ...]:
+    """What could show the functions, or the moments of a line that is planned."""
+    behavior, seed = performer.behavior, performer.options.seed
+    candidates = offer_movements(
+        behavior.rules, analysis.utterance, analysis.functions, seed=seed, facts=analysis.facts
+    )
+    if not moments and behavior.settings.choice != "terms":
+        return candidates
+    stage = Stage(behavior.families, performer.character.entries, seed)
+    return candidates_of(stage, analysis.utterance, moments, candidates)
+
+
+def _scheduled(
+    performer: _Performer, analysis: Analysis, candidates: tuple[BehaviorCandidates, ...]
+) -> tuple[tuple[Behavior, ...], GestureScript | None]:
+    """What is chosen, in time; the gestures of a profile beside it, and their script."""
+    options, script = performer.options, None
+    behaviors = schedule(
+        candidates,
+        analysis.utterance,
+        performer.character,
+        seed=options.seed,
+        mode=options.mode,
+        several_listeners=len(options.listeners) > 1,
+    )
+    if performer.profile:
+        repertoire = repertoire_of(performer.character, performer.behavior.families, performer.direction, behaviors)
+        script = gesture_script(
+            performer.profile, repertoire, analysis.utterance, analysis.functions, seed=options.seed
+        )
+        behaviors = numbered((*behaviors, *scripted_behaviors(script, analysis.functions, behaviors)))
+    return behaviors, script
+
+
+def _told(
+    performer: _Performer,
+    analysis: Analysis,
+    moments: tuple[Moment, ...],
+    behaviors: tuple[Behavior, ...],
+) -> Performance:
+    """The performance with its lips, its listeners and its notices."""
+    options, utterance = performer.options, analysis.utterance
+    targets = placed_listeners(options.listeners, options.targets)
+    behaviors = addressed(behaviors, options.listeners, targets)
+    lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
+    performance = Performance(
+        utterance=utterance,
+        functions=analysis.functions,
+        behaviors=behaviors,
+        character=performer.character.name,
+        seed=options.seed,
+        notices=analysis.notices + lip_notices + unplayed_notes(moments, behaviors),
+        visemes=lips,
+        moments=moments,
+        targets=targets,
+    )
+    heard_by = partial(_heard_by, performer.behavior, dict(options.played_by))
+    performance = with_stillness(reduce(heard_by, options.listeners, performance), options.stillness)
+    return replace(performance, notices=performance.notices + losses(performance, options.form))
+
+
+def _heard_by(
+    behavior: BehaviorModels, played_by: Mapping[str, str], performance: Performance, name: str
+) -> Performance:
+    """The performance with one more listener: played by whom the options say, else by the character of that name, else
+    by the default."""
+    characters, notices = behavior.characters, performance.notices
+    played = played_by.get(name, name)
+    if played not in characters.by_name:
+        message = f"no character is called {name!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
+        notices = (*notices, Notice("listener_unknown", message))
+    character = characters.by_name.get(played) or characters.named(DEFAULT_CHARACTER)
+    listener = Listener(replace(character, name=name), behavior.head_rates, performance.character)
+    behaviors = listen(performance.behaviors, performance.utterance, listener, seed=performance.seed)
+    return replace(performance, listeners=(*performance.listeners, Listening(name, behaviors)), notices=notices)
