@@ -3,6 +3,7 @@
 import ast
 import re
 from collections import defaultdict
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -22,6 +23,9 @@ def _codes() -> dict[str, set[str]]:
     found: dict[str, set[str]] = defaultdict(set)
     for path in (ROOT / "app").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                for code, told in _of_class(node):
+                    found[code].add(told)
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
                 if node.func.id == "problem" and all(isinstance(argument, ast.Constant) for argument in node.args[:2]):
                     status, code = (ast.literal_eval(argument) for argument in node.args[:2])
@@ -30,6 +34,15 @@ def _codes() -> dict[str, set[str]]:
                 if literals and (told := _told_by(node.func.id)):
                     found[literals[0]].add(told)
     return found
+
+
+def _of_class(kind: ast.ClassDef) -> Iterator[tuple[str, str]]:
+    """The code that a kind of error with a code of its own gives to the kind that it is one of."""
+    for node in ast.walk(kind):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "super().__init__" and node.args:
+            told = _told_by(ast.unparse(kind.bases[0]))
+            if told and isinstance(node.args[0], ast.Constant) and isinstance(node.args[0].value, str):
+                yield node.args[0].value, told
 
 
 def _told_by(name: str) -> str | None:

@@ -31,7 +31,7 @@ CODES = MappingProxyType(
             *("unknown_skeleton", "value_wrong", "functions_wrong", "functions_class", "functions_span"),
             *("reference_unreadable", "reference_other_features", "direction_wrong", "direction_family"),
             *("direction_importance", "direction_span", "not_an_object", "field_missing", "field_unknown"),
-            *("field_repeated", "motion_too_large", "target_wrong", "unknown_target"),
+            *("field_repeated", "motion_too_large", "target_wrong", "unknown_target", "unknown_profile"),
         ),
         429: ("too_many_requests",),
         500: (
