@@ -24,8 +24,8 @@ def _codes() -> dict[str, set[str]]:
     for path in (ROOT / "app").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.ClassDef):
-                for code, told in _of_class(node):
-                    found[code].add(told)
+                for code, status in _of_class(node):
+                    found[code].add(status)
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
                 if node.func.id == "problem" and all(isinstance(argument, ast.Constant) for argument in node.args[:2]):
                     status, code = (ast.literal_eval(argument) for argument in node.args[:2])
