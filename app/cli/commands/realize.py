@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from ...bml.choice.stillness import check_stillness
 from ...errors import InputError
 from ...model import Level
-from ...schemas.gesture_script import read_script
 from ...settings import Settings, read_settings
 from ...targets import read_targets
 from ..files import STANDARD, read_bytes
@@ -46,6 +45,8 @@ def _prepared(
     from ...realization import BmlInput, PreparedSchedule, prepare_schedule
 
     if bml.lstrip().startswith(b"{"):
+        from ...schemas.gesture_script import read_script  # takes long to import, and BML does not need it
+
         return PreparedSchedule.of(read_script(bml))
     sheet = BmlInput(bml, Path("standard input" if arguments.bml == STANDARD else arguments.bml), audio)
     level = arguments.agitation and Level(arguments.agitation)
