@@ -89,9 +89,10 @@ def _curves(track: ArmTrack) -> Iterator[Curve]:
     """The spline of each of `PARTS`, through the keys that define it."""
     keys = np.stack([key.pose.parts for key in track.keys], axis=1)
     said = ~np.isnan(keys[:, :, 3])
+    whole = np.asarray(said.all(axis=1))
     shapes = np.array([(key.tension, key.continuity, key.bias) for key in track.keys])
-    for own_s, own, keyed in zip(_shifted(track).T, keys, said, strict=True):
-        yield Curve(own_s, own, shapes) if keyed.all() else Curve(own_s[keyed], own[keyed], shapes[keyed])
+    for own_s, own, keyed, by_all in zip(_shifted(track).T, keys, said, whole, strict=True):
+        yield Curve(own_s, own, shapes) if by_all else Curve(own_s[keyed], own[keyed], shapes[keyed])
 
 
 def _shifted(track: ArmTrack) -> FloatArray:

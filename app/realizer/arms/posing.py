@@ -147,7 +147,8 @@ def parts_of(rotations: FloatArray) -> FloatArray:
 
 def wrist_of(skeleton: Skeleton, side: Hand, rotations: FloatArray) -> FloatArray:
     """The wrist's position (…, 3) for an arm's rotations (…, 19, 4) on an upright body."""
-    return _wrist_of_left(ArmBones.of(skeleton), rotations if side is Hand.LEFT else rotations * MIRROR)
+    arm = rotations[..., ARM_ROWS, :]
+    return _wrist_of_left(ArmBones.of(skeleton), arm if side is Hand.LEFT else arm * MIRROR)
 
 
 def _seen_from(side: Hand) -> FloatArray:

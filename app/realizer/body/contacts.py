@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from ..geometry.rotations import cross, rotate
+from ..geometry.rotations import cross, dot, rotate
 from .build import BUILD, TRUNK, build_of
 from .skeleton import SIDES, Skeleton, forward, forward_again
 
@@ -123,8 +123,7 @@ def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray
 def _lines(skeleton: Skeleton, body: PosedBody) -> tuple[FloatArray, FloatArray]:
     """Both ends (parts, T, 3) of the segments of the compared parts, in the world."""
     joints, ends_m = _carried(skeleton)
-    at = np.moveaxis(body.positions_m, 1, 0)[joints]
-    turned = np.moveaxis(body.orientations, 1, 0)[joints]
+    at, turned = body.positions_m.swapaxes(0, 1)[joints], body.orientations.swapaxes(0, 1)[joints]
     starts, stops = (at + rotate(turned, end_m) for end_m in ends_m)
     return starts, stops
 
@@ -175,4 +174,4 @@ def _of_length_1(vector: FloatArray) -> FloatArray:
 
 
 def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
-    return np.asarray(np.einsum("...k,...k->...", a, b))
+    return dot(a, b)[..., 0]

@@ -88,11 +88,11 @@ def clamped(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
     kept = rotations.copy()
     for alike in _alike(_CLAMPED):
         angles = _measured(skeleton, alike, kept)
-        over = np.maximum(angles - alike.highest_deg, alike.lowest_deg - angles).max(axis=-1) > _TOLERATED_DEG
-        for place in np.flatnonzero(over.any(axis=tuple(range(over.ndim - 1)))):
-            last = skeleton.index[alike.limits[place].joints[-1]]
-            within = _brought_back(skeleton, alike.limits[place], kept, angles[..., place, :])
-            kept[..., last, :] = np.where(over[..., place, None], within, kept[..., last, :])
+        over = np.maximum(angles - alike.highest_deg, alike.lowest_deg - angles) > _TOLERATED_DEG
+        for place in np.flatnonzero(over.any(axis=tuple(range(over.ndim - 2))).any(axis=-1)):
+            limit, there = alike.limits[place], over[..., place, :].any(axis=-1)
+            within = _brought_back(skeleton, limit, kept[there], angles[..., place, :][there])
+            kept[..., skeleton.index[limit.joints[-1]], :][there] = within
     return kept
 
 

@@ -152,11 +152,11 @@ def _place(
 ) -> None:
     """Fill in the positions and orientations of the joints; their parents' must be known. With the joints' axis first,
     which is how they lie in memory, several are reached many times faster."""
-    at_m, turned = np.moveaxis(positions, -2, 0), np.moveaxis(orientations, -2, 0)
+    at_m, turned, local = (np.moveaxis(each, -2, 0) for each in (positions, orientations, rotations))
     for joints, parents, offsets_m in _generations(skeleton, only):
         above, shape = turned[parents], (len(joints), *(1,) * (turned.ndim - 2), 3)
         at_m[joints] = at_m[parents] + rotate(above, offsets_m.reshape(shape))
-        turned[joints] = multiply(above, np.moveaxis(rotations.take(joints, axis=-2), -2, 0))
+        turned[joints] = multiply(above, local[joints])
 
 
 @lru_cache(maxsize=64)

@@ -25,15 +25,16 @@ def superposed_movements(
     has ended is superposed on it, as people do when a target jumps (Flash & Henis 1991), so velocity is continuous."""
     moving = by.any(axis=1) & (starts_s < times_s[-1])
     starts_s, durations_s, by = starts_s[moving], np.maximum(durations_s[moving], SHORTEST_S), by[moving]
-    firsts, ends = np.searchsorted(times_s, starts_s), np.searchsorted(times_s, starts_s + durations_s)
+    firsts, ends = times_s.searchsorted(starts_s), times_s.searchsorted(starts_s + durations_s)
     over = np.zeros((len(times_s) + 1, by.shape[1]))
     np.add.at(over, ends, by)
-    course = np.cumsum(over[:-1], axis=0)
+    course = over[:-1].cumsum(axis=0)
     counts = ends - firsts
-    begins = np.cumsum(counts) - counts
-    frames = np.arange(counts.sum()) + np.repeat(firsts - begins, counts)
-    shares = minimum_jerk((times_s[frames] - np.repeat(starts_s, counts)) / np.repeat(durations_s, counts))
-    made = shares[:, None] * np.repeat(by, counts, axis=0)
+    begins = counts.cumsum() - counts
+    of = np.arange(len(counts)).repeat(counts)
+    frames = np.arange(len(of)) + (firsts - begins).take(of)
+    shares = minimum_jerk((times_s.take(frames) - starts_s.take(of)) / durations_s.take(of))
+    made = shares[:, None] * by.take(of, axis=0)
     for first, end, begin in zip(firsts.tolist(), ends.tolist(), begins.tolist(), strict=True):
         course[first:end] += made[begin : begin + end - first]
     return np.asarray(course)

@@ -5,6 +5,8 @@ seed, channel and lattice point, so the noise at a time does not depend on which
 in [-1, 1].
 """
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -44,10 +46,16 @@ def perlin(
 
 def _slopes(points: NDArray[np.int64], seed: int, channels: int) -> FloatArray:
     """Slopes (points, channels), uniform in [-2, 2]."""
-    start = np.full(1, seed & (2**64 - 1), dtype=np.uint64)
-    of_channel = _mixed(np.asarray(_mixed(start) + np.arange(channels, dtype=np.uint64), dtype=np.uint64))
-    hashed = _mixed(np.add(of_channel[None, :], points.astype(np.uint64)[:, None]))
+    hashed = _mixed(np.add(_of_channels(seed, channels), points.astype(np.uint64)[:, None]))
     return np.asarray(hashed / _LARGEST * 4.0 - 2.0)
+
+
+@lru_cache(maxsize=1024)
+def _of_channels(seed: int, channels: int) -> NDArray[np.uint64]:
+    """Where the hash of each channel begins (channels,). Cached, since most lines have the same seed; never
+    mutated."""
+    start = np.full(1, seed & (2**64 - 1), dtype=np.uint64)
+    return _mixed(np.asarray(_mixed(start) + np.arange(channels, dtype=np.uint64), dtype=np.uint64))
 
 
 def _mixed(number: NDArray[np.uint64]) -> NDArray[np.uint64]:

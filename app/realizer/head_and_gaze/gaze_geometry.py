@@ -44,11 +44,11 @@ class Face:
 
 def chest(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Chest:
     """The chest, from the rotations of the joints between hips and neck."""
-    place_m, turned = hips_m, rotations[:, 0]
+    turned = [rotations[:, 0]]
     for joint in skeleton.chain(*TRUNK):
-        place_m = place_m + rotate(turned, skeleton.offsets_m[joint])
-        turned = multiply(turned, rotations[:, joint])
-    return Chest(turned, place_m + rotate(turned, skeleton.offsets_m[skeleton.index["neck"]]))
+        turned.append(multiply(turned[-1], rotations[:, joint]))
+    offsets_m = skeleton.offsets_m[skeleton.chain(*TRUNK, "neck")]
+    return Chest(turned[-1], hips_m + rotate(np.stack(turned), offsets_m[:, None]).sum(axis=0))
 
 
 def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArray) -> Face:

@@ -10,13 +10,14 @@ Conventions: degrees in the table, else radians; positive pitch is down, yaw lef
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from math import hypot
+from math import hypot, radians
 from types import MappingProxyType
 
 import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, SyncPoints
 from ..geometry.easing import plateau
+from ..geometry.rotations import length
 
 Degrees = tuple[float, float, float]
 """Pitch, yaw and roll."""
@@ -82,18 +83,15 @@ def movement_angles(times_s: FloatArray, behavior: Behavior, *, ahead: float) ->
     """Pitch, yaw and roll (T, 3) of either neck or head, at frames within the movement. Its phase leads by the share
     `ahead` of `PHASE_SHIFT` in the middle."""
     movement, waves, course = MOVEMENTS[behavior.lexeme], cycle_count(behavior), course_of(behavior)
-    nods, swings, held = (
-        np.radians(_amount(behavior) * np.array(degrees) / 2)
-        for degrees in (movement.nods, movement.swings, movement.held)
-    )
     turned = np.zeros((len(times_s), 3))
-    if nods.any():
-        turned += _nodding(_phase(times_s, course, waves, np.pi, ahead), waves)[:, None] * nods
-    if swings.any():
-        turned += _swinging(_phase(times_s, course, waves, np.pi / 2, ahead), waves)[:, None] * swings
-    if held.any():
-        turned += plateau(times_s, course.start_s, course.stroke_s, course.relax_s, course.end_s)[:, None] * held
-    return turned
+    if any(movement.nods):
+        turned += np.outer(_nodding(_phase(times_s, course, waves, np.pi, ahead), waves), movement.nods)
+    if any(movement.swings):
+        turned += np.outer(_swinging(_phase(times_s, course, waves, np.pi / 2, ahead), waves), movement.swings)
+    if any(movement.held):
+        held = plateau(times_s, course.start_s, course.stroke_s, course.relax_s, course.end_s)
+        turned += np.outer(held, movement.held)
+    return turned * radians(_amount(behavior) / 2)
 
 
 def course_of(behavior: Behavior) -> Course:
@@ -102,7 +100,7 @@ def course_of(behavior: Behavior) -> Course:
     stroke_s = (sync.start + sync.end) / 2 if sync.stroke is None else sync.stroke
     relax_s = stroke_s if sync.relax is None else max(sync.relax, stroke_s)
     widest = max(hypot(*each) for each in (movement.nods, movement.swings, movement.held))
-    least_s = LEAST_S + LEAST_S_PER_RADIAN * _amount(behavior) * np.radians(widest)
+    least_s = LEAST_S + LEAST_S_PER_RADIAN * _amount(behavior) * radians(widest)
     left_s = relax_s if any(movement.held) else stroke_s
     return Course(min(sync.start, stroke_s - least_s), stroke_s, relax_s, max(sync.end, left_s + least_s))
 
@@ -125,7 +123,7 @@ def cycle_count(behavior: Behavior) -> int:
 
 def limited_speed(turned: FloatArray, frame_s: float) -> FloatArray:
     """The same curve (T, 3), reduced in size where it would exceed the greatest speed of a wave."""
-    speed = np.linalg.norm(np.diff(turned, axis=0), axis=-1).max(initial=0.0) / frame_s
+    speed = length(turned[1:] - turned[:-1]).max(initial=0.0) / frame_s
     return np.asarray(turned * (FASTEST_WAVE_RAD_S / max(speed, FASTEST_WAVE_RAD_S)))
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...model import FloatArray
 from ..body.skeleton import SIDES, Skeleton
-from ..geometry.rotations import from_axis_angle, inverse, multiply, rotate
+from ..geometry.rotations import from_axis_angle, inverse, length, multiply, rotate
 
 _LEG = ("UpperLeg", "LowerLeg", "Foot")
 LEG_JOINTS = tuple(side + part for side in SIDES for part in _LEG)
@@ -52,14 +52,13 @@ def standing(skeleton: Skeleton) -> Feet:
 def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, feet: Feet | None = None) -> FloatArray:
     """The height (T,) of hips at the horizontal position `hips_m` (T, 3) with orientations `turned` (T, 4): as high as
     the weight-bearing leg reaches. The feet are those of `standing` unless given."""
-    heights = []
-    for side, foot in zip(SIDES, feet or standing(skeleton), strict=True):
-        hip_m = rotate(turned, skeleton.offsets_m[skeleton.index[f"{side}UpperLeg"]])
-        across = np.asarray(foot.ankle_m) - hips_m - hip_m
-        reach_m = STRETCHED * sum(_lengths_m(skeleton, side))
-        rise_m = np.sqrt(reach_m**2 - across[:, 0] ** 2 - across[:, 2] ** 2)
-        heights.append(foot.ankle_m[1] + rise_m - hip_m[:, 1])
-    return np.asarray(-_SOFTNESS_M * np.logaddexp(-heights[0] / _SOFTNESS_M, -heights[1] / _SOFTNESS_M))
+    feet = feet or standing(skeleton)
+    ankles_m = np.array([foot.ankle_m for foot in feet])[:, None]
+    hip_joints_m = rotate(turned, _hip_joints_m(skeleton))
+    across_m = ankles_m - hips_m - hip_joints_m
+    rise_m = np.sqrt((STRETCHED * sum(_lengths_m(skeleton))) ** 2 - across_m[..., 0] ** 2 - across_m[..., 2] ** 2)
+    left_m, right_m = ankles_m[..., 1] + rise_m - hip_joints_m[..., 1]
+    return np.asarray(-_SOFTNESS_M * np.logaddexp(-left_m / _SOFTNESS_M, -right_m / _SOFTNESS_M))
 
 
 def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet | None = None) -> FloatArray:
@@ -67,14 +66,14 @@ def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet 
 
     Feet beyond the legs' reach leave their places; at heights up to `hips_height_m` this does not happen.
     """
-    found = []
-    for side, foot in zip(SIDES, feet or standing(skeleton), strict=True):
-        hip_m = hips_m + rotate(turned, skeleton.offsets_m[skeleton.index[f"{side}UpperLeg"]])
-        flat = from_axis_angle((0.0, 1.0, 0.0), np.array(foot.yaw))
-        thigh, knee = _leg(skeleton, side, rotate(inverse(flat), np.asarray(foot.ankle_m) - hip_m))
-        thigh = multiply(flat, thigh)
-        found += [multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat)]
-    return np.stack(found, axis=1)
+    feet = feet or standing(skeleton)
+    ankles_m, yaws = (np.array([getattr(foot, name) for foot in feet])[:, None] for name in ("ankle_m", "yaw"))
+    flat = from_axis_angle((0.0, 1.0, 0.0), yaws)
+    way_m = rotate(inverse(flat), ankles_m - hips_m - rotate(turned, _hip_joints_m(skeleton)))
+    thigh, knee = _leg(skeleton, way_m)
+    thigh = multiply(flat, thigh)
+    found = (multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat))
+    return np.stack([part[side] for side in range(len(SIDES)) for part in found], axis=1)
 
 
 def set_legs(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> None:
@@ -84,30 +83,35 @@ def set_legs(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> N
         rotations[:, skeleton.rows(*(side + part for part in _LEG))] = found[:, 3 * number : 3 * number + 3]
 
 
-def _leg(skeleton: Skeleton, side: str, way_m: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The rotations (T, 4) of thigh and knee for the vector from hip to ankle, in the space of the foot's heading."""
-    shin = skeleton.offsets_m[skeleton.index[f"{side}LowerLeg"]]
-    foot = skeleton.offsets_m[skeleton.index[f"{side}Foot"]]
-    upper_m, lower_m = _lengths_m(skeleton, side)
-    distance_m = np.minimum(np.sqrt(np.sum(way_m**2, axis=-1)), upper_m + lower_m)
+def _leg(skeleton: Skeleton, way_m: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The rotations (…, 4) of thighs and knees for the vectors (…, 3) from hip to ankle, in the space of the foot's
+    heading. Both legs have the same bones."""
+    shin, foot = skeleton.offsets_m[skeleton.chain("leftLowerLeg", "leftFoot")]
+    upper_m, lower_m = _lengths_m(skeleton)
+    aside_m, up_m, away_m = way_m[..., 0], way_m[..., 1], way_m[..., 2]
+    distance_m = np.minimum(length(way_m)[..., 0], upper_m + lower_m)
     cosine = (distance_m**2 - upper_m**2 - lower_m**2) / (2 * upper_m * lower_m)
     straight = np.arctan2(shin[2], -shin[1]) - np.arctan2(foot[2], -foot[1])
     bend = np.arccos(np.clip(cosine, -1.0, 1.0)) - straight
-    bent_y = shin[1] + foot[1] * np.cos(bend) - foot[2] * np.sin(bend)
-    bent_z = shin[2] + foot[1] * np.sin(bend) + foot[2] * np.cos(bend)
-    along_m = np.hypot(way_m[:, 0], way_m[:, 1])
-    swing = np.arctan2(way_m[:, 2], -along_m) - np.arctan2(bent_z, bent_y)
-    spread = np.arctan2(way_m[:, 0], -way_m[:, 1])
-    return _swung(swing, spread), _swung(bend, np.zeros_like(bend))
+    sine, cosine = np.sin(bend), np.cos(bend)
+    bent_y, bent_z = shin[1] + foot[1] * cosine - foot[2] * sine, shin[2] + foot[1] * sine + foot[2] * cosine
+    swing = np.arctan2(away_m, -np.hypot(aside_m, up_m)) - np.arctan2(bent_z, bent_y)
+    spread = np.arctan2(aside_m, -up_m)
+    return _swung(swing, spread), from_axis_angle((1.0, 0.0, 0.0), bend)
 
 
 def _swung(swing: FloatArray, spread: FloatArray) -> FloatArray:
-    """The rotations (T, 4) about x by `swing`, then about z by `spread`."""
+    """The rotations (…, 4) about x by `swing`, then about z by `spread`."""
     sx, cx, sz, cz = np.sin(swing / 2), np.cos(swing / 2), np.sin(spread / 2), np.cos(spread / 2)
     return np.stack([cz * sx, sz * sx, sz * cx, cz * cx], axis=-1)
 
 
-@lru_cache(maxsize=128)
-def _lengths_m(skeleton: Skeleton, side: str) -> tuple[float, float]:
-    thigh, shin = (skeleton.offsets_m[skeleton.index[f"{side}{part}"]] for part in ("LowerLeg", "Foot"))
+def _hip_joints_m(skeleton: Skeleton) -> FloatArray:
+    """Where the legs begin (2, 1, 3), in the space of the hips."""
+    return skeleton.offsets_m[skeleton.chain(*(side + "UpperLeg" for side in SIDES)), None]
+
+
+@lru_cache(maxsize=64)
+def _lengths_m(skeleton: Skeleton) -> tuple[float, float]:
+    thigh, shin = skeleton.offsets_m[skeleton.chain("leftLowerLeg", "leftFoot")]
     return float(np.linalg.norm(thigh)), float(np.linalg.norm(shin))
