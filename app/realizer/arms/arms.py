@@ -34,6 +34,10 @@ def _delay(part: str) -> float:
     return first[part] if part in first else {"Distal": 0.7, "Intermediate": 0.55}.get(part[-6:], 0.4)
 
 
+_DELAYS: FloatArray = np.array([_delay(part) for part in PARTS])
+_DELAYS.setflags(write=False)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class TimedPose:
     """A key of a track.
@@ -103,8 +107,7 @@ def _shifted(track: ArmTrack) -> FloatArray:
     since_last_s = np.append(np.inf, np.diff(times_s))
     most_s = np.minimum(FOLLOW_THROUGH_S, _SHARE_OF_INTERVAL * np.minimum(until_next_s, since_last_s))
     most_s *= [key.follow_through for key in track.keys]
-    delays = np.array([_delay(part) for part in PARTS])
-    return np.asarray(times_s[:, None] + most_s[:, None] * delays)
+    return np.asarray(times_s[:, None] + most_s[:, None] * _DELAYS)
 
 
 _STIRRED_ROWS = (slice(0, 5), slice(8, None, 3))

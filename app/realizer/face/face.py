@@ -52,6 +52,9 @@ MICRO_MOVEMENT: Mapping[str, float] = MappingProxyType(
 
 MICRO_MOVEMENT_HZ, ASYMMETRY_HZ = 0.7, 0.4
 
+_SIDE = tuple(1 if name.endswith("Left") else 2 if name.endswith("Right") else 0 for name in SHAPES)
+"""Of each shape: the middle of the face, its left side, its right."""
+
 _FRAMES_AT_ONCE = 2048
 """Frames computed at a time, so that ten minutes need little more memory than half a minute."""
 
@@ -101,11 +104,9 @@ def _among(names: tuple[str, ...]) -> FloatArray:
 def _sides(times_s: FloatArray, seed: int) -> FloatArray:
     """The share of an expression on each side of the face and in its middle (T, 52). Eyelids close completely on
     both."""
-    side = [(name.endswith("Left"), name.endswith("Right")) for name in SHAPES]
-    channel = [1 if left else 2 if right else 0 for left, right in side]
     missing = ASYMMETRY * (1 + perlin(times_s, frequency_hz=ASYMMETRY_HZ, seed=seed + 1, channels=3)) / 2
     missing[:, 2] += WEAKER_SIDE
-    made = 1 - missing.take(channel, axis=1)
+    made = 1 - missing.take(_SIDE, axis=1)
     made[:, COLUMNS["eyeBlink"]] = 1
     return np.asarray(made)
 

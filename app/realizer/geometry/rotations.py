@@ -84,9 +84,9 @@ def length(vector: FloatArray) -> FloatArray:
 
 def from_rotation_vector(vector: FloatArray) -> FloatArray:
     """The rotation about the axis `vector` (…, 3) by its length in radians."""
-    half = length(vector) / 2
+    half = np.maximum(length(vector), _NEAR_ZERO) / 2
     turned = np.empty((*vector.shape[:-1], 4))
-    turned[..., :3] = vector * np.where(half > _NEAR_ZERO, np.sin(half) / np.maximum(2 * half, _NEAR_ZERO), 0.5)
+    turned[..., :3] = vector * (np.sin(half) / (2 * half))
     turned[..., 3:] = np.cos(half)
     return turned
 
@@ -94,9 +94,8 @@ def from_rotation_vector(vector: FloatArray) -> FloatArray:
 def to_rotation_vector(q: FloatArray) -> FloatArray:
     """Axis times angle (…, 3) of the shorter rotation, at most π long."""
     q = np.where(q[..., 3:] < 0, -q, q)
-    sine = length(q[..., :3])
-    angle = 2 * np.arctan2(sine, q[..., 3:])
-    return np.asarray(q[..., :3] * np.where(sine > _NEAR_ZERO, angle / np.maximum(sine, _NEAR_ZERO), 2.0))
+    sine = np.maximum(length(q[..., :3]), _NEAR_ZERO)
+    return np.asarray(q[..., :3] * (2 * np.arctan2(sine, q[..., 3:]) / sine))
 
 
 def from_axis_angle(axis: tuple[float, float, float], angle: FloatArray) -> FloatArray:

@@ -71,10 +71,10 @@ def _segments(curves: Sequence[Curve], firsts: Iterable[int], times_s: FloatArra
     found = np.empty((len(times_s), len(curves)), dtype=np.intp)
     known: dict[bytes, NDArray[np.intp]] = {}
     for column, (curve, first) in enumerate(zip(curves, firsts, strict=True)):
-        passed = known.get(curve.times_s.tobytes())
+        keyed_at = curve.times_s.tobytes()
+        passed = known.get(keyed_at)
         if passed is None:
-            passed = np.searchsorted(curve.times_s[1:-1], times_s, side="right")
-            known[curve.times_s.tobytes()] = passed
+            passed = known[keyed_at] = curve.times_s[1:-1].searchsorted(times_s, side="right")
         found[:, column] = first + passed
     return found
 

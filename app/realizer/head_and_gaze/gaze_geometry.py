@@ -63,8 +63,9 @@ def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArr
 def eye_rotations(where: Face, at_m: FloatArray) -> FloatArray:
     """The rotations (T, 2, 4) of the left and right eye towards the points `at_m` (T, 3), within their limits."""
     pitch, yaw = pitch_and_yaw(rotate(inverse(where.orientation)[:, None], at_m[:, None] - where.eyes_m))
-    pitch = np.clip(pitch, -UPRIGHT_LIMIT, UPRIGHT_LIMIT)
-    return from_pitch_yaw_roll(pitch, np.clip(yaw, -SIDEWAYS_LIMIT, SIDEWAYS_LIMIT), np.zeros_like(yaw))
+    pitch = np.minimum(np.maximum(pitch, -UPRIGHT_LIMIT), UPRIGHT_LIMIT)
+    yaw = np.minimum(np.maximum(yaw, -SIDEWAYS_LIMIT), SIDEWAYS_LIMIT)
+    return from_pitch_yaw_roll(pitch, yaw, np.zeros_like(yaw))
 
 
 def fixation_point_m(where: Face, eyes: FloatArray) -> FloatArray:
