@@ -68,11 +68,12 @@ def _weights(dominance: Dominance, segments: Segments, near: slice, at_s: FloatA
     ahead_s, behind_s = start_s - at_s[:, None], at_s[:, None] - end_s
     within = np.maximum(1 - (np.maximum(np.maximum(ahead_s, behind_s), 0) / HORIZON_S) ** 2, 0)
     inset_s = np.minimum(dominance.inset_s[:, None, None], (end_s - start_s) / 2)
-    fading = _softened(ahead_s + inset_s) / before_s + _softened(behind_s + inset_s) / after_s
-    return np.asarray(strength * np.exp(-fading) * within * segments.weight[near])
+    left = np.exp(_softened(ahead_s + inset_s) / -before_s - _softened(behind_s + inset_s) / after_s)
+    return np.asarray(strength * left * (within * segments.weight[near]))
 
 
 def _softened(distance_s: FloatArray) -> FloatArray:
     """A smooth approximation of the positive part."""
-    positive = np.maximum(distance_s, 0)
-    return np.asarray(np.sqrt(positive * positive + _SOFTENING_S**2) - _SOFTENING_S)
+    squared = np.square(np.maximum(distance_s, 0))
+    squared += _SOFTENING_S**2
+    return np.asarray(np.sqrt(squared, out=squared) - _SOFTENING_S)

@@ -23,14 +23,13 @@ _AHEAD.setflags(write=False)
 def eye_look_weights(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> FloatArray:
     """The weights (T, 52) of the eight eye look shapes."""
     shapes = np.zeros((len(body.times_s), len(SHAPES)))
-    for side, outwards in (("Left", 1.0), ("Right", -1.0)):
-        gaze = rotate(body.rotations[:, skeleton.index[side.lower() + "Eye"]], _AHEAD)
-        out_deg = outwards * np.rad2deg(np.arctan2(gaze[:, 0], gaze[:, 2]))
-        up_deg = np.rad2deg(np.arcsin(np.clip(gaze[:, 1], -1, 1)))
-        turns = {"Out": out_deg / table.out_deg, "In": -out_deg / table.in_deg}
-        turns |= {"Up": up_deg / table.up_deg, "Down": -up_deg / table.down_deg}
-        for way, share in turns.items():
-            shapes[:, INDEX[f"eyeLook{way}{side}"]] = np.clip(share, 0, 1)
+    gaze = rotate(body.rotations.take(skeleton.chain("leftEye", "rightEye"), axis=1), _AHEAD)
+    out_deg = np.degrees(np.arctan2(gaze[..., 0], gaze[..., 2])) * [1.0, -1.0]
+    up_deg = np.degrees(np.arcsin(np.clip(gaze[..., 1], -1.0, 1.0)))
+    turns = {"Out": out_deg / table.out_deg, "In": -out_deg / table.in_deg}
+    turns |= {"Up": up_deg / table.up_deg, "Down": -up_deg / table.down_deg}
+    for way, share in turns.items():
+        shapes[:, [INDEX[f"eyeLook{way}{side}"] for side in SIDES]] = np.clip(share, 0.0, 1.0)
     return shapes
 
 

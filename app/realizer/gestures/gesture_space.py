@@ -54,10 +54,12 @@ HEIGHT: Mapping[Height, float] = MappingProxyType(
 
 DEPTH_M: Mapping[Depth, float] = MappingProxyType({Depth.NEAR: 0.20, Depth.MIDDLE: 0.31, Depth.FAR: 0.42})
 
+_CENTRE_M = SIDEWAYS_M[Sideways.C], HEIGHT[Height.CC] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[Depth.MIDDLE]
+
 
 def sector_m(place: Place, amplitude: float = 1.0) -> FloatArray:
     """The wrist's position (3,) for a place: outwards, above the hips, away. `amplitude` scales its distance from the
     centre."""
-    centre = np.array([SIDEWAYS_M[Sideways.C], HEIGHT[Height.CC] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[Depth.MIDDLE]])
-    sector = np.array([SIDEWAYS_M[place.sideways], HEIGHT[place.height] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[place.depth]])
-    return np.asarray(centre + amplitude * (sector + np.array(place.offset_m) - centre))
+    sector = (SIDEWAYS_M[place.sideways], HEIGHT[place.height] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[place.depth])
+    placed = zip(_CENTRE_M, sector, place.offset_m, strict=True)
+    return np.array([centre + amplitude * (middle + offset - centre) for centre, middle, offset in placed])
