@@ -74,7 +74,7 @@ class Body:
         forearm = self._turns("XY", [(at("elbow", 0), -1), (at("elbow", 1), -1)])
         hand = self._turns("XZY", [(at("wrist", 1), -1), (at("wrist", 0), -1), (at("wrist", 2), -1)])
         return {
-            "Shoulder": self._turns("ZY", [(at("clavicle", 0), 1), (at("clavicle", 1), 1)]),
+            "Shoulder": self._turns("YZ", [(at("clavicle", 1), 1), (at("clavicle", 0), 1)]),
             "UpperArm": arm * hang,
             "LowerArm": hang.inv() * forearm * hang,
             "Hand": hang.inv() * hand * hang,

@@ -7,7 +7,8 @@ the order of angles to the decoder: here a joint turns about its first axis, the
 twisting last. Root translations are millimetres from where the hips are in the T-pose.
 
 Our spine has three joints, which are the vertebrae L3, T10 and T6; the neck is C4. A collar bone has no third angle:
-what it turns about X goes to the upper arm, so that the arm is where ours is. The outer two joints of a thumb bend
+it turns about Y, then is raised about Z, as ours are (`collarbone_for`), and what little smoothing leaves about X goes
+to the upper arm, so that the arm is where ours is. The outer two joints of a thumb bend
 about the one hinge that ours have.
 """
 
@@ -109,9 +110,9 @@ def _angles_rad(motion: Motion, skeleton: Skeleton) -> Iterator[tuple[str, Float
 
 def _of_side(local: Mapping[str, Rotation], short: str, side: str) -> Iterator[tuple[str, FloatArray]]:
     hang = arms_down(side)
-    lifted, turned, rolled = euler_rad(local[f"{side}Shoulder"], "ZYX").T
-    collar = (f"{short}_sternoclavicular_abduct", f"{short}_sternoclavicular_rotate")
-    yield from _signed(collar, np.stack([lifted, turned], axis=1))
+    turned, lifted, rolled = euler_rad(local[f"{side}Shoulder"], "YZX").T
+    collar = (f"{short}_sternoclavicular_rotate", f"{short}_sternoclavicular_abduct")
+    yield from _signed(collar, np.stack([turned, lifted], axis=1))
     for part, (order, names) in LIMBS.items():
         found = local[side + part]
         if part == "UpperArm":

@@ -89,7 +89,7 @@ def test_arms_that_hang_have_no_angles() -> None:
 
 
 def test_our_joints_come_back_within_a_hundredth_of_a_radian(acted: Motion) -> None:
-    """A collar bone, which has two angles of three, within two hundredths; the arm below it is right again."""
+    """A collar bone, which has two angles of three, within half a hundredth; the arm below it is right again."""
     motion = acted
     decoded = Body(read_parameters(to_bap(motion, BODY)))
     ours = {name: Rotation.from_quat(motion.body.rotations[:, place]) for name, place in BODY.index.items()}
@@ -101,12 +101,12 @@ def test_our_joints_come_back_within_a_hundredth_of_a_radian(acted: Motion) -> N
     for name, (mine, read) in zip(BODY.names, pairs, strict=True):
         if not name.endswith("Eye"):
             apart = Rotation.from_matrix(mine) * Rotation.from_matrix(read).inv()
-            assert apart.magnitude().max() < (0.02 if name.endswith("Shoulder") else 0.001), name
+            assert apart.magnitude().max() < (0.005 if name.endswith("Shoulder") else 0.001), name
     moved_mm = 1000 * (motion.body.hips_m - BODY.offsets_m[0])
     assert np.abs(decoded.place_mm[:, [1, 0, 2]] - moved_mm).max() <= 0.5
 
 
-@pytest.mark.parametrize("order", ["XZY", "ZXY", "ZYX"])
+@pytest.mark.parametrize("order", ["XZY", "ZXY", "YZX"])
 def test_angles_compose_to_the_rotation_even_where_two_axes_meet(order: str) -> None:
     given = np.array([[0.3, 0.2, -0.4], [2.0, -1.1, 0.5], [0.7, np.pi / 2, 0.4], [0.0, -np.pi / 2, 1.0]])
     rotations = Rotation.from_euler(order, given)
