@@ -169,9 +169,7 @@ def prepare_schedule(
     """
     check_stillness(stillness)
     check_targets(targets)
-    document, notices = read_bml(sheet.bml, sheet.name)
-    if sheet.limits is not None:
-        sheet.limits.check_count(sum(1 for _ in document.root.children))
+    document, notices = _read(sheet)
     record = read_record(document)
     speech = _speech(acoustic, sheet.audio, document, record, progress)
     progress("resolve")
@@ -189,6 +187,14 @@ def prepare_schedule(
     told = (*notices, *speech.notices, *resolved.notices, *lip_notices)
     recorded = record.seed if record and record.seed is not None else 0
     return PreparedSchedule(prepared, told, recorded if seed is None else seed)
+
+
+def _read(sheet: BmlInput) -> tuple[Document, tuple[Notice, ...]]:
+    """The document, if it has no more behaviours than its limits allow."""
+    document, notices = read_bml(sheet.bml, sheet.name)
+    if sheet.limits is not None:
+        sheet.limits.check_count(sum(1 for _ in document.root.children))
+    return document, notices
 
 
 def realize_prepared(

@@ -36,9 +36,7 @@ def learn(annotations: Sequence[Annotation], name: str, description: str = "") -
     Raises InputError `too_few_gestures`.
     """
     gestures, tags = all_of(annotations)
-    if len(gestures) < FEWEST_GESTURES:
-        message = f"{len(gestures)} gestures are annotated; a profile is learnt from {FEWEST_GESTURES} or more"
-        raise InputError("too_few_gestures", message, field="annotation")
+    _check_enough(len(gestures))
     seconds = sum(spoken_s(each.words, each.segments) for each in annotations)
     hand_counts = Counter(each.phrase.hand for each in gestures)
     hand_share = shares_of({hand: hand_counts[hand] + 1.0 for hand in Hand})
@@ -72,3 +70,9 @@ def learn(annotations: Sequence[Annotation], name: str, description: str = "") -
         forms=form_habits(gestures),
         database=database_of(gestures),
     )
+
+
+def _check_enough(gestures: int) -> None:
+    if gestures < FEWEST_GESTURES:
+        message = f"{gestures} gestures are annotated; a profile is learnt from {FEWEST_GESTURES} or more"
+        raise InputError("too_few_gestures", message, field="annotation")
