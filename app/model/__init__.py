@@ -1,0 +1,66 @@
+"""The values that travel through a performance, from the audio to the schedule.
+
+Conventions: times are seconds from the start of the audio. Words are what white space separates in the transcript,
+numbered from 0; `first` and `last` are word numbers, both included. Everything here is frozen: a stage that changes
+a value returns a changed copy (`dataclasses.replace`).
+
+A module holds the values that belong together: `signal` and `speech` what was heard, `language` and `functions` what
+was understood, `direction` and `choice` what could be shown, `body` and `schedule` what is, `performance` all of it.
+Take them from here.
+"""
+
+from .body import Channel, Hand
+from .choice import Alternative, BehaviorCandidates, Mode, Moment, Movement, Rejected, Term
+from .direction import Avoidance, DirectedMoment, Direction
+from .functions import PLAIN, Because, Function, GivenFunction
+from .language import Clause, Parse, Phrase, Token, Utterance
+from .performance import Notice, Performance
+from .schedule import Behavior, Listening, Schedule, SyncPoints, Target, Viseme
+from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray
+from .speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
+
+__all__ = [
+    "EMPHASISED",
+    "FRAME_SHIFT_S",
+    "PLAIN",
+    "SAMPLE_RATE_HZ",
+    "Agitation",
+    "Alternative",
+    "Audio",
+    "Avoidance",
+    "Because",
+    "Behavior",
+    "BehaviorCandidates",
+    "Channel",
+    "Clause",
+    "Contours",
+    "DirectedMoment",
+    "Direction",
+    "Filler",
+    "FloatArray",
+    "Function",
+    "GivenFunction",
+    "Hand",
+    "Interval",
+    "Level",
+    "Listening",
+    "Mode",
+    "Moment",
+    "Movement",
+    "Notice",
+    "Parse",
+    "Performance",
+    "Phone",
+    "Phrase",
+    "Rejected",
+    "Schedule",
+    "SingleArray",
+    "StressThresholds",
+    "SyncPoints",
+    "Target",
+    "Term",
+    "Token",
+    "Utterance",
+    "Viseme",
+    "Word",
+]

@@ -1,0 +1,33 @@
+"""A whole performance, with what degraded on the way to it."""
+
+from dataclasses import dataclass
+
+from .choice import Moment
+from .functions import Function
+from .language import Utterance
+from .schedule import Behavior, Listening, Target, Viseme
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something degraded, dropped or guessed on the way; `code` is stable, `message` is for people."""
+
+    code: str
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Performance:
+    """The whole performance of a line: what was heard and understood, what the body does with it, and every reason."""
+
+    utterance: Utterance
+    functions: tuple[Function, ...]
+    behaviors: tuple[Behavior, ...]
+    character: str
+    seed: int
+    notices: tuple[Notice, ...] = ()
+    visemes: tuple[Viseme, ...] = ()
+    listeners: tuple[Listening, ...] = ()
+    moments: tuple[Moment, ...] = ()
+    stillness: float = 0.0
+    targets: tuple[Target, ...] = ()

@@ -1,0 +1,36 @@
+"""The recording and what is measured of it frame by frame."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.floating]
+SingleArray = NDArray[np.float32]
+
+SAMPLE_RATE_HZ = 16_000
+"""The rate at which every signal travels between the stages."""
+
+FRAME_SHIFT_S = 0.010
+"""One analysis frame every 10 ms: frame k is centred on k × 10 ms (paper §3.1.1, §3.1.2)."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Audio:
+    """One mono signal at `SAMPLE_RATE_HZ`; full scale is ±1. Single precision once decoded, as fine as 24 bits."""
+
+    samples: FloatArray
+
+    @property
+    def duration_s(self) -> float:
+        return len(self.samples) / SAMPLE_RATE_HZ
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Contours:
+    """One row a frame (`FRAME_SHIFT_S`): energy in dB, f0 in Hz (0: unvoiced), 12 MFCC, and their Mel bands in dB."""
+
+    energy_db: FloatArray
+    f0_hz: FloatArray
+    mfcc: FloatArray
+    mel_db: SingleArray
