@@ -14,6 +14,7 @@ from typing import Any
 from ..errors import AuthoringError, InputError, UnderstudyError
 from ..model import Notice
 from ..profiles.annotation.mistakes import AnnotationError
+from ..study.scoring.mistakes import AnswersError
 
 
 class Voice(StrEnum):
@@ -72,7 +73,7 @@ class Log:
         if self.voice is Voice.MACHINES:
             field = error.field if isinstance(error, InputError) else None
             _write(json.dumps({"event": "error", "code": error.code, "field": field, "message": error.message}))
-        elif isinstance(error, AuthoringError | AnnotationError):
+        elif isinstance(error, AuthoringError | AnnotationError | AnswersError):
             _write(error.message)
         else:
             _write(f"understudy: {' '.join(error.message.splitlines())}")

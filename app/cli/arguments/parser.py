@@ -10,6 +10,7 @@ from .command import commands_of, voices
 from .libraries import add_characters, add_gestures, add_profiles, add_rules
 from .lines import add_analyses, add_live, add_perform, add_realize, add_script
 from .serving import add_serve
+from .study import add_study
 
 
 class _Parser(argparse.ArgumentParser):
@@ -39,5 +40,6 @@ def make_parser() -> argparse.ArgumentParser:
     add_gestures(add)
     add_characters(add)
     add_profiles(add)
+    add_study(add)
     add_serve(add)
     return parser

@@ -1,0 +1,1 @@
+"""From answers to the papers' tables: read (`tables`, `answers`), computed (`ratings`, `choices`), shown (`report`)."""

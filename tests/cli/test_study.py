@@ -1,0 +1,54 @@
+"""`understudy study`: clips and a page out of lines, tables out of answers."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from understudy.cli.main import main
+
+Captured = pytest.CaptureFixture[bytes]
+
+RATED = "rater,line,condition,rating\n" + "".join(
+    f"{rater},{line},{mode},{grade + rater % 2}\n"
+    for rater in range(4)
+    for line in ("one", "two")
+    for mode, grade in (("semantic", 8), ("prosody", 3), ("random", 3))
+)
+
+
+def _run(capture: Captured, *argv: str) -> tuple[int, str, str]:
+    capture.readouterr()
+    code = main(argv)
+    out, err = capture.readouterr()
+    return code, out.decode(), err.decode()
+
+
+def test_answers_become_tables_and_a_report(capfdbinary: Captured, tmp_path: Path) -> None:
+    answers, report = tmp_path / "a.csv", tmp_path / "report.json"
+    answers.write_text(RATED)
+    code, out, err = _run(capfdbinary, "study", "score", str(answers), "-o", str(report))
+    assert (code, err) == (0, "")
+    assert "| semantic | 8.50" in out
+    assert json.loads(report.read_text())["raters"] == 4
+    code, again, _ = _run(capfdbinary, "study", "score", str(answers), "-o", str(tmp_path / "report.md"))
+    assert (tmp_path / "report.md").read_text() == again == out
+
+
+def test_every_mistake_of_answers_is_a_line_of_its_own(capfdbinary: Captured, tmp_path: Path) -> None:
+    answers = tmp_path / "a.csv"
+    answers.write_text(RATED.replace("one,semantic,8", "one,semantic,80").replace("two,random,3", "two,chance,3"))
+    code, out, err = _run(capfdbinary, "study", "score", str(answers))
+    assert (code, out) == (2, "")
+    assert [line.split(": ")[0].removeprefix(str(tmp_path)) for line in err.splitlines()] == [
+        "/a.csv:2:4",
+        "/a.csv:7:3",
+        "/a.csv:14:4",
+        "/a.csv:19:3",
+    ]
+
+
+def test_a_report_of_another_kind_is_refused(capfdbinary: Captured, tmp_path: Path) -> None:
+    code, _, err = _run(capfdbinary, "study", "score", str(tmp_path / "a.csv"), "-o", "report.pdf")
+    assert code == 2
+    assert "report.pdf: a report is written as .json or .md" in err

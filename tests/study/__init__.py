@@ -1,0 +1,1 @@
+"""Studies: what is shown to whom, and what answers say. Imports `understudy.study`."""
