@@ -1,6 +1,7 @@
-"""What the body does, told as it is decided: an event where a phase of hands, head or brows begins.
+"""What the voice has the body do, told as it is announced: an event where a phase of hands, head or brows begins.
 
 Times are seconds from the start of the sound. An event comes at the latest `LATEST_S` after what it is about was heard.
+What was announced is decided later (`DECIDED_S`), and may be decided otherwise; asked for, that is told as well.
 """
 
 from collections.abc import Iterable
@@ -8,29 +9,32 @@ from dataclasses import dataclass
 
 from ..acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
 from ..model import FloatArray
-from ..prosody_gestures.live_gestures import LATEST_S as GESTURES_LATEST_S
-from ..prosody_gestures.live_gestures import LiveGestures, Phase
+from ..prosody_gestures.live_gestures import ANNOUNCED_S, DECIDED_S, LiveGestures, Phase
 from ..prosody_gestures.voice_model import VoiceModel
 from .voice import StreamingVoice
 
-LATEST_S = PITCH_LATEST_S + GESTURES_LATEST_S
+LATEST_S = PITCH_LATEST_S + ANNOUNCED_S
+DECIDED_LATEST_S = PITCH_LATEST_S + DECIDED_S
 
 
 @dataclass(frozen=True, slots=True)
 class LiveEvent:
-    """`part` ("hands", "head", "brows") goes into `state` at `start_s`; that was decided when `heard_s` had been
-    heard."""
+    """`part` ("hands", "head", "brows") goes into `state` at `start_s`; that was told when `heard_s` had been heard.
+    What is `decided` stays so, what is not was announced."""
 
     part: str
     state: str
     start_s: float
     heard_s: float
+    decided: bool = False
 
 
 class LiveEvents:
-    """Takes mono samples in [-1, 1] at `rate_hz` and tells what begins. Memory does not grow."""
+    """Takes mono samples in [-1, 1] at `rate_hz` and tells what begins, as announced or, `decided`, as it was decided.
+    Memory does not grow."""
 
-    def __init__(self, model: VoiceModel, rate_hz: int) -> None:
+    def __init__(self, model: VoiceModel, rate_hz: int, *, decided: bool = False) -> None:
+        self._decided = decided
         self._voice, self._gestures, self._rate_hz = StreamingVoice(rate_hz), LiveGestures(model), rate_hz
         self._heard = 0
 
@@ -39,7 +43,7 @@ class LiveEvents:
         return self._heard / self._rate_hz
 
     def hear(self, samples: FloatArray) -> tuple[LiveEvent, ...]:
-        """What is decided by more samples."""
+        """What is told by more samples."""
         self._heard += len(samples)
         return self._told(self._gestures.hear(*self._voice.hear(samples)))
 
@@ -49,5 +53,7 @@ class LiveEvents:
 
     def _told(self, phases: Iterable[Phase]) -> tuple[LiveEvent, ...]:
         return tuple(
-            LiveEvent(phase.part, phase.state, phase.start_s, self.heard_s) for phase in phases if phase.begins
+            LiveEvent(phase.part, phase.state, phase.start_s, self.heard_s, phase.decided)
+            for phase in phases
+            if phase.begins and phase.decided is self._decided
         )

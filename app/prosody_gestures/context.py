@@ -13,7 +13,7 @@ from ..model import FloatArray
 from .prosody import FEATURES, VOICED
 from .semi_markov import FRAME_S
 
-LOOKAHEAD_S = 0.2
+LOOKAHEAD_S = 0.15
 LOOKAHEAD_FRAMES = round(LOOKAHEAD_S / FRAME_S)
 MEANS_OVER = (4, 8, 16, 32)
 """Frames over which energy, f0 and confidence are averaged."""

@@ -1,7 +1,9 @@
-"""Contours in as they are heard, gesture phases out as they are decided.
+"""Contours in as they are heard, gesture phases out: announced at once, decided later.
 
-What is decided of a frame leaves at the latest `LATEST_S` after it was heard: the frame's window, the look-ahead of its
-context, and the decoder's bound.
+The likeliest path up to the newest frame says what a part of the body does now; whoever moves it cannot wait, so a
+change of state is announced as soon as it looks so, `ANNOUNCED_S` after its sound was heard, and may turn out wrong.
+What is decided never changes, and leaves at the latest `DECIDED_S` after it was heard: the frame's window, the
+look-ahead of its context, and the decoder's bound.
 """
 
 from collections.abc import Iterator
@@ -15,39 +17,48 @@ from .live_decoder import Commitment, LiveDecoder, Piece
 from .prosody import HALF_WINDOW_S, ProsodyNormalizer, raw_frame, whole_frames
 from .semi_markov import FRAME_S
 from .trellis import EVERYTHING, Search
-from .voice_model import VoiceModel
+from .voice_model import PartModel, VoiceModel
 
-BOUND_S = 0.2
-COMMITMENT = Commitment(bound_frames=round(BOUND_S / FRAME_S), at_once=4, beam=8.0)
-LATEST_S = HALF_WINDOW_S + LOOKAHEAD_S + BOUND_S
+BOUND_S = 1.6
+COMMITMENT = Commitment(bound_frames=round(BOUND_S / FRAME_S), at_once=8, beam=8.0)
+LEAD = 1.0
+"""By how much another state's path must be likelier, in logarithms, before it is announced."""
+
+ANNOUNCED_S = HALF_WINDOW_S + LOOKAHEAD_S
+DECIDED_S = ANNOUNCED_S + BOUND_S
 
 
 @dataclass(frozen=True, slots=True)
 class Phase:
-    """A decided stretch of a part's path: `state` of `part`, from `start_s` to `end_s`. Where it does not
-    `begin`, the one before goes on."""
+    """A stretch of a part's path: `state` of `part`, from `start_s` to `end_s`.
+
+    One that is `decided` follows the decided one before without a gap; where it does not `begin`, that one goes on. One
+    that is not was announced, and goes on until another is.
+    """
 
     part: str
     state: str
     start_s: float
     end_s: float
     begins: bool
+    decided: bool
 
 
 class LiveGestures:
     """What hands, head and brows do, from a voice that still goes on. Memory does not grow."""
 
     def __init__(self, model: VoiceModel, search: Search = EVERYTHING, commitment: Commitment = COMMITMENT) -> None:
-        self._parts = [(part, LiveDecoder(part.model, search, commitment)) for part in model.parts]
+        self._parts = [_LivePart(part, search, commitment) for part in model.parts]
         self._normalizer, self._context = ProsodyNormalizer(), ProsodyContext()
         self._levels_db, self._pitches_hz = np.empty(0), np.empty(0)
         self._base = self._frames = 0
 
     def hear(self, energy_db: FloatArray, f0_hz: FloatArray) -> tuple[Phase, ...]:
-        """What is decided by more of the contours (a row each `FRAME_SHIFT_S`; f0 is 0 where unvoiced)."""
+        """What is announced and decided by more of the contours (a row each `FRAME_SHIFT_S`; f0 is 0 where
+        unvoiced)."""
         self._levels_db = np.concatenate([self._levels_db, energy_db])
         self._pitches_hz = np.concatenate([self._pitches_hz, f0_hz])
-        phases = [phase for _ in iter(self._next_frame, False) for phase in self._decided_by_frame()]
+        phases = [phase for _ in iter(self._next_frame, False) for phase in self._told_by_frame()]
         done = max(0, int((self._frames * FRAME_S - HALF_WINDOW_S) / FRAME_SHIFT_S) - self._base - 1)
         self._levels_db, self._pitches_hz = self._levels_db[done:], self._pitches_hz[done:]
         self._base += done
@@ -55,27 +66,48 @@ class LiveGestures:
 
     def finish(self) -> tuple[Phase, ...]:
         """The rest, when the voice has ended."""
-        phases = [phase for row in self._context.finish() for phase in self._decided(row)]
-        for part, decoder in self._parts:
-            phases += [_phase(part.part, part.model.states, piece) for piece in decoder.finish()]
-        return tuple(phases)
+        phases = [phase for row in self._context.finish() for phase in self._told(row)]
+        return (*phases, *(phase for part in self._parts for phase in part.finish()))
 
     def _next_frame(self) -> bool:
         return self._frames < whole_frames(self._base + len(self._pitches_hz))
 
-    def _decided_by_frame(self) -> Iterator[Phase]:
+    def _told_by_frame(self) -> Iterator[Phase]:
         raw = raw_frame(self._levels_db, self._pitches_hz, self._frames, self._base)
         self._frames += 1
         row = self._context.push(np.array(self._normalizer.push(*raw)))
         if row is not None:
-            yield from self._decided(row)
+            yield from self._told(row)
 
-    def _decided(self, row: FloatArray) -> Iterator[Phase]:
-        for part, decoder in self._parts:
-            for piece in decoder.push(part.log_likelihoods(row[None])[0]):
-                yield _phase(part.part, part.model.states, piece)
+    def _told(self, row: FloatArray) -> Iterator[Phase]:
+        for part in self._parts:
+            yield from part.push(row)
 
 
-def _phase(part: str, states: tuple[str, ...], piece: Piece) -> Phase:
-    segment = piece.segment
-    return Phase(part, states[segment.state], segment.start * FRAME_S, segment.end * FRAME_S, piece.begins)
+class _LivePart:
+    """One part of the body: its decoder, and what was announced of it last."""
+
+    def __init__(self, part: PartModel, search: Search, commitment: Commitment) -> None:
+        self._part, self._decoder = part, LiveDecoder(part.model, search, commitment)
+        self._announced: int | None = None
+        self._frames = 0
+
+    def push(self, row: FloatArray) -> Iterator[Phase]:
+        """What one more frame (`WIDTH`) tells."""
+        decided = self._decoder.push(self._part.log_likelihoods(row[None])[0])
+        state = self._decoder.likeliest(self._announced, LEAD)
+        if state != self._announced:
+            self._announced, start_s = state, self._frames * FRAME_S
+            yield Phase(self._part.part, self._named(state), start_s, start_s + FRAME_S, begins=True, decided=False)
+        self._frames += 1
+        yield from map(self._phase, decided)
+
+    def finish(self) -> Iterator[Phase]:
+        return map(self._phase, self._decoder.finish())
+
+    def _named(self, state: int) -> str:
+        return self._part.model.states[state]
+
+    def _phase(self, piece: Piece) -> Phase:
+        start_s, end_s = piece.segment.start * FRAME_S, piece.segment.end * FRAME_S
+        return Phase(self._part.part, self._named(piece.segment.state), start_s, end_s, piece.begins, decided=True)

@@ -6,16 +6,15 @@ PERFORMED is the folder of `training.prosody_gestures.performed` with --directin
 learnt from the other folds' speakers, their strokes against those of the rules on the same recordings, a hit where
 both begin on words at most one apart. Then, with the shipped model, the directors' lines by score.py: strokes within a
 word of a director's. Each beside the prosody mode (directors' lines only) and chance: the same strokes, all of a line's
-moved round it by one random time, so that their number and spacing stay. Live decodes wait as the live mode does; a
-stroke counts where it is, "late" where it can be performed at the earliest, when it was decided. The last rows have
-other bounds than the shipped one.
+moved round it by one random time, so that their number and spacing stay. Live strokes are those announced; one counts
+where it is, "late" where it can be performed at the earliest, when it was announced.
 """
 
 import argparse
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -24,8 +23,7 @@ from benchmarks.acting.directing import AFTER_STROKE_S, READERS, load_score
 from training.prosody_gestures.performed_lines import HANDS, STROKE, PerformedLine, learn, read_performed, strokes_of
 from training.prosody_gestures.train import CORPORA, FILE
 from understudy.model import FRAME_SHIFT_S
-from understudy.prosody_gestures.live_decoder import Commitment
-from understudy.prosody_gestures.live_gestures import COMMITMENT, LiveGestures
+from understudy.prosody_gestures.live_gestures import LiveGestures
 from understudy.prosody_gestures.semi_markov import FRAME_S
 from understudy.prosody_gestures.voice_model import VoiceModel
 from understudy.resources import resource_folder
@@ -33,13 +31,6 @@ from understudy.resources import resource_folder
 DRAWS = 20
 CHUNK_FRAMES = 4
 """Contours are heard .04 s at a time."""
-
-OTHERS = MappingProxyType(
-    {
-        f"bound {frames * FRAME_S:.2f} s": Commitment(frames, each, 8.0)
-        for frames, each in ((2, 2), (4, 4), (16, 4), (32, 8))
-    }
-)
 
 Strokes = Sequence[tuple[float, float]]
 """Where each stroke begins and ends, in seconds."""
@@ -51,28 +42,19 @@ def decoded(model: VoiceModel, line: PerformedLine) -> Strokes:
     return [(stroke.start * FRAME_S, stroke.end * FRAME_S) for stroke in found]
 
 
-def lived(model: VoiceModel, line: PerformedLine, commitment: Commitment) -> tuple[Strokes, Strokes]:
-    """The strokes of the live decode: where they are, and when they can be performed."""
-    live, where, when = (
-        LiveGestures(model, commitment=commitment),
-        list[tuple[float, float]](),
-        list[tuple[float, float]](),
-    )
+def lived(model: VoiceModel, line: PerformedLine) -> tuple[Strokes, Strokes]:
+    """The strokes that are announced live: where they are, and when they can be performed."""
+    live, states = LiveGestures(model), list[tuple[str, float, float]]()
     for first in range(0, len(line.f0_hz) + CHUNK_FRAMES, CHUNK_FRAMES):
         last = first + CHUNK_FRAMES
         ended = first >= len(line.f0_hz)
         phases = live.finish() if ended else live.hear(line.energy_db[first:last], line.f0_hz[first:last])
-        for phase in phases:
-            if phase.part == "hands" and phase.state == HANDS[STROKE]:
-                late_s = max(0.0, last * FRAME_SHIFT_S - phase.start_s)
-                if phase.begins:
-                    where.append((phase.start_s, phase.end_s))
-                    when.append((phase.start_s + late_s, phase.end_s + late_s))
-                else:
-                    longer_s = phase.end_s - where[-1][1]
-                    where[-1] = (where[-1][0], phase.end_s)
-                    when[-1] = (when[-1][0], when[-1][1] + longer_s)
-    return where, when
+        told = (phase for phase in phases if phase.part == "hands" and not phase.decided)
+        states += [(phase.state, phase.start_s, max(phase.start_s, last * FRAME_SHIFT_S)) for phase in told]
+    states.append(("", line.duration_s, line.duration_s))
+    found = [(one[1], other[1]) for one, other in pairwise(states) if one[0] == HANDS[STROKE]]
+    late = [(one[2], one[2] + other[1] - one[1]) for one, other in pairwise(states) if one[0] == HANDS[STROKE]]
+    return found, late
 
 
 def moved_round(strokes: Strokes, line: PerformedLine, generator: np.random.Generator) -> Strokes:
@@ -157,10 +139,9 @@ def directors_lines(performed: Path, directing: Path) -> None:
     report("the rules", judge, {line.name: line.strokes_s.tolist() for line in lines}, lines)
     report("prosody mode", judge, {line.name: line.strokes_s.tolist() for line in beaten}, lines)
     report("the voice alone, full decode", judge, {line.name: decoded(model, line) for line in lines}, lines)
-    for name, commitment in (("live", COMMITMENT), *OTHERS.items()):
-        live = {line.name: lived(model, line, commitment) for line in lines}
-        report(f"the voice alone, {name}", judge, {each: where for each, (where, _) in live.items()}, lines)
-        report(f"the voice alone, {name}, late", judge, {each: when for each, (_, when) in live.items()}, lines)
+    live = {line.name: lived(model, line) for line in lines}
+    report("the voice alone, live", judge, {each: where for each, (where, _) in live.items()}, lines)
+    report("the voice alone, live, late", judge, {each: when for each, (_, when) in live.items()}, lines)
 
 
 def main() -> None:

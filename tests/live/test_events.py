@@ -1,9 +1,10 @@
 """What begins, told in time and in order."""
 
 import numpy as np
+import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE
-from understudy.live.events import LATEST_S, LiveEvent, LiveEvents
+from understudy.live.events import DECIDED_LATEST_S, LATEST_S, LiveEvent, LiveEvents
 from understudy.model import SAMPLE_RATE_HZ
 from understudy.prosody_gestures.voice_model import VoiceModel
 from understudy.resources import resource_folder
@@ -12,14 +13,16 @@ MODEL = VoiceModel.load(resource_folder("models") / "prosody_gestures" / "voice.
 CHUNK = 640
 
 
-def told() -> list[LiveEvent]:
-    live = LiveEvents(MODEL, SAMPLE_RATE_HZ)
+def told(*, decided: bool = False) -> list[LiveEvent]:
+    live = LiveEvents(MODEL, SAMPLE_RATE_HZ, decided=decided)
     events = [event for first in range(0, len(LINE), CHUNK) for event in live.hear(LINE[first : first + CHUNK])]
     return [*events, *live.finish()]
 
 
-def test_a_line_has_strokes_and_all_parts_begin_at_its_start() -> None:
-    events = told()
+@pytest.mark.parametrize("decided", [False, True])
+def test_a_line_has_strokes_and_all_parts_begin_at_its_start(decided: bool) -> None:
+    events = told(decided=decided)
+    assert {event.decided for event in events} == {decided}
     assert {event.part for event in events if event.start_s == 0} == {"hands", "head", "brows"}
     assert any(event.state == "stroke" for event in events)
     for part in ("hands", "head", "brows"):
@@ -28,7 +31,21 @@ def test_a_line_has_strokes_and_all_parts_begin_at_its_start() -> None:
 
 
 def test_each_is_told_in_time() -> None:
-    assert max(event.heard_s - event.start_s for event in told()) <= LATEST_S + CHUNK / SAMPLE_RATE_HZ
+    chunk_s = CHUNK / SAMPLE_RATE_HZ
+    assert max(event.heard_s - event.start_s for event in told()) <= LATEST_S + chunk_s
+    assert max(event.heard_s - event.start_s for event in told(decided=True)) <= DECIDED_LATEST_S + chunk_s
+
+
+def test_what_is_announced_is_mostly_what_is_decided() -> None:
+    """Of a line's moments, hands are in the state that was announced for them in more than two thirds."""
+    paths = []
+    for decided in (False, True):
+        hands = [event for event in told(decided=decided) if event.part == "hands"]
+        starts = np.array([event.start_s for event in hands])
+        moments = np.arange(0.0, len(LINE) / SAMPLE_RATE_HZ, 0.025)
+        paths.append([hands[place].state for place in np.searchsorted(starts, moments, side="right") - 1])
+    alike = [one == other for one, other in zip(*paths, strict=True)]
+    assert np.mean(alike) > 2 / 3
 
 
 def test_the_same_sound_has_the_same_events() -> None:

@@ -9,7 +9,7 @@ from tests.prosody_gestures.test_prosody import spoken
 from tests.prosody_gestures.test_voice_model import SHIPPED
 from understudy.model import FRAME_SHIFT_S
 from understudy.prosody_gestures.live_decoder import Commitment
-from understudy.prosody_gestures.live_gestures import COMMITMENT, LATEST_S, LiveGestures, Phase
+from understudy.prosody_gestures.live_gestures import ANNOUNCED_S, COMMITMENT, DECIDED_S, LiveGestures, Phase
 from understudy.prosody_gestures.semi_markov import FRAME_S
 from understudy.prosody_gestures.trellis import EVERYTHING
 from understudy.prosody_gestures.voice_model import VoiceModel
@@ -19,15 +19,16 @@ MODEL = VoiceModel.load(SHIPPED)
 
 
 def heard(chunk: int, commitment: Commitment) -> tuple[list[Phase], float]:
-    """All phases, and the longest that the end of one was waited for."""
+    """All decided phases, and the longest that the end of one was waited for."""
     live, phases, latest_s = LiveGestures(MODEL, EVERYTHING, commitment), list[Phase](), 0.0
     decided_s = dict.fromkeys(("hands", "head", "brows"), 0.0)
     for first in range(0, len(F0_HZ), chunk):
-        found = live.hear(ENERGY_DB[first : first + chunk], F0_HZ[first : first + chunk])
+        told = live.hear(ENERGY_DB[first : first + chunk], F0_HZ[first : first + chunk])
+        found = [phase for phase in told if phase.decided]
         phases += found
         decided_s |= {phase.part: phase.end_s for phase in found}
         latest_s = max(latest_s, first * FRAME_SHIFT_S - min(decided_s.values()))
-    return [*phases, *live.finish()], latest_s
+    return [*phases, *(phase for phase in live.finish() if phase.decided)], latest_s
 
 
 @pytest.mark.parametrize("chunk", [1, 4, 7, 1000])
@@ -45,7 +46,20 @@ def test_every_moment_is_decided_once_and_in_time() -> None:
         assert all(one.end_s == other.start_s for one, other in pairwise(own))
         assert own[0].start_s == 0
         assert own[-1].end_s == pytest.approx(len(F0_HZ) * FRAME_SHIFT_S, abs=2 * FRAME_S)
-    assert latest_s <= LATEST_S + FRAME_S
+    assert latest_s <= DECIDED_S + FRAME_S
+
+
+def test_what_is_announced_comes_in_time_and_in_order_and_never_twice() -> None:
+    live, last = LiveGestures(MODEL), dict[str, Phase]()
+    for first in range(len(F0_HZ)):
+        for phase in live.hear(ENERGY_DB[first : first + 1], F0_HZ[first : first + 1]):
+            if phase.decided:
+                continue
+            before = last.get(phase.part)
+            assert before is None or (before.state != phase.state and before.start_s < phase.start_s)
+            assert first * FRAME_SHIFT_S - phase.start_s <= ANNOUNCED_S + FRAME_S
+            last[phase.part] = phase
+    assert last.keys() == {"hands", "head", "brows"}
 
 
 def test_chunks_do_not_matter() -> None:
