@@ -75,6 +75,7 @@ class Settings(BaseSettings):
     )
     metrics: bool = Field(default=True, description="answer /metrics")
     docs: bool = Field(default=True, description="answer /docs and /openapi.json")
+    studio: bool = Field(default=True, description="answer the studio page at /")
     workers: int | None = Field(
         default=None, gt=0, description="processes that perform lines, one line each at a time; one a core if unset"
     )

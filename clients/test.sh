@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Lints and tests the client and its example. Needs node and npm, and the npm registry at the first run; where one of
+# Lints and tests the client, its example and the studio page. Needs node and npm, and the npm registry at the first run; where one of
 # them is missing it says so and leaves the tests out.
 set -euo pipefail
 root="$(cd "$(dirname "$0")/.." && pwd)"
@@ -25,3 +25,4 @@ node -e 'process.exit(Number(process.versions.node.split(".")[0]) >= 20 ? 0 : 1)
 
 check clients/typescript
 check examples/npc
+check tests/studio

@@ -6,6 +6,7 @@ from contextlib import AsyncExitStack, asynccontextmanager
 from fastapi import FastAPI
 
 from ..settings import Settings
+from ..studio.pages import OpenedLine, page_router
 from ..version import __version__
 from .admission.admission import Admission, guard
 from .clients import Rates
@@ -23,8 +24,11 @@ from .workers.processes import Nursery
 DESCRIPTION = "Performs a spoken line in an actor's stead: audio and words in, a BML schedule of movements out."
 
 
-def create_app(settings: Settings, nursery: Nursery, *, reload: bool = False) -> FastAPI:
-    """The application. The nursery stays its giver's to close. With `reload` what authors save is read again."""
+def create_app(
+    settings: Settings, nursery: Nursery, *, reload: bool = False, line: OpenedLine | None = None
+) -> FastAPI:
+    """The application. The nursery stays its giver's to close. With `reload` what authors save is read again; `line` is
+    what the studio page opens."""
 
     metrics = Metrics.fresh()
 
@@ -49,6 +53,7 @@ def create_app(settings: Settings, nursery: Nursery, *, reload: bool = False) ->
     )
     app.include_router(router)
     app.include_router(page.router)
+    app.include_router(page_router(line))
     answer_errors_as_problems(app)
     guard(app, Admission.of(settings))
     app.add_middleware(Measured, metrics=metrics)

@@ -1,8 +1,8 @@
 """Every request comes in here: it gets its id, is let in or told why not, and leaves a line in the log.
 
 In this order: the host that it names, the port it came to, its API key. `/healthz` and `/readyz` are answered to all,
-for what asks them knows neither names nor keys; so are `/docs` and `/openapi.json`, which tell nothing that is not
-public. Nothing of a request's content is logged.
+for what asks them knows neither names nor keys; so are `/docs`, `/openapi.json` and the studio page, which tell nothing
+that is not public. Nothing of a request's content is logged.
 """
 
 import logging
@@ -27,6 +27,8 @@ from .request_ids import HEADER, current_id, request_id
 
 PROBES = frozenset({"/healthz", "/readyz"})
 DOCS = ("/docs", "/openapi.json")
+STUDIO = ("", "/studio")
+"""The studio page, which is at `/`, and what it loads."""
 METRICS = "/metrics"
 
 _LOGGER = logging.getLogger("understudy.requests")
@@ -46,7 +48,8 @@ class Admission:
     def of(cls, settings: Settings) -> Self:
         """Raises InputError `setting_wrong`."""
         hosts = (settings.allowed_hosts or "").lower().replace(",", " ").split()
-        closed = (() if settings.metrics else (METRICS,)) + (() if settings.docs else DOCS)
+        answered = {(METRICS,): settings.metrics, DOCS: settings.docs, STUDIO: settings.studio}
+        closed = tuple(path for paths, is_open in answered.items() if not is_open for path in paths)
         return cls(ApiKeys.of(settings), tuple(hosts), settings.operations_port, closed)
 
     def refusal(self, path: str, port: int | None, headers: Headers) -> Response | None:
@@ -59,7 +62,7 @@ class Admission:
         is_elsewhere = self.operations_port is not None and _is_under(path, (METRICS, *DOCS)) != is_operators_port
         if is_elsewhere or _is_under(path, self.closed):
             return problem(404, "not_found", "Not Found")
-        if not self.keys.digests or is_operators_port or _is_under(path, DOCS):
+        if not self.keys.digests or is_operators_port or _is_under(path, (*DOCS, *STUDIO)):
             return None
         if self.keys.name(headers.get("authorization")) is None:
             sent = "the API key is wrong" if "authorization" in headers else "an API key is missing"
@@ -139,4 +142,5 @@ class Admitted:
 
 
 def _is_under(path: str, places: tuple[str, ...]) -> bool:
-    return any(path == place or path.startswith(f"{place}/") for place in places)
+    """Whether a path is one of the places or below it; "" is `/` alone."""
+    return any(path == (place or "/") or (place and path.startswith(f"{place}/")) for place in places)

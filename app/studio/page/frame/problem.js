@@ -1,0 +1,40 @@
+/** Shows what was refused, in the words of whoever refused; asks for the key where one is missing. */
+
+import { el, labelled } from "../dom.js";
+import { performAgain } from "../service/performing.js";
+import { PROBLEM } from "../state/performed.js";
+
+/** @import { Service } from "../service/service.js" */
+/** @import { Store } from "../state/store.js" */
+
+/**
+ * @param {HTMLElement} element
+ * @param {Store} store
+ * @param {Service} service
+ */
+export function mountProblem(element, store, service) {
+  store.watch(PROBLEM, (problem) => {
+    element.hidden = problem === null;
+    element.replaceChildren();
+    if (problem) {
+      const close = el("button", { type: "button", click: () => store.set(PROBLEM, null) }, ["Close"]);
+      const needsKey = problem.code === "key_wrong";
+      element.append(el("code", {}, [problem.code]), el("span", {}, [problem.detail]), needsKey ? keyForm(store, service) : close);
+    }
+  });
+}
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+function keyForm(store, service) {
+  const typed = el("input", { type: "password", autocomplete: "off", required: true });
+  const send = (/** @type {Event} */ event) => {
+    event.preventDefault();
+    service.key = typed.value;
+    store.set(PROBLEM, null);
+    performAgain(store);
+  };
+  return el("form", { submit: send }, [labelled("API key", typed), el("button", {}, ["Use this key"])]);
+}

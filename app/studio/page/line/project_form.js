@@ -1,0 +1,125 @@
+/** The line as its author gives it: recording, words, character, agitation, seed, stillness, mode. */
+
+import { choice, el, labelled } from "../dom.js";
+import { problemOf } from "../service/service.js";
+import { ChangeProject } from "../state/change_project.js";
+import { AVATAR, BUSY, PERFORMED, PROBLEM } from "../state/performed.js";
+import { PROJECT } from "../state/project.js";
+import { letFilesBeDropped, takeFiles } from "./dropping.js";
+import { openExample } from "./opening.js";
+
+/** @import { Performance, PerformOptions } from "understudy-client" */
+/** @import { Service } from "../service/service.js" */
+/** @import { Store } from "../state/store.js" */
+
+const LEVELS = /** @type {const} */ ([["", "As the voice"], ["low", "Low"], ["medium", "Medium"], ["high", "High"]]);
+const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stress"], ["random", "Chance"]]);
+
+/**
+ * @param {HTMLElement} element
+ * @param {Store} store
+ * @param {Service} service
+ */
+export function mountProject(element, store, service) {
+  letFilesBeDropped(store);
+  element.append(files(store, service), words(store), options(store, service), state(store));
+}
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+function files(store, service) {
+  const chosen = el("input", { type: "file", id: "files", multiple: true, accept: ".wav,.flac,.ogg,.txt,.glb,.vrm" });
+  chosen.addEventListener("change", () => void takeFiles(store, [...(chosen.files ?? [])]));
+  const example = el("button", { type: "button", id: "example", click: () => void openExample(store, service) }, ["Example"]);
+  const ours = el("button", { type: "button", click: () => store.set(AVATAR, null) }, ["Our body again"]);
+  store.watch(AVATAR, (avatar) => (ours.hidden = avatar === null));
+  return el("div", { class: "row" }, [labelled("Recording, words (.txt) or body (.glb, .vrm)", chosen), example, ours]);
+}
+
+/** @param {Store} store */
+function words(store) {
+  const typed = el("textarea", { id: "text", rows: 2, spellcheck: true });
+  const change = () => store.history.execute(new ChangeProject(store, "Words", { text: typed.value }));
+  typed.addEventListener("change", change);
+  store.watch(PROJECT, ({ text }) => {
+    if (typed.value !== text) {
+      typed.value = text;
+    }
+  });
+  return labelled("Words that are spoken", typed);
+}
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+function options(store, service) {
+  const character = choice([["default", "default"]], "default", (value) => setOption(store, "character", value));
+  void fillCharacters(character, store, service);
+  const agitation = choice(LEVELS, "", (value) => setOption(store, "agitation", value || undefined));
+  const mode = choice(MODES, "semantic", (value) => setOption(store, "mode", value));
+  const seed = el("input", { type: "number", step: 1, value: 0, id: "seed" });
+  seed.addEventListener("change", () => setOption(store, "seed", Number(seed.value)));
+  const stillness = el("input", { type: "range", min: 0, max: 1, step: 0.05, value: 0, id: "stillness" });
+  stillness.addEventListener("change", () => setOption(store, "stillness", Number(stillness.value)));
+  store.watch(PROJECT, ({ options: now }) => {
+    character.value = now.character ?? "default";
+    agitation.value = now.agitation ?? "";
+    mode.value = now.mode ?? "semantic";
+    seed.value = String(now.seed ?? 0);
+    stillness.value = String(now.stillness ?? 0);
+  });
+  const controls = { Character: character, Agitation: agitation, "Gestures from": mode, Seed: seed, Stillness: stillness };
+  return el("div", { class: "row" }, Object.entries(controls).map(([name, control]) => labelled(name, control)));
+}
+
+/**
+ * @param {HTMLSelectElement} select
+ * @param {Store} store
+ * @param {Service} service
+ */
+async function fillCharacters(select, store, service) {
+  try {
+    const { characters } = await service.client.listCharacters();
+    select.replaceChildren(...characters.map(({ name }) => el("option", { value: name }, [name])));
+    select.value = store.get(PROJECT).options.character ?? "default";
+  } catch (error) {
+    store.set(PROBLEM, problemOf(error));
+  }
+}
+
+/** @param {Store} store */
+function state(store) {
+  const told = el("p", { id: "state", role: "status" });
+  const tell = () => {
+    const line = store.get(PERFORMED);
+    const done = line ? summary(line.performance) : "Drop a recording, type its words.";
+    told.replaceChildren(store.get(BUSY) ? "Performing…" : done);
+  };
+  store.watch(BUSY, tell);
+  store.watch(PERFORMED, tell);
+  return told;
+}
+
+/**
+ * What was performed, and what was guessed or left out.
+ *
+ * @param {Performance} performance
+ */
+function summary({ audio, agitation, behaviors, warnings }) {
+  const kept = behaviors.filter((each) => each.kept).length;
+  const done = `${audio.duration_s.toFixed(2)} s, agitation ${agitation}, ${String(kept)} behaviours`;
+  return [done, ...warnings.map(({ message }) => message)].join(" — ");
+}
+
+/**
+ * @param {Store} store
+ * @param {keyof PerformOptions} name
+ * @param {unknown} value
+ */
+function setOption(store, name, value) {
+  const changed = { options: { ...store.get(PROJECT).options, [name]: value } };
+  store.history.execute(new ChangeProject(store, name, changed));
+}

@@ -1,0 +1,117 @@
+/**
+ * Keeps the performance that of the project: whenever the project changes it is performed and realized again, and what
+ * is under way for an earlier one is given up.
+ */
+
+import { clipFromJson } from "understudy-client";
+
+import { BUSY, PERFORMED, PROBLEM } from "../state/performed.js";
+import { PROJECT } from "../state/project.js";
+import { slice } from "../state/slice.js";
+import { performForm, realizeForm } from "./requests.js";
+import { problemOf } from "./service.js";
+
+/** @import { Performance, Performed } from "understudy-client" */
+/** @import { PerformedLine } from "../state/performed.js" */
+/** @import { Project } from "../state/project.js" */
+/** @import { Store } from "../state/store.js" */
+/** @import { Service } from "./service.js" */
+
+/** @typedef {Project & { audio: File }} Line a project that can be performed */
+
+const JSON_TYPE = "application/json";
+
+/** The last performance, and of what. */
+const HEARD = slice(/** @type {{ audio: File, text: string, performance: Performance } | null} */ (null));
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+export function keepPerformed(store, service) {
+  let underWay = new AbortController();
+  store.watch(PROJECT, (project) => {
+    underWay.abort();
+    underWay = new AbortController();
+    if (isLine(project)) {
+      void performInto(store, service, project, underWay.signal);
+    }
+  });
+}
+
+/**
+ * Performs the project again, as after the key was typed or rules were changed.
+ *
+ * @param {Store} store
+ */
+export function performAgain(store) {
+  store.patch(PROJECT, {});
+}
+
+/**
+ * A line and its motion. Rejects as `Service.fetch`, or with the signal's reason.
+ *
+ * @param {Service} service
+ * @param {Line} line
+ * @param {Performance | null} heard an earlier performance of the same recording and text
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<PerformedLine>}
+ */
+export async function performed(service, line, heard = null, signal) {
+  const request = { method: "POST", headers: { accept: JSON_TYPE }, signal: signal ?? null };
+  const answered = await service.fetch("perform", { ...request, body: performForm(line, heard) });
+  const answer = /** @type {Performed} */ (await answered.json());
+  const played = async (/** @type {string} */ bml) => {
+    const motion = await service.fetch("realize", { ...request, body: realizeForm(bml, line.audio) });
+    return clipFromJson(await motion.json());
+  };
+  const listening = Object.entries(answer.listeners ?? {});
+  const [motion, ...others] = await Promise.all([answer.bml, ...listening.map(([, bml]) => bml)].map(played));
+  if (!motion) {
+    throw new Error("the service answered no motion");
+  }
+  const listeners = new Map(listening.map(([name], index) => [name, others[index] ?? motion]));
+  return { answer, performance: answer.performance, bml: answer.bml, motion, listeners };
+}
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ * @param {Line} line
+ * @param {AbortSignal} signal
+ */
+async function performInto(store, service, line, signal) {
+  store.set(BUSY, true);
+  try {
+    const found = await performed(service, line, heardBefore(store, line), signal);
+    if (!signal.aborted) {
+      store.set(HEARD, { audio: line.audio, text: line.text, performance: found.performance });
+      store.set(PERFORMED, found);
+      store.set(PROBLEM, null);
+    }
+  } catch (error) {
+    if (!signal.aborted) {
+      store.set(PROBLEM, problemOf(error));
+    }
+  }
+  if (!signal.aborted) {
+    store.set(BUSY, false);
+  }
+}
+
+/**
+ * @param {Store} store
+ * @param {Line} line
+ */
+function heardBefore(store, line) {
+  const last = store.get(HEARD);
+  return last?.audio === line.audio && last.text === line.text && line.words === null ? last.performance : null;
+}
+
+/**
+ * @param {Project} project
+ * @returns {project is Line}
+ */
+function isLine(project) {
+  return project.audio !== null && project.text.trim() !== "";
+}

@@ -1,0 +1,150 @@
+/**
+ * The stage: shows the performed line, and whoever else `GUESTS` says, at the time of the playhead.
+ *
+ * The canvas has `data-roles` (who stands there) and `data-pose` (where the wrists are, metres) for tests.
+ */
+
+import { el } from "../dom.js";
+import { problemOf } from "../service/service.js";
+import { AVATAR, PERFORMED, PROBLEM, TIME_S } from "../state/performed.js";
+import { PROJECT } from "../state/project.js";
+import { Bodies } from "./bodies.js";
+import { viewOf } from "./cameras.js";
+import { Cast } from "./cast.js";
+import { Clock } from "./clock.js";
+import { makePlace } from "./scene.js";
+import { Trail } from "./trail.js";
+import { mountTransport } from "./transport.js";
+import { GUESTS, OPPOSITE_M, rolesOf, VIEWING } from "./viewing.js";
+
+/** @import { Service } from "../service/service.js" */
+/** @import { Store } from "../state/store.js" */
+
+const EYES_M = 1.55;
+
+/**
+ * @param {HTMLElement} element
+ * @param {Store} store
+ * @param {Service} service
+ */
+export function mountStage(element, store, service) {
+  const canvas = el("canvas", { id: "stage-canvas", tabindex: 0, role: "img", "aria-label": "The character performs the line" });
+  const controls = el("div", { class: "transport", role: "toolbar", "aria-label": "Playing" });
+  element.append(el("div", { class: "screen" }, [canvas]), controls);
+  mountTransport(controls, store);
+  const audio = recordingOf(store);
+  const stage = new Stage(canvas, store, service);
+  runFrames(new Clock(store, audio), stage);
+}
+
+/**
+ * The recording, as something that sounds.
+ *
+ * @param {Store} store
+ */
+function recordingOf(store) {
+  const audio = new Audio();
+  audio.preservesPitch = true;
+  /** @type {File | null} */
+  let file = null;
+  store.watch(PROJECT, (project) => {
+    if (project.audio !== file) {
+      URL.revokeObjectURL(audio.src);
+      file = project.audio;
+      audio.src = file ? URL.createObjectURL(file) : "";
+      store.set(TIME_S, 0);
+    }
+  });
+  return audio;
+}
+
+/**
+ * @param {Clock} clock
+ * @param {Stage} stage
+ */
+function runFrames(clock, stage) {
+  const frame = (/** @type {number} */ now_ms) => {
+    clock.update(now_ms);
+    stage.draw();
+    requestAnimationFrame(frame);
+  };
+  requestAnimationFrame(frame);
+}
+
+/** What is drawn, and only where it is another picture than before. */
+class Stage {
+  #canvas;
+  #store;
+  #place;
+  #cast;
+  #trail = new Trail();
+  #isStale = true;
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Store} store
+   * @param {Service} service
+   */
+  constructor(canvas, store, service) {
+    this.#canvas = canvas;
+    this.#store = store;
+    this.#place = makePlace(canvas);
+    this.#cast = new Cast(this.#place.scene, new Bodies(service));
+    this.#place.scene.add(this.#trail.group);
+    const stale = () => (this.#isStale = true);
+    this.#place.controls.addEventListener("change", stale);
+    store.watch(TIME_S, stale);
+    for (const of of [PERFORMED, AVATAR, GUESTS]) {
+      store.watch(/** @type {typeof AVATAR} */ (of), () => void this.#recast());
+    }
+    store.watch(VIEWING, () => void this.#recast().then(() => this.#aim()));
+    this.#aim();
+  }
+
+  draw() {
+    if (this.#place.fit() || this.#isStale) {
+      this.#isStale = false;
+      const line = this.#store.get(PERFORMED);
+      const time_s = this.#store.get(TIME_S);
+      this.#cast.show(time_s, line?.performance.lead_in_s ?? 0);
+      this.#trail.show(time_s);
+      this.#place.draw();
+      this.#tell();
+    }
+  }
+
+  async #recast() {
+    const line = this.#store.get(PERFORMED);
+    const { listening, trail } = this.#store.get(VIEWING);
+    const avatar = this.#store.get(AVATAR);
+    const roles = line ? rolesOf(line, listening, avatar) : [];
+    try {
+      await this.#cast.take([...roles, ...this.#store.get(GUESTS)]);
+    } catch (error) {
+      this.#store.set(PROBLEM, problemOf(error));
+    }
+    this.#trail.clear();
+    if (line && trail && listening !== "instead" && !avatar) {
+      this.#trail.take(line.motion, line.performance.behaviors);
+    }
+    this.#isStale = true;
+  }
+
+  #aim() {
+    const head = this.#cast.standing[0]?.figure.place("head")?.y;
+    const eyes_m = head ? head + 0.06 : EYES_M;
+    const listener = this.#cast.standing[1]?.figure.place("head")?.toArray() ?? [OPPOSITE_M[0], eyes_m, OPPOSITE_M[2]];
+    const { from_m, at_m } = viewOf(this.#store.get(VIEWING).shot, eyes_m, listener);
+    this.#place.camera.position.set(...from_m);
+    this.#place.controls.target.set(...at_m);
+    this.#place.controls.update();
+    this.#isStale = true;
+  }
+
+  #tell() {
+    const { standing } = this.#cast;
+    const wrists = ["leftHand", "rightHand"].flatMap((joint) => standing[0]?.figure.place(joint)?.toArray() ?? []);
+    this.#canvas.dataset["roles"] = standing.map(({ role }) => role.name).join(" ");
+    this.#canvas.dataset["pose"] = wrists.map((metres) => metres.toFixed(4)).join(" ");
+  }
+}

@@ -1,0 +1,134 @@
+/** The controls of the stage: play, step, speed, loop, shot, listener, trail. Space plays, arrows step a frame. */
+
+import { choice, el, labelled } from "../dom.js";
+import { ChangeProject } from "../state/change_project.js";
+import { PERFORMED, PLAYBACK, TIME_S } from "../state/performed.js";
+import { PROJECT } from "../state/project.js";
+import { SHOTS } from "./cameras.js";
+import { LISTENER, VIEWING } from "./viewing.js";
+
+/** @import { Store } from "../state/store.js" */
+/** @import { Shot } from "./cameras.js" */
+/** @import { Listening } from "./viewing.js" */
+
+const FRAME_S = 1 / 60;
+const SPEEDS = ["0.25", "0.5", "1", "1.5", "2"];
+
+/**
+ * @param {HTMLElement} element
+ * @param {Store} store
+ */
+export function mountTransport(element, store) {
+  element.append(playButton(store), ...stepButtons(store), clockFace(store), loopButton(store), ...choices(store));
+  document.addEventListener("keydown", (event) => onKey(event, store));
+}
+
+/** @param {Store} store */
+function playButton(store) {
+  const button = el("button", { type: "button", id: "play", click: () => togglePlaying(store) });
+  store.watch(PLAYBACK, ({ playing }) => button.replaceChildren(playing ? "Pause" : "Play"));
+  store.watch(PERFORMED, (line) => (button.disabled = line === null));
+  return button;
+}
+
+/** @param {Store} store */
+function stepButtons(store) {
+  const step = (/** @type {number} */ frames) => () => stepFrames(store, frames);
+  return [
+    el("button", { type: "button", "aria-label": "One frame back", click: step(-1) }, ["◂"]),
+    el("button", { type: "button", "aria-label": "One frame on", click: step(1) }, ["▸"]),
+  ];
+}
+
+/** @param {Store} store */
+function clockFace(store) {
+  const face = el("output", { id: "time", "aria-label": "Time in seconds" });
+  store.watch(TIME_S, (time_s) => (face.value = `${time_s.toFixed(2)} s`));
+  return face;
+}
+
+/** @param {Store} store */
+function loopButton(store) {
+  const button = el("button", { type: "button", id: "loop", title: "Drag over the words to choose what is repeated" }, ["Loop"]);
+  button.addEventListener("click", () => store.patch(PLAYBACK, { loop: store.get(PLAYBACK).loop ? null : wholeLine(store) }));
+  store.watch(PLAYBACK, ({ loop }) => button.setAttribute("aria-pressed", String(loop !== null)));
+  return button;
+}
+
+/** @param {Store} store */
+function choices(store) {
+  const speed = choice(SPEEDS.map((each) => [each, `× ${each}`]), "1", (value) => store.patch(PLAYBACK, { speed: Number(value) }));
+  const shot = choice(SHOTS, store.get(VIEWING).shot, (value) => store.patch(VIEWING, { shot: /** @type {Shot} */ (value) }));
+  const listening = choice(
+    [["none", "Nobody"], ["beside", "Beside"], ["instead", "Instead"]],
+    store.get(VIEWING).listening,
+    (value) => showListener(store, /** @type {Listening} */ (value)),
+  );
+  const trail = el("input", { type: "checkbox", checked: store.get(VIEWING).trail });
+  trail.addEventListener("change", () => store.patch(VIEWING, { trail: trail.checked }));
+  return [labelled("Speed", speed), labelled("Camera", shot), labelled("Listener", listening), labelled("Trail", trail)];
+}
+
+/**
+ * Has somebody listen if nobody does, and shows it.
+ *
+ * @param {Store} store
+ * @param {Listening} listening
+ */
+function showListener(store, listening) {
+  const { options } = store.get(PROJECT);
+  store.patch(VIEWING, { listening });
+  const wanted = listening === "none" ? [] : [LISTENER];
+  if (String(options.listener ?? []) !== String(wanted)) {
+    const changed = { options: { ...options, listener: wanted } };
+    store.history.execute(new ChangeProject(store, "Listener", changed));
+  }
+}
+
+/** @param {Store} store */
+function togglePlaying(store) {
+  if (store.get(PERFORMED)) {
+    store.patch(PLAYBACK, { playing: !store.get(PLAYBACK).playing });
+  }
+}
+
+/**
+ * @param {Store} store
+ * @param {number} frames
+ */
+function stepFrames(store, frames) {
+  const [, end_s] = wholeLine(store);
+  store.patch(PLAYBACK, { playing: false });
+  store.set(TIME_S, Math.min(end_s, Math.max(0, store.get(TIME_S) + frames * FRAME_S)));
+}
+
+/**
+ * @param {Store} store
+ * @returns {[number, number]}
+ */
+function wholeLine(store) {
+  const line = store.get(PERFORMED);
+  return [0, line ? line.performance.lead_in_s + line.performance.audio.duration_s : 0];
+}
+
+/** @type {Readonly<Record<string, (store: Store) => void>>} */
+const KEYS = Object.freeze({
+  " ": togglePlaying,
+  ArrowLeft: (store) => stepFrames(store, -1),
+  ArrowRight: (store) => stepFrames(store, 1),
+});
+
+/**
+ * Keys play where nothing else takes them.
+ *
+ * @param {KeyboardEvent} event
+ * @param {Store} store
+ */
+function onKey(event, store) {
+  const isTaken = event.target instanceof Element && event.target.closest("input, textarea, select, button, [role], a, dialog");
+  const act = KEYS[event.key];
+  if (act && !isTaken && !event.ctrlKey && !event.metaKey && !event.altKey) {
+    event.preventDefault();
+    act(store);
+  }
+}

@@ -1,0 +1,56 @@
+/** How the stage is looked at, and who stands on it: `ROLES` says it, and the stage has them stand there. */
+
+import { slice } from "../state/slice.js";
+
+/** @import { PerformedLine } from "../state/performed.js" */
+/** @import { Shot } from "./cameras.js" */
+/** @import { Role } from "./figure.js" */
+/** @import { Vector } from "understudy-client" */
+
+/** Where a listener is seen: not at all, opposite the speaker, or alone. @typedef {"none" | "beside" | "instead"} Listening */
+
+/** @typedef {Readonly<{ shot: Shot, listening: Listening, trail: boolean }>} Viewing */
+
+export const VIEWING = slice(/** @type {Viewing} */ ({ shot: "medium", listening: "none", trail: true }));
+
+/**
+ * Others on the stage beside the line's own, as a second version to compare: whoever compares sets this.
+ */
+export const GUESTS = slice(/** @type {readonly Role[]} */ ([]));
+
+/** The name by which the page has somebody listen. */
+export const LISTENER = "listener";
+
+/** Where a listener stands if the line does not say: metres. @type {Vector} */
+export const OPPOSITE_M = Object.freeze([0, 0, 1.7]);
+
+/**
+ * Who stands on the stage for a line.
+ *
+ * @param {PerformedLine} line
+ * @param {Listening} listening
+ * @param {File | null} avatar
+ * @returns {Role[]}
+ */
+export function rolesOf({ performance, motion, listeners }, listening, avatar) {
+  const { character } = performance;
+  /** @type {Vector} */
+  const origin = [0, 0, 0];
+  const speaker = { name: "speaker", character, motion, place_m: origin, turn_rad: 0, avatar };
+  const heard = [...listeners].map(([name, clip]) => {
+    const place_m = listening === "instead" ? origin : standing(performance.targets?.[name]);
+    const turn_rad = listening === "instead" ? 0 : Math.atan2(-place_m[0], -place_m[2]);
+    return { name, character: "default", motion: clip, place_m, turn_rad, avatar: null };
+  });
+  return listening === "none" ? [speaker] : listening === "instead" ? heard : [speaker, ...heard];
+}
+
+/**
+ * Where somebody stands whose head is there.
+ *
+ * @param {readonly number[] | undefined} head_m
+ * @returns {Vector}
+ */
+function standing(head_m) {
+  return head_m ? [head_m[0] ?? 0, 0, head_m[2] ?? 0] : OPPOSITE_M;
+}

@@ -1,0 +1,34 @@
+/**
+ * A line as its author has it: the recording, its words, how it is to be performed, and what was changed by hand. All
+ * that a performance depends on is here, so whoever changes the project gets another performance and another motion
+ * (`service/performing.js`).
+ */
+
+import { slice } from "./slice.js";
+
+/** @import { Direction, PerformOptions } from "understudy-client" */
+
+/**
+ * `options` are those of `POST /perform`, `words` the times of words that the author corrected (as `understudy align`
+ * writes them), `edits` what was changed by hand (as `perform --edits` reads it); null where there are none.
+ *
+ * @typedef {object} Project
+ * @property {File | null} audio
+ * @property {string} text
+ * @property {PerformOptions} options
+ * @property {Direction | null} direction
+ * @property {object | null} words
+ * @property {object | null} edits
+ */
+
+/** A line that nothing is known of. @type {Readonly<Project>} */
+export const EMPTY = Object.freeze({
+  audio: null,
+  text: "",
+  options: Object.freeze({}),
+  direction: null,
+  words: null,
+  edits: null,
+});
+
+export const PROJECT = slice(EMPTY);

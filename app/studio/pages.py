@@ -1,0 +1,147 @@
+"""`GET /`, and what the studio page loads: from `/studio/…` its own files and the bundled example, for which nobody
+needs a key; from `/opened/…` the line that `understudy studio` opens, for which the page sends the user's key.
+
+Files are sent with an ETag, so that a browser that has them asks only whether they are the same, and compressed to
+whoever takes that. The page may load and ask nothing but what this service has.
+"""
+
+import base64
+import gzip
+import hashlib
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path, PurePosixPath
+from types import MappingProxyType
+
+from fastapi import APIRouter, Request
+from starlette.exceptions import HTTPException
+from starlette.responses import Response
+
+from ..resources import resource_folder
+
+FOLDER = Path(__file__).parent / "page"
+MEDIA_TYPES: Mapping[str, str] = MappingProxyType(
+    {
+        ".html": "text/html",
+        ".js": "text/javascript",
+        ".css": "text/css",
+        ".json": "application/json",
+        ".svg": "image/svg+xml",
+        ".txt": "text/plain; charset=utf-8",
+        ".flac": "audio/flac",
+        ".ogg": "audio/ogg",
+        ".wav": "audio/wav",
+    }
+)
+"""By the ending of a file's name; files with others are not sent."""
+EXAMPLE = ("example.flac", "example.txt")
+SMALLEST_COMPRESSED_BYTES = 1024
+
+_IMPORT_MAP = re.compile(rb'<script type="importmap">(.*?)</script>', re.DOTALL)
+_SOURCES = MappingProxyType(
+    {
+        "default-src": "'none'",
+        "style-src": "'self'",
+        "img-src": "'self' data: blob:",
+        "media-src": "'self' blob:",
+        "connect-src": "'self' blob:",
+        "worker-src": "'self' blob:",
+        "base-uri": "'none'",
+        "form-action": "'none'",
+        "frame-ancestors": "'none'",
+    }
+)
+
+
+@dataclass(frozen=True, slots=True)
+class OpenedLine:
+    """The line with which the page was opened: its recording, the name of that file, and its words."""
+
+    audio: bytes
+    name: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Asset:
+    """A file as it is sent; `packed` is the same compressed, None where that is not worth it."""
+
+    content: bytes
+    packed: bytes | None
+    etag: str
+
+
+def page_router(line: OpenedLine | None = None) -> APIRouter:
+    """The paths of the page, which finds `line` at `/opened/line` and `/opened/audio`."""
+    router = APIRouter(include_in_schema=False)
+
+    @router.get("/")
+    def get_page(request: Request) -> Response:
+        """The page."""
+        index = FOLDER / "index.html"
+        policy = content_policy(index.read_bytes())
+        return _sent(request, index, {"Content-Security-Policy": policy})
+
+    @router.get("/opened/line")
+    def get_opened_line() -> dict[str, str]:
+        """What the line is that the page was opened with. Raises HTTPException 404."""
+        return {"name": _opened(line).name, "text": _opened(line).text}
+
+    @router.get("/opened/audio")
+    def get_opened_audio() -> Response:
+        """Its recording. Raises HTTPException 404."""
+        suffix = PurePosixPath(_opened(line).name).suffix.lower()
+        return Response(_opened(line).audio, media_type=MEDIA_TYPES.get(suffix, "application/octet-stream"))
+
+    @router.get("/studio/{path:path}")
+    def get_file(path: str, request: Request) -> Response:
+        """What the page loads. Raises HTTPException 404."""
+        return _sent(request, _file_at(path), {})
+
+    return router
+
+
+def _opened(line: OpenedLine | None) -> OpenedLine:
+    if line is None:
+        raise HTTPException(404)
+    return line
+
+
+def content_policy(page: bytes) -> str:
+    """What browsers let `page` do: run the service's own scripts and its import map, and ask nobody else."""
+    maps = [base64.b64encode(hashlib.sha256(found).digest()).decode() for found in _IMPORT_MAP.findall(page)]
+    scripts = " ".join(["'self'", *(f"'sha256-{found}'" for found in maps)])
+    return "; ".join(f"{name} {sources}" for name, sources in {**_SOURCES, "script-src": scripts}.items())
+
+
+def _file_at(path: str) -> Path:
+    """The page's file of this path, or one of the example's. Raises HTTPException 404."""
+    if path.startswith("example/") and path.removeprefix("example/") in EXAMPLE:
+        return resource_folder("examples") / path.removeprefix("example/")
+    found = (FOLDER / path).resolve()
+    if not found.is_relative_to(FOLDER.resolve()) or not found.is_file() or found.suffix not in MEDIA_TYPES:
+        raise HTTPException(404)
+    return found
+
+
+def _sent(request: Request, file: Path, headers: Mapping[str, str]) -> Response:
+    """The file, or that it is the one the browser has."""
+    asset = _asset(file, file.stat().st_mtime_ns)
+    told = {"ETag": asset.etag, "Cache-Control": "no-cache", "Vary": "Accept-Encoding", **headers}
+    if request.headers.get("if-none-match") == asset.etag:
+        return Response(status_code=304, headers=told)
+    media_type = MEDIA_TYPES[file.suffix]
+    if asset.packed is not None and "gzip" in request.headers.get("accept-encoding", ""):
+        return Response(asset.packed, media_type=media_type, headers=told | {"Content-Encoding": "gzip"})
+    return Response(asset.content, media_type=media_type, headers=told)
+
+
+@lru_cache(maxsize=512)
+def _asset(file: Path, _changed_ns: int) -> _Asset:
+    """The file's content, kept until it changes."""
+    content = file.read_bytes()
+    packed = gzip.compress(content, mtime=0) if len(content) >= SMALLEST_COMPRESSED_BYTES else None
+    worth_it = packed is not None and len(packed) < 0.9 * len(content)
+    return _Asset(content, packed if worth_it else None, f'"{hashlib.sha256(content).hexdigest()[:32]}"')

@@ -1,0 +1,103 @@
+"""What is served at / and below /studio, and to whom."""
+
+import base64
+import hashlib
+import re
+from pathlib import Path
+
+import pytest
+from fastapi import FastAPI
+from fastapi.testclient import TestClient
+from starlette.datastructures import Headers
+
+from understudy.api.admission.admission import Admission
+from understudy.settings import Settings
+from understudy.studio import pages
+from understudy.studio.pages import OpenedLine, content_policy, page_router
+
+LARGEST_BYTES = 4_000_000
+KEYED = {"UNDERSTUDY_API_KEYS": "a-key-of-16-or-more"}
+
+
+def _client(line: OpenedLine | None = None) -> TestClient:
+    app = FastAPI(docs_url=None)
+    app.include_router(page_router(line))
+    return TestClient(app)
+
+
+def test_the_page_loads_its_own_files_alone() -> None:
+    shown = _client().get("/")
+    assert shown.headers["content-type"].startswith("text/html")
+    loaded = re.findall(r'(?:src|href|": ")="?\.?/?([^"]+)"', shown.text)
+    assert "//" not in shown.text
+    for path in (name for name in loaded if name != "data:,"):
+        assert _client().get(f"/{path}").status_code == 200
+
+
+def test_the_policy_lets_in_the_pages_import_map_and_nothing_from_elsewhere() -> None:
+    answer = _client().get("/")
+    policy = answer.headers["content-security-policy"]
+    (found,) = re.findall(r'<script type="importmap">(.*?)</script>', answer.text, re.DOTALL)
+    digest = base64.b64encode(hashlib.sha256(found.encode()).digest()).decode()
+    assert f"script-src 'self' 'sha256-{digest}'" in policy
+    sources = {source for directive in policy.split("; ") for source in directive.split()[1:]}
+    assert sources == {"'none'", "'self'", "data:", "blob:", f"'sha256-{digest}'"}
+    assert "sha256" not in content_policy(b"<p>no map</p>")
+
+
+@pytest.mark.parametrize("path", ["../pages.py", "..%2fpages.py", "vendor", "nothing.js", "example/other.txt", ""])
+def test_there_is_nothing_else(path: str) -> None:
+    assert _client().get(f"/studio/{path}").status_code == 404
+
+
+def test_a_file_that_the_browser_has_is_not_sent_again() -> None:
+    first = _client().get("/studio/main.js")
+    again = _client().get("/studio/main.js", headers={"If-None-Match": first.headers["etag"]})
+    assert (again.status_code, again.content) == (304, b"")
+    assert again.headers["etag"] == first.headers["etag"]
+
+
+def test_it_is_sent_as_it_is_taken() -> None:
+    path = "/studio/vendor/three/three.core.js"
+    plain, packed = (_client().get(path, headers={"Accept-Encoding": coding}) for coding in ("x", "gzip"))
+    assert "content-encoding" not in plain.headers
+    assert packed.headers["content-encoding"] == "gzip"
+    assert plain.content == packed.content
+    assert int(packed.headers["content-length"]) < len(plain.content) / 2
+
+
+def test_the_example_is_there() -> None:
+    assert _client().get("/studio/example/example.flac").content.startswith(b"fLaC")
+    assert _client().get("/studio/example/example.txt").text.startswith("No,")
+
+
+def test_the_opened_line_is_there_if_there_is_one() -> None:
+    line = OpenedLine(b"RIFF", "größer.wav", "No.")
+    client = _client(line)
+    assert client.get("/opened/line").json() == {"name": "größer.wav", "text": "No."}
+    assert client.get("/opened/audio").headers["content-type"] == "audio/wav"
+    assert _client().get("/opened/audio").status_code == 404
+
+
+def test_the_page_needs_no_key_and_the_line_that_was_opened_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in KEYED.items():
+        monkeypatch.setenv(name, value)
+    admission = Admission.of(Settings())
+    headers = Headers({"host": "127.0.0.1"})
+    let_in = [
+        path
+        for path in ("/", "/studio/main.js", "/opened/line", "/perform", "/studios")
+        if not admission.refusal(path, 80, headers)
+    ]
+    assert let_in == ["/", "/studio/main.js"]
+
+
+def test_it_can_be_left_out() -> None:
+    admission = Admission.of(Settings(studio=False))
+    headers = Headers({"host": "127.0.0.1"})
+    closed = [path for path in ("/", "/studio/main.js", "/perform", "/healthz") if admission.refusal(path, 80, headers)]
+    assert closed == ["/", "/studio/main.js"]
+
+
+def test_the_page_weighs_less_than_it_may() -> None:
+    assert sum(file.stat().st_size for file in Path(pages.FOLDER).rglob("*") if file.is_file()) < LARGEST_BYTES
