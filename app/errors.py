@@ -62,6 +62,10 @@ class TooManyError(InputError):
         self.retry_after_s = retry_after_s
 
 
+class ForbiddenError(InputError):
+    """The caller may not do this here."""
+
+
 class TooLargeError(InputError):
     """The input passes a limit of `understudy.settings`."""
 

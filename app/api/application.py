@@ -2,12 +2,14 @@
 
 from collections.abc import AsyncIterator
 from contextlib import AsyncExitStack, asynccontextmanager
+from pathlib import Path
 
 from fastapi import FastAPI
 
 from ..settings import Settings
 from ..studio.pages import OpenedLine, page_router
 from ..version import __version__
+from . import authoring
 from .admission.admission import Admission, guard
 from .clients import Rates
 from .description import page
@@ -25,10 +27,16 @@ DESCRIPTION = "Performs a spoken line in an actor's stead: audio and words in, a
 
 
 def create_app(
-    settings: Settings, nursery: Nursery, *, reload: bool = False, line: OpenedLine | None = None
+    settings: Settings,
+    nursery: Nursery,
+    *,
+    reload: bool = False,
+    line: OpenedLine | None = None,
+    rules_folder: Path | None = None,
 ) -> FastAPI:
     """The application. The nursery stays its giver's to close. With `reload` what authors save is read again; `line` is
-    what the studio page opens."""
+    what the studio page opens; rules that are edited there can be saved in `rules_folder`, by callers on this
+    machine."""
 
     metrics = Metrics.fresh()
 
@@ -37,7 +45,14 @@ def create_app(
         async with AsyncExitStack() as stack:
             pool = await stack.enter_async_context(Pool(nursery, settings))
             metrics.watch(busy=lambda: pool.busy, waiting=lambda: pool.waiting)
-            app.state.service = Service(settings, pool, Uploads(settings), Rates(settings.rate_per_minute), metrics)
+            app.state.service = Service(
+                settings,
+                pool,
+                Uploads(settings),
+                Rates(settings.rate_per_minute),
+                metrics,
+                rules_folder=rules_folder,
+            )
             if reload:
                 await stack.enter_async_context(reloading(app.state.service))
             yield
@@ -52,6 +67,7 @@ def create_app(
         redoc_url=None,
     )
     app.include_router(router)
+    app.include_router(authoring.router)
     app.include_router(page.router)
     app.include_router(page_router(line))
     answer_errors_as_problems(app)

@@ -25,18 +25,20 @@ def form_limits(task: Task, settings: Settings) -> Mapping[str, int]:
         "words": settings.max_words_bytes,
         "functions": settings.max_functions_bytes,
         "direction": settings.max_direction_bytes,
+        "rules": settings.max_rules_bytes,
         "reference": settings.max_audio_bytes,
         "bml": settings.max_bml_bytes,
         "avatar": settings.max_avatar_bytes,
     }
-    return {name: limits[name] for name in FORM_FIELDS[task]}
+    return {name: limits[name] for name in FORM_FIELDS.get(task, ())}
 
 
 FORM_FIELDS: Mapping[Task, tuple[str, ...]] = {
-    Task.PERFORM: ("audio", "text", "options", "words", "functions", "direction", "reference"),
+    Task.PERFORM: ("audio", "text", "options", "words", "functions", "direction", "reference", "rules"),
     Task.REALIZE: ("bml", "audio", "avatar", "options"),
-    Task.FUNCTIONS: (),
+    Task.GESTURE_POSE: ("avatar", "options"),
 }
+"""The tasks that take a form."""
 
 
 def body_limit(task: Task, content_type: str, settings: Settings) -> int:

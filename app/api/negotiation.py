@@ -24,6 +24,8 @@ MOTION_TYPES: Mapping[str, MotionFormat] = MappingProxyType(
     }
 )
 """What motion is answered as; the first where anything will do."""
+GESTURE_TYPES: Mapping[str, MotionFormat] = MappingProxyType({name: MOTION_TYPES[name] for name in (JSON, GLB, BVH)})
+"""What the motion of one gesture is answered as."""
 ANYTHING = "*/*"
 LONGEST_ACCEPT = 1000
 """Characters of an Accept header that are read."""

@@ -11,6 +11,7 @@ from starlette.responses import JSONResponse, Response
 
 from ..errors import (
     LONGEST_SHOWN,
+    ForbiddenError,
     InputError,
     NotAcceptableError,
     ServiceError,
@@ -30,6 +31,7 @@ _LOGGER = logging.getLogger(__name__)
 
 _STATUS_OF_CLASS: tuple[tuple[type[UnderstudyError], int], ...] = (
     (UndecodableError, 400),
+    (ForbiddenError, 403),
     (NotAcceptableError, 406),
     (SlowClientError, 408),
     (TooLargeError, 413),

@@ -1,6 +1,7 @@
 """What every request shares."""
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Annotated
 
 from fastapi import Depends, Request
@@ -15,7 +16,7 @@ from .workers.pool import Pool
 @dataclass(slots=True)
 class Service:
     """Made when the application starts. `not_reloaded` says why the files as they are now are not in use
-    (`--reload`)."""
+    (`--reload`). Edited rules are saved in `rules_folder`; without one, nowhere."""
 
     settings: Settings
     pool: Pool
@@ -23,6 +24,7 @@ class Service:
     rates: Rates
     metrics: Metrics
     not_reloaded: str | None = None
+    rules_folder: Path | None = None
 
 
 def service_of(request: Request) -> Service:

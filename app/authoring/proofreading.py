@@ -213,12 +213,16 @@ def _definitions_beside(aliases: Path) -> tuple[Definition, ...]:
 
 
 def _load_words(folder: Path) -> None:
-    """Load the words; also reject a file that nothing would read."""
+    refuse_unread_words(folder)
+    Lexicon.load(folder)
+
+
+def refuse_unread_words(folder: Path) -> None:
+    """Raises AuthoringError for the files of words that nothing would read."""
     files = sorted(folder.glob("*.yaml"))
     unread = [file for file in files if file.name not in NAMED_FILES and "class" not in _keys(file)]
     if unread:
         raise AuthoringError(tuple(Mistake(file, 1, 1, "a file of words begins with its `class`") for file in unread))
-    Lexicon.load(folder)
 
 
 def _keys(file: Path) -> Collection[str]:

@@ -13,6 +13,7 @@ CODES = MappingProxyType(
             *("avatar_undecodable", "not_json", "form_broken", "client_disconnected"),
         ),
         401: ("key_wrong",),
+        403: ("rules_read_only",),
         404: ("not_found",),
         405: ("method_not_allowed",),
         406: ("not_acceptable",),
@@ -32,6 +33,7 @@ CODES = MappingProxyType(
             *("reference_unreadable", "reference_other_features", "direction_wrong", "direction_family"),
             *("direction_importance", "direction_span", "not_an_object", "field_missing", "field_unknown"),
             *("field_repeated", "motion_too_large", "target_wrong", "unknown_target", "unknown_profile"),
+            *("gesture_wrong", "unfit_gesture", "unknown_name", "rules_wrong", "unknown_file"),
         ),
         429: ("too_many_requests",),
         500: (

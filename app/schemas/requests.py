@@ -172,7 +172,7 @@ def read_options(content: bytes) -> Options:
 
 def check_options(fields: dict[str, Any]) -> Options:
     """The options in `fields`, with the names of a request's options; raises InputError as `read_options` does."""
-    return _checked(PerformOptions, fields).to_options()
+    return checked(PerformOptions, fields).to_options()
 
 
 def read_realize_options(content: bytes) -> RealizeOptions:
@@ -182,7 +182,7 @@ def read_realize_options(content: bytes) -> RealizeOptions:
 
 def check_realize_options(fields: dict[str, Any]) -> RealizeOptions:
     """The options for motion in `fields`; raises InputError as `read_options` does."""
-    return _checked(RealizeOptions, fields)
+    return checked(RealizeOptions, fields)
 
 
 def listener_names(names: Sequence[str]) -> tuple[str, ...]:
@@ -240,7 +240,7 @@ def _once(field: str, pairs: Sequence[tuple[str, object]]) -> dict[str, object]:
 
 def read_request(fields: dict[str, Any]) -> FunctionsRequest:
     """The validated request. Raises InputError `value_wrong` with the key's name in `field`."""
-    return _checked(FunctionsRequest, fields)
+    return checked(FunctionsRequest, fields)
 
 
 def line_id(fields: dict[str, Any]) -> str | int | None:
@@ -264,7 +264,8 @@ def read_timings(file_name: str, content: bytes) -> Timings:
     return Timings(content=content, format=ending)
 
 
-def _checked(model: type[Checked], fields: dict[str, Any]) -> Checked:
+def checked(model: type[Checked], fields: dict[str, Any]) -> Checked:
+    """The fields as `model`; raises InputError `value_wrong` with the first part that is wrong in `field`."""
     try:
         return model.model_validate(fields)
     except ValidationError as error:

@@ -15,6 +15,7 @@ REQUEST_ID_HEADER = "X-Request-ID"
 _REASONS = {
     400: "Not decodable: broken audio, JSON, words in time or form.",
     401: "An API key is missing or wrong.",
+    403: "What is asked is not allowed here.",
     404: "No such path.",
     405: "The path does not support this method; `Allow` lists those that it does.",
     406: "`Accept` has none of the types that are answered.",

@@ -7,22 +7,40 @@ from fastapi.openapi.utils import get_openapi
 from pydantic import BaseModel
 from pydantic.json_schema import JsonSchemaMode, models_json_schema
 
+from ...schemas.avatar_pose import AvatarPoseOptions, AvatarPoseResponse
 from ...schemas.direction import DirectionRequest
+from ...schemas.gesture_language import GestureLanguageResponse
+from ...schemas.gestures import GestureCheckRequest, GestureCheckResponse, GestureMotionRequest
 from ...schemas.given_functions import GivenFunctionRequest
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from ...schemas.motion import ClipResponse
 from ...schemas.problem import Problem
 from ...schemas.requests import FunctionsRequest, PerformOptions, RealizeOptions
 from ...schemas.responses import FunctionsResponse, PerformResponse, StatusResponse
+from ...schemas.rules import (
+    RuleCheckResponse,
+    RuleComparisonRequest,
+    RuleComparisonResponse,
+    RuleEditsRequest,
+    RuleExplanationRequest,
+    RuleExplanationsResponse,
+    RuleFileResponse,
+    RuleFilesResponse,
+)
 from .answers import SHARED_HEADERS, Json, shared_errors
+from .authoring_operations import AUTHORING_OPERATIONS
 from .operations import OPERATIONS
 
 _ASKED: tuple[type[BaseModel], ...] = (
     *(PerformOptions, RealizeOptions, FunctionsRequest, GivenFunctionRequest, DirectionRequest),
+    *(GestureCheckRequest, GestureMotionRequest, AvatarPoseOptions),
+    *(RuleEditsRequest, RuleExplanationRequest, RuleComparisonRequest),
 )
 _ANSWERED: tuple[type[BaseModel], ...] = (
     *(PerformResponse, FunctionsResponse, ClipResponse, Problem, StatusResponse),
     *(CharactersResponse, GesturesResponse, RulesResponse),
+    *(GestureLanguageResponse, GestureCheckResponse, AvatarPoseResponse),
+    *(RuleFilesResponse, RuleFileResponse, RuleCheckResponse, RuleExplanationsResponse, RuleComparisonResponse),
 )
 _KEY = "key"
 
@@ -34,10 +52,12 @@ def describe(app: FastAPI) -> None:
 
 def _made(app: FastAPI) -> Json:
     document = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
-    for (method, path), operation in OPERATIONS.items():
+    for (method, path), operation in {**OPERATIONS, **AUTHORING_OPERATIONS}.items():
         if path in document["paths"]:
             told = document["paths"][path][method]
-            document["paths"][path][method] = operation.described() | {"description": told["description"]}
+            document["paths"][path][method] = operation.described() | {
+                kept: told[kept] for kept in ("description", "parameters") if kept in told
+            }
     document["components"] = {
         "schemas": _schemas(),
         "responses": shared_errors(),

@@ -10,7 +10,7 @@ from .answers import JSON, Json, answer, errors, reference
 XML = "application/xml"
 FORM = "multipart/form-data"
 
-_FILE: Json = {"type": "string", "format": "binary"}
+FILE: Json = {"type": "string", "format": "binary"}
 _BML: Json = {"type": "string", "description": "BML 1.0 core, or SmartBody's."}
 _TEXT: Json = {
     "type": "string",
@@ -31,7 +31,7 @@ _FUNCTIONS: Json = {
 LINES = "Lines"
 
 _EVERYWHERE = {401, 421, 500}
-_WORK = {400, 406, 408, 413, 415, 422, 429, 503, 504} | _EVERYWHERE
+WORK = {400, 406, 408, 413, 415, 422, 429, 503, 504} | _EVERYWHERE
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,18 +55,20 @@ class Operation:
         return {**named, **body, "responses": responses, **security}
 
 
-def _form(required: list[str], parts: dict[str, Json], example: Json) -> Json:
+def form(required: list[str], parts: dict[str, Json], example: Json) -> Json:
+    """The body of a form with these parts."""
     schema = {"type": "object", "required": required, "additionalProperties": False, "properties": parts}
-    as_json = {name: {"contentType": JSON} for name in parts if name in {"options", "functions", "direction"}}
+    as_json = {name: {"contentType": JSON} for name in parts if name in {"options", "functions", "direction", "rules"}}
     return {FORM: {"schema": schema, "encoding": as_json, "example": example}}
 
 
 def _of_file(media_type: str) -> Json:
     """Binary, or text."""
-    return _FILE if media_type.startswith("model/") else {"type": "string"}
+    return FILE if media_type.startswith("model/") else {"type": "string"}
 
 
-def _named(name: str) -> Json:
+def named(name: str) -> Json:
+    """A JSON body of this schema."""
     return {JSON: {"schema": reference(name)}}
 
 
@@ -76,20 +78,21 @@ _PERFORM = Operation(
     "Perform a line",
     answer(
         "The performance: BML, or JSON by `Accept`.",
-        {XML: {"schema": _BML, "example": _BML_EXAMPLE}, **_named("PerformResponse")},
+        {XML: {"schema": _BML, "example": _BML_EXAMPLE}, **named("PerformResponse")},
         warned=True,
     ),
-    frozenset(_WORK),
-    _form(
+    frozenset(WORK),
+    form(
         ["audio", "text"],
         {
-            "audio": {**_FILE, "description": "WAV, FLAC or OGG."},
+            "audio": {**FILE, "description": "WAV, FLAC or OGG."},
             "text": _TEXT,
             "options": reference("PerformOptions"),
-            "words": {**_FILE, "description": "Words in time, made elsewhere: a .json, .TextGrid or .ctm file."},
+            "words": {**FILE, "description": "Words in time, made elsewhere: a .json, .TextGrid or .ctm file."},
             "functions": _FUNCTIONS,
             "direction": reference("DirectionRequest"),
-            "reference": {**_FILE, "description": "What `understudy reference` writes (.json), or a recording."},
+            "rules": reference("RuleEditsRequest"),
+            "reference": {**FILE, "description": "What `understudy reference` writes (.json), or a recording."},
         },
         {"text": "No, I have never seen those.", "options": {"agitation": "high", "seed": 7}},
     ),
@@ -102,19 +105,19 @@ _REALIZE = Operation(
         "The motion, by `Accept`: a clip as JSON, GLB, BVH or USD; or a timeline of what happens, for OpenTimelineIO, "
         "Praat, ELAN or as CSV.",
         {
-            **_named("ClipResponse"),
+            **named("ClipResponse"),
             **{media_type: {"schema": _of_file(media_type)} for media_type in MOTION_TYPES if media_type != JSON},
         },
         warned=True,
     ),
-    frozenset(_WORK),
+    frozenset(WORK),
     {
-        **_form(
+        **form(
             ["bml"],
             {
-                "bml": {**_FILE, "description": _BML["description"]},
-                "audio": {**_FILE, "description": "The recording of its speech, for lips and words."},
-                "avatar": {**_FILE, "description": "Your own GLB or VRM, to wear the motion in GLB."},
+                "bml": {**FILE, "description": _BML["description"]},
+                "audio": {**FILE, "description": "The recording of its speech, for lips and words."},
+                "avatar": {**FILE, "description": "Your own GLB or VRM, to wear the motion in GLB."},
                 "options": reference("RealizeOptions"),
             },
             {"bml": _BML_EXAMPLE, "options": {"fps": 30}},
@@ -126,18 +129,18 @@ _FIND_FUNCTIONS = Operation(
     "find_functions",
     LINES,
     "What words alone do",
-    answer("The communicative functions of the text.", _named("FunctionsResponse")),
-    frozenset(_WORK - {406}),
-    _named("FunctionsRequest"),
+    answer("The communicative functions of the text.", named("FunctionsResponse")),
+    frozenset(WORK - {406}),
+    named("FunctionsRequest"),
 )
 
 
 def _listing(operation_id: str, summary: str, response: str) -> Operation:
-    return Operation(operation_id, "Library", summary, answer(summary, _named(response)))
+    return Operation(operation_id, "Library", summary, answer(summary, named(response)))
 
 
 def _probe(operation_id: str, summary: str, statuses: frozenset[int]) -> Operation:
-    answers = answer(f"{summary}.", _named("StatusResponse"))
+    answers = answer(f"{summary}.", named("StatusResponse"))
     return Operation(operation_id, "Operations", summary, answers, statuses, is_open=True)
 
 

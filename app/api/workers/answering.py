@@ -2,12 +2,14 @@
 understood. Everything here may be slow, take much memory or fail; none of it is in the service's own process.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
+from types import MappingProxyType
 
-from ...errors import InputError, UnsupportedFormatError
-from ...model import Notice
+from ...authoring.rule_edits import Edits, rules_wrong, with_edits
+from ...errors import AuthoringError, InputError, UnsupportedFormatError
+from ...model import Notice, Performance
 from ...motion_formats import AudioFile
 from ...performance import (
     Line,
@@ -32,9 +34,11 @@ from ...schemas.requests import (
     read_timings,
 )
 from ...schemas.responses import FunctionsResponse, PerformResponse
+from ...schemas.rules import read_rule_part
 from ...targets import targets_of
 from ..bodies import BML_TYPES, form_limits, media_type_of
 from ..negotiation import JSON, MOTION_TYPES, XML, chosen
+from . import authoring
 from .form import Part, read_form
 from .messages import Answer, Job, Task
 from .speaker import with_reference
@@ -44,8 +48,7 @@ WARNINGS_HEADER = "Understudy-Warnings"
 
 def answered(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
     """The answer to a request, and its body. Raises UnderstudyError for what cannot be answered."""
-    make = {Task.PERFORM: _performed, Task.REALIZE: _realized, Task.FUNCTIONS: _understood}[job.task]
-    return make(understudy, job, content)
+    return _ANSWERS[job.task](understudy, job, content)
 
 
 def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
@@ -54,7 +57,8 @@ def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer
     options = with_reference(_options(form), form.get("reference"), understudy)
     offered = (JSON,) if options.listeners else (XML, JSON)
     media_type = chosen(job.accept, offered, "a performance with listeners" if options.listeners else "a performance")
-    performance = perform(understudy, line, options)
+    edits = read_rule_part(form["rules"].content) if "rules" in form else {}
+    performance = _performance(understudy, line, options, edits)
     bml = write_bml(performance, options.form)
     listeners = {each.name: write_listener(performance, each, options.form) for each in performance.listeners}
     beside = write_speech_file(performance, options.form)
@@ -62,6 +66,17 @@ def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer
         return Answer(media_type, _headers((*performance.notices, *([beside.left_out] if beside else ())))), bml
     body = PerformResponse.of(performance, bml, listeners, beside).to_json()
     return Answer(media_type, _headers(performance.notices)), body
+
+
+def _performance(understudy: Understudy, line: Line, options: Options, edits: Edits) -> Performance:
+    """The performance by the rules with these edits. Raises InputError `rules_wrong`, also for a rule that goes wrong
+    where it runs."""
+    try:
+        return perform(with_edits(understudy, edits), line, options)
+    except AuthoringError as error:
+        if not edits:
+            raise
+        raise rules_wrong(error) from None
 
 
 def _line(form: Mapping[str, Part]) -> Line:
@@ -144,6 +159,21 @@ def _understood(understudy: Understudy, job: Job, content: bytes) -> tuple[Answe
     question = read_request(read_object(content, "body"))
     analysis = find_functions(understudy.language, question.text)
     return Answer(JSON), FunctionsResponse.of(analysis, question.id).to_json()
+
+
+_ANSWERS: Mapping[Task, Callable[[Understudy, Job, bytes], tuple[Answer, bytes]]] = MappingProxyType(
+    {
+        Task.PERFORM: _performed,
+        Task.REALIZE: _realized,
+        Task.FUNCTIONS: _understood,
+        Task.GESTURE_CHECK: authoring.check_gesture,
+        Task.GESTURE_MOTION: authoring.play_gesture,
+        Task.GESTURE_POSE: authoring.take_pose,
+        Task.RULE_CHECK: authoring.check_rules,
+        Task.RULE_EXPLANATION: authoring.explain_rule,
+        Task.RULE_COMPARISON: authoring.compare_rules,
+    }
+)
 
 
 def _headers(notices: Sequence[Notice]) -> dict[str, str]:

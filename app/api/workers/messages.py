@@ -28,6 +28,12 @@ class Task(StrEnum):
     PERFORM = "perform"
     REALIZE = "realize"
     FUNCTIONS = "functions"
+    GESTURE_CHECK = "gesture_check"
+    GESTURE_MOTION = "gesture_motion"
+    GESTURE_POSE = "gesture_pose"
+    RULE_CHECK = "rule_check"
+    RULE_EXPLANATION = "rule_explanation"
+    RULE_COMPARISON = "rule_comparison"
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,11 +16,15 @@ from typing import Never
 
 from ...authoring.catalogue import Catalogue, Kind
 from ...authoring.inspection import read_again
+from ...authoring.rule_edits import editable_files
+from ...authoring.rule_files import read_rule_text
 from ...errors import UnderstudyError
 from ...performance import Line, Options, Understudy, perform
 from ...realization import realize, schedule_of
 from ...resources import resource_folder
+from ...schemas.gesture_language import GestureLanguageResponse
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
+from ...schemas.rules import RuleFileResponse
 from .messages import Failed, Fork, Loaded, Reload, Start, receive, send
 from .worker import work
 
@@ -104,6 +108,8 @@ def _library(understudy: Understudy) -> Mapping[str, bytes]:
         "/gestures": GesturesResponse.of(understudy.realizer.library.definitions).to_json(),
         "/rules": rules.to_json(),
         "/lexicon": words.to_json(),
+        "/gestures/language": GestureLanguageResponse.of(understudy.realizer.skeleton).to_json(),
+        **{f"/rules/files/{name}": RuleFileResponse.of(read_rule_text(name)).to_json() for name in editable_files()},
     }
 
 

@@ -93,14 +93,14 @@ def _body_tracks(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> Iterator
 def _turned(avatar: Avatar, joints: Mapping[int, str], motion: Motion, skeleton: Skeleton) -> dict[int, FloatArray]:
     """The rotation of each joint's node in its parent in each frame (T, 4), such that in the world it is turned as our
     joint is. Nodes between joints stay as they rest."""
-    front, rest = _front(avatar), avatar.orientations
+    front, rest = at_front(avatar), avatar.orientations
     _places, ours = forward(skeleton, motion.body.rotations, motion.body.hips_m)
-    to_t_pose = _to_t_pose(avatar, skeleton)
+    t_posed = to_t_pose(avatar, skeleton)
     world: dict[int, FloatArray] = {}
     found: dict[int, FloatArray] = {}
     for node in (number for number in avatar.in_order() if number in joints):
         here = multiply(multiply(front, ours[:, skeleton.index[joints[node]]]), inverse(front))
-        world[node] = multiply(here, multiply(to_t_pose[joints[node]], rest[node]))
+        world[node] = multiply(here, multiply(t_posed[joints[node]], rest[node]))
         parent = avatar.parents[node]
         moved = _joint_above(avatar, parent, world)
         above = rest[parent] if parent >= 0 else IDENTITY
@@ -117,15 +117,15 @@ def _joint_above(avatar: Avatar, node: int, joints: Mapping[int, FloatArray]) ->
     return node
 
 
-def _front(avatar: Avatar) -> FloatArray:
+def at_front(avatar: Avatar) -> FloatArray:
     """A half turn about Y if the avatar faces -Z, as in VRM 0; else the identity."""
     left, right = (avatar.positions_m[avatar.nodes[f"{side}UpperArm"], 0] for side in SIDES)
     return from_axis_angle((0.0, 1.0, 0.0), np.array(0.0 if left > right else np.pi))
 
 
-def _to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
+def to_t_pose(avatar: Avatar, skeleton: Skeleton) -> dict[str, FloatArray]:
     """The rotation of each joint, with its descendants, from the avatar's rest pose to our T-pose."""
-    ours_m, front = t_pose_m(skeleton), _front(avatar)
+    ours_m, front = t_pose_m(skeleton), at_front(avatar)
     pointed = {side + first: side + second for side in SIDES for first, second in _POINTED}
     turns: dict[str, FloatArray] = {}
     for joint, parent in zip(skeleton.names, skeleton.parents, strict=True):
@@ -145,7 +145,7 @@ def _hips_m(avatar: Avatar, motion: Motion, skeleton: Skeleton) -> FloatArray:
     node = avatar.nodes["hips"]
     rest_m = skeleton.offsets_m[0]
     size = avatar.positions_m[node, 1] / rest_m[1]
-    world = avatar.positions_m[node] + size * rotate(_front(avatar), motion.body.hips_m - rest_m)
+    world = avatar.positions_m[node] + size * rotate(at_front(avatar), motion.body.hips_m - rest_m)
     parent = avatar.parents[node]
     above = avatar.matrices[parent] if parent >= 0 else np.eye(4)
     local = np.linalg.inv(above) @ np.concatenate([world, np.ones((len(world), 1))], axis=1).T

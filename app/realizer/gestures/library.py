@@ -115,18 +115,29 @@ def read_definitions(paths: Sequence[Path]) -> tuple[Definition, ...]:
     """The definitions in these files. Raises AuthoringError with all mistakes, by file and line."""
     from .language import read_gestures  # brings lark, which gestures that are kept do without
 
+    return _definitions([read_gestures(path) for path in paths])
+
+
+def parse_definitions(text: str, path: Path) -> tuple[Definition, ...]:
+    """As `read_definitions`, for a text in memory; `path` is for messages."""
+    from .language import parse_gestures
+
+    return _definitions([parse_gestures(text, path)])
+
+
+def _definitions(parsed: Sequence[tuple[GestureFile, Sequence[Mistake]]]) -> tuple[Definition, ...]:
+    """The definitions in parsed files, each with the mistakes of its syntax."""
     definitions: list[Definition] = []
     files: list[GestureFile] = []
     mistakes: list[Mistake] = []
-    for path in paths:
-        file, found = read_gestures(path)
+    for file, found in parsed:
         wrong: list[LocatedMistake] = []
-        read = [definition(tree, path, wrong) for tree in file.gestures]
+        read = [definition(tree, file.path, wrong) for tree in file.gestures]
         definitions += [one for one in read if one is not None]
         mistakes += [*found, *(mistake_in(file, one) for one in wrong)]
         files.append(file)
     mistakes += duplicate_names(files)
     if mistakes:
-        order = {path: number for number, path in enumerate(paths)}
+        order = {file.path: number for number, file in enumerate(files)}
         raise AuthoringError(tuple(sorted(mistakes, key=lambda one: (order[one.path], one.line, one.column))))
     return tuple(definitions)

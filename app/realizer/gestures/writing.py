@@ -1,10 +1,15 @@
 """Writes a gesture definition as the text of a gesture file, for tools such as the Gesture Editor (Gesture Engine
-§4.3)."""
+§4.3).
 
-from collections.abc import Iterator
+Nothing is written that a reader would complete to the same: categories, levels and expressivity only where they are not
+the usual ones, of the other arm only what differs from the leading arm's mirror image.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, replace
 
 from ...model import Level
-from .definitions import RANGES, completed_by_mirroring
+from .definitions import MEDIUM, RANGES, completed_by_mirroring, derived_expressivity
 from .gesture import ArmKey, Definition, Direction, Expressivity, Frame, HandShape, KeyCurve, Place, Thumb, Wrist
 from .specifiers import AS_THE_FOREARM, FINGER_BASE, PALM
 from .statements import OTHER
@@ -24,17 +29,23 @@ def _header(definition: Definition) -> Iterator[str]:
     yield f"DURATION {_number(definition.duration_s)}"
     if definition.hand:
         yield f"ARMS {definition.hand}"
-    yield f"CATEGORY {' '.join(definition.categories)}"
+    if definition.categories != (definition.name.upper(),):
+        yield f"CATEGORY {' '.join(definition.categories)}"
     if definition.aimed:
         yield "AIMED"
-    yield f"LEVELS {' '.join(definition.levels)}"
-    for level, expressivity in definition.levels.items():
-        yield _expressivity(level, expressivity)
+    if len(definition.levels) < len(Level):
+        yield f"LEVELS {' '.join(definition.levels)}"
+    yield from _expressivities(definition.levels)
 
 
-def _expressivity(level: Level, expressivity: Expressivity) -> str:
-    factors = " ".join(f"{name} {_number(getattr(expressivity, name))}" for name in RANGES)
-    return f"EXPRESSIVITY {level} {factors}"
+def _expressivities(levels: Mapping[Level, Expressivity]) -> Iterator[str]:
+    medium = levels.get(Level.MEDIUM, MEDIUM)
+    for level, expressivity in levels.items():
+        usual = MEDIUM if level is Level.MEDIUM else derived_expressivity(level, medium)
+        values = {name: getattr(expressivity, name) for name in RANGES}
+        own = [f"{name} {_number(value)}" for name, value in values.items() if value != getattr(usual, name)]
+        if own:
+            yield f"EXPRESSIVITY {level} {' '.join(own)}"
 
 
 def _frames(definition: Definition) -> Iterator[str]:
@@ -59,10 +70,18 @@ def _curve(curve: KeyCurve) -> Iterator[str]:
 def _other(frame: Frame) -> Iterator[str]:
     if frame.other is None:
         return
-    lines = list(_key(frame.other))
-    if not lines or completed_by_mirroring(frame.other, frame.leading) != frame.other:
+    if frame.other == ArmKey() or completed_by_mirroring(frame.other, frame.leading) != frame.other:
         raise ValueError(f"at {frame.time:g} the other arm leaves open what the leading arm says")
-    yield from lines
+    own = _without_mirrored(frame.other, frame.leading)
+    sufficient = own != ArmKey() and completed_by_mirroring(own, frame.leading) == frame.other
+    yield from _key(own if sufficient else frame.other)
+
+
+def _without_mirrored(other: ArmKey, leading: ArmKey) -> ArmKey:
+    """What the other arm does not have of the leading arm."""
+    empty = ArmKey()
+    same = [field.name for field in fields(ArmKey) if getattr(other, field.name) == getattr(leading, field.name)]
+    return replace(other, **{name: getattr(empty, name) for name in same})
 
 
 def _key(key: ArmKey) -> Iterator[str]:

@@ -11,7 +11,9 @@ from fastapi import FastAPI
 from fastapi.routing import APIRoute
 
 from tests.support.hand_made_motion import BODY, waving
+from understudy.api import authoring
 from understudy.api.admission.admission import PROBES
+from understudy.api.description.authoring_operations import AUTHORING_OPERATIONS
 from understudy.api.description.document import describe
 from understudy.api.description.operations import OPERATIONS
 from understudy.api.routes import router
@@ -28,12 +30,15 @@ from understudy.schemas.requests import PerformOptions, RealizeOptions, check_op
 Json = dict[str, Any]
 ERRORS_PAGE = (Path(__file__).parents[3] / "docs" / "errors.md").read_text(encoding="utf-8")
 
-MET_BY_REQUESTS = {"The recording", "The text", "Word timings", "BML input", "The request", "Server errors"}
+MET_BY_REQUESTS = {
+    *("The recording", "The text", "Word timings", "BML input", "The request", "Rules and gestures", "Server errors"),
+}
 
 
 def described() -> Json:
     app = FastAPI()
     app.include_router(router)
+    app.include_router(authoring.router)
     describe(app)
     return app.openapi()
 
@@ -56,12 +61,12 @@ def _all(value: object) -> Iterator[Json]:
 
 def test_every_path_is_described_and_no_other() -> None:
     routes = {
-        (method.lower(), route.path)
-        for route in router.routes
+        (method.lower(), route.path_format)
+        for route in (*router.routes, *authoring.router.routes)
         if isinstance(route, APIRoute)
         for method in route.methods or ()
     }
-    assert routes == OPERATIONS.keys()
+    assert routes == OPERATIONS.keys() | AUTHORING_OPERATIONS.keys()
     for (method, path), operation in OPERATIONS.items():
         told = DOCUMENT["paths"][path][method]
         assert told["operationId"] == operation.id

@@ -1,0 +1,116 @@
+"""What edited rules change: functions and offered behaviours of lines, before and after.
+
+Lines are compared as they are read, for edits are tried far more often than lines are heard: conditions on stress,
+pauses or agitation do not hold, and what is compared is what the mapping rules offer, not what the clock leaves of it.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+from ..errors import AuthoringError
+from ..model import Function, Utterance, Word
+from ..performance import Understudy
+from ..resources import resource_folder
+from ..rules.derivation import understand
+from ..rules.lexicon import SLOT, Lexicon
+from ..rules.mapping import offer_movements
+from ..transcript import read_transcript
+from .rule_edits import Edits, rules_wrong, with_edits
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """A behaviour that a rule offers for a function, and how often it wants it."""
+
+    name: str
+    rule: str
+    class_name: str
+    first: int
+    last: int
+    weight: float
+
+
+Said = TypeVar("Said", Function, Offer)
+
+
+@dataclass(frozen=True, slots=True)
+class LineChange:
+    """A line of which something changed: what is there no more, and what is new."""
+
+    id: str
+    words: tuple[Word, ...]
+    functions_before: tuple[Function, ...]
+    functions_after: tuple[Function, ...]
+    offers_before: tuple[Offer, ...]
+    offers_after: tuple[Offer, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Reading:
+    """What rules make of a line; identities of functions, which count them, are left out."""
+
+    functions: tuple[Function, ...]
+    offers: tuple[Offer, ...]
+
+
+def example_lines(lexicon: Lexicon) -> Mapping[str, str]:
+    """The example of every group of words, with the first of them, and the bundled line, by where they stand."""
+    found: dict[str, str] = {}
+    for entry in lexicon.entries:
+        if entry.example:
+            found.setdefault(f"{entry.path.name}: {entry.example}", entry.example.replace(SLOT, entry.phrase))
+    bundled = (resource_folder("examples") / "example.txt").read_text(encoding="utf-8")
+    return {"example.txt": bundled, **found}
+
+
+def compare(understudy: Understudy, edits: Edits, lines: Mapping[str, str]) -> tuple[LineChange, ...]:
+    """The lines (texts by id) that these edits change. Raises InputError `rules_wrong`, `unknown_file`, and for a text
+    that cannot be used."""
+    edited = with_edits(understudy, edits)
+    most = understudy.language.settings.max_text_characters
+    spoken = [read_transcript(text, max_characters=most) for text in lines.values()]
+    parsed = understudy.language.parser.parse_all(spoken)
+    utterances = [Utterance(words=words, parse=parse) for words, parse in zip(spoken, parsed, strict=True)]
+    try:
+        return tuple(
+            change
+            for line_id, utterance in zip(lines, utterances, strict=True)
+            for change in _change(line_id, utterance, _read(understudy, utterance), _read(edited, utterance))
+        )
+    except AuthoringError as error:  # a rule that goes wrong where it runs
+        raise rules_wrong(error) from None
+
+
+def _change(line_id: str, utterance: Utterance, before: _Reading, after: _Reading) -> Iterator[LineChange]:
+    if before != after:
+        yield LineChange(
+            line_id,
+            utterance.words,
+            functions_before=_without(before.functions, after.functions),
+            functions_after=_without(after.functions, before.functions),
+            offers_before=_without(before.offers, after.offers),
+            offers_after=_without(after.offers, before.offers),
+        )
+
+
+def _read(understudy: Understudy, utterance: Utterance) -> _Reading:
+    known = understand(understudy.language.rules, utterance)
+    offered = offer_movements(understudy.behavior.rules, utterance, known.functions, seed=0, facts=known.facts)
+    offers = (
+        Offer(movement.name, movement.rule, each.function.class_name, movement.first, movement.last, choice.weight)
+        for each in offered
+        for choice in each.alternatives
+        for movement in choice.movements
+        if each.function is not None
+    )
+    return _Reading(tuple(map(_anonymous, known.functions)), tuple(offers))
+
+
+def _anonymous(function: Function) -> Function:
+    """The function without what counts it and without why: two are one if they say the same of the same words."""
+    return replace(function, id="", lost_to=None, because=())
+
+
+def _without(these: Sequence[Said], those: Sequence[Said]) -> tuple[Said, ...]:
+    return tuple(one for one in these if one not in those)

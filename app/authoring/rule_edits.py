@@ -1,0 +1,140 @@
+"""Rules, words and priorities as somebody edits them, compiled beside those in use and never in their place.
+
+Files are named as in messages (`catalogue.shown_path`): `app/rules/functions/lists.rules`, `lexicon/en/spatial.yaml` in
+a checkout. Edited texts are compiled in a folder of their own, which is gone when they are.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TypeVar
+
+from ..errors import AuthoringError, InputError, Mistake, shown
+from ..loading import AUTHORED
+from ..performance import Understudy
+from ..resources import RULES, resource_folder
+from ..rules.derivation import FunctionRules
+from ..rules.mapping import MappingRules
+from ..yaml_files import did_you_mean
+from .catalogue import shown_path
+from .proofreading import refuse_unread_words
+
+Loaded = TypeVar("Loaded")
+
+Edits = Mapping[str, str]
+"""The whole text of each edited file, by its name."""
+
+FIELD = "rules"
+
+_IN_MEMORY = Path("/dev/shm")
+"""A folder that can be written to where the file system is read-only."""
+
+_HEARD = "abbreviations.yaml"
+"""Words that the aligner reads when it starts, and no rule."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CompiledRules:
+    """Function rules with their words, and mapping rules."""
+
+    functions: FunctionRules
+    mappings: MappingRules
+
+
+def editable_files() -> Mapping[str, Path]:
+    """The files that may be edited: rules, priorities, conflicts and words, by their names."""
+    inside = (*RULES.rglob("*.*"), *(resource_folder("lexicon") / "en").glob("*.*"))
+    files = sorted(path for path in inside if path.suffix in AUTHORED and path.name != _HEARD)
+    return {shown_path(path): path for path in files}
+
+
+def file_named(name: str) -> Path:
+    """The file of that name. Raises InputError `unknown_file`."""
+    files = editable_files()
+    if name not in files:
+        hint = did_you_mean(name, files) or "; GET /rules/files lists those that are"
+        raise InputError("unknown_file", f"{shown(name)} is no file of rules or words{hint}", field=FIELD)
+    return files[name]
+
+
+def mistakes_in(edits: Edits, behavior_names: frozenset[str]) -> tuple[Mistake, ...]:
+    """Every mistake in the rules and words with these edits, by the names of their files; InputError `unknown_file`."""
+    try:
+        compile_edits(edits, behavior_names)
+    except AuthoringError as error:
+        return error.mistakes
+    return ()
+
+
+def with_edits(understudy: Understudy, edits: Edits) -> Understudy:
+    """The same models with these texts in the place of their files. Raises InputError `rules_wrong` for texts with
+    mistakes, `unknown_file`."""
+    if not edits:
+        return understudy
+    try:
+        compiled = compile_edits(edits, frozenset(understudy.behavior.characters.behavior_names))
+    except AuthoringError as error:
+        raise rules_wrong(error) from None
+    return replace(
+        understudy,
+        language=replace(understudy.language, rules=compiled.functions),
+        behavior=replace(understudy.behavior, rules=compiled.mappings),
+    )
+
+
+def rules_wrong(error: AuthoringError) -> InputError:
+    """The first mistake of edited rules as the mistake of a request."""
+    first, *others = error.mistakes
+    more = f"; and {len(others)} more mistakes" if others else ""
+    message = f"{_named(first.path)}:{first.line}:{first.column}: {first.message}{more}"
+    return InputError("rules_wrong", message, field=FIELD)
+
+
+def compile_edits(edits: Edits, behavior_names: frozenset[str]) -> CompiledRules:
+    """The edited rules. Those compiled last are kept: a line is tried again more often than a rule is changed.
+
+    Raises AuthoringError with every mistake, InputError `unknown_file`.
+    """
+    for name in edits:
+        file_named(name)
+    return _compiled(tuple(sorted(edits.items())), behavior_names)
+
+
+@lru_cache(maxsize=2)
+def _compiled(edits: tuple[tuple[str, str], ...], behavior_names: frozenset[str]) -> CompiledRules:
+    texts = dict(edits)
+    with TemporaryDirectory(prefix="understudy-rules-", dir=_IN_MEMORY if _IN_MEMORY.is_dir() else None) as folder:
+        for name, path in editable_files().items():
+            copy = Path(folder, name)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_text(texts[name] if name in texts else path.read_text("utf-8"), encoding="utf-8")
+        words = Path(folder, shown_path(resource_folder("lexicon") / "en"))
+        rules = Path(folder, shown_path(RULES))
+        found: list[Mistake] = []
+        _collected(lambda: refuse_unread_words(words), found)
+        functions = _collected(lambda: FunctionRules.load(rules, words), found)
+        mappings = _collected(lambda: MappingRules.load(rules, behavior_names), found)
+        if functions is None or mappings is None or found:
+            raise AuthoringError(tuple(dict.fromkeys(_renamed(mistake, Path(folder)) for mistake in found)))
+    return CompiledRules(functions, mappings)
+
+
+def _collected(load: Callable[[], Loaded], mistakes: list[Mistake]) -> Loaded | None:
+    """What `load` loads; None when it cannot, and its mistakes with those before."""
+    try:
+        return load()
+    except AuthoringError as error:
+        mistakes += error.mistakes
+        return None
+
+
+def _renamed(mistake: Mistake, folder: Path) -> Mistake:
+    """The mistake in the words of who edits: without the folder that the texts are compiled in."""
+    return replace(mistake, path=mistake.path.relative_to(folder), message=mistake.message.replace(f"{folder}/", ""))
+
+
+def _named(path: Path) -> str:
+    """The name of a file that rules were compiled from, also when that was in a folder that is gone."""
+    return next((name for name in editable_files() if str(path).endswith(f"/{name}")), str(path))

@@ -1,0 +1,55 @@
+"""The files of rules and words as an author keeps them: read where he saved them, else where they are in use; written
+to a temporary name, then renamed."""
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..errors import ForbiddenError
+from .rule_edits import FIELD, editable_files, file_named
+
+
+@dataclass(frozen=True, slots=True)
+class RuleText:
+    """A file's text, and whether it is the author's own, saved in his folder."""
+
+    name: str
+    text: str
+    saved: bool
+
+
+def read_rule_text(name: str, folder: Path | None = None) -> RuleText:
+    """The text of the file of that name: that in `folder` if there is one. Raises InputError `unknown_file`."""
+    path = file_named(name)
+    own = folder / name if folder is not None else None
+    if own is not None and own.is_file():
+        return RuleText(name, own.read_text(encoding="utf-8"), saved=own.resolve() != path.resolve())
+    return RuleText(name, path.read_text(encoding="utf-8"), saved=False)
+
+
+def saved_names(folder: Path | None) -> tuple[str, ...]:
+    """The names of the files that `folder` has of its own."""
+    if folder is None:
+        return ()
+    files = editable_files()
+    return tuple(
+        name
+        for name, path in files.items()
+        if (folder / name).is_file() and (folder / name).resolve() != path.resolve()
+    )
+
+
+def write_rule_text(name: str, text: str, folder: Path | None) -> None:
+    """Saves the text as the file of that name in `folder`.
+
+    Raises ForbiddenError `rules_read_only` if there is no folder, InputError `unknown_file`.
+    """
+    if folder is None:
+        message = "nothing is written here; start `understudy studio --rules DIR`, and rules are saved in DIR"
+        raise ForbiddenError("rules_read_only", message, field=FIELD)
+    file_named(name)
+    target = folder / name
+    target.parent.mkdir(parents=True, exist_ok=True)
+    temporary = target.with_name(f".{target.name}.{os.getpid()}")
+    temporary.write_text(text, encoding="utf-8")
+    temporary.replace(target)

@@ -1,0 +1,174 @@
+"""Reads what turns the nodes of a glTF file: the rotations of its animations and the bind pose of its skins.
+
+The file is anybody's: every number of an accessor, view and node is checked before it is used (`_Numbers`). Quaternions
+x y z w, seconds. Rotations alone are read, since translations do not change a joint's angles.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from ...model import FloatArray
+from ..geometry.rotations import normalized, slerp
+from .avatar_schema import Index
+
+MOST_KEYS = 200_000
+_FLOAT, _BYTE, _UBYTE, _SHORT, _USHORT = 5126, 5120, 5121, 5122, 5123
+_TYPES: Mapping[int, tuple[str, float]] = {
+    _FLOAT: ("<f4", 1.0),
+    _BYTE: ("<i1", 127.0),
+    _UBYTE: ("<u1", 255.0),
+    _SHORT: ("<i2", 32767.0),
+    _USHORT: ("<u2", 65535.0),
+}
+"""The numbers of a component, and what a normalized one is divided by."""
+_COLUMNS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(frozen=True, defer_build=True)
+
+
+class _View(_Part):
+    byte_offset: Annotated[Index, Field(alias="byteOffset")] = 0
+    byte_length: Annotated[Index, Field(alias="byteLength")]
+    byte_stride: Annotated[Index | None, Field(alias="byteStride")] = None
+
+
+class _Accessor(_Part):
+    view: Annotated[Index, Field(alias="bufferView")]
+    byte_offset: Annotated[Index, Field(alias="byteOffset")] = 0
+    component: Annotated[Literal[5120, 5121, 5122, 5123, 5126], Field(alias="componentType")]
+    count: Annotated[int, Field(ge=1, le=MOST_KEYS)]
+    type: Literal["SCALAR", "VEC3", "VEC4", "MAT4"]
+    sparse: None = None
+
+
+class _Sampler(_Part):
+    input: Index
+    output: Index
+    interpolation: Literal["LINEAR", "STEP", "CUBICSPLINE"] = "LINEAR"
+
+
+class _Target(_Part):
+    node: Index | None = None
+    path: str
+
+
+class _Channel(_Part):
+    sampler: Index
+    target: _Target
+
+
+class _Animation(_Part):
+    name: str = ""
+    channels: tuple[_Channel, ...]
+    samplers: tuple[_Sampler, ...]
+
+
+class _Skin(_Part):
+    joints: tuple[Index, ...]
+    bind: Annotated[Index | None, Field(alias="inverseBindMatrices")] = None
+
+
+class _Tracks(_Part):
+    animations: tuple[_Animation, ...] = ()
+    skins: tuple[_Skin, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Numbers:
+    """The accessors of a file and its buffer."""
+
+    tree: Mapping[str, Any]
+    content: bytes
+
+    def array(self, number: int, kind: str) -> FloatArray:
+        """The values (N, columns) of an accessor of this type. Raises ValueError."""
+        accessor = _Accessor.model_validate(_at(self.tree, "accessors", number))
+        if accessor.type != kind:
+            raise ValueError(f"accessors.{number} is {accessor.type}, where {kind} is wanted")
+        view = _View.model_validate(_at(self.tree, "bufferViews", accessor.view))
+        form, scale = _TYPES[accessor.component]
+        width = np.dtype(form).itemsize * _COLUMNS[kind]
+        stride = view.byte_stride or width
+        start, needed = view.byte_offset + accessor.byte_offset, stride * (accessor.count - 1) + width
+        if stride < width or start + needed > min(len(self.content), view.byte_offset + view.byte_length):
+            raise ValueError(f"accessors.{number} goes beyond its view")
+        shape, strides = (accessor.count, _COLUMNS[kind]), (stride, np.dtype(form).itemsize)
+        found = np.ndarray(shape, form, self.content, start, strides).astype(np.float64) / scale
+        if not np.isfinite(found).all():
+            raise ValueError(f"accessors.{number} holds what is no number")
+        return found
+
+
+def bind_matrices(tree: Mapping[str, Any], content: bytes) -> dict[int, FloatArray]:
+    """Where each joint node of the skins is in the bind pose: transforms (4, 4) in the space of the mesh; none
+    of a node without an inverse bind matrix. Raises ValueError for what cannot be read."""
+    found: dict[int, FloatArray] = {}
+    for skin in _tracks(tree).skins:
+        if skin.bind is not None:
+            inverses = _Numbers(tree, content).array(skin.bind, "MAT4").reshape(-1, 4, 4).transpose(0, 2, 1)
+            for node, matrix in zip(skin.joints, inverses, strict=False):
+                if abs(np.linalg.det(matrix)) > 0:
+                    found.setdefault(node, np.linalg.inv(matrix))
+    return found
+
+
+def animation_names(tree: Mapping[str, Any]) -> tuple[str, ...]:
+    """What the animations are called, in order. Raises ValueError."""
+    return tuple(animation.name for animation in _tracks(tree).animations)
+
+
+def rotations_at(tree: Mapping[str, Any], content: bytes, animation: int, time_s: float) -> dict[int, FloatArray]:
+    """The local rotation (4,) at `time_s` of each node that an animation turns. Raises ValueError."""
+    played, numbers = _tracks(tree).animations[animation], _Numbers(tree, content)
+    return dict(_turned(played, numbers, time_s))
+
+
+def _turned(played: _Animation, numbers: _Numbers, time_s: float) -> Iterator[tuple[int, FloatArray]]:
+    for channel in played.channels:
+        if channel.target.path == "rotation" and channel.target.node is not None:
+            if channel.sampler >= len(played.samplers):
+                raise ValueError(f"an animation has no sampler {channel.sampler}")
+            sampler = played.samplers[channel.sampler]
+            times_s = numbers.array(sampler.input, "SCALAR")[:, 0]
+            values = numbers.array(sampler.output, "VEC4")
+            if sampler.interpolation == "CUBICSPLINE":
+                values = values[1::3]  # between the tangents; the curve between two keys is taken as straight
+            if len(values) != len(times_s):
+                raise ValueError(f"an animation has {len(times_s)} times and {len(values)} rotations")
+            yield channel.target.node, _between(times_s, values, time_s, stepped=sampler.interpolation == "STEP")
+
+
+def _between(times_s: FloatArray, values: FloatArray, time_s: float, *, stepped: bool) -> FloatArray:
+    last = int(np.clip(np.searchsorted(times_s, time_s, side="right") - 1, 0, len(times_s) - 1))
+    following = min(last + 1, len(times_s) - 1)
+    step_s = times_s[following] - times_s[last]
+    share = 0.0 if stepped or step_s <= 0 else float(np.clip((time_s - times_s[last]) / step_s, 0.0, 1.0))
+    return slerp(_unit(values[last]), _unit(values[following]), np.array(share))
+
+
+def _unit(value: FloatArray) -> FloatArray:
+    if np.linalg.norm(value) < 0.5:
+        raise ValueError("an animation has a rotation that is none")
+    return normalized(value)
+
+
+def _at(tree: Mapping[str, Any], name: str, number: int) -> object:
+    listed = tree.get(name, [])
+    if not isinstance(listed, list) or number >= len(listed):
+        raise ValueError(f"there is no {name}.{number}")
+    return listed[number]
+
+
+def _tracks(tree: Mapping[str, Any]) -> _Tracks:
+    try:
+        return _Tracks.model_validate({name: tree[name] for name in ("animations", "skins") if name in tree})
+    except ValidationError as error:
+        found = error.errors()[0]
+    where = ".".join(str(step)[:40] for step in found["loc"])
+    raise ValueError(f"{where}: {found['msg']}".encode(errors="backslashreplace").decode())

@@ -1,0 +1,48 @@
+"""One gesture played alone."""
+
+import numpy as np
+import pytest
+
+from tests.support.gesture_files import gesture
+from understudy.authoring.gesture_playing import BEFORE_S, BEHAVIOR, Playing, schedule_of_gesture, with_only
+from understudy.authoring.gesture_texts import one_gesture
+from understudy.errors import InputError
+from understudy.model import Hand, Level
+from understudy.performance import Understudy
+from understudy.realization import realize_prepared
+from understudy.realizer.body.skeleton import forward
+
+RAISED = gesture(last="FRAMETYPE stroke_end\n  ARM XC YUpperP ZMiddle", name="raised")
+
+
+@pytest.mark.parametrize("hand", [Hand.LEFT, Hand.RIGHT])
+def test_the_hand_that_is_asked_for_goes_where_the_gesture_says(understudy: Understudy, hand: Hand) -> None:
+    """At the stroke's end the wrist is at the height of the shoulders (`YUpperP`), the other hand at rest below."""
+    definition = one_gesture(RAISED, None)
+    playing = Playing(hand=hand)
+    realizer = with_only(understudy.realizer, definition, playing)
+    realized = realize_prepared(realizer, schedule_of_gesture(definition, playing), frame_rate_hz=30)
+    sync = realized.motion.realized[BEHAVIOR]
+    assert sync.stroke_end is not None
+    body, skeleton = realized.motion.body, realizer.skeleton
+    frame = int(np.searchsorted(body.times_s, sync.stroke_end))
+    places, _turns = forward(skeleton, body.rotations[frame : frame + 1], body.hips_m[frame : frame + 1])
+    heights = {side: places[0, skeleton.index[f"{side}Hand"], 1] for side in ("left", "right")}
+    other = "left" if hand is Hand.RIGHT else "right"
+    assert heights[hand] == pytest.approx(places[0, skeleton.index[f"{hand}UpperArm"], 1], abs=0.06)
+    assert heights[other] < heights[hand] - 0.2
+
+
+def test_the_gesture_takes_the_time_of_its_level() -> None:
+    definition = one_gesture(RAISED, None)
+    lasting = {level: schedule_of_gesture(definition, Playing(level)).schedule.behaviors[0].sync for level in Level}
+    tempo = {level: definition.levels[level].tempo for level in Level}
+    for level, sync in lasting.items():
+        assert sync.start == BEFORE_S
+        assert sync.end - sync.start == pytest.approx(0.75 * definition.duration_s / tempo[level])
+
+
+def test_a_level_that_it_does_not_suit_is_refused() -> None:
+    with pytest.raises(InputError, match="not for low agitation, but for high") as caught:
+        schedule_of_gesture(one_gesture(gesture("LEVELS high"), None), Playing(Level.LOW))
+    assert caught.value.code == "unfit_gesture"

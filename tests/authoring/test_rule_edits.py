@@ -1,0 +1,68 @@
+"""Edited rules: compiled beside those in use, told in the words of who edits, and never in the place of any file."""
+
+import pytest
+
+from understudy.authoring.rule_edits import compile_edits, editable_files, mistakes_in, with_edits
+from understudy.errors import InputError
+from understudy.performance import Understudy, find_functions
+
+WORDS = "lexicon/en/thanks.yaml"
+AGREEMENT = "app/rules/behaviors/agreement.rules"
+MIND = "app/rules/behaviors/mind.rules"
+NEW_WORD = 'class: thanks\ngroups:\n  - example: "{} for that."\n    words: [zounds]\n'
+
+
+def text_of(name: str) -> str:
+    return editable_files()[name].read_text(encoding="utf-8")
+
+
+def test_rules_words_and_priorities_can_be_edited_and_nothing_else() -> None:
+    names = editable_files().keys()
+    assert {WORDS, AGREEMENT, "app/rules/functions/priorities.yaml", "app/rules/vocabulary.rules"} <= names
+    assert all(name.startswith(("app/rules/", "lexicon/en/")) for name in names)
+    assert "lexicon/en/abbreviations.yaml" not in names
+
+
+def test_a_new_word_holds_for_the_edited_models_alone(understudy: Understudy) -> None:
+    line = "Zounds for that."
+    before = find_functions(understudy.language, line).functions
+    edited = with_edits(understudy, {WORDS: NEW_WORD})
+    after = find_functions(edited.language, line).functions
+    assert {function.class_name for function in after} - {function.class_name for function in before}
+    assert find_functions(understudy.language, line).functions == before
+    assert "zounds" not in text_of(WORDS)
+
+
+def test_without_edits_the_models_are_the_same(understudy: Understudy) -> None:
+    assert with_edits(understudy, {}) is understudy
+
+
+def test_mistakes_are_told_by_the_names_of_the_files(understudy: Understudy) -> None:
+    names = frozenset(understudy.behavior.characters.behavior_names)
+    wrong = text_of(AGREEMENT).replace("big_nod(", "bigger_nod(", 1)
+    lines = wrong.splitlines()
+    found = mistakes_in({AGREEMENT: wrong, WORDS: "clas: thanks\n"}, names)
+    assert {str(mistake.path) for mistake in found} == {AGREEMENT, WORDS}
+    [rule] = [mistake for mistake in found if str(mistake.path) == AGREEMENT]
+    assert lines[rule.line - 1][rule.column - 1 :].startswith("bigger_nod(")
+
+
+def test_a_rule_that_is_said_twice_names_the_other_without_our_folder(understudy: Understudy) -> None:
+    names = frozenset(understudy.behavior.characters.behavior_names)
+    again = text_of(AGREEMENT).partition("\nrule ")[2].partition("\n\n")[0]
+    found = mistakes_in({MIND: f"{text_of(MIND)}\nrule {again}\n"}, names)
+    assert any(f"also at {AGREEMENT}:" in mistake.message for mistake in found)
+    assert not any("understudy-rules-" in mistake.message for mistake in found)
+
+
+@pytest.mark.parametrize("name", ["lexicon/en/../behaviors.yaml", "/etc/passwd", "lexicon/behaviors.yaml"])
+def test_other_files_are_no_rules(name: str) -> None:
+    with pytest.raises(InputError) as caught:
+        compile_edits({name: ""}, frozenset())
+    assert caught.value.code == "unknown_file"
+
+
+def test_wrong_rules_cannot_perform(understudy: Understudy) -> None:
+    with pytest.raises(InputError, match=rf"^{WORDS}:1:1: ") as caught:
+        with_edits(understudy, {WORDS: "clas: thanks\n"})
+    assert caught.value.code == "rules_wrong"

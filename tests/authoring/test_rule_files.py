@@ -1,0 +1,33 @@
+"""Files of rules where an author saves them."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.authoring.test_rule_edits import WORDS, text_of
+from understudy.authoring.rule_files import read_rule_text, saved_names, write_rule_text
+from understudy.errors import ForbiddenError, InputError
+
+
+def test_what_is_saved_is_read_instead_of_what_is_in_use(tmp_path: Path) -> None:
+    assert read_rule_text(WORDS, tmp_path).text == text_of(WORDS)
+    write_rule_text(WORDS, "class: thanks\n", tmp_path)
+    found = read_rule_text(WORDS, tmp_path)
+    assert (found.text, found.saved) == ("class: thanks\n", True)
+    assert saved_names(tmp_path) == (WORDS,)
+    assert [path.name for path in tmp_path.rglob("*") if path.is_file()] == ["thanks.yaml"]
+
+
+def test_without_a_folder_nothing_is_written_or_saved() -> None:
+    with pytest.raises(ForbiddenError) as caught:
+        write_rule_text(WORDS, "", None)
+    assert caught.value.code == "rules_read_only"
+    assert saved_names(None) == ()
+
+
+@pytest.mark.parametrize("name", ["../outside.rules", "app/rules/new.rules", "lexicon/en/../../x.yaml"])
+def test_no_file_is_written_that_is_not_there(tmp_path: Path, name: str) -> None:
+    with pytest.raises(InputError) as caught:
+        write_rule_text(name, "", tmp_path / "inside")
+    assert caught.value.code == "unknown_file"
+    assert list(tmp_path.rglob("*")) == []
