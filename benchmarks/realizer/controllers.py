@@ -63,7 +63,7 @@ def realized(schedule: Schedule, times_s: FloatArray, seed: int) -> tuple[BodyMo
         return body
 
     still = clocked("idle", lambda: idle_motion(BODY, times_s, schedule, seed=seed))
-    gazing = clocked("gaze", lambda: apply_gaze(BODY, still, schedule, seed=seed))
+    gazing = clocked("gaze", lambda: apply_gaze(BODY, still, schedule, seed=seed)[0])
     return gazing, clocked("head", lambda: apply_head_movements(BODY, gazing, schedule, seed=seed)), spent_ms
 
 

@@ -6,6 +6,7 @@ arm's own x axis runs to the elbow, and the elbow bends about its -y axis, so th
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -45,12 +46,10 @@ class ArmBones:
     upper_m: float
     lower_m: float
 
-    @classmethod
-    def of(cls, skeleton: Skeleton) -> "ArmBones":
+    @staticmethod
+    def of(skeleton: Skeleton) -> "ArmBones":
         """The bones of the skeleton's left arm."""
-        names = ("spine", "chest", "upperChest", "leftShoulder", "leftUpperArm", "leftLowerArm", "leftHand")
-        *trunk_m, shoulder_m, elbow_m, wrist_m = skeleton.offsets_m[skeleton.chain(*names)]
-        return cls(np.sum(trunk_m, axis=0), shoulder_m, float(length(elbow_m)[0]), float(length(wrist_m)[0]))
+        return _bones(skeleton)
 
     @property
     def length_m(self) -> float:
@@ -61,6 +60,14 @@ class ArmBones:
     def shoulder_m(self) -> FloatArray:
         """The shoulder's position with the collarbone at rest."""
         return np.asarray(self.root_m + self.collarbone_m)
+
+
+@lru_cache(maxsize=64)
+def _bones(skeleton: Skeleton) -> ArmBones:
+    """Cached; never mutated."""
+    names = ("spine", "chest", "upperChest", "leftShoulder", "leftUpperArm", "leftLowerArm", "leftHand")
+    *trunk_m, shoulder_m, elbow_m, wrist_m = skeleton.offsets_m[skeleton.chain(*names)]
+    return ArmBones(np.sum(trunk_m, axis=0), shoulder_m, float(length(elbow_m)[0]), float(length(wrist_m)[0]))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

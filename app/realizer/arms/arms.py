@@ -13,11 +13,11 @@ from itertools import pairwise
 import numpy as np
 
 from ...model import FloatArray, Hand
-from ..geometry.noise import perlin
-from ..geometry.rotations import from_rotation_vector, multiply, with_continuous_signs
+from ..geometry.noise import Noise, perlins
+from ..geometry.rotations import from_rotation_vector, keep_signs, multiply
 from ..geometry.splines import Curve, splines
 from ..gestures.arm_joints import PARTS
-from .posing import PartialPose, arm_rotations
+from .posing import PartialPose
 
 FOLLOW_THROUGH_S = 0.3
 """The maximum delay of the fingertips behind the collarbone: 9 frames at 30 per second (Gesture Engine §5.1)."""
@@ -74,19 +74,37 @@ class ArmTrack:
 
 def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int, noise_scale: float = 1.0) -> FloatArray:
     """The arm's rotations (T, 19, 4) at `times_s` (T,); see `arm_motions`."""
-    return arm_motions((track,), times_s, seed=seed, noise_scale=noise_scale)[:, 0]
+    arm = np.empty((len(times_s), len(PARTS) - 1, 4))
+    set_arms((arm,), (track,), times_s, seed=seed, noise_scale=noise_scale)
+    return arm
 
 
-def arm_motions(tracks: Sequence[ArmTrack], times_s: FloatArray, *, seed: int, noise_scale: float = 1.0) -> FloatArray:
-    """The rotations (T, A, 19, 4) of several arms at `times_s` (T,), with continuous quaternion signs; two cost little
-    more than one. `noise_scale` (0 to 1) scales the noise of the keys."""
+def set_arms(
+    arms: Sequence[FloatArray],
+    tracks: Sequence[ArmTrack],
+    times_s: FloatArray,
+    *,
+    seed: int,
+    noise_scale: float = 1.0,
+) -> None:
+    """Fill in the rotations (T, 19, 4) of each of `arms` at `times_s` (T,), with continuous quaternion signs; two cost
+    little more than one. `noise_scale` (0 to 1) scales the noise of the keys."""
     curves = [curve for track in tracks for curve in _curves(track)]
-    found = np.empty((len(times_s), len(tracks), len(PARTS) - 1, 4))
     for first in range(0, len(times_s), _BLOCK):
         block = slice(first, first + _BLOCK)
         parts = splines(curves, times_s[block]).reshape(-1, len(tracks), len(PARTS), 4)
-        found[block] = arm_rotations(_stirred(tracks, parts, times_s[block], seed, noise_scale=noise_scale))
-    return with_continuous_signs(found)
+        joints = _joints(_stirred(tracks, parts, times_s[block], seed, noise_scale=noise_scale))
+        for number, arm in enumerate(arms):
+            arm[block] = joints[:, number]
+    for arm in arms:
+        keep_signs(arm)
+
+
+def _joints(parts: FloatArray) -> FloatArray:
+    """`posing.arm_rotations` (T, A, 19, 4) of parts (T, A, 20, 4), which it changes."""
+    parts[:, :, 3] = multiply(parts[:, :, 2], parts[:, :, 3])
+    parts[:, :, 2], parts[:, :, 1] = parts[:, :, 1].copy(), parts[:, :, 0].copy()
+    return parts[:, :, 1:]
 
 
 def _curves(track: ArmTrack) -> Iterator[Curve]:
@@ -135,14 +153,13 @@ def _stirred(
     §3.8)."""
     if not noise_scale:
         return parts
-    spread = _stirs()
-    turn = np.empty((len(times_s), len(tracks), *spread.shape[1:]))
+    channels, directions = noise_scale * _stirs().reshape(len(_stirs()), -1), _stirs().shape[1:]
+    kinds = (Noise(_NOISE_HZ, 2 * seed + (track.side is not Hand.LEFT), len(channels)) for track in tracks)
+    noise = perlins(times_s, *kinds).reshape(len(times_s), len(tracks), -1)
     for arm, track in enumerate(tracks):
         strength = np.interp(times_s, [key.time_s for key in track.keys], [key.noise for key in track.keys])
-        side = 0 if track.side is Hand.LEFT else 1
-        noise = perlin(times_s, frequency_hz=_NOISE_HZ, seed=2 * seed + side, channels=len(spread))
-        turn[:, arm] = np.tensordot((noise_scale * strength)[:, None] * noise, spread, 1)
-    turned, first = from_rotation_vector(turn), 0
+        noise[:, arm] *= strength[:, None]
+    turned, first = from_rotation_vector((noise @ channels).reshape(*noise.shape[:2], *directions)), 0
     for rows in _STIRRED_ROWS:
         stirred = parts[:, :, rows]
         stirred[...] = multiply(stirred, turned[:, :, first : first + stirred.shape[2]])

@@ -94,10 +94,11 @@ def depths_where_near_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
     looked_at = np.zeros(frames, dtype=bool)
     looked_at[::_STRIDE] = looked_at[-1] = True
     found = np.full((frames, len(PAIRS)), -1.0)
-    found[looked_at] = depths_m(skeleton, body.rotations[looked_at], body.hips_m[looked_at])
-    near = _around(found.max(axis=1) > -_NEAR_M, _STRIDE) & ~looked_at
-    if near.any():
-        found[near] = depths_m(skeleton, body.rotations[near], body.hips_m[near])
+    first = np.flatnonzero(looked_at)
+    found[first] = depths_m(skeleton, body.rotations, body.hips_m, first)
+    near = np.flatnonzero(_around(found.max(axis=1) > -_NEAR_M, _STRIDE) & ~looked_at)
+    if len(near):
+        found[near] = depths_m(skeleton, body.rotations, body.hips_m, near)
     return found
 
 

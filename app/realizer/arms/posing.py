@@ -16,7 +16,7 @@ from ...model import FloatArray, Hand
 from ..body.body_space import on_body_m
 from ..body.limits import MIRROR, swing_twist_deg
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, length, multiply, rotate
+from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, length, multiply, rotate, x_axis
 from ..gestures.arm_joints import PARTS
 from ..gestures.gesture import ArmKey, Depth, HandForm, HandShape, Height, Place, Sideways, Wrist
 from ..gestures.gesture_space import DIRECTIONS, sector_m
@@ -151,6 +151,13 @@ def wrist_of(skeleton: Skeleton, side: Hand, rotations: FloatArray) -> FloatArra
     return _wrist_of_left(ArmBones.of(skeleton), arm if side is Hand.LEFT else arm * MIRROR)
 
 
+def wrists_of(skeleton: Skeleton, left: FloatArray, right: FloatArray) -> FloatArray:
+    """`wrist_of` both arms (2, T, 3)."""
+    arms = np.stack((left[:, ARM_ROWS], right[:, ARM_ROWS]))
+    arms[1] *= MIRROR
+    return _wrist_of_left(ArmBones.of(skeleton), arms)
+
+
 def _seen_from(side: Hand) -> FloatArray:
     return np.array([1.0 if side is Hand.LEFT else -1.0, 1.0, 1.0])
 
@@ -163,10 +170,9 @@ def _wrist_of_left(bones: ArmBones, parts: FloatArray) -> FloatArray:
     """From collarbone, upper arm and elbow; a twist of the elbow's rotation does not matter."""
     collarbone, upper_arm, elbow = (parts[..., row, :] for row in range(3))
     upper = multiply(collarbone, upper_arm)
-    along = np.array([1.0, 0.0, 0.0])
     shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
-    elbow_m = shoulder_m + rotate(upper, bones.upper_m * along)
-    return np.asarray(elbow_m + rotate(multiply(upper, elbow), bones.lower_m * along))
+    elbow_m = shoulder_m + bones.upper_m * x_axis(upper)
+    return np.asarray(elbow_m + bones.lower_m * x_axis(multiply(upper, elbow)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

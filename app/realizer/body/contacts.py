@@ -105,12 +105,17 @@ def contacts(skeleton: Skeleton, body: PosedBody) -> Contacts:
     return Contacts(depth_m.T, out.swapaxes(0, 1), on_limb.T, on_other.T)
 
 
-def depths_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FloatArray:
-    """The depth of every pair in every frame (T, P), positive inside."""
-    blocks = (slice(first, first + _BLOCK) for first in range(0, len(rotations), _BLOCK))
-    return np.concatenate(
-        [contacts(skeleton, PosedBody.of(skeleton, rotations[block], hips_m[block])).depth_m for block in blocks]
-    )
+def depths_m(
+    skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, frames: NDArray[np.intp] | None = None
+) -> FloatArray:
+    """The depth of every pair (F, P), positive inside, in the frames with these numbers (F,), or in every one."""
+    frames = np.arange(len(rotations)) if frames is None else frames
+    found = np.empty((len(frames), len(PAIRS)))
+    for first in range(0, len(frames), _BLOCK):
+        block = frames[first : first + _BLOCK]
+        posed = PosedBody.of(skeleton, rotations.take(block, axis=0), hips_m.take(block, axis=0))
+        found[first : first + _BLOCK] = contacts(skeleton, posed).depth_m
+    return found
 
 
 def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FloatArray:
@@ -122,25 +127,26 @@ def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray
 def _lines(skeleton: Skeleton, body: PosedBody) -> tuple[FloatArray, FloatArray]:
     """Where the segments of the compared parts begin, and from there to their ends: each (parts, T, 3), in the
     world."""
-    joints, starts_m, lines_m = _carried(skeleton)
+    joints, segments_m = _carried(skeleton)
     at, turned = body.positions_m.swapaxes(0, 1)[joints], body.orientations.swapaxes(0, 1)[joints]
-    return at + rotate(turned, starts_m), rotate(turned, lines_m)
+    starts_m, lines_m = rotate(turned, segments_m)
+    return at + starts_m, lines_m
 
 
 @lru_cache(maxsize=64)
-def _carried(skeleton: Skeleton) -> tuple[list[int], FloatArray, FloatArray]:
-    """The joints that carry the compared parts, where the segments of these begin, and from there to their ends, both
-    (parts, 1, 3). Cached; never mutated."""
+def _carried(skeleton: Skeleton) -> tuple[list[int], FloatArray]:
+    """The joints that carry the compared parts; where the segments of these begin, and from there to their ends
+    (2, parts, 1, 3). Cached; never mutated."""
     build = build_of(skeleton.proportions)
     starts_m, ends_m = (np.array([getattr(build[part], end) for part in _USED]) for end in ("start_m", "end_m"))
     joints = [skeleton.index[build[part].joint] for part in _USED]
-    return joints, starts_m[:, None], (ends_m - starts_m)[:, None]
+    return joints, np.stack((starts_m, ends_m - starts_m))[:, :, None]
 
 
 @lru_cache(maxsize=64)
 def _squared_lengths(skeleton: Skeleton) -> tuple[FloatArray, FloatArray]:
     """Those of the segments (P, 1) of each pair. Cached; never mutated."""
-    _joints, _starts_m, lines_m = _carried(skeleton)
+    _joints, (_starts_m, lines_m) = _carried(skeleton)
     squared = _dot(lines_m, lines_m)
     return squared[_LIMB_COLUMN], squared[_OTHER_COLUMN]
 

@@ -7,6 +7,7 @@ elbow crease forward, because there flexion (-x), abduction (z) and rotation (y,
 meaning.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -88,23 +89,33 @@ def clamped(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
     kept = rotations.copy()
     for alike in _alike(_CLAMPED):
         angles = _measured(skeleton, alike, kept)
-        over = np.maximum(angles - alike.highest_deg, alike.lowest_deg - angles) > _TOLERATED_DEG
-        for place in np.flatnonzero(over.any(axis=tuple(range(over.ndim - 2))).any(axis=-1)):
-            limit, there = alike.limits[place], over[..., place, :].any(axis=-1)
-            within = _brought_back(skeleton, limit, kept[there], angles[..., place, :][there])
-            kept[..., skeleton.index[limit.joints[-1]], :][there] = within
+        for place in _passed(alike, angles):
+            limit, measured = alike.limits[place], angles[..., place, :]
+            within = np.minimum(np.maximum(measured, limit.lowest_deg), limit.highest_deg)
+            there = (np.abs(measured - within) > _TOLERATED_DEG).any(axis=-1)
+            joints = skeleton.chain(*limit.joints)
+            chain = [kept[..., joint, :][there] for joint in joints]
+            kept[..., joints[-1], :][there] = _brought_back(limit, chain, within[there])
     return kept
 
 
-def _brought_back(skeleton: Skeleton, limit: Limit, rotations: FloatArray, angles_deg: FloatArray) -> FloatArray:
-    """The rotation (…, 4) of the chain's last joint that brings the chain's angles (…, 3) within the limit."""
-    within = _joined(limit, np.clip(angles_deg, limit.lowest_deg, limit.highest_deg))
+def _passed(alike: "_Alike", angles: FloatArray) -> NDArray[np.intp]:
+    """Which of the limits are passed anywhere in the angles (…, n, 3)."""
+    everywhere = tuple(range(angles.ndim - 2))
+    over = np.maximum(angles.max(axis=everywhere) - alike.highest_deg, alike.lowest_deg - angles.min(axis=everywhere))
+    return np.flatnonzero((over > _TOLERATED_DEG).any(axis=-1))
+
+
+def _brought_back(limit: Limit, chain: Sequence[FloatArray], within_deg: FloatArray) -> FloatArray:
+    """The rotation (…, 4) of the last of the chain's joints with which its angles (…, 3) are those within the
+    limit."""
+    within = _joined(limit, within_deg)
     if limit.joints[0].startswith("right"):
         within = within * MIRROR
-    *above, last = skeleton.chain(*limit.joints)
-    for joint in above:
-        within = multiply(inverse(rotations[..., joint, :]), within)
-    return nearest_sign(within, rotations[..., last, :])
+    *above, last = chain
+    for rotation in above:
+        within = multiply(inverse(rotation), within)
+    return nearest_sign(within, last)
 
 
 def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:

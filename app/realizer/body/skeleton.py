@@ -153,16 +153,21 @@ def _place(
     """Fill in the positions and orientations of the joints; their parents' must be known. With the joints' axis first,
     which is how they lie in memory, several are reached many times faster."""
     at_m, turned, local = (np.moveaxis(each, -2, 0) for each in (positions, orientations, rotations))
-    for joints, parents, offsets_m in _generations(skeleton, only):
-        above, shape = turned[parents], (len(joints), *(1,) * (turned.ndim - 2), 3)
-        at_m[joints] = at_m[parents] + rotate(above, offsets_m.reshape(shape))
-        turned[joints] = multiply(above, local[joints])
+    generations = _generations(skeleton, only)
+    for joints, parents in generations:
+        turned[joints] = multiply(turned[parents], local[joints])
+    joints, parents = (np.concatenate(each) for each in zip(*generations, strict=True))
+    offsets_m = skeleton.offsets_m[joints].reshape(len(joints), *(1,) * (turned.ndim - 2), 3)
+    ways_m, begun = rotate(turned[parents], offsets_m), 0
+    for joints, parents in generations:
+        at_m[joints] = at_m[parents] + ways_m[begun : begun + len(joints)]
+        begun += len(joints)
 
 
 @lru_cache(maxsize=64)
-def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[Joints, Joints, FloatArray]]:
-    """Joints, their parents and their offsets, grouped by depth in the hierarchy: each group can be computed at once.
-    Never mutated."""
+def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[Joints, Joints]]:
+    """Joints and their parents, grouped by depth in the hierarchy: each group can be computed at once. Never
+    mutated."""
     depth = [0] * len(skeleton.parents)
     found: list[tuple[list[int], list[int]]] = []
     for joint, parent in enumerate(skeleton.parents):
@@ -173,4 +178,4 @@ def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[
                 joints, parents = found[depth[joint] - 1]
                 joints.append(joint)
                 parents.append(parent)
-    return [(np.array(joints), np.array(parents), skeleton.offsets_m[joints]) for joints, parents in found if joints]
+    return [(np.array(joints), np.array(parents)) for joints, parents in found if joints]

@@ -7,19 +7,26 @@ the character's right (about z); roll is applied first, yaw last. A direction is
 import numpy as np
 
 from ...model import FloatArray
+from .trigonometry import sine_and_cosine
 
 
 def from_pitch_yaw_roll(pitch: FloatArray, yaw: FloatArray, roll: FloatArray) -> FloatArray:
     """The rotations (…, 4) by `roll`, then `pitch`, then `yaw`."""
-    sx, cx = np.sin(pitch / 2), np.cos(pitch / 2)
-    sy, cy = np.sin(yaw / 2), np.cos(yaw / 2)
-    sz, cz = np.sin(roll / 2), np.cos(roll / 2)
+    (sx, cx), (sy, cy), (sz, cz) = (sine_and_cosine(angle / 2) for angle in (pitch, yaw, roll))
     both, pitched, rolled, neither = sx * sz, sx * cz, cx * sz, cx * cz
     turned = np.empty((*both.shape, 4))
     turned[..., 0] = cy * pitched + sy * rolled
     turned[..., 1] = sy * neither - cy * both
     turned[..., 2] = cy * rolled - sy * pitched
     turned[..., 3] = cy * neither + sy * both
+    return turned
+
+
+def from_pitch_yaw(pitch: FloatArray, yaw: FloatArray) -> FloatArray:
+    """The rotations (…, 4) by `pitch`, then `yaw`."""
+    (sx, cx), (sy, cy) = (sine_and_cosine(angle / 2) for angle in (pitch, yaw))
+    turned = np.empty((*sx.shape, 4))
+    turned[..., 0], turned[..., 1], turned[..., 2], turned[..., 3] = cy * sx, sy * cx, -sy * sx, cy * cx
     return turned
 
 
@@ -40,4 +47,5 @@ def pitch_and_yaw(direction: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 def unit_vector(pitch: FloatArray, yaw: FloatArray) -> FloatArray:
     """The unit vectors (…, 3) with this pitch and yaw."""
-    return np.stack([np.cos(pitch) * np.sin(yaw), -np.sin(pitch), np.cos(pitch) * np.cos(yaw)], axis=-1)
+    (up, level), (aside, ahead) = sine_and_cosine(pitch), sine_and_cosine(yaw)
+    return np.stack([level * aside, -up, level * ahead], axis=-1)

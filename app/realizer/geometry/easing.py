@@ -21,8 +21,9 @@ def minimum_jerk(share: FloatArray) -> FloatArray:
 def superposed_movements(
     times_s: FloatArray, starts_s: FloatArray, durations_s: FloatArray, by: FloatArray
 ) -> FloatArray:
-    """The sum (T, C) of lasting movements by `by` (K, C) at increasing `times_s`. A movement that starts before another
-    has ended is superposed on it, as people do when a target jumps (Flash & Henis 1991), so velocity is continuous."""
+    """The sum (T, C) of lasting movements by `by` (K, C), in any order, at increasing `times_s`. A movement that starts
+    before another has ended is superposed on it, as people do when a target jumps (Flash & Henis 1991), so velocity is
+    continuous."""
     moving = by.any(axis=1) & (starts_s < times_s[-1])
     starts_s, durations_s, by = starts_s[moving], np.maximum(durations_s[moving], SHORTEST_S), by[moving]
     firsts, ends = times_s.searchsorted(starts_s), times_s.searchsorted(starts_s + durations_s)

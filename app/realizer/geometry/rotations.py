@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
+from .trigonometry import sine_and_cosine
 
 IDENTITY: FloatArray = np.array([0.0, 0.0, 0.0, 1.0])
 IDENTITY.setflags(write=False)
@@ -57,6 +58,16 @@ def rotate(q: FloatArray, vector: FloatArray) -> FloatArray:
     return rotated
 
 
+def x_axis(q: FloatArray) -> FloatArray:
+    """Where `q` (…, 4) takes the x axis (…, 3)."""
+    x, y, z, w = q[..., 0], q[..., 1], q[..., 2], q[..., 3]
+    towards = np.empty((*x.shape, 3))
+    towards[..., 0] = 1.0 - 2.0 * (y * y + z * z)
+    towards[..., 1] = 2.0 * (x * y + w * z)
+    towards[..., 2] = 2.0 * (x * z - w * y)
+    return towards
+
+
 def cross(a: FloatArray, b: FloatArray) -> FloatArray:
     """The cross products (…, 3): several times as fast as `np.cross`."""
     ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
@@ -86,8 +97,8 @@ def from_rotation_vector(vector: FloatArray) -> FloatArray:
     """The rotation about the axis `vector` (…, 3) by its length in radians."""
     half = np.maximum(length(vector), _NEAR_ZERO) / 2
     turned = np.empty((*vector.shape[:-1], 4))
-    turned[..., :3] = vector * (np.sin(half) / (2 * half))
-    turned[..., 3:] = np.cos(half)
+    sine, turned[..., 3:] = sine_and_cosine(half)
+    np.multiply(vector, sine / (2 * half), out=turned[..., :3])
     return turned
 
 
@@ -100,8 +111,11 @@ def to_rotation_vector(q: FloatArray) -> FloatArray:
 
 def from_axis_angle(axis: tuple[float, float, float], angle: FloatArray) -> FloatArray:
     """The rotations by the angles (…) about one unit axis."""
-    half = np.asarray(angle)[..., None] / 2
-    return np.concatenate([np.sin(half) * np.array(axis), np.cos(half)], axis=-1)
+    sine, cosine = sine_and_cosine(np.asarray(angle) / 2)
+    turned = np.empty((*sine.shape, 4))
+    np.multiply(sine[..., None], axis, out=turned[..., :3])
+    turned[..., 3] = cosine
+    return turned
 
 
 def shortest_rotation(a: FloatArray, b: FloatArray) -> FloatArray:
@@ -148,6 +162,13 @@ def with_continuous_signs(q: FloatArray) -> FloatArray:
     if not turned.any():
         return q
     return np.concatenate([q[:1], q[1:] * np.cumprod(np.where(turned, -1.0, 1.0), axis=0)])
+
+
+def keep_signs(q: FloatArray) -> None:
+    """`with_continuous_signs` in place."""
+    turned = dot(q[1:], q[:-1]) < 0
+    if turned.any():
+        q[1:] *= np.cumprod(np.where(turned, -1.0, 1.0), axis=0)
 
 
 def nearest_sign(q: FloatArray, to: FloatArray) -> FloatArray:

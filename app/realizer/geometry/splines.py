@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from ...model import FloatArray
 from .rotations import from_rotation_vector, inverse, length, multiply, to_rotation_vector, with_continuous_signs
+from .trigonometry import sine_and_cosine
 
 _MOST_SLOPE = 3.0
 _STILL = 1e-9
@@ -123,8 +124,8 @@ def _parts_of_turns(turns: FloatArray, segment: NDArray[np.intp], weight: FloatA
     axis = np.ascontiguousarray((turns / np.maximum(angle, 1e-12)).T)
     half = (0.5 * angle[:, 0]).take(segment) * weight
     found = np.empty((4, *half.shape))
-    np.multiply(axis.take(segment, axis=1), np.sin(half), out=found[:3])
-    np.cos(half, out=found[3])
+    sine, found[3] = sine_and_cosine(half)
+    np.multiply(axis.take(segment, axis=1), sine, out=found[:3])
     return found
 
 

@@ -11,12 +11,13 @@ move relative to their trunks (`benchmarks/realizer/liveliness.py`).
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from ...model import FloatArray, Interval, Schedule
 from ..geometry.easing import superposed_movements
-from ..geometry.noise import perlin
+from ..geometry.noise import Noise, perlins
 from ..torso.idle_activity import idle_activity
 
 TRUNK_DEGREES = (1.5, 1.8, 1.0)
@@ -65,23 +66,40 @@ class HeadAttitude:
 
 def head_attitude(times_s: FloatArray, schedule: Schedule, *, seed: int) -> HeadAttitude:
     """What trunk, neck and head do by themselves; deterministic for a seed, and at a stillness of 1 nothing moves."""
-    course = idle_activity(schedule) * _held(times_s, schedule.phrases, np.random.default_rng(seed + 6))
-    course += (1 - schedule.stillness) * _thrust(times_s, schedule.emphases_s, np.random.default_rng(seed + 7))
-    noise = perlin(times_s, frequency_hz=_NOISE_HZ, seed=seed + 3, channels=3, in_step=False)
-    turned = course[:, 4:] + idle_activity(schedule) * np.radians(_NOISE_DEGREES) * noise
-    tremble = perlin(times_s, frequency_hz=_TREMBLE_HZ, seed=seed + 4, channels=6, in_step=False)
-    tremble *= (1 - schedule.stillness) * np.radians(_TREMBLE_DEGREES)
-    neck, head = turned / 2 + tremble[:, :3], turned / 2 + tremble[:, 3:]
+    activity, lively = idle_activity(schedule), 1 - schedule.stillness
+    first, held = _held(float(times_s[-1]), schedule.phrases, np.random.default_rng(seed + 6))
+    thrusts = _thrusts(schedule.emphases_s, np.random.default_rng(seed + 7))
+    moves = [np.concatenate(each) for each in zip(held.scaled(activity), thrusts.scaled(lively), strict=True)]
+    course = activity * first + superposed_movements(times_s, *moves)
+    noise = perlins(
+        times_s,
+        Noise(_NOISE_HZ, seed + 3, 3, in_step=False),
+        Noise(_TREMBLE_HZ, seed + 4, 6, in_step=False),
+    )
+    turned = (course[:, 4:] + activity * np.radians(_NOISE_DEGREES) * noise[:, :3]) / 2
+    tremble = lively * np.radians(_TREMBLE_DEGREES) * noise[:, 3:]
+    neck, head = turned + tremble[:, :3], turned + tremble[:, 3:]
     return HeadAttitude(course[:, :3], neck, head, np.radians(FORWARD_DEGREES) + course[:, 3])
 
 
-def _held(times_s: FloatArray, phrases: Sequence[Interval], generator: np.random.Generator) -> FloatArray:
-    """The attitudes (T, 7) held one after another."""
-    starts_s = np.array(list(_changes_s(float(times_s[-1]), phrases, generator)))
+class _Moves(NamedTuple):
+    """Movements of the seven angles: when they start and how long they last (K,), and by how much (K, 7)."""
+
+    starts_s: FloatArray
+    durations_s: FloatArray
+    by: FloatArray
+
+    def scaled(self, factor: float) -> "_Moves":
+        return self._replace(by=factor * self.by)
+
+
+def _held(end_s: float, phrases: Sequence[Interval], generator: np.random.Generator) -> tuple[FloatArray, _Moves]:
+    """The first attitude (7,), and the movements to those that are held after it."""
+    starts_s = np.array(list(_changes_s(end_s, phrases, generator)))
     drawn = np.clip(generator.standard_normal((len(starts_s) + 1, len(_SPREAD))), -WIDEST, WIDEST)
     attitudes = _SPREAD * drawn
     durations_s = generator.uniform(*_MOVING_S, len(starts_s))
-    return np.asarray(attitudes[0] + superposed_movements(times_s, starts_s, durations_s, np.diff(attitudes, axis=0)))
+    return attitudes[0], _Moves(starts_s, durations_s, np.diff(attitudes, axis=0))
 
 
 def _changes_s(end_s: float, phrases: Sequence[Interval], generator: np.random.Generator) -> Iterator[float]:
@@ -94,9 +112,9 @@ def _changes_s(end_s: float, phrases: Sequence[Interval], generator: np.random.G
         yield last_s
 
 
-def _thrust(times_s: FloatArray, stressed_s: Sequence[float], generator: np.random.Generator) -> FloatArray:
-    """What stress adds (T, 7)."""
+def _thrusts(stressed_s: Sequence[float], generator: np.random.Generator) -> _Moves:
+    """What stress adds: there, and back."""
     at_s = np.array(stressed_s)
     by = np.radians(_THRUST_DEGREES) * generator.uniform(2 / 3, 4 / 3, (len(at_s), 1))
-    there = superposed_movements(times_s, at_s - _THRUST_S, np.full(len(at_s), _THRUST_S), by)
-    return there - superposed_movements(times_s, at_s, np.full(len(at_s), 2 * _THRUST_S), by)
+    durations_s = np.repeat([_THRUST_S, 2 * _THRUST_S], len(at_s))
+    return _Moves(np.concatenate([at_s - _THRUST_S, at_s]), durations_s, np.concatenate([by, -by]))

@@ -16,11 +16,11 @@ from ...model import FloatArray, Schedule
 from ..body.limits import within_neck_limits
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
-from ..geometry.angles import from_pitch_yaw_roll
+from ..geometry.angles import from_pitch_yaw
 from ..geometry.easing import superposed_movements
 from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, multiply, to_rotation_vector
 from .fixation import fixation_offsets, saccade_s
-from .gaze_geometry import EYES, TRUNK, Chest, chest, eye_rotations, face, point_in_direction
+from .gaze_geometry import EYES, TRUNK, Chest, chest, face, looking, point_in_direction
 from .gaze_targets import GazeTargets, Position, gaze_targets
 
 NECK_SHARE = np.array([0.6, 0.45, 0.75])
@@ -47,8 +47,9 @@ def apply_gaze(
     *,
     targets_m: Mapping[str, Position] = MappingProxyType({}),
     seed: int = 0,
-) -> BodyMotion:
-    """The body with eyes, head and trunk following the schedule's gazes, and looking at the listener otherwise.
+) -> tuple[BodyMotion, FloatArray]:
+    """The body with eyes, head and trunk following the schedule's gazes, and looking at the listener otherwise; and the
+    points (T, 3) at which the eyes look.
 
     `targets_m` has the world positions of targets; any other target is the other person (`LISTENER_M`).
     """
@@ -56,18 +57,15 @@ def apply_gaze(
     before = (1 - schedule.stillness) * _elsewhere(np.random.default_rng(seed + 8))
     line, head, trunk = _courses(times_s, gaze_targets(schedule, from_m, targets_m, before=before))
     rotations = body.rotations.copy()
-    share = from_axis_angle(_UPWARDS, trunk / len(TRUNK))
-    for joint in skeleton.chain(*TRUNK):
-        rotations[:, joint] = multiply(rotations[:, joint], share)
+    joints = skeleton.rows(*TRUNK)
+    rotations[:, joints] = multiply(rotations[:, joints], from_axis_angle(_UPWARDS, trunk / len(TRUNK))[:, None])
     carrying = chest(skeleton, rotations, body.hips_m)
     neck, skull = _shared_out(carrying, head)
     aside = (1 - schedule.stillness) * fixation_offsets(times_s, seed=seed)
     at_m = point_in_direction(line[:, 0] + aside[:, 0], line[:, 1] + aside[:, 1], 1.0 / line[:, 2], from_m)
     rotations[:, skeleton.index["neck"]], rotations[:, skeleton.index["head"]] = neck, skull
-    looking = eye_rotations(face(skeleton, carrying, neck, skull), at_m)
-    for place, eye in enumerate(skeleton.chain(*EYES)):
-        rotations[:, eye] = looking[:, place]
-    return BodyMotion(times_s, rotations, body.hips_m)
+    rotations[:, skeleton.chain(*EYES)], seen_m = looking(face(skeleton, carrying, neck, skull), at_m)
+    return BodyMotion(times_s, rotations, body.hips_m), seen_m
 
 
 def _courses(times_s: FloatArray, aims: GazeTargets) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -75,19 +73,18 @@ def _courses(times_s: FloatArray, aims: GazeTargets) -> tuple[FloatArray, FloatA
     eyes_by, head_by, trunk_by = (np.diff(each, axis=0) for each in (aims.eyes, aims.head, aims.trunk))
     eyes_s = saccade_s(np.linalg.norm(eyes_by[:, :2], axis=-1))
     head_s = np.maximum(HEAD_S + HEAD_S_PER_RADIAN * np.linalg.norm(head_by, axis=-1), aims.within_s - HEAD_LAG_S)
-    trunk = aims.trunk[0] + superposed_movements(
-        times_s, aims.starts_s + TRUNK_LAG_S, TRUNK_SLOWNESS * head_s, trunk_by
-    )
-    return (
-        aims.eyes[0] + superposed_movements(times_s, aims.starts_s, eyes_s, eyes_by),
-        aims.head[0] + superposed_movements(times_s, aims.starts_s + HEAD_LAG_S, head_s, head_by),
-        trunk[:, 0],
-    )
+    starts_s = [aims.starts_s + lag_s for lag_s in (0.0, HEAD_LAG_S, TRUNK_LAG_S)]
+    by = np.zeros((3, len(eyes_s), 6))
+    by[0, :, :3], by[1, :, 3:5], by[2, :, 5:] = eyes_by, head_by, trunk_by
+    durations_s = np.concatenate([eyes_s, head_s, TRUNK_SLOWNESS * head_s])
+    course = superposed_movements(times_s, np.concatenate(starts_s), durations_s, by.reshape(-1, 6))
+    course += np.concatenate([aims.eyes[0], aims.head[0], aims.trunk[0]])
+    return course[:, :3], course[:, 3:5], course[:, 5]
 
 
 def _shared_out(carrying: Chest, head: FloatArray) -> tuple[FloatArray, FloatArray]:
     """The rotations (T, 4) of neck and head that give the head the pitch and yaw `head` (T, 2) in the world."""
-    in_world = from_pitch_yaw_roll(head[:, 0], head[:, 1], np.zeros(len(head)))
+    in_world = from_pitch_yaw(head[:, 0], head[:, 1])
     over_chest = within_neck_limits(multiply(inverse(carrying.orientation), in_world))
     neck = from_rotation_vector(NECK_SHARE * to_rotation_vector(over_chest))
     return neck, multiply(inverse(neck), over_chest)

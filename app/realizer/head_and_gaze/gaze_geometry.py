@@ -10,7 +10,7 @@ import numpy as np
 
 from ...model import FloatArray
 from ..body.skeleton import Skeleton
-from ..geometry.angles import from_pitch_yaw_roll, pitch_and_yaw, unit_vector
+from ..geometry.angles import from_pitch_yaw, pitch_and_yaw, unit_vector
 from ..geometry.rotations import inverse, multiply, rotate
 
 EYES = ("leftEye", "rightEye")
@@ -22,6 +22,9 @@ UPRIGHT_LIMIT = np.radians(25.0)
 FARTHEST_M = 20.0
 """The eyes are parallel for targets beyond this distance."""
 
+_LIMITS = np.array([UPRIGHT_LIMIT, SIDEWAYS_LIMIT])[:, None, None]
+_NEAR_ENOUGH = 0.4
+"""Within this share of `FARTHEST_M` along each axis a point is nearer than that, and no eye's line ends before it."""
 _PARALLEL = 1e-6
 _AHEAD = np.array([0.0, 0.0, 1.0])
 
@@ -62,10 +65,20 @@ def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArr
 
 def eye_rotations(where: Face, at_m: FloatArray) -> FloatArray:
     """The rotations (T, 2, 4) of the left and right eye towards the points `at_m` (T, 3), within their limits."""
-    pitch, yaw = pitch_and_yaw(rotate(inverse(where.orientation)[:, None], at_m[:, None] - where.eyes_m))
-    pitch = np.minimum(np.maximum(pitch, -UPRIGHT_LIMIT), UPRIGHT_LIMIT)
-    yaw = np.minimum(np.maximum(yaw, -SIDEWAYS_LIMIT), SIDEWAYS_LIMIT)
-    return from_pitch_yaw_roll(pitch, yaw, np.zeros_like(yaw))
+    return looking(where, at_m)[0]
+
+
+def looking(where: Face, at_m: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """`eye_rotations`, and the points (T, 3) at which the eyes look then: `at_m`, but where their limits keep them from
+    it, or where it is so far that they are parallel."""
+    asked = np.stack(pitch_and_yaw(rotate(inverse(where.orientation)[:, None], at_m[:, None] - where.eyes_m)))
+    within = np.minimum(np.maximum(asked, -_LIMITS), _LIMITS)
+    eyes, seen_m = from_pitch_yaw(*within), at_m
+    missed = (np.abs(asked) >= _LIMITS).any(axis=(0, 2)) | (np.abs(at_m).max(axis=1) > _NEAR_ENOUGH * FARTHEST_M)
+    if missed.any():
+        seen_m = at_m.copy()
+        seen_m[missed] = fixation_point_m(Face(where.orientation[missed], where.eyes_m[missed]), eyes[missed])
+    return eyes, seen_m
 
 
 def fixation_point_m(where: Face, eyes: FloatArray) -> FloatArray:

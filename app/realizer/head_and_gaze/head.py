@@ -37,17 +37,18 @@ _CALMED = 0.75
 """The share of idle movement that is suppressed in the middle of a movement."""
 
 
-def apply_head_movements(skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int) -> BodyMotion:
-    """The body with the schedule's head movements on neck and head, and idle movement of trunk, neck and head."""
+def apply_head_movements(
+    skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int, seen_m: FloatArray | None = None
+) -> BodyMotion:
+    """The body with the schedule's head movements on neck and head, and idle movement of trunk, neck and head.
+    `seen_m` (T, 3) is where the eyes look, which saves finding it out."""
     times_s, rotations, frame_s = body.times_s, body.rotations.copy(), float(body.times_s[1] - body.times_s[0])
-    joints, eyes = skeleton.chain("neck", "head"), skeleton.chain(*EYES)
+    joints, eyes, trunk = skeleton.chain("neck", "head"), skeleton.chain(*EYES), skeleton.rows(*TRUNK)
+    seen_m = _seen_m(skeleton, body) if seen_m is None else seen_m
     neck, skull = (rotations[:, joint] for joint in joints)
-    before = face(skeleton, chest(skeleton, rotations, body.hips_m), neck, skull)
-    seen_m = fixation_point_m(before, rotations.take(eyes, axis=1))
     idle = head_attitude(times_s, schedule, seed=seed)
     share = from_pitch_yaw_roll(*(idle.trunk.T / len(TRUNK)))
-    for joint in skeleton.chain(*TRUNK):
-        rotations[:, joint] = multiply(rotations[:, joint], share)
+    rotations[:, trunk] = multiply(rotations[:, trunk], share[:, None])
     neck_turn, head_turn = _turns(times_s, schedule, idle)
     neck, skull = multiply(neck, from_pitch_yaw_roll(*neck_turn.T)), multiply(skull, from_pitch_yaw_roll(*head_turn.T))
     over_chest = within_speed(within_neck_limits(multiply(neck, skull)), frame_s, FASTEST_RAD_S)
@@ -58,6 +59,13 @@ def apply_head_movements(skeleton: Skeleton, body: BodyMotion, schedule: Schedul
     for place, eye in enumerate(eyes):
         rotations[:, eye] = within_speed(looking[:, place], frame_s, FASTEST_EYE_RAD_S)
     return BodyMotion(times_s, rotations, body.hips_m)
+
+
+def _seen_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
+    """Where the eyes look (T, 3)."""
+    neck, skull = (body.rotations[:, joint] for joint in skeleton.chain("neck", "head"))
+    where = face(skeleton, chest(skeleton, body.rotations, body.hips_m), neck, skull)
+    return fixation_point_m(where, body.rotations.take(skeleton.chain(*EYES), axis=1))
 
 
 def _turns(times_s: FloatArray, schedule: Schedule, idle: HeadAttitude) -> tuple[FloatArray, FloatArray]:

@@ -4,24 +4,26 @@ Only the breathing of the collarbones is kept from the idle arms.
 """
 
 from collections.abc import Iterator
+from functools import lru_cache
 
 import numpy as np
 
 from ...model import FloatArray, Hand
 from ..arms.arm_keys import arm_track
-from ..arms.arms import arm_motions
-from ..arms.posing import wrist_of
+from ..arms.arms import set_arms
+from ..arms.posing import wrists_of
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import inverse, length, multiply, normalized
-from ..geometry.smoothing import smoothed
+from ..geometry.smoothing import smooth
 from ..gestures.arm_joints import arm_joints
 from ..gestures.gesture_plan import GesturePlan
 from ..torso.accents import Accent, AccentCourse, accent_course
-from ..torso.trunk import with_trunk_following
+from ..torso.trunk import follow_with_trunk
 from .transitions import stroke_speed_m_s
 
+SIDES = (Hand.LEFT, Hand.RIGHT)
 _MUSCLE_S = 0.03
 LEAST_ACCENT, FULL_ACCENT_M_S = 0.35, 0.8
 """The trunk's part in the slowest strokes, and the mean speed of a stroke in which it takes its full part."""
@@ -38,16 +40,23 @@ def apply_gestures(
 ) -> BodyMotion:
     """The body with the plan's arm motion, and the trunk following it and its `accents`. Deterministic for a seed.
     `noise_scale` (0 to 1) scales the arms' noise."""
-    tracks = [arm_track(skeleton, side, plan) for side in (Hand.LEFT, Hand.RIGHT)]
-    both = _smooth(arm_motions(tracks, body.times_s, seed=seed, noise_scale=noise_scale), body.times_s)
-    arms = {track.side: both[:, number] for number, track in enumerate(tracks)}
-    wrists_m = [wrist_of(skeleton, side, arm) for side, arm in arms.items()]
-    followed = with_trunk_following(skeleton, body, wrists_m[0], wrists_m[1], accents)
-    for side, arm in arms.items():
-        joints = skeleton.rows(*arm_joints(side))
-        arm[:, 0] = multiply(arm[:, 0], _breath(body.rotations[:, joints.start]))
-        followed.rotations[:, joints] = arm
-    return followed
+    body = BodyMotion(body.times_s, body.rotations.copy(), body.hips_m.copy())
+    rows = [_arm_rows(skeleton, side) for side in SIDES]
+    collarbones = [joints.start for joints in rows]
+    breath = _breath(body.rotations.take(collarbones, axis=1))
+    arms = [body.rotations[:, joints] for joints in rows]
+    tracks = [arm_track(skeleton, side, plan) for side in SIDES]
+    set_arms(arms, tracks, body.times_s, seed=seed, noise_scale=noise_scale)
+    for arm in arms:
+        _smooth(arm, body.times_s)
+    follow_with_trunk(skeleton, body, wrists_of(skeleton, *arms), accents)
+    body.rotations[:, collarbones] = multiply(body.rotations.take(collarbones, axis=1), breath)
+    return body
+
+
+@lru_cache(maxsize=64)
+def _arm_rows(skeleton: Skeleton, side: Hand) -> slice:
+    return skeleton.rows(*arm_joints(side))
 
 
 def accents_of(plan: GesturePlan, times_s: FloatArray, life: StrokeLife, *, scale: float) -> AccentCourse:
@@ -66,17 +75,14 @@ def _accents(plan: GesturePlan) -> Iterator[Accent]:
             yield Accent(repeat.start_s, repeat.end_s, strength * repeat.amplitude, arm.side)
 
 
-def _smooth(rotations: FloatArray, times_s: FloatArray) -> FloatArray:
-    """Rotations (T, …, 4) without the steps in acceleration that splines have at their keys."""
-    if len(times_s) < 2:
-        return rotations
-    width = _MUSCLE_S / float(times_s[1] - times_s[0])
-    smooth = smoothed(rotations, width)
-    smooth /= length(smooth)
-    return smooth
+def _smooth(rotations: FloatArray, times_s: FloatArray) -> None:
+    """Take from rotations (T, …, 4), in place, the steps in acceleration that splines have at their keys."""
+    if len(times_s) > 1:
+        smooth(rotations, _MUSCLE_S / float(times_s[1] - times_s[0]))
+        rotations /= length(rotations)
 
 
-def _breath(collarbone: FloatArray) -> FloatArray:
-    """The deviation of an idle collarbone (T, 4) from its mean."""
-    mean = normalized(np.sum(collarbone * np.sign(collarbone[:, 3:]), axis=0))
-    return multiply(inverse(mean), collarbone)
+def _breath(collarbones: FloatArray) -> FloatArray:
+    """The deviation of idle collarbones (T, 2, 4) from their mean."""
+    mean = normalized(np.sum(collarbones * np.sign(collarbones[..., 3:]), axis=0))
+    return multiply(inverse(mean), collarbones)

@@ -46,9 +46,10 @@ def accent_course(times_s: FloatArray, accents: Sequence[Accent], life: StrokeLi
     starts_s = np.array([each.start_s - AHEAD_S for each in accents])
     reached_s = np.array([max(each.stroke_s, each.start_s - AHEAD_S + SHORTEST_S) for each in accents])
     recovery_s = np.full(len(accents), RECOVERY_S)
-    order = np.argsort(starts_s, kind="stable"), np.argsort(reached_s, kind="stable")
-    course = superposed_movements(times_s, starts_s[order[0]], (reached_s - starts_s)[order[0]], by[order[0]])
-    course = course + superposed_movements(times_s, reached_s[order[1]], recovery_s, -by[order[1]])
+    durations_s = np.concatenate([reached_s - starts_s, recovery_s])
+    course = superposed_movements(
+        times_s, np.concatenate([starts_s, reached_s]), durations_s, np.concatenate([by, -by])
+    )
     return AccentCourse(course[:, :3], course[:, 3], course[:, 4], course[:, 5])
 
 

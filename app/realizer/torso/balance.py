@@ -13,6 +13,7 @@ import numpy as np
 from ...model import FloatArray
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.rotations import from_axis_angle, inverse, length, multiply, rotate
+from ..geometry.trigonometry import sine_and_cosine
 
 _LEG = ("UpperLeg", "LowerLeg", "Foot")
 LEG_JOINTS = tuple(side + part for side in SIDES for part in _LEG)
@@ -50,19 +51,22 @@ def standing(skeleton: Skeleton) -> Feet:
 
 
 def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, feet: Feet | None = None) -> FloatArray:
-    """The height (T,) of hips at the horizontal position `hips_m` (T, 3) with orientations `turned` (T, 4): as high as
-    the weight-bearing leg reaches. The feet are those of `standing` unless given."""
+    """The height (…, T) of hips at the horizontal position `hips_m` (…, T, 3) with orientations `turned` (T, 4): as
+    high as the weight-bearing leg reaches. The feet are those of `standing` unless given."""
     feet = feet or standing(skeleton)
     ankles_m = np.array([foot.ankle_m for foot in feet])[:, None]
     hip_joints_m = rotate(turned, _hip_joints_m(skeleton))
-    across_m = ankles_m - hips_m - hip_joints_m
-    rise_m = np.sqrt((STRETCHED * sum(_lengths_m(skeleton))) ** 2 - across_m[..., 0] ** 2 - across_m[..., 2] ** 2)
-    left_m, right_m = ankles_m[..., 1] + rise_m - hip_joints_m[..., 1]
+    reach_m = ankles_m - hip_joints_m
+    away_m, aside_m = (reach_m[..., axis] - hips_m[..., None, :, axis] for axis in (0, 2))
+    rise_m = np.sqrt((STRETCHED * sum(_lengths_m(skeleton))) ** 2 - away_m * away_m - aside_m * aside_m)
+    rise_m += reach_m[..., 1]
+    left_m, right_m = rise_m[..., 0, :], rise_m[..., 1, :]
     return np.asarray(-_SOFTNESS_M * np.logaddexp(-left_m / _SOFTNESS_M, -right_m / _SOFTNESS_M))
 
 
 def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet | None = None) -> FloatArray:
-    """The rotations (T, 6, 4) of `LEG_JOINTS` that keep the feet in place for any movement of the hips.
+    """The rotations (2, 3, T, 4) of `LEG_JOINTS`, side by side, that keep the feet in place for any movement of the
+    hips.
 
     Feet beyond the legs' reach leave their places; at heights up to `hips_height_m` this does not happen.
     """
@@ -72,15 +76,13 @@ def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet 
     way_m = rotate(inverse(flat), ankles_m - hips_m - rotate(turned, _hip_joints_m(skeleton)))
     thigh, knee = _leg(skeleton, way_m)
     thigh = multiply(flat, thigh)
-    found = (multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat))
-    return np.stack([part[side] for side in range(len(SIDES)) for part in found], axis=1)
+    return np.stack((multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat)), axis=1)
 
 
 def set_legs(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> None:
     """Turn the legs of a body with these local rotations (T, J, 4), so that its feet stay in place."""
-    found = legs(skeleton, rotations[:, 0], hips_m)
-    for number, side in enumerate(SIDES):
-        rotations[:, skeleton.rows(*(side + part for part in _LEG))] = found[:, 3 * number : 3 * number + 3]
+    for side, leg in zip(SIDES, legs(skeleton, rotations[:, 0], hips_m), strict=True):
+        rotations[:, skeleton.rows(*(side + part for part in _LEG))] = leg.swapaxes(0, 1)
 
 
 def _leg(skeleton: Skeleton, way_m: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -93,8 +95,9 @@ def _leg(skeleton: Skeleton, way_m: FloatArray) -> tuple[FloatArray, FloatArray]
     cosine = (distance_m**2 - upper_m**2 - lower_m**2) / (2 * upper_m * lower_m)
     straight = np.arctan2(shin[2], -shin[1]) - np.arctan2(foot[2], -foot[1])
     bend = np.arccos(np.clip(cosine, -1.0, 1.0)) - straight
-    sine, cosine = np.sin(bend), np.cos(bend)
-    bent_y, bent_z = shin[1] + foot[1] * cosine - foot[2] * sine, shin[2] + foot[1] * sine + foot[2] * cosine
+    bend_sine, bend_cosine = sine_and_cosine(bend)
+    bent_y = shin[1] + foot[1] * bend_cosine - foot[2] * bend_sine
+    bent_z = shin[2] + foot[1] * bend_sine + foot[2] * bend_cosine
     swing = np.arctan2(away_m, -np.hypot(aside_m, up_m)) - np.arctan2(bent_z, bent_y)
     spread = np.arctan2(aside_m, -up_m)
     return _swung(swing, spread), from_axis_angle((1.0, 0.0, 0.0), bend)
@@ -102,7 +105,7 @@ def _leg(skeleton: Skeleton, way_m: FloatArray) -> tuple[FloatArray, FloatArray]
 
 def _swung(swing: FloatArray, spread: FloatArray) -> FloatArray:
     """The rotations (…, 4) about x by `swing`, then about z by `spread`."""
-    sx, cx, sz, cz = np.sin(swing / 2), np.cos(swing / 2), np.sin(spread / 2), np.cos(spread / 2)
+    (sx, cx), (sz, cz) = sine_and_cosine(swing / 2), sine_and_cosine(spread / 2)
     return np.stack([cz * sx, sz * sx, sz * cx, cz * cx], axis=-1)
 
 

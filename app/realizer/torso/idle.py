@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from ..body.motion import BodyMotion
 from ..body.movement_style import PLAIN, IdleLife
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.angles import from_pitch_yaw_roll
-from ..geometry.noise import perlin
+from ..geometry.noise import Noise, perlins
 from ..geometry.rotations import IDENTITY, multiply
 from ..gestures.arm_joints import arm_joints
 from .balance import hips_height_m, set_legs
@@ -43,10 +44,8 @@ _LEAN: Mapping[str, float] = MappingProxyType({"hips": 0.4, "spine": 0.3, "chest
 _UPRIGHT: Mapping[str, float] = MappingProxyType({"hips": 1.0, "spine": -0.7, "chest": -0.5})
 """The joints' compensation of a tilted pelvis, which keeps the trunk upright."""
 
-_BREATH: Mapping[str, Degrees] = MappingProxyType(
-    {"spine": (0.4, 0.0, 0.0), "chest": (-1.4, 0.0, 0.0), "upperChest": (-0.7, 0.0, 0.0)}
-)
-"""Rotations with full lungs."""
+_BREATH_DEGREES: Mapping[str, float] = MappingProxyType({"spine": 0.4, "chest": -1.4, "upperChest": -0.7})
+"""The joints' pitch with full lungs."""
 
 _SLUMP: Mapping[str, float] = MappingProxyType({"hips": 0.0, "spine": 0.0, "chest": 0.45, "upperChest": 0.55})
 """The joints' shares of a rounded upper back."""
@@ -59,10 +58,14 @@ _LOWERED = 0.6
 """How far the bobbing hips are lowered on average, as a share of the bob: they never rise beyond the legs' reach."""
 
 _TRUNK = ("hips", "spine", "chest", "upperChest")
+_SWAYS = 14
+"""Three angles of each joint of the trunk, and the hips aside and forward."""
 _STIRRED: Mapping[str, Degrees] = MappingProxyType(
     {"Shoulder": (0.0, 1.0, -1.0), "UpperArm": (1.0, 1.0, -1.0), "LowerArm": (2.0, 0.0, 0.0)}
 )
 """Noise of the arm joints, about the axes in which they can rotate: the forearm twists."""
+_ON_THE_RIGHT: FloatArray = np.array([1.0, -1.0, -1.0])
+"""The signs of pitch, yaw and roll there."""
 
 
 def idle_motion(
@@ -79,21 +82,17 @@ def idle_motion(
     again. Deterministic for a seed."""
     generator = np.random.default_rng(seed)
     held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
-    wandering = life.weight * perlin(times_s, frequency_hz=life.weight_hz, seed=seed + 2)[:, 0]
-    held = replace(held, weight=held.weight + (1 - schedule.stillness) * wandering)
+    noise = _noise(times_s, life, seed)
+    held = replace(held, weight=held.weight + (1 - schedule.stillness) * life.weight * noise.weight)
     cycle_s, lively = QUIET_CYCLE_S / IDLE_ACTIVITY[schedule.agitation], idle_activity(schedule)
     breath = lung_volume(times_s, schedule.phrases, generator, cycle_s=cycle_s)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
-    sway = lively * perlin(times_s, frequency_hz=life.sway_hz, seed=seed, channels=14, in_step=False)
-    bent_m = life.bob_m * lively * (_LOWERED + perlin(times_s, frequency_hz=life.bob_hz, seed=seed + 3)[:, 0])
+    sway = lively * noise.sway
+    bent_m = life.bob_m * lively * (_LOWERED + noise.bob)
     bends = np.radians(life.bend_deg) * sway[:, :12].reshape(-1, len(_TRUNK), 3)
-    slump = 0.5 + 2 * lively * perlin(times_s, frequency_hz=life.slump_hz, seed=seed + 5)[:, 0]
-    bends[:, :, 0] += np.radians(life.slump_deg) * slump[:, None] * list(_SLUMP.values())
+    bends[:, :, 0] += np.radians(life.slump_deg) * (0.5 + 2 * lively * noise.slump)[:, None] * list(_SLUMP.values())
     _hold_trunk(skeleton, rotations, held, breath, bends)
-    stirring = lively * perlin(
-        times_s, frequency_hz=_STIRRING_HZ, seed=seed + 1, channels=2 * len(_STIRRED), in_step=False
-    )
-    _stir_arms(skeleton, rotations, np.radians(life.breath_deg) * breath, stirring)
+    _stir_arms(skeleton, rotations, np.radians(life.breath_deg) * breath, lively * noise.stirring)
     hips_m = np.zeros((len(times_s), 3))
     hips_m[:, 0] = _HIPS_OVER_LEG_M * held.weight + life.sway_m * sway[:, 12]
     hips_m[:, 2] = -_HIPS_BACK_M * held.forward + life.sway_m * sway[:, 13]
@@ -103,17 +102,48 @@ def idle_motion(
     return BodyMotion(times_s, rotations, hips_m)
 
 
+class _IdleNoise(NamedTuple):
+    """What moves a standing body: its weight (T,), sway (T, 14), bob (T,), slump (T,), and its arms (T, 6)."""
+
+    weight: FloatArray
+    sway: FloatArray
+    bob: FloatArray
+    slump: FloatArray
+    stirring: FloatArray
+
+
+def _noise(times_s: FloatArray, life: IdleLife, seed: int) -> _IdleNoise:
+    noise = perlins(
+        times_s,
+        Noise(life.weight_hz, seed + 2),
+        Noise(life.bob_hz, seed + 3),
+        Noise(life.slump_hz, seed + 5),
+        Noise(life.sway_hz, seed, _SWAYS, in_step=False),
+        Noise(_STIRRING_HZ, seed + 1, 2 * len(_STIRRED), in_step=False),
+    )
+    weight, bob, slump = noise[:, :3].T
+    return _IdleNoise(weight, noise[:, 3 : 3 + _SWAYS], bob, slump, noise[:, 3 + _SWAYS :])
+
+
 def _hold_trunk(
     skeleton: Skeleton, rotations: FloatArray, held: TrunkPosture, breath: FloatArray, bends: FloatArray
 ) -> None:
     """Set lean, weight shift, breath and further `bends` (T, 4, 3) of the joints from the hips up."""
-    angles = bends
-    for number, joint in enumerate(_TRUNK):
-        angles[:, number] += np.radians(_BREATH.get(joint, (0.0, 0.0, 0.0))) * breath[:, None]
-        angles[:, number, 0] += _LEAN.get(joint, 0.0) * held.forward
-        angles[:, number, 2] += _UPRIGHT.get(joint, 0.0) * np.radians(_PELVIS_DEGREES) * held.weight
-        angles[:, number, 2] -= _LEAN.get(joint, 0.0) * held.left
-    rotations[:, skeleton.rows(*_TRUNK)] = from_pitch_yaw_roll(*np.moveaxis(angles, -1, 0))
+    pitch, yaw, roll = np.moveaxis(bends, -1, 0)
+    breathing, lean, upright = _shares()
+    pitch = pitch + breath[:, None] * breathing + held.forward[:, None] * lean
+    roll = roll + held.weight[:, None] * upright - held.left[:, None] * lean
+    rotations[:, skeleton.rows(*_TRUNK)] = from_pitch_yaw_roll(pitch, yaw, roll)
+
+
+@cache
+def _shares() -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Of the joints from the hips up (4,): pitch with full lungs, shares of a lean, and roll with all weight on the
+    left leg. Never mutated."""
+    breathing = np.radians([_BREATH_DEGREES.get(joint, 0.0) for joint in _TRUNK])
+    lean = np.array([_LEAN.get(joint, 0.0) for joint in _TRUNK])
+    upright = np.radians(_PELVIS_DEGREES) * np.array([_UPRIGHT.get(joint, 0.0) for joint in _TRUNK])
+    return breathing, lean, upright
 
 
 @cache
@@ -128,13 +158,17 @@ def _hanging(skeleton: Skeleton) -> FloatArray:
 
 def _stir_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, stirring: FloatArray) -> None:
     """Raise the collarbones by the breath, in radians, and add noise (T, 2 × stirred) to the arm joints."""
-    for side, noise in zip(SIDES, np.split(stirring, 2, axis=1), strict=True):
-        stirs = np.radians(_STIRRING_DEGREES) * noise[:, :, None] * (_mirrored(side) * list(_STIRRED.values()))
-        stirs[:, 0, 2] += _mirrored(side)[2] * breath
+    stirs = np.radians(_STIRRING_DEGREES) * stirring.reshape(len(breath), len(SIDES), -1)
+    pitch, yaw, roll = (stirs * amplitudes for amplitudes in _stirs())
+    roll[:, :, 0] += breath[:, None] * [1.0, _ON_THE_RIGHT[2]]
+    turned = from_pitch_yaw_roll(pitch, yaw, roll)
+    for number, side in enumerate(SIDES):
         stirred = skeleton.rows(*(side + name for name in _STIRRED))
-        rotations[:, stirred] = multiply(rotations[0, stirred], from_pitch_yaw_roll(*np.moveaxis(stirs, -1, 0)))
+        rotations[:, stirred] = multiply(rotations[0, stirred], turned[:, number])
 
 
-def _mirrored(side: str) -> FloatArray:
-    """The signs of pitch, yaw and roll on that side."""
-    return np.array([1.0, 1.0, 1.0] if side == "left" else [1.0, -1.0, -1.0])
+@cache
+def _stirs() -> FloatArray:
+    """Pitch, yaw and roll (3, 2, stirred) of either side's arm joints. Never mutated."""
+    left = np.array(list(_STIRRED.values())).T
+    return np.stack((left, left * _ON_THE_RIGHT[:, None]), axis=1)

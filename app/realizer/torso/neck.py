@@ -13,7 +13,7 @@ from ..body.motion import BodyMotion
 from ..body.movement_style import IdleLife
 from ..body.skeleton import Skeleton
 from ..geometry.noise import perlin
-from ..geometry.rotations import from_rotation_vector, inverse, multiply
+from ..geometry.rotations import from_axis_angle, inverse, multiply
 from .idle_activity import idle_activity
 
 _NECK_HZ = 0.4
@@ -28,6 +28,6 @@ def with_neck_reaching(
     neck, head = skeleton.chain("neck", "head")
     rotations = body.rotations.copy()
     before = body.rotations[:, neck]
-    rotations[:, neck] = multiply(from_rotation_vector(forward[:, None] * np.array([1.0, 0.0, 0.0])), before)
+    rotations[:, neck] = multiply(from_axis_angle((1.0, 0.0, 0.0), forward), before)
     rotations[:, head] = multiply(inverse(rotations[:, neck]), multiply(before, body.rotations[:, head]))
     return replace(body, rotations=rotations)

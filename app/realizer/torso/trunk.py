@@ -8,7 +8,6 @@ Conventions: radians, metres; wrists in the hips' space of the upright body (x t
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
@@ -42,26 +41,26 @@ _WEIGHT_SMOOTHING_S = 0.40
 _AHEAD_S = 0.08
 
 
-def with_trunk_following(
-    skeleton: Skeleton, body: BodyMotion, left_m: FloatArray, right_m: FloatArray, accents: AccentCourse | None = None
-) -> BodyMotion:
-    """The body with its trunk following the wrists (T, 3), and what strokes add to it; the feet stay in place."""
-    left, right = left_m - _AT_EASE_M, right_m - _AT_EASE_M
+def follow_with_trunk(
+    skeleton: Skeleton, body: BodyMotion, wrists_m: FloatArray, accents: AccentCourse | None = None
+) -> None:
+    """Turn the trunk of this body, in place, after the left and the right wrist (2, T, 3), and add what strokes do to
+    it; the feet stay in place."""
+    left, right = wrists_m - _AT_EASE_M
     turns = _followed(body.times_s, _turns(left, right), _SMOOTHING_S)
     turns = turns if accents is None else turns + accents.turns
-    rotations = body.rotations.copy()
-    for joint, share in SHARES.items():
-        index = skeleton.index[joint]
-        rotations[:, index] = multiply(rotations[:, index], from_rotation_vector(share * turns))
+    rotations, hips_m, joints = body.rotations, body.hips_m, skeleton.rows(*SHARES)
+    shared = turns[:, None] * np.array(list(SHARES.values()))[:, None]
+    rotations[:, joints] = multiply(rotations[:, joints], from_rotation_vector(shared))
+    moved_m = hips_m[None].repeat(2, axis=0)
     aside_m = _followed(body.times_s, WEIGHT_M_M * (left[:, :1] - right[:, :1]), _WEIGHT_SMOOTHING_S)
-    hips_m = body.hips_m + aside_m * [1.0, 0.0, 0.0]
-    bent_m = hips_height_m(skeleton, body.hips_m, rotations[:, 0]) - body.hips_m[:, 1]
+    moved_m[1, :, 0] += aside_m[:, 0] if accents is None else aside_m[:, 0] + accents.aside_m
+    before_m, after_m = hips_height_m(skeleton, moved_m, rotations[:, 0])
+    hips_m[:, 0] = moved_m[1, :, 0]
+    hips_m[:, 1] += after_m - before_m
     if accents is not None:
-        hips_m[:, 0] += accents.aside_m
-        bent_m = bent_m + accents.dip_m
-    hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0]) - bent_m
+        hips_m[:, 1] -= accents.dip_m
     set_legs(skeleton, rotations, hips_m)
-    return replace(body, rotations=rotations, hips_m=hips_m)
 
 
 def _turns(left: FloatArray, right: FloatArray) -> FloatArray:

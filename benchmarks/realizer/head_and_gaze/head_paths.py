@@ -68,7 +68,7 @@ def ours_m(lines: int, seed: int, *, gestures: bool) -> FloatArray:
     if gestures:
         library = Library.load(resource_folder("lexicon") / "gestures")
         body = apply_gestures(skeleton, body, plan_gestures(library, schedule, seed=seed), seed=seed)
-    body = apply_head_movements(skeleton, apply_gaze(skeleton, body, schedule, seed=seed), schedule, seed=seed)
+    body = apply_head_movements(skeleton, apply_gaze(skeleton, body, schedule, seed=seed)[0], schedule, seed=seed)
     places_m, _turned = forward(skeleton, body.rotations, body.hips_m)
     return np.asarray(places_m[:, skeleton.chain("leftEye", "rightEye")].mean(axis=1))
 

@@ -2,7 +2,13 @@
 
 import numpy as np
 
-from understudy.realizer.geometry.angles import from_pitch_yaw_roll, pitch_and_yaw, to_pitch_yaw_roll, unit_vector
+from understudy.realizer.geometry.angles import (
+    from_pitch_yaw,
+    from_pitch_yaw_roll,
+    pitch_and_yaw,
+    to_pitch_yaw_roll,
+    unit_vector,
+)
 from understudy.realizer.geometry.rotations import from_axis_angle, multiply, rotate
 
 GENERATOR = np.random.default_rng(5)
@@ -16,6 +22,10 @@ def test_a_turn_is_roll_then_pitch_then_yaw() -> None:
         from_axis_angle(axis, angle) for axis, angle in (((0, 1, 0), YAW), ((1, 0, 0), PITCH), ((0, 0, 1), ROLL))
     )
     assert np.allclose(from_pitch_yaw_roll(PITCH, YAW, ROLL), multiply(about_y, multiply(about_x, about_z)))
+
+
+def test_a_turn_without_roll_is_the_same() -> None:
+    assert np.allclose(from_pitch_yaw(PITCH, YAW), from_pitch_yaw_roll(PITCH, YAW, np.zeros(100)), atol=1e-15)
 
 
 def test_positive_angles_look_down_and_left_and_lower_the_right_side() -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from understudy.realizer.geometry.noise import perlin
+from understudy.realizer.geometry.noise import Noise, perlin, perlins
 
 TIMES_S = np.arange(-600, 6000) / 600
 
@@ -47,3 +47,12 @@ def test_seeds_and_channels_differ() -> None:
 
 def test_no_moments_have_no_noise() -> None:
     assert perlin(np.zeros(0), frequency_hz=1.0, seed=0, channels=4).shape == (0, 4)
+
+
+def test_kinds_of_noise_together_are_those_of_each_alone() -> None:
+    kinds = Noise(0.05, 3), Noise(2.3, 4, 6, in_step=False), Noise(0.7, -1, 2)
+    alone = [
+        perlin(TIMES_S, frequency_hz=kind.frequency_hz, seed=kind.seed, channels=kind.channels, in_step=kind.in_step)
+        for kind in kinds
+    ]
+    assert np.abs(perlins(TIMES_S, *kinds) - np.concatenate(alone, axis=1)).max() < 1e-12

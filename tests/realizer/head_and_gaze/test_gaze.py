@@ -25,7 +25,7 @@ def look(lexeme: str, *times_s: float, **changes: object) -> Behavior:
 
 
 def gazing(planned: Schedule, targets_m: dict[str, Position] | None = None) -> BodyMotion:
-    return apply_gaze(BODY, idle_motion(BODY, TIMES_S, planned, seed=2), planned, targets_m=targets_m or {})
+    return apply_gaze(BODY, idle_motion(BODY, TIMES_S, planned, seed=2), planned, targets_m=targets_m or {})[0]
 
 
 def missed(body: BodyMotion, at_m: Position = LISTENER_M) -> FloatArray:
@@ -124,9 +124,11 @@ def test_the_gaze_takes_the_place_of_what_the_head_did_before_and_leaves_the_bod
     rotations = calm.rotations.copy()
     rotations[:, BODY.chain("neck", "head")] = rotations[:, BODY.index["leftUpperArm"], None]
     shaken = BodyMotion(TIMES_S, rotations, calm.hips_m)
-    assert np.allclose(apply_gaze(BODY, shaken, schedule()).rotations, apply_gaze(BODY, calm, schedule()).rotations)
+    assert np.allclose(
+        apply_gaze(BODY, shaken, schedule())[0].rotations, apply_gaze(BODY, calm, schedule())[0].rotations
+    )
     others = [joint for joint in range(len(BODY.names)) if joint not in BODY.chain("neck", "head", *EYES)]
-    assert np.allclose(apply_gaze(BODY, calm, schedule()).rotations[:, others], calm.rotations[:, others], atol=1e-9)
+    assert np.allclose(apply_gaze(BODY, calm, schedule())[0].rotations[:, others], calm.rotations[:, others], atol=1e-9)
 
 
 def test_a_line_that_opens_with_a_turn_begins_beside_the_listener_and_looks_at_him() -> None:

@@ -15,6 +15,7 @@ from understudy.realizer.head_and_gaze.gaze_geometry import (
     eye_rotations,
     face,
     fixation_point_m,
+    looking,
 )
 
 COUNT = 100
@@ -37,6 +38,16 @@ def test_eyes_go_no_farther_than_their_limits() -> None:
         eye_rotations(FACE, at_m),
         from_pitch_yaw_roll(*(np.full((COUNT, 2), x) for x in (-UPRIGHT_LIMIT, SIDEWAYS_LIMIT, 0))),
     )
+
+
+def test_it_is_known_where_eyes_look_even_if_they_do_not_reach_their_target() -> None:
+    """Straight ahead, beyond the limits of both angles and of one, behind, and so far that the eyes are parallel."""
+    towards = [[0.1, 1.5, 1.2], [5.0, 5.0, 0.5], [0.5, 0.4, 0.5], [0.2, 1.6, -1.0], [3.0, 1.0, 40.0]]
+    at_m = np.repeat(towards, COUNT // len(towards), axis=0)
+    eyes, seen_m = looking(FACE, at_m)
+    assert np.array_equal(eyes, eye_rotations(FACE, at_m))
+    assert np.allclose(seen_m, fixation_point_m(FACE, eyes), atol=1e-6)
+    assert np.array_equal(seen_m[:20], at_m[:20])
 
 
 def test_eyes_that_look_straight_ahead_see_something_far_away() -> None:

@@ -17,7 +17,7 @@ from understudy.realizer.head_and_gaze.head_movements import MOVEMENTS
 from understudy.realizer.torso.idle import idle_motion
 
 FRAME_S = 1 / 60
-CALM = apply_gaze(BODY, idle_motion(BODY, TIMES_S, schedule(), seed=2), schedule())
+CALM = apply_gaze(BODY, idle_motion(BODY, TIMES_S, schedule(), seed=2), schedule())[0]
 
 
 def movement(lexeme: str, *times_s: float, **changes: object) -> Behavior:
@@ -98,7 +98,7 @@ def test_a_nod_and_a_look_aside_are_both_seen() -> None:
     aside = behavior(Channel.GAZE, "LOOK", 0.5, 0.75, 3.0, 3.25, direction="LEFT", amount=0.5)
     nod = replace(NOD, sync=NOD.sync.shifted(0.5))
     planned = schedule(aside, nod)
-    turned = apply_head_movements(BODY, apply_gaze(BODY, CALM, planned), planned, seed=3)
+    turned = apply_head_movements(BODY, apply_gaze(BODY, CALM, planned)[0], planned, seed=3)
     pitch, yaw, _roll = np.degrees(to_pitch_yaw_roll(faced(turned).orientation))
     at_stroke = np.searchsorted(TIMES_S, 1.85)
     assert pitch[at_stroke] > 15
@@ -108,7 +108,7 @@ def test_a_nod_and_a_look_aside_are_both_seen() -> None:
 def test_the_neck_keeps_its_limits_however_much_is_added_up() -> None:
     aside = behavior(Channel.GAZE, "LOOK", 0.2, 0.5, 3.0, 3.3, direction="DOWN", amount=1.0)
     planned = schedule(aside, NOD, movement("LOWER", 1.0, 1.2, 1.2, 1.5, 1.7, 2.5, 2.8, amount=1.0))
-    body = apply_head_movements(BODY, apply_gaze(BODY, CALM, planned), planned, seed=3)
+    body = apply_head_movements(BODY, apply_gaze(BODY, CALM, planned)[0], planned, seed=3)
     assert violations(BODY, body.rotations).max() == 0
     assert angle_between(body.rotations[1:], body.rotations[:-1]).max() * 60 < 20
 
@@ -175,7 +175,7 @@ def test_the_head_keeps_its_greatest_speed_whatever_is_asked_for_at_once() -> No
         for lexeme in lexemes
     ]
     planned = schedule(*asked, behavior(Channel.GAZE, "LOOK", 1.0, 1.0, 1.2, 1.2, direction="LEFT", amount=1.0))
-    body = apply_head_movements(BODY, apply_gaze(BODY, CALM, planned), planned, seed=3)
+    body = apply_head_movements(BODY, apply_gaze(BODY, CALM, planned)[0], planned, seed=3)
     turned = faced(body).orientation
     assert np.degrees(angle_between(turned[1:], turned[:-1]).max() * 60) < 250
     eyes = BODY.chain(*EYES)

@@ -6,7 +6,7 @@ import pytest
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.angles import from_pitch_yaw_roll
 from understudy.realizer.geometry.rotations import IDENTITY, to_rotation_vector
-from understudy.realizer.torso.balance import LEG_JOINTS, hips_height_m, legs, standing
+from understudy.realizer.torso.balance import hips_height_m, set_legs, standing
 
 BODY = Skeleton.standing()
 COUNT = 200
@@ -19,7 +19,7 @@ def test_feet_stay_flat_and_in_place_under_hips_that_move_and_turn() -> None:
     hips_m = np.zeros((COUNT, 3))
     hips_m[:, [0, 2]] = generator.uniform(-0.06, 0.06, (COUNT, 2))
     hips_m[:, 1] = hips_height_m(BODY, hips_m, rotations[:, 0])
-    rotations[:, BODY.chain(*LEG_JOINTS)] = legs(BODY, rotations[:, 0], hips_m)
+    set_legs(BODY, rotations, hips_m)
     places_m, turned = forward(BODY, rotations, hips_m)
     for side, foot in zip(("left", "right"), standing(BODY), strict=True):
         sole = BODY.index[f"{side}Foot"]
@@ -35,7 +35,7 @@ def test_the_leg_under_the_hips_is_the_straighter_one_and_never_locked(across_m:
     rotations = np.tile(IDENTITY, (1, len(BODY.names), 1))
     rotations[:, 0] = from_pitch_yaw_roll(*np.radians([[0.0], [0.0], [np.sign(across_m) * 4.0]]))
     hips_m[:, 1] = hips_height_m(BODY, hips_m, rotations[:, 0])
-    rotations[:, BODY.chain(*LEG_JOINTS)] = legs(BODY, rotations[:, 0], hips_m)
+    set_legs(BODY, rotations, hips_m)
     bent = {
         side: np.degrees(to_rotation_vector(rotations[0, BODY.index[f"{side}LowerLeg"]])[0])
         for side in ("left", "right")

@@ -7,7 +7,7 @@ from understudy.model import FloatArray, Schedule
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.torso.idle import idle_motion
-from understudy.realizer.torso.trunk import with_trunk_following
+from understudy.realizer.torso.trunk import follow_with_trunk
 
 SKELETON = Skeleton.standing()
 TIMES_S: FloatArray = np.arange(241) / 60
@@ -15,7 +15,9 @@ AT_EASE_M: FloatArray = np.tile([0.15, 0.05, 0.20], (241, 1))
 
 
 def moved(left_m: FloatArray, right_m: FloatArray) -> BodyMotion:
-    return with_trunk_following(SKELETON, _idle(), left_m, right_m)
+    body = _idle()
+    follow_with_trunk(SKELETON, body, np.stack((left_m, right_m)))
+    return body
 
 
 def _idle() -> BodyMotion:
