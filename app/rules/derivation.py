@@ -5,7 +5,7 @@ functions there are, and with what priority each begins, is in `functions/priori
 `functions/conflicts.yaml`. Priorities are numbers, the higher matters more.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -19,6 +19,7 @@ from .chaining.facts import utterance_facts
 from .conflicts import Conflicts, resolved
 from .given import GIVEN, GIVEN_RULE, given_facts
 from .lexicon import Lexicon
+from .passages import by_passage, passage_starts
 from .priorities import Priorities
 from .program.program import Program, load_program
 
@@ -110,13 +111,31 @@ def derive_facts(
 ) -> Derivation:
     """All that the rules derive from an utterance, functions being the facts `fcn`; `from_outside` are functions known
     already, with their priorities."""
-    facts = (
-        *utterance_facts(utterance),
-        *_lexical_facts(rules.lexicon, utterance),
-        *rules.tables,
-        *from_outside,
+    known = utterance_facts(utterance)
+    given = (*known, *_lexical_facts(rules.lexicon, utterance), *rules.tables, *from_outside)
+    parts = [
+        derive(rules.program, facts, annotations=from_outside) for facts in by_passage(passage_starts(known), given)
+    ]
+    return parts[0] if len(parts) == 1 else _together(parts)
+
+
+def _together(parts: Sequence[Derivation]) -> Derivation:
+    """What was derived from each passage; what all of them know is there once."""
+    return Derivation(
+        facts=tuple(dict.fromkeys(fact for part in parts for fact in part.facts)),
+        choices=tuple(choice for part in parts for choice in part.choices),
+        annotations=MappingProxyType(_merged([part.annotations for part in parts])),
+        reasons=MappingProxyType(_merged([part.reasons for part in parts])),
     )
-    return derive(rules.program, facts, annotations=from_outside)
+
+
+def _merged(parts: Iterable[Mapping[Fact, Loaded]]) -> dict[Fact, Loaded]:
+    """Every fact with what the first part says of it."""
+    merged: dict[Fact, Loaded] = {}
+    for part in parts:
+        for fact, value in part.items():
+            merged.setdefault(fact, value)
+    return merged
 
 
 def _lexical_facts(lexicon: Lexicon, utterance: Utterance) -> Iterator[Fact]:

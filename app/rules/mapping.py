@@ -17,6 +17,7 @@ from ..errors import AuthoringError, Mistake
 from ..model import Alternative, BehaviorCandidates, Function, Level, Movement, Utterance
 from .chaining.chainer import Call, Choice, Fact, derive
 from .chaining.facts import utterance_facts
+from .passages import by_passage, passage_starts
 from .program.program import Program, load_program
 
 
@@ -77,16 +78,17 @@ class _Offer:
     calls: tuple[Call, ...]
 
 
-def _pools(rules: MappingRules, known: Iterable[Fact], kept: Mapping[Fact, Function]) -> dict[Fact, list[_Offer]]:
+def _pools(rules: MappingRules, known: Sequence[Fact], kept: Mapping[Fact, Function]) -> dict[Fact, list[_Offer]]:
     """The offers for each function; a rule that joins several functions shows the first it names."""
     given = [fact for fact in known if fact.predicate in rules.asked and fact.predicate != "fcn"]
     if not any(fact.predicate == "agitation" for fact in given):
         given.append(Fact("agitation", (Level.MEDIUM.value,)))
     priorities = {fact: function.priority for fact, function in kept.items()}
     pools: defaultdict[Fact, list[_Offer]] = defaultdict(list)
-    for choice in derive(rules.program, [*given, *kept], annotations=priorities).choices:
-        function = next(fact for fact in choice.supports if fact in kept)
-        pools[function] += [_Offer(choice, each.weight, each.calls) for each in choice.alternatives]
+    for part in by_passage(passage_starts(known), [*given, *kept]):
+        for choice in derive(rules.program, part, annotations=priorities).choices:
+            function = next(fact for fact in choice.supports if fact in kept)
+            pools[function] += [_Offer(choice, each.weight, each.calls) for each in choice.alternatives]
     return pools
 
 

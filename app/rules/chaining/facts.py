@@ -6,10 +6,14 @@ their facts on the word's span. Nothing is derived here except sentences, which 
 """
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterator
 
-from ...model import Filler, Token, Utterance, Word
+from ...model import Token, Utterance, Word
 from .chainer import Fact
+
+LONGEST_SENTENCE = 150
+"""Words: what goes on for longer is cut there."""
 
 SHORTEST_PAUSE_S = 0.2
 """Shorter gaps between words are stop closures, not pauses."""
@@ -35,6 +39,7 @@ def utterance_facts(utterance: Utterance) -> tuple[Fact, ...]:
     facts = (
         *_word_facts(utterance.words),
         *_quotation_facts(utterance.words),
+        *_bracket_facts(utterance.words),
         *_token_facts(utterance.parse.tokens),
         *_phrase_facts(utterance),
         *_sentence_facts(utterance.words),
@@ -71,6 +76,18 @@ def _quotation_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
             start = None
     if start is not None:
         yield Fact("quotation", (start, len(words)))
+
+
+def _bracket_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
+    """What stands between a round bracket that opens and the one that closes it."""
+    opened: list[int] = []
+    for word in words:
+        leading, trailing = _around(word.text, normalized_word(word.text))
+        for mark in leading + trailing:
+            if mark == "(":
+                opened.append(word.index)
+            elif mark == ")" and opened:
+                yield Fact("bracketed", (opened.pop(), word.index + 1))
 
 
 def _stutter(text: str) -> str | None:
@@ -122,7 +139,8 @@ def _sentence_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
     start = 0
     for word in words:
         end = word.index + 1
-        if end == len(words) or _ends_sentence(word.text, words[end].text):
+        is_last = end == len(words) or end - start == LONGEST_SENTENCE
+        if is_last or _ends_sentence(word.text, words[end].text):
             yield Fact("sentence", (start, end))
             yield from (Fact("in_sentence", (position, start, end)) for position in range(start, end))
             start = end
@@ -154,13 +172,13 @@ def _heard_facts(utterance: Utterance) -> Iterator[Fact]:
         if before_s is not None and word.interval.start_s - before_s >= SHORTEST_PAUSE_S:
             yield Fact("pause", (round(word.interval.start_s - before_s, 3), word.index))
         before_s = word.interval.end_s
+    timed = [word for word in utterance.words if word.interval]
     for filler in utterance.fillers:
-        yield Fact("heard_filler", (filler.text, _boundary_of(filler, utterance.words)))
+        later = bisect_right(timed, filler.interval.start_s, key=_start_s)
+        yield Fact("heard_filler", (filler.text, timed[later].index if later < len(timed) else len(utterance.words)))
     if utterance.agitation is not None:
         yield Fact("agitation", (utterance.agitation.level.value,))
 
 
-def _boundary_of(filler: Filler, words: tuple[Word, ...]) -> int:
-    """The boundary before the first word that begins after the filler."""
-    later = (word.index for word in words if word.interval and word.interval.start_s > filler.interval.start_s)
-    return next(later, len(words))
+def _start_s(word: Word) -> float:
+    return word.interval.start_s if word.interval else 0.0

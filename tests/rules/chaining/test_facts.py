@@ -65,6 +65,11 @@ def test_sentences_end_at_their_marks_but_not_at_abbreviations() -> None:
     assert {(position, 6, 11) for position in range(6, 11)} <= arguments(spoken, "in_sentence")
 
 
+def test_brackets_are_closed_by_the_bracket_that_is_theirs() -> None:
+    spoken = Utterance(words_of("They (all (or most) of them) came) to (us"), utterance("", "").parse)
+    assert arguments(spoken, "bracketed") == {(1, 6), (2, 4)}
+
+
 def test_phrases_and_clauses_run_between_boundaries_and_the_first_of_each_kind_is_told() -> None:
     spoken = utterance(
         "my dog has seen you",
