@@ -99,9 +99,10 @@ class Schedule:
 
     `phrases` are stretches of speech between pauses, `emphases_s` the moments of stress in it, `agitation` the level at
     which clips are chosen, `character` who moves. The recording starts at `lead_in_s`. `stillness` (0 to 1) is how much
-    less than usual the body does by itself: at 1 it only breathes. `targets` are where it looks and points,
-    `functions` what the words do, for those who want to know why: BML has none, and nothing that is played depends on
-    them.
+    less than usual the body does by itself: at 1 it only breathes. `singletons` has the hands go back to rest after
+    every gesture for which they have the time at all, instead of joining near ones to units (NGS §4.1). `targets` are
+    where it looks and points, `functions` what the words do, for those who want to know why: BML has none, and nothing
+    that is played depends on them.
     """
 
     behaviors: tuple[Behavior, ...]
@@ -114,5 +115,6 @@ class Schedule:
     character: str = "default"
     lead_in_s: float = 0.0
     stillness: float = 0.0
+    singletons: bool = False
     targets: tuple[Target, ...] = ()
     functions: tuple[Function, ...] = field(default=(), compare=False)

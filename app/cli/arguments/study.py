@@ -1,11 +1,16 @@
 """The arguments of `understudy study`."""
 
+import argparse
+
+from ...study.comparison import Comparison
 from ..distinct_files import InputFile, OutputFile
+from .batch import SCRIPTS_HELP
 from .command import Adding, actions_of
 
 
 def add_study(add: Adding) -> None:
     add_action = actions_of(add("study", "the papers' comparisons: clips and a blind page, statistics"))
+    _add_make(add_action("make", "clips of lines in each condition, and a page on which raters judge them"))
     score = add_action("score", "the statistics of raters' answers, as the papers' tables")
     score.add_argument("answers", metavar="ANSWERS.csv", nargs="+", type=InputFile, help="the files that raters saved")
     score.add_argument(
@@ -15,3 +20,19 @@ def add_study(add: Adding) -> None:
         help="what each clip shows, from study make (default: key.csv beside the answers or one folder up)",
     )
     score.add_argument("-o", "--output", metavar="REPORT", type=OutputFile, help="also write the report: .json or .md")
+
+
+def _add_make(make: argparse.ArgumentParser) -> None:
+    told = f"{SCRIPTS_HELP}; or a folder of recordings, each with its words in a .txt of the same name"
+    make.add_argument("lines", metavar="LINES", help=told)
+    make.add_argument("--audio", metavar="DIR", help="the folder of the script's recordings (default: where it lies)")
+    make.add_argument("--out", metavar="DIR", required=True, help="where page and key go")
+    make.add_argument(
+        "--compare",
+        choices=[each.value for each in Comparison],
+        default=Comparison.MODES.value,
+        help="gestures from meaning, stress and chance (default), or joined to units and single",
+    )
+    make.add_argument("--profile", metavar="P", help="of units: whose gestures, as in perform (default sweeping)")
+    make.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
+    make.add_argument("--seed", type=int, default=0, help="another number draws other gestures and orders (default 0)")

@@ -1,19 +1,59 @@
 """`understudy study`: the papers' comparisons, made from one's own lines, and the statistics of the answers."""
 
 import argparse
+from collections.abc import Sequence
+from functools import partial
 from pathlib import Path, PurePath
 
+from ...analysis import Options
 from ...errors import InputError
+from ...model import Notice
+from ...profiles.profile import Profile
+from ...settings import read_settings
+from ...study.comparison import Comparison
+from ...study.key import KEY_NAME
+from ...study.request import PAGE_FOLDER, Source, StudyRequest
 from ..files import require_writable, write, write_standard
+from ..inputs.early import require_character
+from ..inputs.profiles import optional_profile
 from ..log import Log
 
 REPORTS = (".json", ".md")
+USUAL_PROFILE = "sweeping"
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
-    actions = {"score": _score}
+    actions = {"make": _make, "score": _score}
     actions[arguments.action](arguments, log)
     return 0
+
+
+def _make(arguments: argparse.Namespace, log: Log) -> None:
+    comparison = Comparison(arguments.compare)
+    options = Options(character=arguments.character, seed=arguments.seed, profile=_profile(arguments, comparison))
+    require_character(options.character)
+    source = Source(Path(arguments.lines), arguments.audio and Path(arguments.audio), Path(arguments.out))
+    request = StudyRequest(source, comparison, options)
+    from ...performance import Understudy  # now that all is told which can be told without it
+    from ...study.making.making import make_study
+
+    with Understudy.load(read_settings()) as understudy:
+        make_study(request, understudy, partial(_line_made, log))
+    log.note(f"{source.out / PAGE_FOLDER}: give this folder to raters, who open index.html; keep {KEY_NAME} beside it")
+
+
+def _line_made(log: Log, told: str, notices: Sequence[Notice]) -> None:
+    log.note(told)
+    log.warnings(notices, of=told.partition(":")[0])
+
+
+def _profile(arguments: argparse.Namespace, comparison: Comparison) -> Profile | str | None:
+    """Raises InputError `usage` for a profile where gestures are compared that no profile makes."""
+    if comparison is Comparison.UNITS:
+        return optional_profile(arguments.profile or USUAL_PROFILE)
+    if arguments.profile is not None:
+        raise InputError("usage", "--profile: stress and chance have no profile; leave it out, or --compare units")
+    return None
 
 
 def _score(arguments: argparse.Namespace, _log: Log) -> None:

@@ -59,7 +59,9 @@ def plan_gestures(
     `targets_m` has the world positions of pointing targets, as for the gaze; `leading` is the hand that the character
     prefers.
     """
-    setting = TransitionContext(schedule.phrases, posture_changes(schedule), schedule.duration_s)
+    setting = TransitionContext(
+        schedule.phrases, posture_changes(schedule), schedule.duration_s, singletons=schedule.singletons
+    )
     chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
     gestures = tuple(led_by(each, leading) for each in _repeated(chosen.kept, schedule, setting, style))
     units = units_of(gestures, setting)

@@ -4,7 +4,8 @@ The paper has one timeline; here each arm has one, and the rules apply to each s
 do not conflict, and a two-handed one has a neighbour on either arm.
 
 A gesture blends into the next of its arm if both belong to one unit (towards-natural §3.3: closer than `UNIT_GAP_S` and
-in the same phrase), or if there is no time to rest in between.
+in the same phrase), or if there is no time to rest in between. Where singletons are asked for (towards-natural §4.1)
+there are no units, and a rest takes no longer than hands at their fastest need for the way there and back.
 """
 
 from dataclasses import dataclass
@@ -14,18 +15,28 @@ from ...gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
 from ...model import Hand, Interval
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..gestures.gesture_plan import PlacedGesture
-from .rests import SHORTEST_REST_S, posture_pose, preparation_s, rest_pose_for_gap, rest_way_m, retraction_s
+from .rests import (
+    SHORTEST_REST_S,
+    posture_pose,
+    preparation_s,
+    rest_pose_for_gap,
+    rest_way_m,
+    retraction_s,
+    shortest_way_s,
+)
 
 UNIT_GAP_S = 1.5
 
 
 @dataclass(frozen=True, slots=True)
 class TransitionContext:
-    """The parts of a schedule that affect transitions: its phrases, the rest poses of its postures, and its end."""
+    """The parts of a schedule that affect transitions: its phrases, the rest poses of its postures, its end, and
+    whether gestures are to be single."""
 
     phrases: tuple[Interval, ...] = ()
     postures: tuple[tuple[float, str | None], ...] = ()
     end_s: float = inf
+    singletons: bool = False
 
     def phrase_of(self, time_s: float) -> int | None:
         """The index of the last phrase that has begun; None if there are no phrases."""
@@ -44,6 +55,8 @@ def gap_s(first: PlacedGesture, second: PlacedGesture) -> float:
 
 def in_same_unit(first: PlacedGesture, second: PlacedGesture, setting: TransitionContext) -> bool:
     """Whether two neighbours are close enough for one unit and in the same phrase."""
+    if setting.singletons:
+        return False
     same = setting.phrase_of(first.request.stroke_s) == setting.phrase_of(second.request.stroke_s)
     return same and gap_s(first, second) < UNIT_GAP_S
 
@@ -57,6 +70,8 @@ def _rest_between_s(first: PlacedGesture, second: PlacedGesture, side: Hand, set
     """The time needed to return to rest and come back."""
     pose = setting.pose_in_gap(first.relax_s, gap_s(first, second))
     there_m, back_m = (rest_way_m(pose, side, at_m) for at_m in (relax_m(first, side), stroke_start_m(second, side)))
+    if setting.singletons:
+        return shortest_way_s(there_m) + shortest_way_s(back_m)
     return retraction_s(there_m) + SHORTEST_REST_S + preparation_s(back_m, natural_preparation_s(second))
 
 

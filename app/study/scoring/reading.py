@@ -6,8 +6,7 @@ instead of it `line` and `condition`; `choice` (best, worst or empty) may be the
 answer. What a clip shows is in the key that `understudy study make` wrote (columns `clip`, `line`, `condition`).
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from pathlib import Path
 
 from ..comparison import (
@@ -21,23 +20,10 @@ from ..comparison import (
     Choice,
     Comparison,
 )
+from ..key import KEY_COLUMNS, KEY_NAME, Key, Shown
 from .answers import Answers, Rating, Verdict
 from .mistakes import AnswersError, CellMistake
 from .tables import Row, Table, read_table
-
-KEY_NAME = "key.csv"
-
-
-@dataclass(frozen=True, slots=True)
-class Shown:
-    """What a clip shows: a line in a condition."""
-
-    line: str
-    condition: str
-
-
-Key = Mapping[str, Shown]
-"""What clips show, by name."""
 
 
 def read_answers(paths: Sequence[Path], key: Path | None = None) -> Answers:
@@ -60,7 +46,7 @@ def read_answers(paths: Sequence[Path], key: Path | None = None) -> Answers:
 def read_key(path: Path) -> Key:
     """The clips of a study; raises as `read_answers` does."""
     table = read_table(path)
-    table.require(("clip", "line", "condition"))
+    table.require(KEY_COLUMNS)
     known = {condition for conditions in CONDITIONS.values() for condition in conditions}
     wrong = [row for row in table.rows if row.cells["condition"] not in known]
     if wrong:

@@ -1,0 +1,63 @@
+"""The lines of a study: a script as `understudy batch` reads it, or a folder of recordings, each with its words in a
+.txt of the same name."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from ...analysis import Line, Options
+from ...batch.matching.recordings import find_recordings
+from ...batch.planning import plan_batch, without_audio
+from ...batch.request import BatchRequest
+from ...batch.work.jobs import LineJob
+from ...errors import InputError
+from ..request import Source
+
+
+@dataclass(frozen=True, slots=True)
+class StudyLine:
+    """A line that is to be shown: its name, what is performed, and how."""
+
+    id: str
+    line: Line
+    options: Options
+
+
+def read_lines(source: Source, options: Options) -> tuple[StudyLine, ...]:
+    """The lines in their order, all performed by `options` but for what the script says of single ones.
+
+    Raises InputError `study_lines` with every line that cannot be shown, and as `plan_batch` does.
+    """
+    return tuple(_in_folder(source, options) if source.lines.is_dir() else _in_script(source, options))
+
+
+def _in_folder(source: Source, options: Options) -> Iterator[StudyLine]:
+    found = find_recordings(source.lines, without=source.out)
+    wordless = [each.relative for each in found if not each.path.with_suffix(".txt").is_file()]
+    if wordless or not found:
+        told = f"no words for {', '.join(wordless)}; put them beside it in a .txt" if found else "no recordings in it"
+        raise InputError("study_lines", f"{source.lines}: {told}", field="lines")
+    for each in found:
+        yield StudyLine(each.stem, Line(each.path.read_bytes(), _text(each.path.with_suffix(".txt"))), options)
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError("study_lines", f"{path}: not UTF-8 at byte {error.start}; save it as UTF-8") from None
+
+
+def _in_script(source: Source, options: Options) -> Iterator[StudyLine]:
+    audio = source.audio or source.lines.parent
+    request = BatchRequest(source.lines, audio, source.out, options=options, has_partners=False, learns_voices=False)
+    plan = plan_batch(request)
+    wrong = [*map(str, plan.script.problems), *map(without_audio, plan.joined.missing)]
+    if wrong:
+        raise InputError("study_lines", f"{source.lines}: {'; '.join(wrong)}", field="lines")
+    for _take, job in plan.jobs:
+        yield StudyLine(job.id, _line(job), replace(job.options, listeners=()))
+
+
+def _line(job: LineJob) -> Line:
+    return Line(job.audio.content(), job.text, direction=job.direction)

@@ -1,0 +1,129 @@
+"""A study, in order: read the lines, perform each in every condition, render the clips, write page and key."""
+
+import csv
+import hashlib
+import io
+import random
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from ...batch.work.files import write_whole
+from ...errors import InputError
+from ...model import Behavior, Channel, Notice
+from ...performance import Understudy
+from ...realization import PreparedSchedule, Realized
+from ..comparison import CONDITIONS, Comparison
+from ..key import KEY_COLUMNS, KEY_NAME
+from ..request import PAGE_FOLDER, StudyRequest
+from .clips import blind_clip, blind_sound, body_of, realized
+from .lines import StudyLine, read_lines
+from .modes import in_modes
+from .singletons import in_units_and_singly
+from .site import LinePage, Site, script_of, script_of_bytes, write_site
+
+CODE_LENGTH = 10
+
+Told = Callable[[str, Sequence[Notice]], None]
+"""Is told of each line when its clips are made: its name and what they have, and its notices."""
+
+
+@dataclass(frozen=True, slots=True)
+class RenderedLine:
+    """A line's clips by condition, each its motion as JSON, its recording, and who moves."""
+
+    id: str
+    clips: Mapping[str, str]
+    sound: bytes
+    character: str
+
+
+def make_study(request: StudyRequest, models: Understudy, told: Told) -> None:
+    """Writes the page, and the key that says what its clips show.
+
+    Raises InputError where lines cannot be read or performed, or nothing can be written.
+    """
+    lines = read_lines(request.source, request.options)
+    rendered = [_rendered(request, models, line, told) for line in lines]
+    coding = _Coding(request, [each.id for each in rendered])
+    bodies = {each.character: body_of(models, each.character) for each in rendered}
+    site = Site(
+        name=coding.code("study"),
+        comparison=request.comparison,
+        lines=tuple(coding.page_of(each) for each in rendered),
+        files=dict(_files(rendered, bodies, coding)),
+    )
+    write_site(request.source.out / PAGE_FOLDER, site)
+    _write_key(request, rendered, coding)
+
+
+def _rendered(request: StudyRequest, models: Understudy, line: StudyLine, told: Told) -> RenderedLine:
+    """Raises InputError with the line's name."""
+    motions_of = {Comparison.MODES: _in_modes, Comparison.UNITS: _in_versions}[request.comparison]
+    try:
+        motions, what = motions_of(models, line)
+        sound = blind_sound(line.line.audio)
+    except InputError as error:
+        raise InputError(error.code, f"line {line.id!r}: {error.message}", field=error.field) from None
+    clips = {name: blind_clip(models, motion) for name, motion in motions.items()}
+    told(f"{line.id}: {what}", next(iter(motions.values())).motion.notices)
+    return RenderedLine(line.id, clips, sound, line.options.character)
+
+
+def _in_modes(models: Understudy, line: StudyLine) -> tuple[Mapping[str, Realized], str]:
+    """The motions of a line by mode, and what is told of them."""
+    performances = in_modes(models, line)
+    motions = {name: realized(models, PreparedSchedule.of(each)) for name, each in performances.items()}
+    counts = {name: sum(_is_made(each) for each in found.behaviors) for name, found in performances.items()}
+    return motions, f"gestures: {', '.join(f'{name} {count}' for name, count in counts.items())}"
+
+
+def _is_made(behavior: Behavior) -> bool:
+    return behavior.kept and behavior.kind is Channel.GESTURE
+
+
+def _in_versions(models: Understudy, line: StudyLine) -> tuple[Mapping[str, Realized], str]:
+    """The motions of a line in units and singly, and what is told of them."""
+    found = in_units_and_singly(models, line)
+    told = f"{found.gestures} gestures, {found.rests} holds of U are rests in S, {found.given_up} had no time to rest"
+    return found.motions, told if found.rests else f"{told}; both versions are the same, take a longer line"
+
+
+class _Coding:
+    """Names that tell nothing, the same for the same study."""
+
+    def __init__(self, request: StudyRequest, lines: Sequence[str]) -> None:
+        self._of = f"{request.comparison} {request.seed} {' '.join(lines)}"
+        self._conditions = CONDITIONS[request.comparison]
+        self._rng = random.Random(self._of)
+
+    def code(self, *named: str) -> str:
+        """A name of hexadecimal digits."""
+        return hashlib.sha256(" ".join((self._of, *named)).encode()).hexdigest()[:CODE_LENGTH]
+
+    def page_of(self, line: RenderedLine) -> LinePage:
+        clips = [self.code(line.id, condition) for condition in self._conditions]
+        self._rng.shuffle(clips)
+        return LinePage(self.code(line.id, "sound"), self.code(line.character, "body"), tuple(clips))
+
+
+def _files(
+    rendered: Sequence[RenderedLine], bodies: Mapping[str, bytes], coding: _Coding
+) -> Iterator[tuple[str, bytes]]:
+    """The files beside the page."""
+    for character, body in bodies.items():
+        name = coding.code(character, "body")
+        yield f"clips/{name}.js", script_of_bytes(name, body)
+    for line in rendered:
+        yield f"clips/{coding.code(line.id, 'sound')}.flac", line.sound
+        for condition, clip in line.clips.items():
+            name = coding.code(line.id, condition)
+            yield f"clips/{name}.js", script_of(name, clip)
+
+
+def _write_key(request: StudyRequest, rendered: Sequence[RenderedLine], coding: _Coding) -> None:
+    content = io.StringIO()
+    writer = csv.writer(content, lineterminator="\n")
+    writer.writerow(KEY_COLUMNS)
+    for line in rendered:
+        writer.writerows((coding.code(line.id, condition), line.id, condition) for condition in line.clips)
+    write_whole(request.source.out, KEY_NAME, content.getvalue().encode())

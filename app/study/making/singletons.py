@@ -1,0 +1,150 @@
+"""A line in the two versions of NGS's study (§4.1): U with the units of a speaker's profile, S with single gestures.
+
+S is U with every hold between two gestures replaced by a retraction, and after-strokes removed only as far as the
+retraction needs their time. In both all rests are hands at the side; all else is the same.
+
+Hands that have no time for a rest even then cannot show S. The paper does not say what it did there; ours gives such a
+gesture up in both versions, so that they have the same gestures.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from ...errors import InputError
+from ...gesture_scripts import scripted_behaviors
+from ...model import Behavior, Channel, Interval, Performance, SyncPoints
+from ...performance import Understudy, perform_heard, script_analysis
+from ...profiles.generation.phases import Timed
+from ...profiles.generation.script import GestureScript, ScriptedGesture
+from ...profiles.generation.units import bounds_of
+from ...profiles.profile import Profile
+from ...realization import PreparedSchedule, Realized
+from ...realizer.scheduling.rests import POSTURES
+from ..comparison import SINGLETONS, UNITS
+from .clips import realized
+from .lines import StudyLine
+
+ROOM_S = 1.0
+"""From one gesture's last stroke to the next one's first in S, if after-strokes can make it."""
+
+AT_SIDE = "HANDS_AT_SIDE"
+_INSTANT_S = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class UnitVersions:
+    """Both versions' motions, how many gestures they have, how many holds of U are rests in S, and how many gestures
+    were given up for want of time."""
+
+    motions: Mapping[str, Realized]
+    gestures: int
+    rests: int
+    given_up: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Member:
+    """A gesture, and the number of its unit."""
+
+    gesture: ScriptedGesture
+    unit: int
+
+
+def in_units_and_singly(models: Understudy, study_line: StudyLine) -> UnitVersions:
+    """The line's versions; raises as `script_analysis` does."""
+    line, options = study_line.line, study_line.options
+    analysis, _meant = perform_heard(models, line, options)
+    performance, script = script_analysis(models, analysis, options, line.direction)
+    profile = models.behavior.profile(options.profile)
+    if profile is None:
+        raise InputError("value_wrong", "profile: units are a speaker's; name a profile", field="profile")
+    members = list(_members(script))
+    while True:
+        motions = {
+            name: realized(models, _schedule(performance, _version(script, profile, members, name), name))
+            for name in (UNITS, SINGLETONS)
+        }
+        unfit = _unfit(motions)
+        kept = [each for each in members if each.gesture.id not in unfit]
+        if len(kept) == len(members):
+            break
+        members = kept
+    held = sum(each.action == "blended" for each in motions[UNITS].motion.decisions)
+    return UnitVersions(motions, len(members), held, len(script.made) - len(members))
+
+
+def _members(script: GestureScript) -> Iterator[_Member]:
+    unit_of = {name: number for number, unit in enumerate(script.units) for name in unit.gestures}
+    for gesture in script.made:
+        yield _Member(gesture, unit_of[gesture.id])
+
+
+def _joined(profile: Profile, members: Sequence[_Member]) -> list[bool]:
+    """Whether each is in one unit with the one before it: a gesture between them that was given up may have left them
+    too far apart."""
+    near = [
+        one.unit == other.unit
+        and other.gesture.strokes[0].start_s - one.gesture.strokes[-1].end_s < profile.units.merge_within_s
+        for one, other in pairwise(members)
+    ]
+    return [False, *near][: len(members)]
+
+
+def _version(script: GestureScript, profile: Profile, members: Sequence[_Member], name: str) -> GestureScript:
+    """The script with its gestures in units, or each by itself."""
+    joined = _joined(profile, members)
+    strokes = [each.gesture.strokes for each in members]
+    if name == SINGLETONS:
+        strokes = [*_trimmed(strokes, joined)]
+        joined = [False] * len(members)
+    timed = [Timed(own, each.gesture.held) for own, each in zip(strokes, members, strict=True)]
+    bounds = bounds_of(profile.phases, timed, joined)
+    gestures = tuple(
+        replace(each.gesture, strokes=own, start_s=bound.start_s, relax_s=bound.relax_s, end_s=bound.end_s)
+        for each, own, bound in zip(members, strokes, bounds, strict=True)
+    )
+    return replace(script, gestures=gestures, units=())
+
+
+def _trimmed(strokes: Sequence[tuple[Interval, ...]], joined: Sequence[bool]) -> Iterator[tuple[Interval, ...]]:
+    """The strokes without those after-strokes that leave no time to rest before the next gesture."""
+    for place, own in enumerate(strokes):
+        kept = own
+        if place + 1 < len(strokes) and joined[place + 1]:
+            until_s = strokes[place + 1][0].start_s - ROOM_S
+            kept = (own[0], *(stroke for stroke in own[1:] if stroke.end_s <= until_s))
+        yield kept
+
+
+def _schedule(performance: Performance, script: GestureScript, name: str) -> PreparedSchedule:
+    """What the body does in a version: the script's gestures, hands at the side, and all else of the performance."""
+    others = [each for each in performance.behaviors if each.rule != f"profile_{script.profile}"]
+    made = scripted_behaviors(script, performance.functions, others)
+    behaviors = (*_at_side(others), *(each for each in made if each.kind is Channel.GESTURE))
+    prepared = PreparedSchedule.of(replace(performance, behaviors=behaviors))
+    return replace(prepared, schedule=replace(prepared.schedule, singletons=name == SINGLETONS))
+
+
+def _at_side(behaviors: Iterable[Behavior]) -> Iterator[Behavior]:
+    """The behaviours without other rests of the hands: at the side from the first frame on, and again after shifts of
+    weight, which would let the hands rest as they like."""
+    yield _side_posture(0.0, 0)
+    for number, each in enumerate(behaviors, start=1):
+        is_posture = each.kind is Channel.POSTURE and each.lexeme in POSTURES
+        if not is_posture or POSTURES[each.lexeme] is None:
+            yield each
+        if is_posture and each.kept:
+            yield _side_posture(each.sync.start, number)
+
+
+def _side_posture(start_s: float, number: int) -> Behavior:
+    sync = SyncPoints(start=start_s, end=start_s + _INSTANT_S)
+    return Behavior(f"study.rest.{number}", Channel.POSTURE, AT_SIDE, sync, 0, 0, 1.0)
+
+
+def _unfit(motions: Mapping[str, Realized]) -> set[str]:
+    """The first gesture that is not played in a version, or has no rest before it in S."""
+    told = [each.behavior for each in motions[SINGLETONS].motion.decisions if each.action == "blended"]
+    told += [each.behavior for found in motions.values() for each in found.motion.decisions if each.action == "dropped"]
+    return {name for name in told[:1] if name.startswith("script.")}

@@ -1,0 +1,33 @@
+/** A study: the rater says who he is, sees the clips of one line after the other, answers, and saves his answers. */
+
+import { el } from "../../studio/page/dom.js";
+import { Answers } from "./answers.js";
+import { mountEnd, saveButton } from "./end.js";
+import { Player } from "./player.js";
+import { roundsOf } from "./plan.js";
+import { mountRound } from "./round.js";
+import { mountStart } from "./start.js";
+
+/** @import { Plan } from "./plan.js" */
+
+const main = /** @type {HTMLElement} */ (document.getElementById("study"));
+const plan = /** @type {Plan} */ (JSON.parse(document.getElementById("plan")?.textContent ?? ""));
+mountStart(main, plan, (rater) => void rate(rater));
+
+/** @param {number} rater */
+async function rate(rater) {
+  const rounds = roundsOf(plan, rater);
+  const answers = Answers.kept(plan, rater, localStorage);
+  const canvas = el("canvas", { "aria-label": "The character who performs", role: "img" });
+  const player = new Player(canvas, plan.comparison === "units");
+  const form = el("section");
+  main.replaceChildren(canvas, form, el("footer", { class: "row" }, [saveButton(plan, answers)]));
+  for (const [index, round] of rounds.entries()) {
+    if (!answers.has(index)) {
+      const told = `Line ${index + 1} of ${rounds.length}`;
+      answers.keep(index, await mountRound(form, plan, round, { player, told }));
+    }
+  }
+  player.stop();
+  mountEnd(main, plan, answers);
+}
