@@ -6,6 +6,9 @@ from pathlib import Path
 import pytest
 
 from understudy.cli.main import main
+from understudy.resources import resource_folder
+
+MODES = ("semantic", "prosody", "random")
 
 Captured = pytest.CaptureFixture[bytes]
 
@@ -52,3 +55,35 @@ def test_a_report_of_another_kind_is_refused(capfdbinary: Captured, tmp_path: Pa
     code, _, err = _run(capfdbinary, "study", "score", str(tmp_path / "a.csv"), "-o", "report.pdf")
     assert code == 2
     assert "report.pdf: a report is written as .json or .md" in err
+
+
+def test_a_study_is_made_of_a_folder_and_its_key_tells_the_clips(capfdbinary: Captured, tmp_path: Path) -> None:
+    lines, out = tmp_path / "lines", tmp_path / "out"
+    lines.mkdir()
+    for name in ("example.flac", "example.txt"):
+        (lines / name).write_bytes((resource_folder("examples") / name).read_bytes())
+    code, _, err = _run(capfdbinary, "study", "make", str(lines), "--out", str(out), "--seed", "3")
+    assert code == 0
+    assert "example: gestures: semantic" in err
+    rows = [line.split(",") for line in (out / "key.csv").read_text().splitlines()]
+    assert [row[1:] for row in rows] == [["line", "condition"], *(["example", mode] for mode in MODES)]
+    assert {path.stem for path in (out / "page" / "clips").glob("*.js")} > {row[0] for row in rows[1:]}
+    assert (out / "page" / "index.html").is_file()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("--profile", "sweeping"), "leave it out, or --compare units"),
+        (("--compare", "units", "--profile", "nobody"), "nobody"),
+        (("--character", "nobody"), "nobody"),
+        ((), "no recordings in it"),
+    ],
+)
+def test_a_study_that_cannot_be_made_says_why(
+    capfdbinary: Captured, tmp_path: Path, arguments: tuple[str, ...], told: str
+) -> None:
+    code, _, err = _run(capfdbinary, "study", "make", str(tmp_path), "--out", str(tmp_path / "out"), *arguments)
+    assert code == 2
+    assert told in err
+    assert not (tmp_path / "out").exists()

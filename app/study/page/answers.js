@@ -18,17 +18,8 @@ export class Answers {
   #rounds;
 
   /**
-   * Those that this rater has given before, if any.
+   * Begins with those that this rater has given before, if any.
    *
-   * @param {Plan} plan
-   * @param {number} rater
-   * @param {Store} store
-   */
-  static kept(plan, rater, store) {
-    return new Answers(plan, rater, store);
-  }
-
-  /**
    * @param {Plan} plan
    * @param {number} rater
    * @param {Store} store

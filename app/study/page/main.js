@@ -3,6 +3,7 @@
 import { el } from "../../studio/page/dom.js";
 import { Answers } from "./answers.js";
 import { mountEnd, saveButton } from "./end.js";
+import { keeping } from "./keeping.js";
 import { Player } from "./player.js";
 import { roundsOf } from "./plan.js";
 import { mountRound } from "./round.js";
@@ -12,12 +13,13 @@ import { mountStart } from "./start.js";
 
 const main = /** @type {HTMLElement} */ (document.getElementById("study"));
 const plan = /** @type {Plan} */ (JSON.parse(document.getElementById("plan")?.textContent ?? ""));
-mountStart(main, plan, (rater) => void rate(rater));
+const kept = keeping();
+mountStart(main, plan, kept, (rater) => void rate(rater));
 
 /** @param {number} rater */
 async function rate(rater) {
   const rounds = roundsOf(plan, rater);
-  const answers = Answers.kept(plan, rater, localStorage);
+  const answers = new Answers(plan, rater, kept.store);
   const canvas = el("canvas", { "aria-label": "The character who performs", role: "img" });
   const player = new Player(canvas, plan.comparison === "units");
   const form = el("section");

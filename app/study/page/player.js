@@ -26,7 +26,8 @@ export class Player {
   /** @type {Clip | null} */
   #clip = null;
   #turn = 0;
-  #started_ms = 0;
+  #ended_ms = 0;
+  #shown_s = NaN;
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -71,6 +72,7 @@ export class Player {
       this.#audio.src = address;
     }
     this.#audio.currentTime = 0;
+    this.#shown_s = NaN;
   }
 
   /**
@@ -82,7 +84,7 @@ export class Player {
     const turn = this.#turn;
     await this.#audio.play();
     await new Promise((resolve) => this.#audio.addEventListener("ended", resolve, { once: true }));
-    this.#started_ms = performance.now();
+    this.#ended_ms = performance.now();
     const { durationS = 0 } = this.#clip ?? {};
     const left_s = Math.max(0, durationS - this.#audio.duration);
     await new Promise((resolve) => setTimeout(resolve, left_s * 1000));
@@ -95,18 +97,23 @@ export class Player {
     this.#audio.pause();
   }
 
+  /** Draws where something is other than it was drawn. */
   #draw() {
-    this.#place.fit();
+    const time_s = this.#time_s;
+    if (!this.#place.fit() && time_s === this.#shown_s) {
+      return;
+    }
+    this.#shown_s = time_s;
     if (this.#figure && this.#clip) {
-      this.#figure.show(this.#clip, this.#time_s - this.#clip.audioOffsetS);
+      this.#figure.show(this.#clip, time_s - this.#clip.audioOffsetS);
     }
     this.#place.draw();
   }
 
   /** The recording's time, and after its end that of the motion. */
   get #time_s() {
-    const after_s = this.#audio.ended ? (performance.now() - this.#started_ms) / 1000 : 0;
-    return this.#audio.currentTime + after_s;
+    const after_s = this.#audio.ended ? (performance.now() - this.#ended_ms) / 1000 : 0;
+    return Math.min(this.#clip?.durationS ?? 0, this.#audio.currentTime + after_s);
   }
 
   /**

@@ -56,14 +56,16 @@ function playButtons(round, player, saw, problem) {
   const play = async (/** @type {string} */ clip, /** @type {HTMLButtonElement} */ pressed) => {
     problem.textContent = "";
     try {
+      pressed.setAttribute("aria-busy", "true");
       await player.load(round, clip);
       buttons.forEach((button) => button.setAttribute("aria-pressed", String(button === pressed)));
       if (await player.play()) {
         saw(clip);
       }
     } catch (error) {
-      problem.textContent = `This clip cannot be played: ${error instanceof Error ? error.message : error}`;
+      problem.textContent = `This clip cannot be played: ${error instanceof Error ? error.message : String(error)}`;
     }
+    pressed.removeAttribute("aria-busy");
   };
   return buttons;
 }

@@ -3,6 +3,7 @@
 import { el, labelled } from "../../studio/page/dom.js";
 import { Answers } from "./answers.js";
 
+/** @import { Store } from "./answers.js" */
 /** @import { Plan } from "./plan.js" */
 
 const TOLD = Object.freeze({
@@ -17,13 +18,14 @@ const TOLD = Object.freeze({
 /**
  * @param {HTMLElement} element
  * @param {Plan} plan
+ * @param {{ store: Store, lasts: boolean }} kept where answers are kept, and whether that lasts
  * @param {(rater: number) => void} started
  */
-export function mountStart(element, plan, started) {
+export function mountStart(element, plan, { store, lasts }, started) {
   const number = el("input", { type: "number", min: 1, step: 1, required: true, id: "rater", value: asked() });
   const note = el("p", { class: "quiet" });
   const tell = () => {
-    const count = number.validity.valid && number.value ? new Answers(plan, number.valueAsNumber, localStorage).count : 0;
+    const count = number.validity.valid && number.value ? new Answers(plan, number.valueAsNumber, store).count : 0;
     note.textContent = count > 0 ? `This rater has answered ${count} of ${plan.lines.length} lines here, and goes on.` : "";
   };
   const begin = (/** @type {Event} */ event) => {
@@ -37,7 +39,9 @@ export function mountStart(element, plan, started) {
   ]);
   number.addEventListener("input", tell);
   tell();
-  const kept = "Your answers stay in this browser until you save them as a file. Nothing is sent anywhere.";
+  const kept = lasts
+    ? "Your answers stay in this browser until you save them as a file. Nothing is sent anywhere."
+    : "This browser keeps nothing for this page: save your answers as a file before you close it. Nothing is sent anywhere.";
   element.replaceChildren(el("h1", {}, ["Rating performances"]), el("p", {}, [TOLD[plan.comparison]]), el("p", {}, [kept]), form);
 }
 

@@ -1,0 +1,144 @@
+"""The page of a study in a browser, opened from the disk: two clips are seen, judged, saved, and scored."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, ViewportSize
+
+from tests.studio.conftest import PATIENCE_MS, browser
+from understudy.analysis import Options
+from understudy.performance import Understudy
+from understudy.resources import resource_folder
+from understudy.study.comparison import DIMENSIONS, Comparison
+from understudy.study.making.making import make_study
+from understudy.study.request import Source, StudyRequest
+from understudy.study.scoring.reading import read_answers, read_key
+
+__all__ = ["browser"]
+
+SMALL: ViewportSize = {"width": 480, "height": 360}
+"""Chromium draws without a graphics card here."""
+
+FASTER = """
+  const play = HTMLMediaElement.prototype.play;
+  HTMLMediaElement.prototype.play = function () {
+    this.playbackRate = 16;
+    return play.call(this);
+  };
+"""
+"""Clips are seen to their end in a fraction of their time."""
+
+
+@pytest.fixture(scope="module")
+def studies(understudy: Understudy, tmp_path_factory: pytest.TempPathFactory) -> dict[Comparison, Path]:
+    """A study of the bundled line of each kind."""
+    folder = tmp_path_factory.mktemp("study")
+    source = resource_folder("examples")
+    (folder / "lines").mkdir()
+    for name in ("example.flac", "example.txt"):
+        (folder / "lines" / name).write_bytes((source / name).read_bytes())
+    for comparison, profile in ((Comparison.MODES, None), (Comparison.UNITS, "sweeping")):
+        request = StudyRequest(
+            Source(folder / "lines", None, folder / comparison), comparison, Options(profile=profile)
+        )
+        make_study(request, understudy, lambda _told, _notices: None)
+    return {comparison: folder / comparison for comparison in Comparison}
+
+
+@pytest.fixture
+def page(browser: Browser) -> Iterator[Page]:
+    faults: list[str] = []
+    context = browser.new_context(viewport=SMALL, accept_downloads=True)
+    context.add_init_script(FASTER)
+    made = context.new_page()
+    made.set_default_timeout(PATIENCE_MS)
+    made.on("pageerror", lambda error: faults.append(str(error)))
+    made.on("request", lambda request: faults.extend(_elsewhere(request.url)))
+    yield made
+    context.close()
+    assert faults == []
+
+
+def test_ratings_are_asked_when_all_clips_are_seen_and_saved_as_they_were_given(
+    studies: dict[Comparison, Path], page: Page, tmp_path: Path
+) -> None:
+    page.goto(_address(studies[Comparison.MODES], rater=1))
+    page.get_by_role("button", name="Begin").click()
+    questions = page.locator("input[name=grade-0]").first
+    assert questions.is_disabled()
+    for letter in "ABC":
+        page.get_by_role("button", name=f"Play {letter}").click()
+        page.wait_for_timeout(200)
+        assert questions.is_disabled()
+        _see_to_the_end(page)
+    assert questions.is_enabled()
+    for place, grade in enumerate((3, 9, 5)):
+        page.locator(f"input[name=grade-{place}][value='{grade}']").check()
+    page.locator("input[name=best][value='1']").check()
+    page.locator("input[name=worst][value='1']").check()
+    page.get_by_role("button", name="Next").click()
+    assert page.get_by_role("heading", name="Line 1 of 1").is_visible(), "the best cannot be the worst as well"
+    page.locator("input[name=worst][value='0']").check()
+    page.get_by_role("button", name="Next").click()
+    answers = read_answers([_saved(page, tmp_path)], studies[Comparison.MODES] / "key.csv").ratings
+    assert [(each.rater, each.line, each.grade, each.choice) for each in answers] == [
+        ("1", "example", 3, "worst"),
+        ("1", "example", 9, "best"),
+        ("1", "example", 5, ""),
+    ]
+    assert sorted(each.condition for each in answers) == ["prosody", "random", "semantic"]
+
+
+def test_versions_are_compared_with_the_face_hidden_and_what_was_answered_is_kept(
+    studies: dict[Comparison, Path], page: Page, tmp_path: Path
+) -> None:
+    page.goto(_address(studies[Comparison.UNITS], rater=2))
+    page.get_by_role("button", name="Begin").click()
+    for letter in "AB":
+        page.get_by_role("button", name=f"Play {letter}").click()
+        _see_to_the_end(page)
+    for name in DIMENSIONS:
+        page.locator(f"input[name={name}][value='{'undecided' if name == 'competent' else 'A'}']").check()
+    page.locator("input[name=understood][value='3']").check()
+    page.get_by_role("button", name="Next").click()
+    page.reload()
+    assert page.get_by_text("has answered 1 of 1 lines").is_visible()
+    page.get_by_role("button", name="Begin").click()
+    found = read_answers([_saved(page, tmp_path)], studies[Comparison.UNITS] / "key.csv")
+    assert len({each.chosen for each in found.verdicts if each.chosen is not None}) == 1
+    assert [each.dimension for each in found.verdicts if each.chosen is None] == ["competent"]
+    assert found.understood == (3,)
+
+
+def test_nothing_on_the_page_tells_what_is_what(studies: dict[Comparison, Path]) -> None:
+    """Neither names nor texts; the modules speak of modes and units, but of no clip."""
+    folder = studies[Comparison.MODES] / "page"
+    key = read_key(studies[Comparison.MODES] / "key.csv")
+    files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    assert {f"clips/{clip}.js" for clip in key} <= files.keys()
+    for name, content in files.items():
+        told = (name + content.decode("latin-1")).casefold()
+        assert not any(word in told for word in ("semantic", "prosody", "drawn by chance", "gesture1", "example"))
+
+
+def _see_to_the_end(page: Page) -> None:
+    """Waits until the clip that plays is over, with its tail."""
+    page.wait_for_function("!document.querySelector('[aria-busy=true]')")
+
+
+def _saved(page: Page, folder: Path) -> Path:
+    page.get_by_role("heading", name="Done").wait_for()
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save my answers").click()
+    path = folder / download.value.suggested_filename
+    download.value.save_as(path)
+    return path
+
+
+def _address(study: Path, *, rater: int) -> str:
+    return f"{(study / 'page' / 'index.html').as_uri()}?rater={rater}"
+
+
+def _elsewhere(url: str) -> list[str]:
+    return [] if url.startswith(("file:", "data:", "blob:")) else [f"asked for {url}"]
