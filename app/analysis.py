@@ -54,7 +54,7 @@ class Options:
     it usually sounds. `lead_in_s` is how long before the recording the performance begins,
     `stillness` (0 to 1) how much less than usual moves, `targets` are where things and listeners are. `played_by` has
     our characters by the names of listeners that are none of ours. `profile` is whose gestures are made, or the name of
-    one in the lexicon.
+    one in the lexicon. `contours` is whether f0 and energy are told with the performance.
 
     Raises InputError `value_wrong` and `target_wrong`.
     """
@@ -71,6 +71,7 @@ class Options:
     played_by: tuple[tuple[str, str], ...] = ()
     targets: tuple[Target, ...] = ()
     profile: Profile | str | None = None
+    contours: bool = False
 
     def __post_init__(self) -> None:
         if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:

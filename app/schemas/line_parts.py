@@ -6,9 +6,10 @@ A key is absent if there is no value (a time without audio, the winner where no 
 from collections.abc import Sequence
 from typing import Annotated, Self
 
+import numpy as np
 from pydantic import AliasPath, BeforeValidator, Field
 
-from ..model import PLAIN, Function, Word
+from ..model import FRAME_SHIFT_S, PLAIN, Contours, Function, Word
 from .response_model import Number, ResponseModel, Times
 
 
@@ -68,6 +69,20 @@ class StressResponse(ResponseModel):
 
     energy_db: Number
     f0_hz: Number | None = None
+
+
+class ContoursResponse(ResponseModel):
+    """What is measured of the recording every `frame_shift_s`, from its start, as `understudy pitch` writes it: f0 (0
+    where the voice is silent or unvoiced) and energy."""
+
+    frame_shift_s: Number
+    f0_hz: list[float]
+    energy_db: list[float]
+
+    @classmethod
+    def of(cls, contours: Contours) -> Self:
+        f0_hz, energy_db = (np.round(values, 2).tolist() for values in (contours.f0_hz, contours.energy_db))
+        return cls(frame_shift_s=FRAME_SHIFT_S, f0_hz=f0_hz, energy_db=energy_db)
 
 
 class MembershipsResponse(ResponseModel):

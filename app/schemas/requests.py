@@ -102,6 +102,7 @@ class PerformOptions(BaseModel):
     profile: Annotated[
         str | None, Field(description="Whose gestures are made: a gesture profile's name.", examples=["sweeping"])
     ] = None
+    contours: Annotated[bool, Field(description="Whether JSON has f0 and energy, too, every 10 ms.")] = False
 
     def to_options(self) -> Options:
         return Options(
@@ -116,6 +117,7 @@ class PerformOptions(BaseModel):
             stillness=self.stillness,
             targets=targets_of(self.targets),
             profile=self.profile,
+            contours=self.contours,
         )
 
 

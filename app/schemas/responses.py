@@ -10,10 +10,11 @@ from typing import Self
 from ..analysis import AlignedLine, Analysis
 from ..bml.writing.writer import SpeechFile
 from ..errors import UnderstudyError
-from ..model import Agitation, Function, Level, Notice, Performance, Utterance
+from ..model import Agitation, Contours, Function, Level, Notice, Performance, Utterance
 from .line_parts import (
     AudioResponse,
     BehaviorResponse,
+    ContoursResponse,
     FillerResponse,
     FunctionResponse,
     MembershipsResponse,
@@ -155,12 +156,13 @@ class SpeechFileResponse(ResponseModel):
 
 class PerformResponse(ResponseModel):
     """The response to `POST /perform` if JSON is requested; `listeners` has each listener's BML by name, `speech_file`
-    what SmartBody wants beside the recording."""
+    what SmartBody wants beside the recording, `contours` f0 and energy where the options ask for them."""
 
     bml: str
     speech_file: SpeechFileResponse | None = None
     listeners: dict[str, str] | None = None
     performance: PerformanceResponse
+    contours: ContoursResponse | None = None
     warnings: list[WarningResponse]
 
     @classmethod
@@ -170,6 +172,7 @@ class PerformResponse(ResponseModel):
         bml: bytes,
         listeners: Mapping[str, bytes] = MappingProxyType({}),
         speech_file: SpeechFile | None = None,
+        contours: Contours | None = None,
     ) -> Self:
         told = PerformanceResponse.of_performance(performance)
         heard = {name: block.decode() for name, block in listeners.items()}
@@ -178,6 +181,7 @@ class PerformResponse(ResponseModel):
             speech_file=None if speech_file is None else SpeechFileResponse.of(speech_file),
             listeners=heard or None,
             performance=told,
+            contours=None if contours is None else ContoursResponse.of(contours),
             warnings=told.warnings,
         )
 

@@ -83,6 +83,14 @@ def test_a_line_comes_back_as_bml_and_in_json_with_the_same_bml(client: TestClie
     assert [word["text"] for word in answer["performance"]["words"]] == TEXT.split()
 
 
+def test_contours_are_told_where_they_are_asked_for(client: TestClient) -> None:
+    contours = _post(client, headers=JSON, options='{"contours": true}').json()["contours"]
+    assert contours["frame_shift_s"] == 0.01
+    assert len(contours["f0_hz"]) == len(contours["energy_db"]) > 100
+    assert 60 < max(contours["f0_hz"]) < 500
+    assert min(contours["f0_hz"]) == 0
+
+
 def test_options_say_how_it_is_performed(client: TestClient) -> None:
     told = _post(client, headers=JSON, options='{"agitation": "high", "seed": 9}').json()["performance"]
     assert (told["agitation"], told["seed"]) == ("high", 9)

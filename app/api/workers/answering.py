@@ -12,11 +12,12 @@ from ...errors import AuthoringError, InputError, UnsupportedFormatError
 from ...model import Notice, Performance
 from ...motion_formats import AudioFile
 from ...performance import (
+    Analysis,
     Line,
     Options,
     Understudy,
     find_functions,
-    perform,
+    perform_heard,
     write_bml,
     write_listener,
     write_speech_file,
@@ -58,21 +59,24 @@ def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer
     offered = (JSON,) if options.listeners else (XML, JSON)
     media_type = chosen(job.accept, offered, "a performance with listeners" if options.listeners else "a performance")
     edits = read_rule_part(form["rules"].content) if "rules" in form else {}
-    performance = _performance(understudy, line, options, edits)
+    analysis, performance = _performance(understudy, line, options, edits)
     bml = write_bml(performance, options.form)
     listeners = {each.name: write_listener(performance, each, options.form) for each in performance.listeners}
     beside = write_speech_file(performance, options.form)
     if media_type == XML:
         return Answer(media_type, _headers((*performance.notices, *([beside.left_out] if beside else ())))), bml
-    body = PerformResponse.of(performance, bml, listeners, beside).to_json()
+    contours = analysis.heard.contours if options.contours and analysis.heard else None
+    body = PerformResponse.of(performance, bml, listeners, beside, contours).to_json()
     return Answer(media_type, _headers(performance.notices)), body
 
 
-def _performance(understudy: Understudy, line: Line, options: Options, edits: Edits) -> Performance:
-    """The performance by the rules with these edits. Raises InputError `rules_wrong`, also for a rule that goes wrong
-    where it runs."""
+def _performance(understudy: Understudy, line: Line, options: Options, edits: Edits) -> tuple[Analysis, Performance]:
+    """What was heard and understood, and the performance by the rules with these edits.
+
+    Raises InputError `rules_wrong`, also for a rule that goes wrong where it runs.
+    """
     try:
-        return perform(with_edits(understudy, edits), line, options)
+        return perform_heard(with_edits(understudy, edits), line, options)
     except AuthoringError as error:
         if not edits:
             raise

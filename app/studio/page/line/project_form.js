@@ -40,7 +40,7 @@ function files(store, service) {
 
 /** @param {Store} store */
 function words(store) {
-  const typed = el("textarea", { id: "text", rows: 2, spellcheck: true });
+  const typed = el("textarea", { id: "text", rows: 4, spellcheck: true });
   const change = () => store.history.execute(new ChangeProject(store, "Words", { text: typed.value }));
   typed.addEventListener("change", change);
   store.watch(PROJECT, ({ text }) => {
@@ -72,7 +72,7 @@ function options(store, service) {
     stillness.value = String(now.stillness ?? 0);
   });
   const controls = { Character: character, Agitation: agitation, "Gestures from": mode, Seed: seed, Stillness: stillness };
-  return el("div", { class: "row" }, Object.entries(controls).map(([name, control]) => labelled(name, control)));
+  return el("div", { class: "pair" }, Object.entries(controls).map(([name, control]) => labelled(name, control)));
 }
 
 /**

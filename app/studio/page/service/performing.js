@@ -11,7 +11,7 @@ import { slice } from "../state/slice.js";
 import { performForm, realizeForm } from "./requests.js";
 import { problemOf } from "./service.js";
 
-/** @import { Performance, Performed } from "understudy-client" */
+/** @import { Performed } from "understudy-client" */
 /** @import { PerformedLine } from "../state/performed.js" */
 /** @import { Project } from "../state/project.js" */
 /** @import { Store } from "../state/store.js" */
@@ -22,7 +22,7 @@ import { problemOf } from "./service.js";
 const JSON_TYPE = "application/json";
 
 /** The last performance, and of what. */
-const HEARD = slice(/** @type {{ audio: File, text: string, performance: Performance } | null} */ (null));
+const HEARD = slice(/** @type {{ audio: File, text: string, line: PerformedLine } | null} */ (null));
 
 /**
  * @param {Store} store
@@ -53,7 +53,7 @@ export function performAgain(store) {
  *
  * @param {Service} service
  * @param {Line} line
- * @param {Performance | null} heard an earlier performance of the same recording and text
+ * @param {PerformedLine | null} heard what was made of the same recording and text before
  * @param {AbortSignal} [signal]
  * @returns {Promise<PerformedLine>}
  */
@@ -66,12 +66,12 @@ export async function performed(service, line, heard = null, signal) {
     return clipFromJson(await motion.json());
   };
   const listening = Object.entries(answer.listeners ?? {});
-  const [motion, ...others] = await Promise.all([answer.bml, ...listening.map(([, bml]) => bml)].map(played));
-  if (!motion) {
-    throw new Error("the service answered no motion");
-  }
-  const listeners = new Map(listening.map(([name], index) => [name, others[index] ?? motion]));
-  return { answer, performance: answer.performance, bml: answer.bml, motion, listeners };
+  const [motion, heardMotions] = await Promise.all([
+    played(answer.bml),
+    Promise.all(listening.map(async ([name, bml]) => /** @type {const} */ ([name, await played(bml)]))),
+  ]);
+  const contours = answer.contours ?? heard?.contours ?? null;
+  return { answer, performance: answer.performance, bml: answer.bml, motion, listeners: new Map(heardMotions), contours };
 }
 
 /**
@@ -85,7 +85,7 @@ async function performInto(store, service, line, signal) {
   try {
     const found = await performed(service, line, heardBefore(store, line), signal);
     if (!signal.aborted) {
-      store.set(HEARD, { audio: line.audio, text: line.text, performance: found.performance });
+      store.set(HEARD, { audio: line.audio, text: line.text, line: found });
       store.set(PERFORMED, found);
       store.set(PROBLEM, null);
     }
@@ -105,7 +105,7 @@ async function performInto(store, service, line, signal) {
  */
 function heardBefore(store, line) {
   const last = store.get(HEARD);
-  return last?.audio === line.audio && last.text === line.text && line.words === null ? last.performance : null;
+  return last?.audio === line.audio && last.text === line.text && line.words === null ? last.line : null;
 }
 
 /**

@@ -1,23 +1,25 @@
 /** The forms of requests for a performance and its motion. */
 
 /** @import { Performance, RealizeOptions } from "understudy-client" */
+/** @import { PerformedLine } from "../state/performed.js" */
 /** @import { Project } from "../state/project.js" */
 
 /**
  * What `POST /perform` is sent.
  *
- * `heard` is the performance of the same recording and text, if there was one: its words are sent, so that they need not
- * be looked for again. Only where nothing was guessed in finding them: else the service would not say so again.
+ * `heard` is what was made of the same recording and text, if there was one: its words are sent, so that they need not
+ * be looked for again. Only where nothing was guessed in finding them: else the service would not say so again. Contours
+ * are asked for once.
  *
  * @param {Project & { audio: File }} project
- * @param {Performance | null} heard
+ * @param {PerformedLine | null} heard
  */
 export function performForm(project, heard) {
   const form = new FormData();
   form.append("audio", project.audio, project.audio.name);
   form.append("text", project.text);
-  form.append("options", JSON.stringify(project.options));
-  const words = project.words ?? (heard && wordsOf(heard));
+  form.append("options", JSON.stringify(heard ? project.options : { ...project.options, contours: true }));
+  const words = project.words ?? (heard && wordsOf(heard.performance));
   appendFile(form, "words", words && { words });
   appendFile(form, "direction", project.direction);
   appendFile(form, "edits", project.edits);

@@ -13,7 +13,10 @@ import { slice } from "./slice.js";
  * @property {string} bml
  * @property {Clip} motion
  * @property {ReadonlyMap<string, Clip>} listeners motions by the listeners' names
+ * @property {Contours | null} contours f0 and energy
  */
+
+/** @typedef {NonNullable<Performed["contours"]>} Contours */
 
 /** Null until a line was performed, and then the last one that could be. */
 export const PERFORMED = slice(/** @type {PerformedLine | null} */ (null));

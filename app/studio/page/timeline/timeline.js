@@ -1,13 +1,63 @@
-/** Mounts the panel; nothing is in it yet. */
+/**
+ * The timeline: rows of what is heard, meant and done, in time, with the playhead. Clicking selects (SELECTION); see
+ * pointing.js for what dragging does, and how others hook in.
+ */
 
-/** @import { Service } from "../service/service.js" */
+import { el } from "../dom.js";
+import { problemOf } from "../service/service.js";
+import { PERFORMED, PROBLEM } from "../state/performed.js";
+import { PROJECT } from "../state/project.js";
+import { makeList } from "./list.js";
+import { PEAKS, peaksOf } from "./signals.js";
+import { Timeline, ZOOM } from "./view.js";
+
 /** @import { Store } from "../state/store.js" */
 
 /**
  * @param {HTMLElement} element
- * @param {Store} _store
- * @param {Service} _service
+ * @param {Store} store
  */
-export function mountTimeline(element, _store, _service) {
-  element.hidden = true;
+export function mountTimeline(element, store) {
+  const canvas = el("canvas", { id: "timeline-canvas", "aria-label": "Timeline; the list beside it says the same", role: "img" });
+  const playhead = el("div", { class: "playhead" });
+  const { list, show } = makeList(store);
+  const screen = el("div", { class: "tracks" }, [canvas, playhead]);
+  const timeline = new Timeline(canvas, playhead, store);
+  element.append(toolbar(timeline), el("div", { class: "beside" }, [screen, list]));
+  store.watch(PERFORMED, () => show(timeline.take()));
+  keepPeaks(store);
+  new ResizeObserver(() => timeline.draw()).observe(screen);
+  new MutationObserver(() => timeline.draw()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+}
+
+/** @param {Timeline} timeline */
+function toolbar(timeline) {
+  const button = (/** @type {string} */ name, /** @type {string} */ sign, /** @type {() => void} */ click) =>
+    el("button", { type: "button", "aria-label": name, title: name, click }, [sign]);
+  return el("div", { class: "toolbar", role: "toolbar", "aria-label": "Timeline" }, [
+    button("Zoom in", "+", () => timeline.zoom(1 / ZOOM)),
+    button("Zoom out", "−", () => timeline.zoom(ZOOM)),
+    button("Whole line", "Whole", () => timeline.whole()),
+    button("Earlier", "◂", () => timeline.scroll(-0.5)),
+    button("Later", "▸", () => timeline.scroll(0.5)),
+  ]);
+}
+
+/**
+ * Decodes each new recording for its wave.
+ *
+ * @param {Store} store
+ */
+function keepPeaks(store) {
+  /** @type {File | null} */
+  let file = null;
+  store.watch(PROJECT, ({ audio }) => {
+    if (audio && audio !== file) {
+      file = audio;
+      peaksOf(audio).then(
+        (peaks) => store.set(PEAKS, peaks),
+        (error) => store.set(PROBLEM, { ...problemOf(error), detail: `${audio.name}: the browser cannot decode it` }),
+      );
+    }
+  });
 }
