@@ -1,12 +1,14 @@
 """What a performance is asked for, and what comes of its analysis, before any movement is chosen: values alone."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, replace
+from typing import Self
 
 from .acoustic.agitation.speaker import SpeakerReference
 from .bml.choice.characters.characters import DEFAULT_CHARACTER
 from .bml.choice.speech.lead_in import LONGEST_LEAD_IN_S
 from .bml.choice.stillness import check_stillness
 from .bml.writing.writer import CORE_FORM, BmlForm
+from .edits.values import NO_EDITS, Edits
 from .errors import InputError
 from .model import (
     Agitation,
@@ -54,7 +56,8 @@ class Options:
     it usually sounds. `lead_in_s` is how long before the recording the performance begins,
     `stillness` (0 to 1) how much less than usual moves, `targets` are where things and listeners are. `played_by` has
     our characters by the names of listeners that are none of ours. `profile` is whose gestures are made, or the name of
-    one in the lexicon. `contours` is whether f0 and energy are told with the performance.
+    one in the lexicon. `contours` is whether f0 and energy are told with the performance, `edits` are what an author
+    changed in it (`with_edits`).
 
     Raises InputError `value_wrong` and `target_wrong`.
     """
@@ -72,6 +75,7 @@ class Options:
     targets: tuple[Target, ...] = ()
     profile: Profile | str | None = None
     contours: bool = False
+    edits: Edits = NO_EDITS
 
     def __post_init__(self) -> None:
         if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:
@@ -82,6 +86,11 @@ class Options:
             raise InputError("value_wrong", message, field="profile")
         check_stillness(self.stillness)
         check_targets(self.targets)
+
+    def with_edits(self, edits: Edits) -> Self:
+        """The options with an author's edits, whose settings of the line stand instead of these."""
+        settings = {part.name: getattr(edits.line, part.name) for part in fields(edits.line)}
+        return replace(self, edits=edits, **{name: told for name, told in settings.items() if told is not None})
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,7 +7,7 @@ from typing import Self
 from .acoustic.agitation.agitation import AgitationModel
 from .acoustic.agitation.speaker import SpeakerReference
 from .acoustic.alignment.alignment import Aligner, Alignment
-from .acoustic.alignment.timings import read_timings
+from .acoustic.alignment.timings import read_fillers, read_timings
 from .acoustic.contours import contours_of
 from .acoustic.signal.background import doubts
 from .acoustic.signal.decoding import AudioLimits, decode
@@ -15,6 +15,8 @@ from .acoustic.stress.emphasis import Measure, with_emphasis
 from .acoustic.stress.prominence import prominence
 from .acoustic.stress.stress import stress
 from .analysis import AlignedLine, Line, SignalAnalysis, Timings
+from .edits.values import WordEdit
+from .edits.word_times import corrected
 from .model import Audio, StressThresholds, Word
 from .on_demand import OnDemand
 from .progress import Progress, no_progress
@@ -83,10 +85,15 @@ def align_words(
     transcript: tuple[Word, ...],
     timings: Timings | None = None,
     progress: Progress = no_progress,
+    *,
+    edits: Sequence[WordEdit] = (),
 ) -> tuple[Alignment, StressThresholds]:
-    """The words in time with how they stand out, and the utterance's own thresholds (paper §3.1.5)."""
+    """The words in time with how they stand out, and the utterance's own thresholds (paper §3.1.5); an author's `edits`
+    correct their times."""
     progress("align")
     timed = _timed(acoustic, heard.audio, transcript, timings)
+    words, notices = corrected(timed.words, edits, duration_s=heard.audio.duration_s)
+    timed = replace(timed, words=words, notices=timed.notices + notices)
     progress("stress")
     words, thresholds = stress(prominence(timed.words, heard.contours), heard.contours)
     settings = acoustic.settings
@@ -112,7 +119,8 @@ def _timed(acoustic: AcousticModels, audio: Audio, transcript: tuple[Word, ...],
     """The words in time: as the caller timed them, else as the aligner hears them."""
     if timings is None:
         return acoustic.aligner.listen(audio, transcript)
-    return Alignment(read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s), ())
+    words = read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s)
+    return Alignment(words, (), read_fillers(timings.content, timings.format, duration_s=audio.duration_s))
 
 
 def audio_limits(settings: Settings) -> AudioLimits:

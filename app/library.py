@@ -14,6 +14,7 @@ from typing import Any, Literal, TypedDict, Unpack
 
 from .bml.choice.speech.lead_in import with_lead_in
 from .bml.writing.smartbody_tables import VisemeNames
+from .edits.values import NO_EDITS, Edits
 from .errors import InputError
 from .model import Direction, GivenFunction, Level, Mode, Performance
 from .motion_formats import AudioFile
@@ -55,6 +56,7 @@ from .realization import (
     realize_prepared,
 )
 from .realization import write_motion as _write_motion
+from .schemas.edits import read_edits
 from .schemas.requests import RealizeOptions, check_options, check_realize_options, read_timings
 from .schemas.response_model import ResponseModel
 from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse
@@ -123,19 +125,21 @@ def perform(
     words: FileSource | Timings | None = None,
     functions: Sequence[GivenFunction] = (),
     direction: Direction | None = None,
+    edits: FileSource | Edits = NO_EDITS,
     **options: Unpack[PerformKeywords],
 ) -> Performance:
     """The performance of a recorded line, with the reason for each movement (Marsella et al. 2013, §3).
 
     `audio` is a WAV, FLAC or OGG file, `text` what is said in it. `words` are timings made elsewhere (the name of a
     .json, .TextGrid or .ctm file, or `Timings`); then nothing is aligned. `functions` are communicative functions that
-    the caller knows already, `direction` is a director's notes (docs/directing.md). Raises InputError for what cannot
-    be used.
+    the caller knows already, `direction` is a director's notes (docs/directing.md), `edits` are what an author changed
+    (docs/edits.md). Raises InputError for what cannot be used.
     """
     fields: dict[str, Any] = {**options}
     reference = fields.pop("reference", None)
     line = replace(_line(audio, text, words, functions), direction=direction)
-    return _perform(models, line, replace(check_options(fields), reference=reference))
+    made = edits if isinstance(edits, Edits) else read_edits(_content(edits))
+    return _perform(models, line, replace(check_options(fields), reference=reference).with_edits(made))
 
 
 def analyze(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Self
 from .acting.candidates import Stage, candidates_of
 from .acting.families import Families
 from .acting.notes import directed, unplayed_notes
-from .acting.planning import Planner, plan
+from .acting.planning import Planner, meanings, plan
 from .acting.targets import mentions, pointing_candidates, without_overlapped
 from .analysis import (
     Analysis,
@@ -28,6 +28,9 @@ from .bml.choice.speech.lead_in import with_lead_in
 from .bml.choice.speech.visemes import visemes
 from .bml.choice.stillness import with_stillness
 from .bml.writing.writer import losses
+from .edits.applying import edited
+from .edits.values import WordMark
+from .edits.words import marked, unmarked, with_marked
 from .gesture_scripts import (
     as_speaker,
     gesture_script,
@@ -112,6 +115,9 @@ class BehaviorModels:
 QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
 """How much the body does at each level of agitation (paper §1), beside how much it does by itself."""
 
+PLAIN_EMPHASIS = ("beat",)
+"""What a word means that matters, where nothing else is known of it."""
+
 
 @dataclass(frozen=True, slots=True)
 class _Performer:
@@ -145,7 +151,8 @@ def move(
     """
     performer = _Performer.of(behavior, _level(analysis), options, direction)
     progress("plan")
-    moments = plan_moments(behavior, analysis, performer.character, direction)
+    performer = replace(performer, direction=_with_marked(performer, analysis))
+    moments = plan_moments(behavior, analysis, performer.character, performer.direction)
     if performer.profile:
         moments = without_planned_gestures(moments)
     analysis = replace(analysis, utterance=with_lead_in(analysis.utterance, options.lead_in_s))
@@ -170,6 +177,17 @@ def plan_moments(
         quantity = QUANTITY[agitation.level if agitation else Level.MEDIUM] * character.liveliness
         moments = plan(behavior.planner, analysis.utterance, analysis.functions, analysis.facts, quantity=quantity)
     return moments if direction is None else directed(direction, moments)
+
+
+def _with_marked(performer: _Performer, analysis: Analysis) -> Direction | None:
+    """The director's notes with one for each word that the author marked; what is important means what the plan would
+    have it mean, and is stressed where nothing is planned."""
+    edits, words, behavior = performer.options.edits.words, analysis.utterance.words, performer.behavior
+    important = {index for mark, index in marked(edits, words) if mark is WordMark.IMPORTANT}
+    meant: Mapping[int, tuple[str, ...]] = dict.fromkeys(important, PLAIN_EMPHASIS)
+    if important and behavior.settings.choice == "terms":
+        meant = meanings(behavior.planner, analysis.utterance, analysis.functions, analysis.facts, words=important)
+    return with_marked(performer.direction, edits, words, meant)
 
 
 def _level(analysis: Analysis) -> Level:
@@ -232,7 +250,7 @@ def _told(
     moments: tuple[Moment, ...],
     behaviors: tuple[Behavior, ...],
 ) -> Performance:
-    """The performance with its lips, its listeners and its notices."""
+    """The performance with its lips, an author's edits, its listeners and its notices."""
     options, utterance = performer.options, analysis.utterance
     targets = placed_listeners(options.listeners, options.targets)
     behaviors = addressed(behaviors, options.listeners, targets)
@@ -243,11 +261,17 @@ def _told(
         behaviors=behaviors,
         character=performer.character.name,
         seed=options.seed,
-        notices=analysis.notices + lip_notices + unplayed_notes(moments, behaviors),
+        notices=(
+            *analysis.notices,
+            *lip_notices,
+            *unplayed_notes(moments, behaviors),
+            *unmarked(options.edits.words, utterance.words),
+        ),
         visemes=lips,
         moments=moments,
         targets=targets,
     )
+    performance = edited(performance, options.edits.behaviors, performer.character)
     heard_by = partial(_heard_by, performer.behavior, dict(options.played_by))
     performance = with_stillness(reduce(heard_by, options.listeners, performance), options.stillness)
     return replace(performance, notices=performance.notices + losses(performance, options.form))

@@ -7,6 +7,7 @@ know nothing of the stages; the forms in which results leave (BML, TextGrid, CTM
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Self
 
@@ -26,6 +27,7 @@ from .analysis import (
 from .bml.choice.characters.characters import DEFAULT_CHARACTER
 from .bml.markup.documents import DialectName, TimeForm
 from .bml.writing.writer import BmlForm, write_bml, write_bml_json, write_speech_file
+from .edits.values import WordEdit
 from .errors import InputError
 from .hearing import AcousticModels, align, align_words, analyze_signal, make_reference
 from .loading import (
@@ -199,7 +201,14 @@ def _heard(
     understudy.behavior.characters.named(options.character)
     understudy.behavior.profile(options.profile)
     notices = _checked_direction(understudy, line)
-    analysis = analyze(understudy, line, agitation=options.agitation, reference=options.reference, progress=progress)
+    analysis = analyze(
+        understudy,
+        line,
+        agitation=options.agitation,
+        reference=options.reference,
+        edits=options.edits.words,
+        progress=progress,
+    )
     return analysis, notices
 
 
@@ -229,13 +238,14 @@ def analyze(
     *,
     agitation: Level | None = None,
     reference: SpeakerReference | None = None,
+    edits: Sequence[WordEdit] = (),
     progress: Progress = no_progress,
 ) -> Analysis:
-    """What is heard, said and meant (paper §3.1 to §3.3)."""
+    """What is heard, said and meant (paper §3.1 to §3.3); an author's `edits` correct when words are spoken."""
     acoustic, language = understudy.acoustic, understudy.language
     transcript = read_transcript(line.text, max_characters=language.settings.max_text_characters)
     heard = analyze_signal(acoustic, line.audio, progress, reference=reference)
-    timed, thresholds = align_words(acoustic, heard, transcript, line.timings, progress)
+    timed, thresholds = align_words(acoustic, heard, transcript, line.timings, progress, edits=edits)
     progress("parse")
     utterance = Utterance(
         words=timed.words,

@@ -6,7 +6,7 @@ that are worth more than a gesture costs, a few words apart, and leaves the rest
 something over the stretches in which directors would likely want it.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from math import exp, log
@@ -111,6 +111,21 @@ def plan(
     return tuple(sorted(moments, key=lambda moment: (moment.stroke, moment.channel, moment.first)))
 
 
+def meanings(
+    planner: Planner,
+    utterance: Utterance,
+    functions: Sequence[Function],
+    facts: Iterable[Fact],
+    *,
+    words: Collection[int],
+) -> dict[int, tuple[str, ...]]:
+    """The families of gestures that a stroke on each of these words would be worth most for, the best first, whether
+    it is worth a gesture there or not."""
+    reading = planner.encoder.read([word.text for word in utterance.words])
+    weighed = _weighed(planner, reading, utterance, terms_of(utterance, functions, planner.terms.of_facts(facts)))
+    return {word: tuple(planner.choice.families[place] for place in _best(weighed.worth[word])) for word in words}
+
+
 def expected_worth(at_word: SingleArray, nearby: SingleArray) -> SingleArray:
     """What a stroke on each word is expected to earn (W, F), by the reading alone."""
     return np.asarray(AT_WORD_SHARE * spread(at_word) + (1 - AT_WORD_SHARE) * nearby, np.float32)
@@ -167,7 +182,7 @@ def _gestures(planner: Planner, weighed: _Weighed, utterance: Utterance, taken: 
     bounds = [-1, *taken, len(utterance.words)]
     for number, stroke in enumerate(taken):
         worth = weighed.worth[stroke]
-        order = [int(place) for place in np.argsort(-worth, kind="stable")[:FAMILIES_TOLD]]
+        order = _best(worth)
         first, last = _phrase_about(utterance, stroke, bounds[number], bounds[number + 2])
         terms = planner.choice.explained(weighed.read[stroke], weighed.terms[stroke], families[order[0]])
         yield Moment(
@@ -182,6 +197,11 @@ def _gestures(planner: Planner, weighed: _Weighed, utterance: Utterance, taken: 
             terms=terms[:TERMS_TOLD],
             rejected=tuple(_rejected(families, weighed, (first, stroke, last), order)),
         )
+
+
+def _best(worth: SingleArray) -> list[int]:
+    """The families that are worth most, of the worths (F,) on a word."""
+    return [int(place) for place in np.argsort(-worth, kind="stable")[:FAMILIES_TOLD]]
 
 
 def _placed(

@@ -26,6 +26,7 @@ def form_limits(task: Task, settings: Settings) -> Mapping[str, int]:
         "functions": settings.max_functions_bytes,
         "direction": settings.max_direction_bytes,
         "rules": settings.max_rules_bytes,
+        "edits": settings.max_edits_bytes,
         "reference": settings.max_audio_bytes,
         "bml": settings.max_bml_bytes,
         "avatar": settings.max_avatar_bytes,
@@ -34,7 +35,7 @@ def form_limits(task: Task, settings: Settings) -> Mapping[str, int]:
 
 
 FORM_FIELDS: Mapping[Task, tuple[str, ...]] = {
-    Task.PERFORM: ("audio", "text", "options", "words", "functions", "direction", "reference", "rules"),
+    Task.PERFORM: ("audio", "text", "options", "words", "functions", "direction", "edits", "reference", "rules"),
     Task.REALIZE: ("bml", "audio", "avatar", "options"),
     Task.GESTURE_POSE: ("avatar", "options"),
 }

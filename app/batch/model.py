@@ -7,6 +7,7 @@ are seconds from the start of the recording.
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..edits.values import Edits
 from ..model import Direction, Interval, Level, Target
 
 
@@ -16,7 +17,7 @@ class ScriptLine:
 
     `character` is the cue name as the script has it, `comment` what it says of the delivery ("whispers"), for people;
     `recording` is the file that it names, `interval` where it is spoken in a longer recording. `listeners` are those
-    whom the script names; None leaves it to the cast and the scene.
+    whom the script names; None leaves it to the cast and the scene. `edits` are those that the script names.
     """
 
     row: int
@@ -29,6 +30,7 @@ class ScriptLine:
     take: int | None = None
     interval: Interval | None = None
     direction: Direction | None = None
+    edits: Edits | None = None
     listeners: tuple[str, ...] | None = None
     agitation: Level | None = None
     seed: int | None = None

@@ -5,12 +5,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
+from ..edits.values import NO_EDITS
 from ..errors import InputError
 from ..loading import load_characters
 from ..performance import Options, SpeakerReference
 from .casting.cast_file import NOBODY_CAST, read_cast
 from .casting.casting import Casting
 from .casting.voices import reference_jobs, speaker_of
+from .edits_files import edits_of_takes
 from .layout import require_apart
 from .manifest.entries import Entry, State
 from .matching.joining import Joined, Missing, join_one_recording, join_recordings
@@ -43,10 +45,17 @@ def plan_batch(request: BatchRequest) -> Plan:
     cast = read_cast(request.cast, frozenset(characters)) if request.cast else NOBODY_CAST
     casting = Casting.of(cast, request.options, characters, script.lines, has_partners=request.has_partners)
     joined = _joined(request, script)
-    jobs = tuple((take, _job(request, take, casting.options(take))) for take in joined.takes)
+    edits, problems = edits_of_takes(joined.takes)
+    wrong = {problem.id for problem in problems}
+    jobs = tuple(
+        (take, _job(request, take, casting.options(take).with_edits(edits.get(take.id, NO_EDITS))))
+        for take in joined.takes
+        if take.id not in wrong
+    )
     require_apart((take.id, target) for take, job in jobs for target in job.targets)
     _require_spared(request, jobs)
     voices = reference_jobs(_to_learn(casting, jobs)) if request.learns_voices else ()
+    script = replace(script, problems=script.problems + problems)
     return Plan(script, joined, jobs, voices, (*script.remarks, *casting.remarks(script.lines)))
 
 

@@ -41,7 +41,7 @@ class Behavior:
     What lost a conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words.
 
     `after_strokes_s` are the ends of a gesture's strokes after its main one, seconds after that; None leaves them to
-    the realizer."""
+    the realizer. `edit` is the number of the author's edit that made or changed it."""
 
     id: str
     kind: Channel
@@ -62,6 +62,7 @@ class Behavior:
     lost_to: str | None = None
     reason: str | None = None
     after_strokes_s: tuple[float, ...] | None = None
+    edit: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

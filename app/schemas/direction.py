@@ -10,8 +10,9 @@ from typing import Annotated
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from ..acting.vocabulary import AVOIDABLE, FACES, GAZES, GESTURES, HEADS
-from ..errors import LONGEST_SHOWN, InputError
+from ..errors import InputError
 from ..model import Avoidance, DirectedMoment, Direction
+from .mistakes import mistakes_told
 from .requests import read_object
 
 FIELD = "direction"
@@ -121,10 +122,8 @@ def read_direction(content: bytes) -> Direction:
     try:
         return DirectionRequest.model_validate(fields).to_direction()
     except ValidationError as error:
-        found = error.errors()
-    told = "; ".join(_told(tuple(each["loc"]), each["msg"]) for each in found[:_MOST_IN_MESSAGE])
-    more = f"; and {len(found) - _MOST_IN_MESSAGE} more" if len(found) > _MOST_IN_MESSAGE else ""
-    raise InputError("direction_wrong", f"{FIELD}: {told}{more}", field=FIELD)
+        told = mistakes_told(error, most=_MOST_IN_MESSAGE)
+    raise InputError("direction_wrong", f"{FIELD}: {told}", field=FIELD)
 
 
 def direction_schema() -> str:
@@ -135,10 +134,3 @@ def direction_schema() -> str:
 
 def _plain(word: str) -> str:
     return "negation" if word == NO_NEGATION else word
-
-
-def _told(location: tuple[int | str, ...], message: str) -> str:
-    """A mistake with its place, such as `moments[2].stroke`."""
-    parts = (f"[{part}]" if isinstance(part, int) else f".{part[:LONGEST_SHOWN]}" for part in location)
-    where = "".join(parts).removeprefix(".")
-    return f"{where}: {message[0].lower()}{message[1:]}"

@@ -180,7 +180,8 @@ class FunctionResponse(ResponseModel):
 
 
 class BehaviorResponse(ResponseModel):
-    """A scheduled behaviour; the times of `sync` are seconds from the start of the audio."""
+    """A scheduled behaviour; the times of `sync` are seconds from the start of the audio. `edit` is the number of the
+    author's edit that made or changed it."""
 
     id: str
     kind: str
@@ -201,6 +202,7 @@ class BehaviorResponse(ResponseModel):
     lost_to: str | None = None
     reason: str | None = None
     after_strokes_s: list[Number] | None = None
+    edit: int | None = None
 
 
 class TermResponse(ResponseModel):

@@ -139,3 +139,19 @@ def test_lines_are_cut_out_of_one_recording_by_their_times(batch: Batch) -> None
     assert soundfile.info(batch.folder / "out" / "film_0001.wav").duration == pytest.approx(0.9)
     assert second.failure is not None
     assert second.failure.code == "cut_outside"
+
+
+def test_edits_beside_a_recording_are_made_again_when_they_change(batch: Batch) -> None:
+    plain, _entries = batch.run()
+    assert set(plain) == {"one", "two"}
+    edits = batch.folder / "audio" / "two.edits.json"
+    edits.write_text('{"behaviors": [{"add": "gesture", "on": {"word": 8}, "lexeme": "POINT_FRONT"}]}')
+    changed, entries = batch.run()
+    assert changed == ["two"]
+    assert entries["two"].state is State.DONE
+    assert b'lexeme="POINT_FRONT"' in (batch.folder / "out" / "two.bml").read_bytes()
+    edits.write_text('{"behavior": []}')
+    wrong, entries = batch.run()
+    assert wrong == []
+    [failed] = [entry for entry in entries.values() if entry.failure and entry.failure.code == "edits_wrong"]
+    assert failed.state is State.FAILED

@@ -21,7 +21,7 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, FailFast, Field, ValidationError
 
 from ...errors import InputError, UndecodableError, UnsupportedFormatError, shown
-from ...model import Interval, Phone, Word
+from ...model import Filler, Interval, Phone, Word
 from ..pronunciation.normalisation import fold
 
 FORMATS = ("json", "textgrid", "ctm")
@@ -55,12 +55,21 @@ class _TimedWord(BaseModel):
     phones: Annotated[tuple[_TimedPhone, ...], FailFast(), Field(max_length=MOST_PHONES)] = ()
 
 
+class _TimedFiller(BaseModel):
+    model_config = ConfigDict(extra="ignore", frozen=True)
+
+    text: str
+    start_s: Annotated[float, Field(ge=0)]
+    end_s: float
+
+
 class _TimedWords(BaseModel):
     """The parts of the JSON of `align` that are read."""
 
     model_config = ConfigDict(extra="ignore", frozen=True)
 
     words: Annotated[tuple[_TimedWord, ...], FailFast(), Field(max_length=MOST_WORDS)]
+    fillers: Annotated[tuple[_TimedFiller, ...], FailFast(), Field(max_length=MOST_WORDS)] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,13 +94,22 @@ def read_timings(content: bytes, format: str, words: tuple[Word, ...], *, durati
             f"words in time cannot be read from {shown(format)}; send {', '.join(FORMATS)}",
             field="words",
         )
-    try:
-        text = content.decode("utf-16" if content[:2] in {b"\xff\xfe", b"\xfe\xff"} else "utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise _unreadable(format, f"byte {error.start} is no {error.encoding}") from None
-    timed = tuple(readers[format](text))
+    timed = tuple(readers[format](_decoded(content, format)))
     _check_times(timed, duration_s)
     return _matched(timed, words, duration_s)
+
+
+def read_fillers(content: bytes, format: str, *, duration_s: float) -> tuple[Filler, ...]:  # noqa: A002
+    """The fillers within the audio that the JSON of `align` tells beside its words; the other formats have none.
+    `read_timings` must have read the content."""
+    if format != "json":
+        return ()
+    found = _timed_words(_decoded(content, format)).fillers
+    return tuple(
+        Filler(each.text, Interval(each.start_s, min(each.end_s, duration_s)))
+        for each in found
+        if each.start_s < min(each.end_s, duration_s)
+    )
 
 
 def to_textgrid(words: tuple[Word, ...], duration_s: float) -> str:
@@ -124,17 +142,27 @@ def to_ctm(words: tuple[Word, ...], name: str) -> str:
     )
 
 
-def _from_json(text: str) -> Iterator[_Timed]:
+def _decoded(content: bytes, name: str) -> str:
+    try:
+        return content.decode("utf-16" if content[:2] in {b"\xff\xfe", b"\xfe\xff"} else "utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise _unreadable(name, f"byte {error.start} is no {error.encoding}") from None
+
+
+def _timed_words(text: str) -> _TimedWords:
     try:
         content = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise _unreadable("json", str(error)) from None
     try:
-        read = _TimedWords.model_validate(content)
+        return _TimedWords.model_validate(content)
     except ValidationError as error:
         first = error.errors()[0]
         raise _unreadable("json", f"{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
-    for word in read.words:
+
+
+def _from_json(text: str) -> Iterator[_Timed]:
+    for word in _timed_words(text).words:
         if word.start_s is not None and word.end_s is not None:
             phones = tuple(
                 Phone(phone.label, Interval(phone.start_s, phone.end_s), phone.stress) for phone in word.phones

@@ -9,6 +9,7 @@ from pydantic.json_schema import JsonSchemaMode, models_json_schema
 
 from ...schemas.avatar_pose import AvatarPoseOptions, AvatarPoseResponse
 from ...schemas.direction import DirectionRequest
+from ...schemas.edits import EditsForm
 from ...schemas.gesture_language import GestureLanguageResponse
 from ...schemas.gestures import GestureCheckRequest, GestureCheckResponse, GestureMotionRequest
 from ...schemas.given_functions import GivenFunctionRequest
@@ -32,7 +33,7 @@ from .authoring_operations import AUTHORING_OPERATIONS
 from .operations import OPERATIONS
 
 _ASKED: tuple[type[BaseModel], ...] = (
-    *(PerformOptions, RealizeOptions, FunctionsRequest, GivenFunctionRequest, DirectionRequest),
+    *(PerformOptions, RealizeOptions, FunctionsRequest, GivenFunctionRequest, DirectionRequest, EditsForm),
     *(GestureCheckRequest, GestureMotionRequest, AvatarPoseOptions),
     *(RuleEditsRequest, RuleExplanationRequest, RuleComparisonRequest),
 )

@@ -58,7 +58,8 @@ class Operation:
 def form(required: list[str], parts: dict[str, Json], example: Json) -> Json:
     """The body of a form with these parts."""
     schema = {"type": "object", "required": required, "additionalProperties": False, "properties": parts}
-    as_json = {name: {"contentType": JSON} for name in parts if name in {"options", "functions", "direction", "rules"}}
+    in_json = {"options", "functions", "direction", "edits", "rules"}
+    as_json = {name: {"contentType": JSON} for name in parts if name in in_json}
     return {FORM: {"schema": schema, "encoding": as_json, "example": example}}
 
 
@@ -93,6 +94,7 @@ _PERFORM = Operation(
             "direction": reference("DirectionRequest"),
             "rules": reference("RuleEditsRequest"),
             "reference": {**FILE, "description": "What `understudy reference` writes (.json), or a recording."},
+            "edits": reference("EditsForm"),
         },
         {"text": "No, I have never seen those.", "options": {"agitation": "high", "seed": 7}},
     ),

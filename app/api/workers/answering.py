@@ -25,6 +25,7 @@ from ...performance import (
 from ...realization import AvatarOptions, BmlInput, prepare_schedule, realize_prepared, write_motion
 from ...realizer.body.motion import check_tail
 from ...schemas.direction import read_direction
+from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions
 from ...schemas.requests import (
     RealizeOptions,
@@ -96,8 +97,10 @@ def _line(form: Mapping[str, Part]) -> Line:
 
 
 def _options(form: Mapping[str, Part]) -> Options:
-    """What `options` says; the recording goes by the name of its file."""
+    """What `options` and then an author's edits say; the recording goes by the name of its file."""
     options = read_options(form["options"].content) if "options" in form else Options()
+    if "edits" in form:
+        options = options.with_edits(read_edits(form["edits"].content))
     audio_file = PurePath(form["audio"].file_name or "").name or None
     return replace(options, form=replace(options.form, audio_file=audio_file))
 

@@ -5,6 +5,7 @@ import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from ...edits.values import NO_EDITS
 from ...performance import SpeakerReference
 from ...resources import RULES, resource_folder
 from ...settings import Settings
@@ -66,6 +67,7 @@ def input_hash(job: LineJob, recording: str) -> str:
         _reference(options.reference),
         repr([target.path for target in job.targets]),
         *([] if options.profile is None else [repr(options.profile)]),
+        *([] if options.edits == NO_EDITS else [repr(options.edits)]),
     )
 
 

@@ -15,9 +15,11 @@ from typing import Any
 
 import requests
 
+from ...edits.values import NO_EDITS
 from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
 from ...performance import DialectName, SpeakerReference
+from ...schemas.edits import write_edits
 from ...schemas.references import ReferenceForm
 from ...settings import PREFIX, Settings
 from ..work.formats import LineFormat, OutputFormat, act_path, beside, extension_of, recording_name
@@ -130,6 +132,8 @@ def _post(url: str, job: LineJob, audio: bytes, headers: Mapping[str, str]) -> t
     fields = {"text": job.text, "options": json.dumps(_options(job))}
     if job.direction is not None:
         fields["direction"] = json.dumps(asdict(job.direction))
+    if job.options.edits != NO_EDITS:
+        fields["edits"] = write_edits(job.options.edits).decode()
     try:
         return requests.post(url, data=fields, files=files, headers=headers, timeout=ANSWER_S), ""
     except requests.RequestException as error:

@@ -1,16 +1,21 @@
 """Turns the cells of a row into the fields of a line; what is wrong is collected, not raised, so that all is told."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TypeVar
 
+from ...edits.values import Edits
 from ...errors import InputError
 from ...model import Direction, Interval, Level, Target
 from ...schemas.direction import read_direction
+from ...schemas.edits import read_edits
 from ...targets import read_targets
 from ..model import Problem
 from .columns import Columns
+
+Read = TypeVar("Read")
 
 _CLOCK = re.compile(r"(?:(?:(\d+):)?(\d+):)?(\d+(?:[.,]\d+)?)")
 _SEPARATORS = re.compile(r"[;,|/]")
@@ -74,14 +79,22 @@ class Row:
         told = self.text("direction")
         if not told.startswith("{") and not told.casefold().endswith(".json"):
             return None, told
+        return self._json("direction", read_direction), ""
+
+    def edits(self) -> Edits | None:
+        """What an author changed, in JSON or as the name of a file beside the script."""
+        return self._json("edits", read_edits) if self.text("edits") else None
+
+    def _json(self, name: str, read: Callable[[bytes], Read]) -> Read | None:
+        """What a cell has in JSON, or a file that it names; None if that is wrong."""
+        told = self.text(name)
         try:
-            content = told.encode() if told.startswith("{") else (self.folder / told).read_bytes()
-            return read_direction(content), ""
+            return read(told.encode() if told.startswith("{") else (self.folder / told).read_bytes())
         except InputError as error:
-            self.wrong("direction", error.code, error.message)
+            self.wrong(name, error.code, error.message)
         except OSError as error:
-            self.wrong("direction", "file_unreadable", f"{told}: cannot be read: {error.strerror}")
-        return None, ""
+            self.wrong(name, "file_unreadable", f"{told}: cannot be read: {error.strerror}")
+        return None
 
     def wrong(self, name: str, code: str, message: str) -> None:
         column = self.columns.name(name) if name in self.columns.places else ""

@@ -19,6 +19,7 @@ FIELDS = (
     "recording",
     "comment",
     "direction",
+    "edits",
     "scene",
     "take",
     "start",

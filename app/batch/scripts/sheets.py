@@ -78,6 +78,7 @@ def _read_row(row: Row) -> tuple[ScriptLine, list[Problem]]:
         take=row.whole_number("take"),
         interval=row.interval(),
         direction=direction,
+        edits=row.edits(),
         listeners=row.listeners(),
         agitation=row.level(),
         seed=row.whole_number("seed"),

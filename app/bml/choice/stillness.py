@@ -1,6 +1,7 @@
 """Stillness: how much of a schedule is left out and how small the rest is, from 0 (nothing, as it is) to 1 (all of it).
 
-The least important goes first: what the body does by itself, then what shows functions, in order of priority. Blinks
+The least important goes first: what the body does by itself, then what shows functions, in order of priority, and what
+an author changed last. Blinks
 and breath stay as they are: at 1 nothing else is left, and the realizer leaves the body's own life out by the same
 measure.
 """
@@ -61,9 +62,9 @@ def _is_involuntary(behavior: Behavior) -> bool:
     return behavior.lexeme == BLINK or (behavior.lexeme == BREATH and behavior.function is None)
 
 
-def _importance(behavior: Behavior) -> tuple[bool, float, int, float, str]:
-    shows = behavior.function is not None
-    return shows, behavior.priority, _KINDS.index(behavior.kind), behavior.amount or 0.0, behavior.id
+def _importance(behavior: Behavior) -> tuple[bool, bool, float, int, float, str]:
+    authored, shows = behavior.edit is not None, behavior.function is not None
+    return authored, shows, behavior.priority, _KINDS.index(behavior.kind), behavior.amount or 0.0, behavior.id
 
 
 def _left_out(behavior: Behavior, stillness: float) -> Behavior:

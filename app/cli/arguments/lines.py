@@ -26,6 +26,8 @@ def add_perform(add: Adding) -> None:
     parser.add_argument(
         "--direction", metavar="FILE", type=InputFile, help="a director's notes: what the body should mean where, JSON"
     )
+    told = "what an author changed in the performance, made again: JSON (docs/edits.md)"
+    parser.add_argument("--edits", metavar="FILE", type=InputFile, help=told)
     add_output(parser, "OUT.bml", "where the BML goes, OUT.json: as JSON (default: standard output)", default=STANDARD)
     add_manner(parser)
     add_reference(parser)

@@ -126,7 +126,7 @@ def add_line(parser: argparse.ArgumentParser) -> None:
         type=InputFile,
         help="the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned",
     )
-    parser.set_defaults(functions=None, direction=None)
+    parser.set_defaults(functions=None, direction=None, edits=None)
 
 
 def add_functions(parser: argparse.ArgumentParser) -> None:

@@ -19,7 +19,7 @@ from ..distinct_files import OutputFile, require_distinct
 from ..files import STANDARD, require_writable, write
 from ..inputs.early import require_character, require_usable
 from ..inputs.hearing import require_reference, speaker_reference
-from ..inputs.lines import read_line
+from ..inputs.lines import edits_of, read_line
 from ..inputs.profiles import optional_profile
 from ..log import Log
 from ..outputs.motions import MotionOptions, recording, require_motions, write_motions
@@ -31,7 +31,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     _check_targets(arguments, settings)
     motion = MotionOptions.of(arguments, settings)
     line = read_line(arguments, settings)
-    options = _options(arguments)
+    options = _options(arguments).with_edits(edits_of(arguments, settings))
     require_character(options.character)
     require_reference(arguments.reference, settings)
     require_usable(line, settings)

@@ -3,9 +3,11 @@
 import argparse
 
 from ...analysis import Line, Timings
+from ...edits.values import NO_EDITS, Edits
 from ...errors import InputError
 from ...model import Direction, GivenFunction
 from ...schemas.direction import read_direction
+from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions
 from ...schemas.requests import read_timings
 from ...settings import Settings
@@ -17,10 +19,10 @@ def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:
 
     Raises InputError for what cannot be read.
     """
-    files = [arguments.audio, arguments.text_file, arguments.words, arguments.functions, arguments.direction]
-    if files.count(STANDARD) > 1:
+    parts = ("audio", "text_file", "words", "functions", "direction", "edits")
+    if [getattr(arguments, part) for part in parts].count(STANDARD) > 1:
         raise InputError(
-            "usage", "only one of audio, text, words, functions and direction can come from standard input (-)"
+            "usage", "only one of audio, text, words, functions, direction and edits can come from standard input (-)"
         )
     return Line(
         audio=read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio"),
@@ -29,6 +31,13 @@ def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:
         functions=() if arguments.functions is None else _functions(arguments.functions, settings),
         direction=None if arguments.direction is None else _direction(arguments.direction, settings),
     )
+
+
+def edits_of(arguments: argparse.Namespace, settings: Settings) -> Edits:
+    """The edits of `--edits`; raises InputError for what cannot be read."""
+    if arguments.edits is None:
+        return NO_EDITS
+    return read_edits(read_bytes(arguments.edits, limit=settings.max_edits_bytes, field="edits"))
 
 
 def _text(arguments: argparse.Namespace, settings: Settings) -> str:

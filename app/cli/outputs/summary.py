@@ -22,9 +22,9 @@ def _lines(performance: Performance) -> Iterator[str]:
     begins = f", the recording begins at {utterance.lead_in_s:.2f} s" if utterance.lead_in_s else ""
     yield f"{performance.character} performs {duration_s:.2f} s{begins}, agitation {level}, seed {performance.seed}"
     for behavior in kept:
-        if behavior.function is not None:
-            yield _movement(performance, behavior, functions[behavior.function])
-    own = Counter(behavior.lexeme.lower() for behavior in kept if behavior.function is None)
+        if behavior.function is not None or behavior.edit is not None:
+            yield _movement(performance, behavior, functions.get(behavior.function or ""))
+    own = Counter(behavior.lexeme.lower() for behavior in kept if behavior.function is None and behavior.edit is None)
     if own:
         yield "by itself: " + ", ".join(f"{count} × {lexeme}" for lexeme, count in own.items())
     dropped = len(performance.behaviors) - len(kept)
@@ -32,14 +32,22 @@ def _lines(performance: Performance) -> Iterator[str]:
         yield f"not shown, for they gave way to others: {dropped} (--trace tells why)"
 
 
-def _movement(performance: Performance, behavior: Behavior, function: Function) -> str:
+def _movement(performance: Performance, behavior: Behavior, function: Function | None) -> str:
     words = " ".join(word.text for word in performance.utterance.words[behavior.first : behavior.last + 1])
     shown = words if len(words) <= WORDS_WIDTH else words[: WORDS_WIDTH - 1] + "…"
     movement = behavior.lexeme.lower() + (f" ({behavior.hand})" if behavior.hand else "")
     return (
         f"{behavior.sync.start:6.2f}–{behavior.sync.end:5.2f} s  {behavior.kind:7s} {movement:24s} "
-        f"{shown:{WORDS_WIDTH}s}  {_name(function)} by {function.rule} → {behavior.rule or behavior.reason}"
+        f"{shown:{WORDS_WIDTH}s}  {_why(behavior, function)}"
     )
+
+
+def _why(behavior: Behavior, function: Function | None) -> str:
+    authored = "" if behavior.edit is None else f"the author's edit {behavior.edit}"
+    if function is None:
+        return authored
+    chosen = f"{_name(function)} by {function.rule} → {behavior.rule or behavior.reason}"
+    return f"{chosen}; {authored}" if authored else chosen
 
 
 def _name(function: Function) -> str:

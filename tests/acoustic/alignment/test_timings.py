@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from understudy.acoustic.alignment.timings import read_timings, to_ctm, to_textgrid
+from understudy.acoustic.alignment.timings import read_fillers, read_timings, to_ctm, to_textgrid
 from understudy.errors import InputError, UndecodableError, UnsupportedFormatError
-from understudy.model import Interval, Phone, Word
+from understudy.model import Filler, Interval, Phone, Word
 from understudy.transcript import read_transcript
 
 DURATION_S = 2.0
@@ -181,3 +181,16 @@ def test_what_is_no_timings_file_is_refused(content: bytes, format: str) -> None
 def test_other_formats_are_refused() -> None:
     with pytest.raises(UnsupportedFormatError, match="json, textgrid, ctm"):
         read_timings(b"", "srt", _words(), duration_s=DURATION_S)
+
+
+def test_fillers_beside_the_words_are_read_as_far_as_the_audio_goes() -> None:
+    fillers = [{"text": "um", "start_s": 0.5, "end_s": 0.8}, {"text": "uh", "start_s": DURATION_S, "end_s": 2.5}]
+    content = json.dumps({"words": [], "fillers": fillers}).encode()
+    assert read_fillers(content, "json", duration_s=DURATION_S) == (Filler("um", Interval(0.5, 0.8)),)
+    assert read_fillers(b"line 1 0.0 0.4 one", "ctm", duration_s=DURATION_S) == ()
+
+
+def test_a_filler_that_is_none_is_told() -> None:
+    with pytest.raises(UndecodableError) as caught:
+        read_timings(b'{"words": [], "fillers": [{"text": "um", "start_s": -1, "end_s": 1}]}', "json", (), duration_s=2)
+    assert "fillers.0.start_s" in caught.value.message

@@ -18,8 +18,9 @@ from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import Failure, LineJob, Target
 from understudy.batch.work.performing import perform_job
+from understudy.edits.values import BehaviorEdit, Edits, WordReference
 from understudy.errors import InputError
-from understudy.model import DirectedMoment, Direction
+from understudy.model import Channel, DirectedMoment, Direction
 from understudy.model import Target as Place
 from understudy.motion_formats import MotionFormat
 from understudy.performance import BmlForm, DialectName, Options, Understudy
@@ -30,7 +31,9 @@ JOB = LineJob(
     "one",
     (AUDIO / "figure8.txt").read_text(encoding="utf-8"),
     AudioSource(AUDIO / "figure8.flac"),
-    Options(seed=3, listeners=("default",), stillness=0.1, targets=(Place("lights", (1.0, 2.0, 3.0)),)),
+    Options(seed=3, listeners=("default",), stillness=0.1, targets=(Place("lights", (1.0, 2.0, 3.0)),)).with_edits(
+        Edits(behaviors=(BehaviorEdit(add=Channel.HEAD, on=WordReference(4), lexeme="NOD"),))
+    ),
     tuple(Target(form, f"one.{form}") for form in (LineFormat.BML, LineFormat.PERFORMANCE)),
     direction=Direction(moments=(DirectedMoment(0, 2, stroke=2, importance=3, gesture=("negation",)),)),
 )

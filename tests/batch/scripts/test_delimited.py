@@ -6,6 +6,7 @@ import pytest
 
 from understudy.batch.model import Script
 from understudy.batch.scripts.delimited import read_delimited
+from understudy.edits.values import Edits, LineSettings
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Interval, Level, Target
 
@@ -45,6 +46,16 @@ def test_director_notes_in_a_cell_or_a_file_beside_the_sheet(tmp_path: Path) -> 
     assert first.direction is not None
     assert first.direction == second.direction
     assert (third.direction, third.comment) == (None, "softly")
+
+
+def test_edits_in_a_cell_or_a_file_beside_the_sheet(tmp_path: Path) -> None:
+    edits = '{"line": {"seed": 4}}'
+    (tmp_path / "b.edits.json").write_text(edits)
+    doubled = edits.replace('"', '""')
+    sheet = f'id,text,edits\na,not those,"{doubled}"\nb,not those,b.edits.json\nc,not those,\nd,words,gone.json\n'
+    script = read_delimited(sheet.encode(), tmp_path / "lines.csv", {})
+    assert [line.edits for line in script.lines] == [Edits(LineSettings(seed=4)), Edits(LineSettings(seed=4)), None]
+    assert [(problem.column, problem.code) for problem in script.problems] == [("C (edits)", "file_unreadable")]
 
 
 def test_every_problem_is_told_with_its_row_and_column() -> None:

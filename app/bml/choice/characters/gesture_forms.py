@@ -58,8 +58,8 @@ def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level, manner:
     return replace(
         entry,
         forms=forms,
-        timing=_timing(entry.timing, _of_hands(forms, entry.hand)),
-        brief=BriefGesture(_timing(_without_hold(entry.timing), _of_hands(brief, entry.hand)), brief),
+        timing=stroke_timing(entry.timing, _of_hands(forms, entry.hand)),
+        brief=BriefGesture(stroke_timing(_without_hold(entry.timing), _of_hands(brief, entry.hand)), brief),
     )
 
 
@@ -78,7 +78,8 @@ def _of_hands(forms: Mapping[Hand, Forms], hand: Hand | None) -> Forms:
     return tuple(chain.from_iterable(forms.get(each, ()) for each in hands))
 
 
-def _timing(timing: Timing, forms: Forms) -> Timing:
+def stroke_timing(timing: Timing, forms: Forms) -> Timing:
+    """The timing with a stroke as long as the longest of the forms."""
     before_s, after_s = max(form.before_s for form in forms), max(form.after_s for form in forms)
     stroke_s = before_s + after_s
     return replace(timing, stroke=Phase(stroke_s, stroke_s), emphasis=before_s / stroke_s)

@@ -1,0 +1,130 @@
+"""An author's edits made on the performance of a line; read it from top to bottom."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from math import inf
+
+from ..bml.choice.behavior_table.table import SHIFT
+from ..bml.choice.characters.characters import Character
+from ..bml.choice.scheduling import numbered
+from ..model import Behavior, Channel, Notice, Performance, SyncPoints, Utterance, Word
+from .finding import find_behaviors
+from .forms import Formed, added, formed, forms_of, unplayed
+from .marks import moved, place_s
+from .room import INSTANT_S, Placed, with_room
+from .values import BehaviorEdit
+from .words import find_word, word_gone
+
+
+@dataclass(frozen=True, slots=True)
+class _Outcome:
+    """What an edit makes: a behaviour, unless it cannot be made, and what is not as the author wants it."""
+
+    edit: BehaviorEdit
+    behavior: Behavior | None
+    notices: tuple[Notice, ...] = ()
+
+
+def edited(performance: Performance, edits: Sequence[BehaviorEdit], character: Character) -> Performance:
+    """The performance as the author has it; its notices tell what could not be had. Without edits it is the same.
+
+    The kept behaviours still do not overlap on a channel or hand, and their sync points are in order.
+    """
+    if not edits:
+        return performance
+    found = find_behaviors(performance, edits)
+    utterance = performance.utterance
+    outcomes = [
+        _outcome(number, edit, found.behaviors.get(number), utterance, character)
+        for number, edit in enumerate(edits)
+        if edit.of is None or edit.lock or number in found.behaviors
+    ]
+    made = [(each.edit, each.behavior) for each in outcomes if each.behavior]
+    taken = {behavior.id for behavior in found.behaviors.values()}
+    others = [each for each in performance.behaviors if each.id not in taken]
+    settled = with_room(
+        [Placed(behavior, _lets_go(edit, behavior)) for edit, behavior in made if behavior.kept],
+        [each for each in others if each.kept],
+        partial(forms_of, character=character),
+    )
+    omitted = [behavior for _edit, behavior in made if not behavior.kept]
+    behaviors = numbered((*settled, *omitted, *(each for each in others if not each.kept)))
+    notices = [notice for each in outcomes for notice in each.notices]
+    told = (*performance.notices, *found.notices, *notices, *_crowded_out(settled))
+    return replace(performance, behaviors=behaviors, notices=told)
+
+
+def _outcome(
+    number: int, edit: BehaviorEdit, behavior: Behavior | None, utterance: Utterance, character: Character
+) -> _Outcome:
+    """What one edit makes of the behaviour that it is of, or anew."""
+    words = utterance.words
+    if edit.omit is not None and behavior is not None:
+        return _Outcome(edit, replace(behavior, kept=False, reason=f"{edit.omit} by the author", edit=number))
+    made = _formed(number, edit, behavior, words, character)
+    if made.behavior is None or edit.omit is not None:
+        return _Outcome(edit, None, made.notices)
+    placed, notices = _moved(number, edit, made.behavior, words, utterance.duration_s or inf)
+    return _Outcome(edit, placed, made.notices + notices)
+
+
+def _formed(
+    number: int, edit: BehaviorEdit, behavior: Behavior | None, words: Sequence[Word], character: Character
+) -> Formed:
+    """The behaviour before its marks are moved."""
+    if behavior is not None:
+        return formed(edit, number, behavior, character)
+    word = find_word(edit.word, words)
+    if word is None:
+        return Formed(None, (word_gone(f"behaviors[{number}]", edit.word),) if edit.of is None else ())
+    return added(edit, number, word, words, character)
+
+
+def _moved(
+    number: int, edit: BehaviorEdit, behavior: Behavior, words: Sequence[Word], end_s: float
+) -> tuple[Behavior, tuple[Notice, ...]]:
+    """The behaviour with its marks where the author put them, as far as they can be there."""
+    marks = dict(edit.marks.in_order())
+    places = {name: place_s(place, words) for name, place in marks.items()}
+    gone = [place for name, place in marks.items() if places[name] is None]
+    wanted_s = {name: at_s for name, at_s in places.items() if at_s is not None}
+    if not wanted_s:
+        return behavior, tuple(word_gone(f"behaviors[{number}].marks", place.at) for place in gone)
+    outcome = moved(behavior.sync, wanted_s, end_s=end_s, lasting=_is_lasting(behavior))
+    notices = (
+        *(word_gone(f"behaviors[{number}].marks", place.at) for place in gone),
+        *(_refused(number, name, at_s, behavior) for name, at_s in outcome.refused),
+    )
+    return replace(behavior, sync=_left(behavior, outcome.sync)), notices
+
+
+def _left(behavior: Behavior, sync: SyncPoints) -> SyncPoints:
+    """A posture that is left takes an instant for that: BML has one that ends where it relaxes last."""
+    if behavior.kind is not Channel.POSTURE or _is_lasting(behavior) or sync.relax is None:
+        return sync
+    return replace(sync, end=max(sync.end, round(sync.relax + INSTANT_S, 3)))
+
+
+def _is_lasting(behavior: Behavior) -> bool:
+    """Whether it ends when a state is reached, which then lasts."""
+    sync = behavior.sync
+    lasts = behavior.lexeme == SHIFT if behavior.kind is Channel.GAZE else behavior.kind is Channel.POSTURE
+    return lasts and sync.ready is not None and sync.ready >= sync.end
+
+
+def _lets_go(edit: BehaviorEdit, behavior: Behavior) -> bool:
+    """Whether nobody asked when it ends."""
+    return edit.marks.relax is None and edit.marks.end is None and not _is_lasting(behavior)
+
+
+def _refused(number: int, name: str, at_s: float, behavior: Behavior) -> Notice:
+    message = f"behaviors[{number}].marks.{name}: {behavior.lexeme} cannot have it at {at_s:.3f} s; "
+    return Notice("edit_mark_moved", f"{message}it is as near as the order of its marks and the line allow")
+
+
+def _crowded_out(settled: Iterable[Behavior]) -> Iterator[Notice]:
+    """A notice for each edit whose behaviour has no room beside that of another."""
+    for behavior in settled:
+        if behavior.edit is not None and not behavior.kept:
+            yield unplayed(behavior.edit, f"{behavior.lexeme} is {behavior.reason}")

@@ -1,0 +1,92 @@
+"""Which of a line's behaviours an edit is of, after rules, words or the recording may have changed.
+
+One is meant if it is on the same channel, goes with the word, and shows the same function, is meant to be read as the
+same, or is the same movement. The more of these it has in common, and the nearer to its word it begins as it did, the
+rather.
+"""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+from ..model import Behavior, Notice, Performance, Word
+from .values import BehaviorEdit, BehaviorReference
+from .words import find_word, word_gone
+
+_ON_ITS_FIRST_WORD = 4
+_SAME_FUNCTION = 3
+_SAME_FAMILY = 2
+_SAME_LEXEME = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The behaviours that edits are of, by the number of the edit, and what is no longer there."""
+
+    behaviors: Mapping[int, Behavior]
+    notices: tuple[Notice, ...]
+
+
+def find_behaviors(performance: Performance, edits: Sequence[BehaviorEdit]) -> Found:
+    """Each behaviour that is made in the performance is found for one edit at most, the first of several."""
+    words, found, notices = performance.utterance.words, dict[int, Behavior](), list[Notice]()
+    for number, edit in enumerate(edits):
+        if edit.of is None:
+            continue
+        word = find_word(edit.of.at, words)
+        if word is None:
+            notices.append(word_gone(f"behaviors[{number}]", edit.of.at))
+            continue
+        behavior = _most_alike(edit.of, words[word], performance, {each.id for each in found.values()})
+        if behavior is not None:
+            found[number] = behavior
+        elif not edit.lock:
+            notices.append(_gone(number, edit.of, words[word]))
+    return Found(found, tuple(notices))
+
+
+def _most_alike(
+    reference: BehaviorReference, word: Word, performance: Performance, taken: Collection[str]
+) -> Behavior | None:
+    """The behaviour that is meant, of those that are not taken."""
+    classes = {function.id: function.class_name for function in performance.functions}
+    families = {moment.id: moment.families[0] for moment in performance.moments if moment.families}
+    ranked = [
+        (likeness, -_apart_s(reference, behavior, word), behavior.id, behavior)
+        for behavior in performance.behaviors
+        if behavior.kept and behavior.id not in taken and behavior.kind is reference.channel
+        if (likeness := _likeness(reference, behavior, word.index, classes, families))
+    ]
+    return max(ranked, key=lambda each: each[:3])[3] if ranked else None
+
+
+def _likeness(
+    reference: BehaviorReference,
+    behavior: Behavior,
+    word: int,
+    classes: Mapping[str, str],
+    families: Mapping[str, str],
+) -> int:
+    """How much a behaviour has in common with the one that is meant; 0 if it is another."""
+    if not behavior.first <= word <= behavior.last:
+        return 0
+    function = classes.get(behavior.function or "")
+    family = families.get(behavior.moment or "")
+    shared = (
+        _SAME_FUNCTION * (function is not None and function == reference.function)
+        + _SAME_FAMILY * (family is not None and family == reference.family)
+        + _SAME_LEXEME * (behavior.lexeme == reference.lexeme)
+    )
+    return shared + _ON_ITS_FIRST_WORD * (behavior.first == word) if shared else 0
+
+
+def _apart_s(reference: BehaviorReference, behavior: Behavior, word: Word) -> float:
+    """How far from where it began after its word a behaviour begins."""
+    if reference.offset_s is None or word.interval is None:
+        return behavior.sync.start
+    return abs(behavior.sync.start - word.interval.start_s - reference.offset_s)
+
+
+def _gone(number: int, reference: BehaviorReference, word: Word) -> Notice:
+    what = reference.lexeme or reference.family or reference.function or "behaviour"
+    message = f"behaviors[{number}]: no {reference.channel} like {what} is made on {word.text!r} any more; "
+    return Notice("edit_behavior_gone", f"{message}this edit is left out")

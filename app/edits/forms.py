@@ -1,0 +1,145 @@
+"""What an author has a behaviour be: another movement, by another hand, of another size; or one that nobody chose.
+
+Every movement of the behaviour table can be asked for. A replaced one strikes when the old one did, its phases as long
+as they are in the table and the gesture library.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from ..bml.choice.behavior_table.table import STROKED, BehaviorEntry
+from ..bml.choice.characters.characters import Character
+from ..bml.choice.characters.gesture_forms import stroke_timing
+from ..bml.choice.timing.candidates import asked
+from ..bml.choice.timing.phases import Placing, Window, placed, soonest, underway
+from ..gesture_limits import Forms
+from ..model import Behavior, Channel, Hand, Movement, Notice, SyncPoints, Word
+from ..yaml_files import did_you_mean
+from .values import BehaviorEdit
+
+PRIORITY = 10.0
+"""What an author wants matters as much as the surest moment of a plan."""
+
+
+@dataclass(frozen=True, slots=True)
+class Formed:
+    """A behaviour as the author wants it, None where it cannot be made, and what is not as he wants it."""
+
+    behavior: Behavior | None
+    notices: tuple[Notice, ...] = ()
+
+
+def added(edit: BehaviorEdit, number: int, word: int, words: Sequence[Word], character: Character) -> Formed:
+    """The behaviour that an edit describes, on a word."""
+    lexeme = edit.lexeme or (edit.of.lexeme if edit.of else None) or ""
+    entry = entry_of(character, edit.channel, lexeme, direction=edit.direction, hand=edit.hand)
+    if entry is None:
+        return Formed(None, (_unknown(number, edit.channel, lexeme, character),))
+    movement = Movement(entry.name, word, word, PRIORITY, "", None, stroke=word)
+    made = asked(movement, entry, tuple(each for each in words if each.interval), f"edit.{number}").behavior
+    if not made.kept:
+        return Formed(None, (unplayed(number, f"{made.reason}"),))
+    hand, notices = _hand(edit.hand, entry, made, character, number)
+    behavior = replace(made, hand=hand, direction=edit.direction or made.direction, edit=number)
+    return Formed(_sized(behavior, edit.amount), notices)
+
+
+def formed(edit: BehaviorEdit, number: int, behavior: Behavior, character: Character) -> Formed:
+    """The behaviour as the edit has it; what cannot be had leaves it as it is."""
+    lexeme = edit.lexeme or (edit.of.lexeme if edit.of and edit.lock else None) or behavior.lexeme
+    direction = edit.direction or (None if lexeme != behavior.lexeme else behavior.direction)
+    hand_asked = edit.hand or behavior.hand
+    entry = entry_of(character, behavior.kind, lexeme, direction=direction, hand=hand_asked)
+    mine = replace(behavior, priority=max(behavior.priority, PRIORITY), edit=number)
+    if entry is None:
+        return Formed(_sized(mine, edit.amount), (_unknown(number, behavior.kind, lexeme, character),))
+    hand, notices = _hand(edit.hand, entry, behavior, character, number)
+    if (lexeme, hand, direction) != (behavior.lexeme, behavior.hand, behavior.direction):
+        mine = _replaced(mine, entry, hand)
+        mine = replace(mine, direction=direction or mine.direction)
+    return Formed(_sized(mine, edit.amount), notices)
+
+
+def entry_of(
+    character: Character, channel: Channel, lexeme: str, *, direction: str | None = None, hand: Hand | None = None
+) -> BehaviorEntry | None:
+    """The line of the table that has the lexeme, and if there is one the direction and the hand."""
+    entries = [each for each in character.entries.values() if (each.channel, each.lexeme) == (channel, lexeme)]
+
+    def unlikeness(entry: BehaviorEntry) -> tuple[bool, bool]:
+        return entry.direction != direction, entry.hand not in {None, hand}
+
+    return min(entries, key=unlikeness, default=None)
+
+
+def forms_of(behavior: Behavior, character: Character) -> Forms:
+    """The forms of a gesture by the hand that makes it; none of all else."""
+    if behavior.kind is not Channel.GESTURE:
+        return ()
+    entry = entry_of(character, behavior.kind, behavior.lexeme, hand=behavior.hand)
+    return entry.forms.get(behavior.hand or Hand.RIGHT, ()) if entry else ()
+
+
+def unplayed(number: int, reason: str) -> Notice:
+    """That a behaviour of an edit is not made."""
+    return Notice("edit_unplayed", f"behaviors[{number}]: not made: {reason}")
+
+
+def _replaced(behavior: Behavior, entry: BehaviorEntry, hand: Hand | None) -> Behavior:
+    forms = entry.forms.get(hand or Hand.RIGHT, ())
+    timing = stroke_timing(entry.timing, forms) if forms else entry.timing
+    sync, stroked = behavior.sync, entry.channel in STROKED
+    until_s = sync.end if sync.relax is None else sync.relax
+    struck_s = next(each for each in (sync.stroke, sync.ready, sync.start) if each is not None)
+    ahead_s = (timing.alignment - timing.emphasis) * timing.stroke.usual_s if stroked else 0.0
+    placing = Placing(timing, max(0.0, struck_s + ahead_s), until_s, stroked)
+    return replace(
+        behavior,
+        lexeme=entry.lexeme,
+        hand=hand,
+        sync=_timed(placing, entry.channel),
+        target=entry.target or (behavior.target if entry.lexeme == behavior.lexeme else None),
+        direction=entry.direction,
+        amount=entry.amount if behavior.amount is None or entry.channel is Channel.GAZE else behavior.amount,
+        repetitions=entry.repetitions if entry.lexeme != behavior.lexeme else behavior.repetitions,
+        after_strokes_s=None,
+    )
+
+
+def _timed(placing: Placing, channel: Channel) -> SyncPoints:
+    """The phases, begun with the performance where there is no time for them."""
+    sync = placed(placing, Window())
+    if sync is None:
+        sync = placed(underway(placing) if channel is Channel.GESTURE else soonest(placing), Window())
+    assert sync is not None, "what begins at 0 has room"
+    return sync
+
+
+def _hand(
+    wanted: Hand | None, entry: BehaviorEntry, behavior: Behavior, character: Character, number: int
+) -> tuple[Hand | None, tuple[Notice, ...]]:
+    """The hand that makes it: the wanted, else that of the table, the one that made it, or the character's own."""
+    if entry.channel is not Channel.GESTURE:
+        return behavior.hand, ()
+    usual = entry.hand or behavior.hand or character.handedness
+    possible = [hand for hand in Hand if hand in entry.forms] or list(Hand)
+    hand = wanted or usual
+    if hand in possible:
+        return hand, ()
+    instead = usual if usual in possible else possible[0]
+    message = f"behaviors[{number}]: {entry.lexeme} is not made by the {hand} hand; it is by {instead}"
+    return instead, ((Notice("edit_hand_unknown", message),) if wanted else ())
+
+
+def _sized(behavior: Behavior, amount: float | None) -> Behavior:
+    return behavior if amount is None else replace(behavior, amount=amount)
+
+
+def _unknown(number: int, channel: Channel, lexeme: str, character: Character) -> Notice:
+    known = sorted(set(_lexemes(character, channel)))
+    message = f"behaviors[{number}]: no {channel} is called {lexeme!r}{did_you_mean(lexeme, known)}; "
+    return Notice("edit_lexeme_unknown", f"{message}that part of the edit is left out")
+
+
+def _lexemes(character: Character, channel: Channel) -> Iterator[str]:
+    return (entry.lexeme for entry in character.entries.values() if entry.channel is channel)

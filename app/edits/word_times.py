@@ -1,0 +1,119 @@
+"""When words are spoken, as an author corrected it. Times are seconds from the start of the recording.
+
+A correction holds for the recording in which the word was heard as it was then: in another the aligner's mistake, if it
+makes one, is another.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from ..model import Interval, Notice, Phone, Word
+from .values import WordEdit
+from .words import find_word, word_gone
+
+SAME_TIME_S = 0.05
+"""A word heard within this time of when it was heard before was heard in the same recording."""
+
+SHORTEST_WORD_S = 0.02
+"""What a corrected word and its neighbours keep at least."""
+
+
+def corrected(
+    words: tuple[Word, ...], edits: Sequence[WordEdit], *, duration_s: float
+) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
+    """The words at the times that the author gave them, and what could not be corrected.
+
+    Neighbours give way, unless they were corrected too, and keep `SHORTEST_WORD_S`; phones keep their shares.
+    """
+    wanted: dict[int, tuple[int, Interval]] = {}
+    notices: list[Notice] = []
+    for number, edit in enumerate(edits):
+        if edit.start_s is None or edit.end_s is None:
+            continue
+        index = find_word(edit.at, words)
+        if index is None:
+            notices.append(word_gone(f"words[{number}]", edit.at))
+        elif _is_heard_otherwise(words[index], edit):
+            message = f"words[{number}]: {words[index].text!r} is heard at another time than when it was corrected; "
+            notices.append(Notice("edit_word_heard", f"{message}the correction is left out"))
+        else:
+            wanted[index] = number, Interval(edit.start_s, edit.end_s)
+    if not wanted:
+        return words, tuple(notices)
+    timed, moved = _timed(words, {index: interval for index, (_number, interval) in wanted.items()}, duration_s)
+    notices += (_moved(wanted[index][0], timed[index]) for index in moved)
+    return timed, tuple(notices)
+
+
+def _is_heard_otherwise(word: Word, edit: WordEdit) -> bool:
+    """Whether the word is heard elsewhere than when it was corrected."""
+    if edit.heard is None:
+        return word.interval is None
+    if word.interval is None:
+        return True
+    apart_s = (word.interval.start_s - edit.heard.start_s, word.interval.end_s - edit.heard.end_s)
+    return any(abs(each_s) > SAME_TIME_S for each_s in apart_s)
+
+
+def _timed(
+    words: tuple[Word, ...], wanted: Mapping[int, Interval], duration_s: float
+) -> tuple[tuple[Word, ...], list[int]]:
+    """The words with the wanted times as far as their order allows, and which have other ones after all."""
+    heard = {word.index: word.interval for word in words if word.interval}
+    latest_s = _latest_ends_s(heard, wanted, duration_s)
+    intervals: dict[int, Interval] = {}
+    free_s = 0.0
+    for index, old in heard.items():
+        asked = wanted.get(index, old)
+        start_s = max(min(asked.start_s, latest_s[index] - SHORTEST_WORD_S), free_s)
+        longest_s = max(asked.end_s, start_s + SHORTEST_WORD_S) if index in wanted else asked.end_s
+        intervals[index] = Interval(start_s, max(start_s, min(longest_s, latest_s[index])))
+        free_s = intervals[index].end_s if index in wanted else start_s + SHORTEST_WORD_S
+    intervals = _cut(intervals)
+    moved = [index for index, interval in wanted.items() if intervals[index] != interval]
+    return tuple(_with_interval(word, intervals.get(word.index)) for word in words), moved
+
+
+def _latest_ends_s(
+    heard: Mapping[int, Interval], wanted: Mapping[int, Interval], duration_s: float
+) -> Mapping[int, float]:
+    """When each word must be over at the latest, so that those after it keep `SHORTEST_WORD_S`."""
+    latest_s: dict[int, float] = {}
+    free_s = duration_s
+    for index, old in reversed(list(heard.items())):
+        latest_s[index] = free_s
+        free_s = min(free_s, wanted.get(index, old).end_s) - SHORTEST_WORD_S
+    return latest_s
+
+
+def _cut(intervals: dict[int, Interval]) -> dict[int, Interval]:
+    """The words each over where the next begins."""
+    for index, after in pairwise(intervals):
+        each = intervals[index]
+        intervals[index] = Interval(each.start_s, min(each.end_s, intervals[after].start_s))
+    return intervals
+
+
+def _with_interval(word: Word, interval: Interval | None) -> Word:
+    """The word at another time, its phones in the same shares of it."""
+    old = word.interval
+    if interval is None or old is None or interval == old:
+        return word
+    rate = interval.duration_s / old.duration_s if old.duration_s else 1.0
+
+    def shifted(at_s: float) -> float:
+        return round(interval.start_s + rate * (at_s - old.start_s), 6)
+
+    phones = tuple(_at(phone, shifted) for phone in word.phones)
+    return replace(word, interval=interval, phones=phones, spread=False)
+
+
+def _at(phone: Phone, shifted: Callable[[float], float]) -> Phone:
+    return replace(phone, interval=Interval(shifted(phone.interval.start_s), shifted(phone.interval.end_s)))
+
+
+def _moved(number: int, word: Word) -> Notice:
+    assert word.interval is not None, "corrected words have times"
+    told = f"{word.interval.start_s:.3f} to {word.interval.end_s:.3f} s"
+    return Notice("edit_word_moved", f"words[{number}]: {word.text!r} can only be at {told} beside its neighbours")

@@ -1,0 +1,252 @@
+"""An author's edits of a line (`--edits FILE`, the part `edits` of a request), checked for their form: every mistake at
+once, with its place. docs/edits.md explains them, docs/edits.schema.json is their JSON schema.
+
+Whether there are such words, behaviours and lexemes is asked where the line is known (`understudy.edits`).
+"""
+
+import json
+from collections.abc import Sequence
+from typing import Annotated, Literal, Self
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
+
+from ..bml.choice.behavior_table.table import GazeDirection
+from ..edits.values import (
+    MARKS,
+    BehaviorEdit,
+    BehaviorReference,
+    Edge,
+    Edits,
+    HeardTime,
+    LineSettings,
+    MarkPlace,
+    Marks,
+    Omission,
+    WordEdit,
+    WordMark,
+    WordReference,
+)
+from ..errors import InputError
+from ..model import Channel, Hand, Level, Mode
+from .mistakes import mistakes_told
+from .requests import LARGEST_SEED, read_object
+
+FIELD = "edits"
+MOST_EDITS = 500
+"""Of words, and of behaviours."""
+LONGEST_OFFSET_S = 60.0
+LONGEST_NAME = 100
+_MOST_IN_MESSAGE = 20
+
+
+def _counted(edits: object) -> object:
+    """The edits, counted before any is looked into: each mistake takes a kilobyte to tell."""
+    if isinstance(edits, Sequence) and len(edits) > MOST_EDITS:
+        raise ValueError(f"{len(edits)} edits; {MOST_EDITS} at most")
+    return edits
+
+
+_Counted = BeforeValidator(_counted)
+_Name = Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]
+_Offset = Annotated[float, Field(ge=-LONGEST_OFFSET_S, le=LONGEST_OFFSET_S, allow_inf_nan=False)]
+_Second = Annotated[float, Field(ge=0, le=36_000, allow_inf_nan=False)]
+
+
+class _Form(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, from_attributes=True)
+
+
+class WordReferenceForm(_Form):
+    """A word by its number and text. Where another text stands there, the nearest word with this one is meant."""
+
+    word: Annotated[int, Field(ge=0, le=1_000_000, description="The first is 0.")]
+    text: _Name | None = None
+
+    def to_value(self) -> WordReference:
+        return WordReference(self.word, self.text)
+
+
+class MarkPlaceForm(_Form):
+    """A moment: `offset_s` after an edge of a word."""
+
+    at: WordReferenceForm
+    edge: Annotated[Edge, Field(strict=False)] = Edge.START
+    offset_s: _Offset = 0.0
+
+    def to_value(self) -> MarkPlace:
+        return MarkPlace(self.at.to_value(), self.offset_s, self.edge)
+
+
+class MarksForm(_Form):
+    """The sync points that were moved; the others follow."""
+
+    start: MarkPlaceForm | None = None
+    ready: MarkPlaceForm | None = None
+    stroke_start: MarkPlaceForm | None = None
+    stroke: MarkPlaceForm | None = None
+    stroke_end: MarkPlaceForm | None = None
+    relax: MarkPlaceForm | None = None
+    end: MarkPlaceForm | None = None
+
+    def to_value(self) -> Marks:
+        places = ((name, getattr(self, name)) for name in MARKS)
+        return Marks(**{name: place.to_value() for name, place in places if place is not None})
+
+
+class BehaviorReferenceForm(_Form):
+    """One of the line's behaviours as it is without edits: its channel, its first word, and what it is."""
+
+    channel: Annotated[Channel, Field(strict=False)]
+    at: WordReferenceForm
+    function: Annotated[_Name | None, Field(description="The class of the function that it shows.")] = None
+    family: Annotated[_Name | None, Field(description="What it is meant to be read as.")] = None
+    lexeme: Annotated[_Name | None, Field(description="Its BML word.")] = None
+    offset_s: Annotated[_Offset | None, Field(description="How long after its word it began.")] = None
+
+    @model_validator(mode="after")
+    def _says_what(self) -> Self:
+        if self.function is None and self.family is None and self.lexeme is None:
+            raise ValueError("say what it is: give function, family or lexeme")
+        return self
+
+    def to_value(self) -> BehaviorReference:
+        return BehaviorReference(
+            self.channel, self.at.to_value(), self.function, self.family, self.lexeme, self.offset_s
+        )
+
+
+class BehaviorEditForm(_Form):
+    """What is other about one behaviour: `of` says which, or `add` and `on` that it is new."""
+
+    of: BehaviorReferenceForm | None = None
+    add: Annotated[Channel | None, Field(strict=False)] = None
+    on: WordReferenceForm | None = None
+    lexeme: _Name | None = None
+    hand: Annotated[Hand | None, Field(strict=False)] = None
+    amount: Annotated[float | None, Field(ge=0, le=1, allow_inf_nan=False)] = None
+    direction: Annotated[GazeDirection | None, Field(strict=False, description="Of a gaze, beside its target.")] = None
+    marks: MarksForm = MarksForm()
+    omit: Annotated[Omission | None, Field(strict=False)] = None
+    lock: Annotated[bool, Field(description="Made as it is here even where the choice would not.")] = False
+
+    @model_validator(mode="after")
+    def _makes_sense(self) -> Self:
+        told = "; ".join(self._mistakes())
+        if told:
+            raise ValueError(told)
+        return self
+
+    def _mistakes(self) -> list[str]:
+        channel = self.of.channel if self.of else self.add
+        says = [name for name in ("lexeme", "hand", "amount", "direction", "omit") if getattr(self, name) is not None]
+        named = self.lexeme or (self.of.lexeme if self.of else None)
+        found = {
+            "give either of, or add and on": (self.of is None) == (self.add is None),
+            "give on with add, and not with of": (self.add is None) != (self.on is None),
+            "what is added needs a lexeme": self.add is not None and self.lexeme is None,
+            "a lock needs a lexeme, its own or that of `of`": self.lock and named is None,
+            "what is omitted has nothing else": self.omit is not None and (len(says) > 1 or self.lock),
+            "it changes nothing": bool(self.of) and not (says or self.lock or self.marks != MarksForm()),
+            f"hand is for gesture, this is {channel}": self.hand is not None and channel is not Channel.GESTURE,
+            f"direction is for gaze, this is {channel}": self.direction is not None and channel is not Channel.GAZE,
+            "a posture has no amount": self.amount is not None and channel is Channel.POSTURE,
+        }
+        return [message for message, wrong in found.items() if wrong]
+
+    def to_value(self) -> BehaviorEdit:
+        return BehaviorEdit(
+            of=self.of.to_value() if self.of else None,
+            add=self.add,
+            on=self.on.to_value() if self.on else None,
+            lexeme=self.lexeme,
+            hand=self.hand,
+            amount=self.amount,
+            direction=self.direction.value if self.direction else None,
+            marks=self.marks.to_value(),
+            omit=self.omit,
+            lock=self.lock,
+        )
+
+
+class HeardTimeForm(_Form):
+    """When a word was heard."""
+
+    start_s: _Second
+    end_s: _Second
+
+
+class WordEditForm(_Form):
+    """What is other about one word: `important` or `still`, or when it is spoken."""
+
+    at: WordReferenceForm
+    mark: Annotated[WordMark | None, Field(strict=False)] = None
+    start_s: Annotated[_Second | None, Field(description="Seconds of the recording.")] = None
+    end_s: _Second | None = None
+    heard: Annotated[
+        HeardTimeForm | None, Field(description="When it was heard; where it is heard otherwise, it is not corrected.")
+    ] = None
+
+    @model_validator(mode="after")
+    def _makes_sense(self) -> Self:
+        if (self.start_s is None) != (self.end_s is None):
+            raise ValueError("start_s and end_s go together")
+        if self.start_s is not None and self.end_s is not None and self.start_s >= self.end_s:
+            raise ValueError(f"it starts at {self.start_s:g} s and ends at {self.end_s:g} s")
+        if self.start_s is None and self.mark is None:
+            raise ValueError("it changes nothing")
+        return self
+
+    def to_value(self) -> WordEdit:
+        heard = HeardTime(self.heard.start_s, self.heard.end_s) if self.heard else None
+        return WordEdit(self.at.to_value(), self.mark, self.start_s, self.end_s, heard)
+
+
+class LineSettingsForm(_Form):
+    """Options that the author set for the line, instead of those that come with it."""
+
+    character: _Name | None = None
+    agitation: Annotated[Level | None, Field(strict=False)] = None
+    seed: Annotated[int | None, Field(ge=-LARGEST_SEED, le=LARGEST_SEED)] = None
+    stillness: Annotated[float | None, Field(ge=0, le=1, allow_inf_nan=False)] = None
+    mode: Annotated[Mode | None, Field(strict=False)] = None
+
+    def to_value(self) -> LineSettings:
+        return LineSettings(self.character, self.agitation, self.seed, self.stillness, self.mode)
+
+
+class EditsForm(_Form):
+    """All that an author changed in a line."""
+
+    version: Literal[1] = 1
+    line: LineSettingsForm = LineSettingsForm()
+    words: Annotated[tuple[WordEditForm, ...], Field(strict=False, max_length=MOST_EDITS), _Counted] = ()
+    behaviors: Annotated[tuple[BehaviorEditForm, ...], Field(strict=False, max_length=MOST_EDITS), _Counted] = ()
+
+    def to_value(self) -> Edits:
+        return Edits(
+            self.line.to_value(),
+            tuple(edit.to_value() for edit in self.words),
+            tuple(edit.to_value() for edit in self.behaviors),
+        )
+
+
+def read_edits(content: bytes) -> Edits:
+    """Raises UndecodableError `not_json`, InputError `not_an_object` and `edits_wrong` with every mistake, all with the
+    field "edits"."""
+    fields = read_object(content, FIELD)
+    try:
+        return EditsForm.model_validate(fields).to_value()
+    except ValidationError as error:
+        told = mistakes_told(error, most=_MOST_IN_MESSAGE)
+    raise InputError("edits_wrong", f"{FIELD}: {told}", field=FIELD)
+
+
+def write_edits(edits: Edits) -> bytes:
+    """The edits as `read_edits` reads them: UTF-8 JSON."""
+    return EditsForm.model_validate(edits).model_dump_json(exclude_defaults=True).encode()
+
+
+def edits_schema() -> str:
+    """The JSON schema of the edits, as docs/edits.schema.json has it."""
+    schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **EditsForm.model_json_schema()}
+    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"

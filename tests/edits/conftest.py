@@ -1,0 +1,28 @@
+"""A line in time, without a recording: what it means and does is found once for all tests of edits."""
+
+from dataclasses import replace
+
+import pytest
+
+from understudy.model import Interval, Performance, Word
+from understudy.performance import Analysis, Options, Understudy, perform_analysis
+from understudy.understanding import find_functions_in_all
+
+TEXT = "No, I told you that I have never seen so many people, and we all know it. What do you want from me?"
+WORD_S = 0.35
+
+
+@pytest.fixture(scope="session")
+def analysis(understudy: Understudy) -> Analysis:
+    words = tuple(
+        Word(number, text, Interval(round(0.4 + WORD_S * number, 3), round(0.4 + WORD_S * (number + 1), 3)))
+        for number, text in enumerate(TEXT.split())
+    )
+    [found] = find_functions_in_all(understudy.language, [words])
+    return replace(found, utterance=replace(found.utterance, duration_s=round(0.8 + WORD_S * len(words), 3)))
+
+
+@pytest.fixture(scope="session")
+def performance(understudy: Understudy, analysis: Analysis) -> Performance:
+    """The line as it is without edits."""
+    return perform_analysis(understudy, analysis, Options())
