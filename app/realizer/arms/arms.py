@@ -5,7 +5,7 @@ Conventions: times in seconds of the audio, increasing; an arm's rotations are (
 part that a key leaves open is interpolated between its neighbours.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
@@ -15,7 +15,7 @@ import numpy as np
 from ...model import FloatArray, Hand
 from ..geometry.noise import Noise, perlins
 from ..geometry.rotations import from_rotation_vector, keep_signs, multiply
-from ..geometry.splines import Curve, splines
+from ..geometry.splines import Curves, rotations_at, splines
 from ..gestures.arm_joints import PARTS
 from .posing import PartialPose
 
@@ -89,10 +89,10 @@ def set_arms(
 ) -> None:
     """Fill in the rotations (T, 19, 4) of each of `arms` at `times_s` (T,), with continuous quaternion signs; two cost
     little more than one. `noise_scale` (0 to 1) scales the noise of the keys."""
-    curves = [curve for track in tracks for curve in _curves(track)]
+    curves = splines(Curves.joined([_curves(track) for track in tracks]))
     for first in range(0, len(times_s), _BLOCK):
         block = slice(first, first + _BLOCK)
-        parts = splines(curves, times_s[block]).reshape(-1, len(tracks), len(PARTS), 4)
+        parts = rotations_at(curves, times_s[block]).reshape(-1, len(tracks), len(PARTS), 4)
         joints = _joints(_stirred(tracks, parts, times_s[block], seed, noise_scale=noise_scale))
         for number, arm in enumerate(arms):
             arm[block] = joints[:, number]
@@ -107,14 +107,13 @@ def _joints(parts: FloatArray) -> FloatArray:
     return parts[:, :, 1:]
 
 
-def _curves(track: ArmTrack) -> Iterator[Curve]:
-    """The spline of each of `PARTS`, through the keys that define it."""
+def _curves(track: ArmTrack) -> Curves:
+    """The curve of each of `PARTS`, through the keys that define it."""
     keys = np.stack([key.pose.parts for key in track.keys], axis=1)
     said = ~np.isnan(keys[:, :, 3])
-    whole = np.asarray(said.all(axis=1))
     shapes = np.array([(key.tension, key.continuity, key.bias) for key in track.keys])
-    for own_s, own, keyed, by_all in zip(_shifted(track).T, keys, said, whole, strict=True):
-        yield Curve(own_s, own, shapes) if by_all else Curve(own_s[keyed], own[keyed], shapes[keyed])
+    counts = said.sum(axis=1, dtype=np.intp)
+    return Curves(_shifted(track).T[said], keys[said], shapes[said.nonzero()[1]], counts)
 
 
 def _shifted(track: ArmTrack) -> FloatArray:

@@ -21,6 +21,7 @@ from .skeleton import FINGERS, SIDES, Skeleton
 Degrees = tuple[float, float, float]
 
 _HANGING = from_axis_angle((0.0, 0.0, 1.0), np.array(-np.pi / 2))
+_AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _TOLERATED_DEG = 1e-3
 _NEAR_ZERO = 1e-12
 MIRROR: FloatArray = np.array([1.0, -1.0, -1.0, 1.0])
@@ -160,12 +161,6 @@ def within_neck_limits(turned: FloatArray) -> FloatArray:
     return np.asarray(np.where(passed, _joined(neck, within), turned)) if passed.any() else turned
 
 
-def _about_bone(bone: int, angle: FloatArray) -> FloatArray:
-    axis = np.zeros(3)
-    axis[bone] = 1.0
-    return from_rotation_vector(angle[..., None] * axis)
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class _Alike:
     """Limits that are measured in the same way, at once for speed: their columns, which are of the right side (n, 1),
@@ -206,7 +201,7 @@ def _measured(skeleton: Skeleton, alike: _Alike, rotations: FloatArray) -> Float
 def _joined(limit: Limit, angles_deg: FloatArray) -> FloatArray:
     """The rotation with these three angles; the inverse of `swing_twist_deg`."""
     angles = np.radians(angles_deg)
-    twist = _about_bone(limit.bone, angles[..., limit.bone])
+    twist = from_axis_angle(_AXES[limit.bone], angles[..., limit.bone])
     bend = angles.copy()
     bend[..., limit.bone] = 0.0
     rotation = multiply(from_rotation_vector(bend), twist)

@@ -126,8 +126,8 @@ def forward(
 
     With `only`, a set of joints that contains the parents of its members, all others are left at zero.
     """
-    *before, joints, _four = rotations.shape
-    positions, orientations = (np.moveaxis(np.zeros((joints, *before, size)), 0, -2) for size in (3, 4))
+    by_joint = rotations.swapaxes(0, -2).shape[:-1]
+    positions, orientations = (np.zeros((*by_joint, size)).swapaxes(0, -2) for size in (3, 4))
     positions[..., 0, :], orientations[..., 0, :] = hips_m, rotations[..., 0, :]
     _place(skeleton, rotations, positions, orientations, only)
     return positions, orientations
@@ -152,7 +152,7 @@ def _place(
 ) -> None:
     """Fill in the positions and orientations of the joints; their parents' must be known. With the joints' axis first,
     which is how they lie in memory, several are reached many times faster."""
-    at_m, turned, local = (np.moveaxis(each, -2, 0) for each in (positions, orientations, rotations))
+    at_m, turned, local = (each.swapaxes(0, -2) for each in (positions, orientations, rotations))
     generations = _generations(skeleton, only)
     for joints, parents in generations:
         turned[joints] = multiply(turned[parents], local[joints])

@@ -21,7 +21,7 @@ from .face_tables import Dominance
 HORIZON_S = 0.45
 
 _SOFTENING_S = 0.004
-_FRAMES_AT_ONCE = 64
+_FRAMES_AT_ONCE = 96
 
 Numbers = NDArray[np.int64]
 
@@ -62,18 +62,25 @@ def blend(
 def _weights(dominance: Dominance, segments: Segments, near: slice, at_s: FloatArray) -> FloatArray:
     """The dominance (articulators, T, segments) of the segments in `near` at each time."""
     kind, start_s, end_s = segments.kind[near], segments.start_s[near], segments.end_s[near]
-    strength, before_s, after_s = (
-        table[kind].T[:, None] for table in (dominance.strength, dominance.before_s, dominance.after_s)
-    )
-    ahead_s, behind_s = start_s - at_s[:, None], at_s[:, None] - end_s
-    within = np.maximum(1 - (np.maximum(np.maximum(ahead_s, behind_s), 0) / HORIZON_S) ** 2, 0)
+    strength = dominance.strength[kind].T[:, None]
+    decays = -1 / np.stack((dominance.before_s[kind].T, dominance.after_s[kind].T))[:, :, None]
+    away_s = np.stack((start_s - at_s[:, None], at_s[:, None] - end_s))
+    within = np.maximum(1 - (np.maximum(away_s.max(axis=0), 0) / HORIZON_S) ** 2, 0)
+    within *= segments.weight[near]
     inset_s = np.minimum(dominance.inset_s[:, None, None], (end_s - start_s) / 2)
-    left = np.exp(_softened(ahead_s + inset_s) / -before_s - _softened(behind_s + inset_s) / after_s)
-    return np.asarray(strength * left * (within * segments.weight[near]))
+    decayed = _softened(away_s[:, None] + inset_s)
+    decayed *= decays
+    left = np.exp(decayed.sum(axis=0))
+    left *= strength
+    left *= within
+    return np.asarray(left)
 
 
 def _softened(distance_s: FloatArray) -> FloatArray:
-    """A smooth approximation of the positive part."""
-    squared = np.square(np.maximum(distance_s, 0))
-    squared += _SOFTENING_S**2
-    return np.asarray(np.sqrt(squared, out=squared) - _SOFTENING_S)
+    """A smooth approximation of the positive part, in the same memory."""
+    np.maximum(distance_s, 0, out=distance_s)
+    np.square(distance_s, out=distance_s)
+    distance_s += _SOFTENING_S**2
+    np.sqrt(distance_s, out=distance_s)
+    distance_s -= _SOFTENING_S
+    return distance_s

@@ -75,7 +75,8 @@ def face_weights(
         at_rest = _together(eye_look_weights(tables.eyes, part, skeleton), micro_movements)
         shown = expressions(tables.lexemes, schedule.behaviors, part.times_s, frame_s) * _sides(part.times_s, seed)
         speech = lip_sync(tables.visemes, spoken, part.times_s)
-        beside = _beside_speech(_together(shown, at_rest), speech)
+        beside = _together(shown, at_rest)
+        _leave_to_speech(beside, speech)
         shapes[frames] = with_lids(tables.eyes, _together(speech.shapes, beside))
     return shapes
 
@@ -85,20 +86,22 @@ def micro_movement(times_s: FloatArray, seed: int) -> FloatArray:
     moving = [(column, size) for name, size in MICRO_MOVEMENT.items() for column in COLUMNS[name]]
     noise = perlin(times_s, frequency_hz=MICRO_MOVEMENT_HZ, seed=seed, channels=len(moving))
     columns, sizes = zip(*moving, strict=True)
-    return np.asarray((np.array(sizes) * (1 + noise) / 2) @ np.eye(len(SHAPES))[list(columns)])
+    shapes = np.zeros((len(times_s), len(SHAPES)))
+    noise += 1
+    shapes[:, columns] = noise * (np.array(sizes) / 2)
+    return shapes
 
 
-def _beside_speech(shown: FloatArray, speech: LipSync) -> FloatArray:
-    """The expressions, reduced to what speech leaves of the mouth."""
-    taken = (1 - speech.corners)[:, None] * _among(CORNERS) + (1 - speech.lips)[:, None] * _among(LIPS)
-    return np.asarray(shown * (1 - taken))
+def _leave_to_speech(shown: FloatArray, speech: LipSync) -> None:
+    """Reduce the expressions (T, 52) to what speech leaves of the mouth."""
+    for names, left in ((CORNERS, speech.corners), (LIPS, speech.lips)):
+        shown[:, _columns(names)] *= left[:, None]
 
 
 @cache
-def _among(names: tuple[str, ...]) -> FloatArray:
-    """1 for the shapes of these names, else 0 (52,). Never mutated."""
-    columns = {column for name in names for column in COLUMNS[name]}
-    return np.array([float(column in columns) for column in range(len(SHAPES))])
+def _columns(names: tuple[str, ...]) -> list[int]:
+    """Of the shapes of these names. Never mutated."""
+    return sorted({column for name in names for column in COLUMNS[name]})
 
 
 def _sides(times_s: FloatArray, seed: int) -> FloatArray:
@@ -106,11 +109,13 @@ def _sides(times_s: FloatArray, seed: int) -> FloatArray:
     both."""
     missing = ASYMMETRY * (1 + perlin(times_s, frequency_hz=ASYMMETRY_HZ, seed=seed + 1, channels=3)) / 2
     missing[:, 2] += WEAKER_SIDE
-    made = 1 - missing.take(_SIDE, axis=1)
+    made = (1 - missing).take(_SIDE, axis=1)
     made[:, COLUMNS["eyeBlink"]] = 1
-    return np.asarray(made)
+    return made
 
 
 def _together(a: FloatArray, b: FloatArray) -> FloatArray:
     """Both combined, within [0, 1] if they are."""
-    return np.asarray(1 - (1 - a) * (1 - b))
+    left = 1 - a
+    left *= 1 - b
+    return np.subtract(1, left, out=left)

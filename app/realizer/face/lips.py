@@ -51,7 +51,8 @@ def lip_sync(table: VisemeTable, visemes: tuple[Viseme, ...], times_s: FloatArra
     leaves = np.stack([table.leaves_corners[segments.kind], segments.kind == VISEMES.index(SILENCE)], axis=-1)
     targets = np.concatenate([_targets(table, spoken, segments)[:, columns], leaves], axis=-1)
     mean = blend(table.dominance, segments, targets, np.array([*channels, *extra]), times_s + LEAD_S)
-    shapes = mean[:, :-2] @ np.eye(len(SHAPES))[columns]
+    shapes = np.zeros((len(times_s), len(SHAPES)))
+    shapes[:, columns] = mean[:, :-2]
     shapes[:, _CLOSE] = np.minimum(shapes[:, _CLOSE], 1) * shapes[:, _JAW]
     return LipSync(shapes, corners=mean[:, -2], lips=mean[:, -1])
 

@@ -14,6 +14,7 @@ IDENTITY: FloatArray = np.array([0.0, 0.0, 0.0, 1.0])
 IDENTITY.setflags(write=False)
 
 _NEAR_ZERO = 1e-12
+_FEW = 4000
 _TURNED: NDArray[np.complex128] = np.array([1j, -1j])
 _TURNED.setflags(write=False)
 
@@ -42,7 +43,9 @@ def _as_pairs(q: FloatArray) -> NDArray[np.complex128]:
 
 def inverse(q: FloatArray) -> FloatArray:
     """The inverse rotation."""
-    return np.asarray(q * np.array([-1.0, -1.0, -1.0, 1.0]))
+    turned_back = np.negative(q)
+    turned_back[..., 3] = q[..., 3]
+    return turned_back
 
 
 def rotate(q: FloatArray, vector: FloatArray) -> FloatArray:
@@ -81,7 +84,10 @@ def cross(a: FloatArray, b: FloatArray) -> FloatArray:
 
 
 def dot(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The dot products over the last axis, which is kept with length 1: twice as fast as `np.einsum`."""
+    """The dot products over the last axis, which is kept with length 1: twice as fast as `np.einsum`. One call for few
+    vectors, one for each of their parts for many."""
+    if max(a.size, b.size) < _FEW:
+        return np.asarray(np.vecdot(a, b)[..., None])
     product = a[..., 0] * b[..., 0]
     for part in range(1, a.shape[-1]):
         product = product + a[..., part] * b[..., part]
@@ -95,10 +101,12 @@ def length(vector: FloatArray) -> FloatArray:
 
 def from_rotation_vector(vector: FloatArray) -> FloatArray:
     """The rotation about the axis `vector` (…, 3) by its length in radians."""
-    half = np.maximum(length(vector), _NEAR_ZERO) / 2
+    half = np.maximum(length(vector)[..., 0], _NEAR_ZERO) / 2
     turned = np.empty((*vector.shape[:-1], 4))
-    sine, turned[..., 3:] = sine_and_cosine(half)
-    np.multiply(vector, sine / (2 * half), out=turned[..., :3])
+    sine, turned[..., 3] = sine_and_cosine(half)
+    sine /= 2 * half
+    for part in range(3):
+        np.multiply(vector[..., part], sine, out=turned[..., part])
     return turned
 
 
@@ -113,7 +121,8 @@ def from_axis_angle(axis: tuple[float, float, float], angle: FloatArray) -> Floa
     """The rotations by the angles (…) about one unit axis."""
     sine, cosine = sine_and_cosine(np.asarray(angle) / 2)
     turned = np.empty((*sine.shape, 4))
-    np.multiply(sine[..., None], axis, out=turned[..., :3])
+    for part, size in enumerate(axis):
+        np.multiply(sine, size, out=turned[..., part])
     turned[..., 3] = cosine
     return turned
 
@@ -156,6 +165,13 @@ def normalized(q: FloatArray) -> FloatArray:
     return np.asarray(q / length(q))
 
 
+def normalize(q: FloatArray) -> None:
+    """`normalized` in place: one part after the other, since NumPy is slow with four at a time."""
+    size = length(q)[..., 0]
+    for part in range(4):
+        q[..., part] /= size
+
+
 def with_continuous_signs(q: FloatArray) -> FloatArray:
     """The same rotations (T, …, 4), with signs such that each quaternion is near to the previous one in time."""
     turned = dot(q[1:], q[:-1]) < 0
@@ -178,8 +194,13 @@ def nearest_sign(q: FloatArray, to: FloatArray) -> FloatArray:
 
 def slerp(a: FloatArray, b: FloatArray, share: FloatArray) -> FloatArray:
     """Spherical linear interpolation: the rotation at `share` (…), in [0, 1], of the shorter way from `a` to `b`."""
-    turn = to_rotation_vector(multiply(inverse(a), b))
-    return multiply(a, from_rotation_vector(turn * np.asarray(share)[..., None]))
+    cosine, share = dot(a, b), np.asarray(share)[..., None]
+    angle = np.arccos(np.minimum(np.abs(cosine), 1.0))
+    sine = np.sin(angle)
+    far, sine = sine > _NEAR_ZERO, np.maximum(sine, _NEAR_ZERO)
+    of_a = np.where(far, np.sin((1.0 - share) * angle) / sine, 1.0 - share)
+    of_b = np.where(far, np.sin(share * angle) / sine, share)
+    return np.asarray(of_a * a + np.copysign(of_b, cosine) * b)
 
 
 def angle_between(a: FloatArray, b: FloatArray) -> FloatArray:

@@ -14,7 +14,7 @@ _WIDTHS = 4.0
 """Where the Gaussian is cut off, in standard deviations."""
 
 _FEW_COLUMNS = 8
-_BLOCK = 48
+_BLOCK = 32
 """Frames at a time: more multiply more zeros, fewer take more calls."""
 _IN_PLACE = 1920
 """Frames smoothed at a time where long motions are smoothed in place."""

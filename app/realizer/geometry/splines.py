@@ -1,6 +1,6 @@
 """Kochanek-Bartels (tension, continuity, bias) splines through rotations, at arbitrary times.
 
-Conventions: a `Curve` interpolates its own keys (K, 4) at its own increasing times (K,); curves are evaluated together,
+Conventions: a curve interpolates its own keys (K, 4) at its own increasing times (K,); curves are evaluated together,
 and results are (T, C, 4). Before the first key and after the last the value is constant, with zero velocity. Tangents
 are rotation vectors in the key's own space, so a spline does not depend on the world's axes.
 
@@ -11,7 +11,7 @@ stay smooth (Kochanek & Bartels's own velocity correction); and a tangent is at 
 side, zero beside a repeated key, so holds are constant and curves do not overshoot (Fritsch & Carlson 1980).
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,58 +26,103 @@ _STILL = 1e-9
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Curve:
-    """Keys (K, 4) at times (K,), and `shape` (K, 3): tension, continuity and bias at each, in [-1, 1]; zeros give a
-    Catmull-Rom spline."""
+class Curves:
+    """Several curves, one after the other: their keys (N, 4) at times (N,), `shape` (N, 3), which is tension,
+    continuity and bias at each, in [-1, 1], zeros for a Catmull-Rom spline; and how many keys each curve has (C,), at
+    least one."""
 
     times_s: FloatArray
     keys: FloatArray
     shape: FloatArray
+    counts: NDArray[np.intp]
+
+    @classmethod
+    def joined(cls, several: Sequence["Curves"]) -> "Curves":
+        """All curves of several."""
+        return cls(*(np.concatenate([getattr(each, name) for each in several]) for name in cls.__slots__))
 
 
-def splines(curves: Sequence[Curve], times_s: FloatArray) -> FloatArray:
-    """The rotations (T, C, 4) of the curves at `times_s` (T,)."""
-    curves = [curve if len(curve.times_s) > 1 else _of_two_keys(curve) for curve in curves]
-    counts = [len(curve.times_s) for curve in curves]
-    key_times_s = np.concatenate([curve.times_s for curve in curves])
-    keys = with_continuous_signs(np.concatenate([curve.keys for curve in curves]))
-    shape = np.concatenate([curve.shape for curve in curves])
-    lasts = np.cumsum(counts, dtype=np.intp) - 1
-    spans_s = np.diff(key_times_s)
+@dataclass(frozen=True, slots=True, eq=False)
+class _Turn:
+    """One of the three turns of each segment's Bézier curve: unit axes (3, N-1) and halves of the angles (N-1,)."""
+
+    axes: FloatArray
+    halves: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Splines:
+    """Curves made ready to be evaluated; segment k is that from key k to the next, and those between the last key of
+    one curve and the first of the next are meaningless. `firsts` and `column` are the first key of each curve, and the
+    curve of each key."""
+
+    times_s: FloatArray
+    keys: FloatArray
+    spans_s: FloatArray
+    turns: tuple[_Turn, ...]
+    turning: NDArray[np.bool_]
+    firsts: NDArray[np.intp]
+    column: NDArray[np.intp]
+
+
+def splines(curves: Curves) -> Splines:
+    """The splines through the keys of the curves."""
+    curves = _of_two_keys(curves)
+    lasts = np.cumsum(curves.counts) - 1
+    keys, spans_s = with_continuous_signs(curves.keys), np.diff(curves.times_s)
     spans_s[lasts[:-1]] = 1.0
-    turns = _turns(keys, spans_s[:, None], shape, lasts)
-    segment = _segments(curves, (lasts - counts + 1).tolist(), times_s)
-    found = keys.take(segment, axis=0)
-    turning = np.sum([length(turn)[:, 0] for turn in turns], axis=0) > _STILL
-    moving = np.flatnonzero(turning.take(segment))
-    segment, times_s = segment.ravel().take(moving), times_s.take(moving // len(curves))
-    share = np.minimum(np.maximum((times_s - key_times_s.take(segment)) / spans_s.take(segment), 0.0), 1.0)
+    turns = _turns(keys, spans_s[:, None], curves.shape, lasts)
+    sizes = [length(turn) for turn in turns]
+    return Splines(
+        times_s=curves.times_s,
+        keys=keys,
+        spans_s=spans_s,
+        turns=tuple(
+            _Turn(np.ascontiguousarray((turn / np.maximum(size, 1e-12)).T), 0.5 * size[:, 0])
+            for turn, size in zip(turns, sizes, strict=True)
+        ),
+        turning=np.sum(sizes, axis=0)[:, 0] > _STILL,
+        firsts=lasts - curves.counts + 1,
+        column=np.repeat(np.arange(len(lasts)), curves.counts),
+    )
+
+
+def rotations_at(curves: Splines, times_s: FloatArray) -> FloatArray:
+    """The rotations (T, C, 4) of the curves at increasing `times_s` (T,)."""
+    segment = _segments(curves, times_s)
+    found = curves.keys.take(segment, axis=0)
+    moving = np.flatnonzero(curves.turning.take(segment))
+    segment, times_s = segment.ravel().take(moving), times_s.take(moving // len(curves.firsts))
+    share = (times_s - curves.times_s.take(segment)) / curves.spans_s.take(segment)
+    share = np.minimum(np.maximum(share, 0.0), 1.0)
     left, squared = 1 - share, share * share
     weights = (1 - left * left * left, squared * (3 - 2 * share), squared * share)
-    way = np.ascontiguousarray(keys.T).take(segment, axis=1)
-    for turn, weight in zip(turns, weights, strict=True):
+    way = found.reshape(-1, 4).take(moving, axis=0).T
+    for turn, weight in zip(curves.turns, weights, strict=True):
         way = _product(way, _parts_of_turns(turn, segment, weight))
     found.reshape(-1, 4)[moving] = way.T
     return found
 
 
-def _of_two_keys(curve: Curve) -> Curve:
-    """A curve whose only key is repeated."""
-    times_s = np.concatenate([curve.times_s, curve.times_s + 1.0])
-    return Curve(times_s, np.repeat(curve.keys, 2, axis=0), np.repeat(curve.shape, 2, axis=0))
+def _of_two_keys(curves: Curves) -> Curves:
+    """The curves, with the key of one that has no other repeated a second later."""
+    alone = curves.counts == 1
+    if not alone.any():
+        return curves
+    row = np.repeat(np.arange(len(curves.times_s)), np.repeat(1 + alone, curves.counts))
+    times_s = curves.times_s[row]
+    times_s[1:] += row[1:] == row[:-1]
+    return Curves(times_s, curves.keys[row], curves.shape[row], curves.counts + alone)
 
 
-def _segments(curves: Sequence[Curve], firsts: Iterable[int], times_s: FloatArray) -> NDArray[np.intp]:
-    """The index (T, C) of the last key that each curve has passed, in the concatenation of all curves' keys."""
-    found = np.empty((len(times_s), len(curves)), dtype=np.intp)
-    known: dict[bytes, NDArray[np.intp]] = {}
-    for column, (curve, first) in enumerate(zip(curves, firsts, strict=True)):
-        keyed_at = curve.times_s.tobytes()
-        passed = known.get(keyed_at)
-        if passed is None:
-            passed = known[keyed_at] = curve.times_s[1:-1].searchsorted(times_s, side="right")
-        found[:, column] = first + passed
-    return found
+def _segments(curves: Splines, times_s: FloatArray) -> NDArray[np.intp]:
+    """The index (T, C) of the last key that each curve has passed: never its last, and its first from the beginning."""
+    inner = np.ones(len(curves.times_s), dtype=bool)
+    inner[curves.firsts] = inner[curves.firsts - 1] = False
+    passed = np.zeros((len(times_s) + 1, len(curves.firsts)), dtype=np.intp)
+    passed[0] = curves.firsts
+    np.add.at(passed, (times_s.searchsorted(curves.times_s[inner]), curves.column[inner]), 1)
+    return np.asarray(passed[:-1].cumsum(axis=0))
 
 
 def _turns(
@@ -114,18 +159,14 @@ def _at_most(vector: FloatArray, longest: FloatArray) -> FloatArray:
     return np.asarray(vector * np.minimum(1.0, longest / np.maximum(length(vector), 1e-12)))
 
 
-def _parts_of_turns(turns: FloatArray, segment: NDArray[np.intp], weight: FloatArray) -> FloatArray:
-    """The rotations by `weight` (M,) of the rotation vector (N, 3) of each segment (M,), as four arrays (4, M).
-
-    Axes are computed once per segment and components kept in separate arrays, because most of the realizer's time is
-    spent here.
-    """
-    angle = length(turns)
-    axis = np.ascontiguousarray((turns / np.maximum(angle, 1e-12)).T)
-    half = (0.5 * angle[:, 0]).take(segment) * weight
+def _parts_of_turns(turn: _Turn, segment: NDArray[np.intp], weight: FloatArray) -> FloatArray:
+    """The rotations by `weight` (M,) of the turn of each segment (M,), as four arrays (4, M): most of the realizer's
+    time is spent here."""
+    half = turn.halves.take(segment)
+    half *= weight
     found = np.empty((4, *half.shape))
     sine, found[3] = sine_and_cosine(half)
-    np.multiply(axis.take(segment, axis=1), sine, out=found[:3])
+    np.multiply(turn.axes.take(segment, axis=1), sine, out=found[:3])
     return found
 
 

@@ -29,7 +29,7 @@ def saccade_s(angle: FloatArray) -> FloatArray:
 
 def fixation_offsets(times_s: FloatArray, *, seed: int) -> FloatArray:
     """Pitch and yaw (T, 2) relative to the target's centre; deterministic for a seed."""
-    when, where = np.random.default_rng(seed).spawn(2)
+    when, where = (np.random.default_rng(each) for each in np.random.SeedSequence(seed).spawn(2))
     count = int((times_s[-1] - times_s[0]) / SHORTEST_S) + 2
     starts_s = times_s[0] + np.cumsum(SHORTEST_S + when.exponential(MEAN_S - SHORTEST_S, count))
     steps = where.integers(1, len(PARTS), count + 1)

@@ -8,6 +8,7 @@ Conventions: radians, metres and seconds; pitch and yaw in the world, as seen fr
 """
 
 from collections.abc import Mapping
+from functools import lru_cache
 from types import MappingProxyType
 
 import numpy as np
@@ -96,7 +97,8 @@ def _elsewhere(generator: np.random.Generator) -> FloatArray:
     return np.asarray(np.radians(OPENING_DEGREES) * generator.uniform(0.5, 1.0, 2) * [1.0, side])
 
 
+@lru_cache(maxsize=64)
 def eyes_in_t_pose_m(skeleton: Skeleton) -> FloatArray:
-    """The point between the eyes (3,)."""
+    """The point between the eyes (3,). Cached; never mutated."""
     down = skeleton.chain("hips", "spine", "chest", "upperChest", "neck", "head")
     return np.asarray(skeleton.offsets_m[down].sum(axis=0) + skeleton.offsets_m[skeleton.chain(*EYES)].mean(axis=0))

@@ -15,7 +15,7 @@ from ..arms.posing import wrists_of
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import inverse, length, multiply, normalized
+from ..geometry.rotations import inverse, multiply, normalize, normalized
 from ..geometry.smoothing import smooth
 from ..gestures.arm_joints import arm_joints
 from ..gestures.gesture_plan import GesturePlan
@@ -79,7 +79,7 @@ def _smooth(rotations: FloatArray, times_s: FloatArray) -> None:
     """Take from rotations (T, …, 4), in place, the steps in acceleration that splines have at their keys."""
     if len(times_s) > 1:
         smooth(rotations, _MUSCLE_S / float(times_s[1] - times_s[0]))
-        rotations /= length(rotations)
+        normalize(rotations)
 
 
 def _breath(collarbones: FloatArray) -> FloatArray:

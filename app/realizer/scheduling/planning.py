@@ -29,7 +29,7 @@ from ..gestures.gesture_plan import (
 from ..head_and_gaze.aiming import unknown_target, with_target
 from .arm_timelines import arm_timeline, rest_changes, units_of
 from .pruning import Admission, admit
-from .repetition import let_go_in_time, repeats_until_s, with_beats, with_repeats
+from .repetition import is_held_long, let_go_in_time, repeats_until_s, with_beats, with_repeats
 from .rests import posture_changes
 from .second_hand import HandHabits, led_by, of_arm
 from .selection import Clips, candidate_clips, in_time, place_clip, requests_of, shuffled
@@ -130,11 +130,13 @@ def _beating(
 ) -> Iterator[ArmGesture]:
     """The gestures of arms, with beats in long holds unless the body is to be still."""
     strokes_s = {each.request.behavior: each.request.stroke_s for each in gestures}
+    still, holds = schedule.stillness > _STILL, habits.style.holds
     for arm in arms:
-        lag_s = arm.placed.request.stroke_s - strokes_s[arm.behavior]
-        holds, rng = habits.style.holds, habits.drawn(arm.placed)
-        still = schedule.stillness > _STILL
-        yield arm if still else with_beats(arm, schedule.emphases_s, holds, rng, lag_s=lag_s)
+        if still or not is_held_long(arm, holds):
+            yield arm
+        else:
+            lag_s = arm.placed.request.stroke_s - strokes_s[arm.behavior]
+            yield with_beats(arm, schedule.emphases_s, holds, habits.drawn(arm.placed), lag_s=lag_s)
 
 
 def _transitions(side: Hand, arms: Iterable[ArmGesture]) -> Iterator[Transition]:

@@ -100,14 +100,17 @@ def let_go_in_time(placed: PlacedGesture, holds: Holds) -> PlacedGesture:
     return replace(placed, relax_s=min(placed.relax_s, _held_from_s(placed) + holds.longest_s))
 
 
+def is_held_long(arm: ArmGesture, holds: Holds) -> bool:
+    """Whether a hold lasts longer than the longest that stays one."""
+    return arm.markers.relax - _held_from_s(arm.placed) > holds.longest_s
+
+
 def with_beats(
     arm: ArmGesture, emphases_s: Iterable[float], holds: Holds, rng: np.random.Generator, *, lag_s: float
 ) -> ArmGesture:
-    """The gesture with repetitions in a hold that is too long: on the emphases in it, or else at even steps; an arm
+    """The gesture with repetitions in its hold: on the emphases in it, or else at even steps; an arm
     that does not lead makes them `lag_s` later."""
     start_s, relax_s = _held_from_s(arm.placed), arm.markers.relax
-    if relax_s - start_s <= holds.longest_s:
-        return arm
     step_s, (least_m, most_m) = max(SHORTEST_SPACING_S, float(rng.uniform(*holds.spacing_s))), holds.way_m
     ends_s = list(_spaced((each + lag_s for each in sorted(emphases_s)), start_s, relax_s - AFTER_S))
     ends_s = ends_s or list(_spaced(np.arange(start_s + step_s, relax_s, step_s), start_s, relax_s - AFTER_S))

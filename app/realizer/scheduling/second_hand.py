@@ -80,10 +80,13 @@ def _following(
     habits: HandHabits,
 ) -> PlacedGesture | None:
     """How the arm goes along with a gesture of the other; None if it rests or has to be elsewhere."""
-    rng, second = habits.drawn(gesture), habits.style.second_hand
+    second, pose = habits.style.second_hand, pose_at(changes, max(0.0, gesture.stroke_start_s))
+    if not second.follows or pose not in (AT_SIDE, CLASPED):
+        return None
+    rng = habits.drawn(gesture)
     lag_s, share = float(rng.uniform(*second.lag_s)), float(rng.uniform(*second.share))
-    pose, follows = pose_at(changes, max(0.0, gesture.stroke_start_s)), bool(rng.uniform() < second.follows)
-    if not second.follows or pose not in (AT_SIDE, CLASPED) or (pose == AT_SIDE and not follows):
+    follows = bool(rng.uniform() < second.follows)
+    if pose == AT_SIDE and not follows:
         return None
     clip = _of_other_hand(gesture.clip, side)
     made = _later(replace(gesture, clip=clip, aim_m=None, share=share if follows else 0.0), lag_s)

@@ -87,8 +87,8 @@ def fits_without_hold(clip: Clip, request: GestureRequest) -> bool:
 def place_clip(clip: Clip, request: GestureRequest) -> PlacedGesture:
     """The clip with its stroke at the desired time and its hold extended to the desired relax time, at least until the
     stroke's end."""
-    aligned = PlacedGesture(request, clip, request.relax_s)
-    return replace(aligned, relax_s=max(request.relax_s, aligned.stroke_end_s))
+    stroke_end_s = request.stroke_s - clip.markers.stroke + clip.markers.stroke_end
+    return PlacedGesture(request, clip, max(request.relax_s, stroke_end_s))
 
 
 def in_time(placed: PlacedGesture) -> PlacedGesture:

@@ -129,7 +129,7 @@ def _hold_trunk(
     skeleton: Skeleton, rotations: FloatArray, held: TrunkPosture, breath: FloatArray, bends: FloatArray
 ) -> None:
     """Set lean, weight shift, breath and further `bends` (T, 4, 3) of the joints from the hips up."""
-    pitch, yaw, roll = np.moveaxis(bends, -1, 0)
+    pitch, yaw, roll = bends[..., 0], bends[..., 1], bends[..., 2]
     breathing, lean, upright = _shares()
     pitch = pitch + breath[:, None] * breathing + held.forward[:, None] * lean
     roll = roll + held.weight[:, None] * upright - held.left[:, None] * lean

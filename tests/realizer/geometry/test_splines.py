@@ -13,7 +13,7 @@ from understudy.realizer.geometry.rotations import (
     multiply,
     to_rotation_vector,
 )
-from understudy.realizer.geometry.splines import Curve, splines
+from understudy.realizer.geometry.splines import Curves, rotations_at, splines
 
 TIMES_S: FloatArray = np.array([0.0, 0.3, 0.45, 1.2, 1.9])
 
@@ -37,7 +37,15 @@ def shape(seed: int, *, continuity: bool = True) -> FloatArray:
 
 def spline(key_times_s: FloatArray, through: FloatArray, shaped: FloatArray, times_s: FloatArray) -> FloatArray:
     """Channels (K, C, 4) that share their times and shapes."""
-    return splines([Curve(key_times_s, channel, shaped) for channel in through.swapaxes(0, 1)], times_s)
+    return evaluated([curve(key_times_s, channel, shaped) for channel in through.swapaxes(0, 1)], times_s)
+
+
+def curve(key_times_s: FloatArray, through: FloatArray, shaped: FloatArray) -> Curves:
+    return Curves(key_times_s, through, shaped, np.array([len(key_times_s)]))
+
+
+def evaluated(curves: list[Curves], times_s: FloatArray) -> FloatArray:
+    return rotations_at(splines(Curves.joined(curves)), times_s)
 
 
 def speeds(found: FloatArray, step_s: float) -> FloatArray:
@@ -104,12 +112,12 @@ def test_one_key_is_everywhere() -> None:
 
 
 def test_curves_of_different_keys_do_not_touch_each_other() -> None:
-    one, other = Curve(TIMES_S, keys(1)[:, 0], shape(1)), Curve(TIMES_S[1:4] + 0.1, keys(2)[1:4, 1], shape(2)[1:4])
-    alone = Curve(np.array([0.7]), keys(3)[:1, 0], np.zeros((1, 3)))
+    one, other = curve(TIMES_S, keys(1)[:, 0], shape(1)), curve(TIMES_S[1:4] + 0.1, keys(2)[1:4, 1], shape(2)[1:4])
+    alone = curve(np.array([0.7]), keys(3)[:1, 0], np.zeros((1, 3)))
     times_s = np.linspace(-0.2, 2.2, 50)
-    together = splines([one, other, alone, one], times_s)
-    for column, curve in enumerate((one, other, alone, one)):
-        assert np.all(angle_between(together[:, column], splines([curve], times_s)[:, 0]) < 1e-6)
+    together = evaluated([alone, one, other, alone, one, alone], times_s)
+    for column, each in enumerate((alone, one, other, alone, one, alone)):
+        assert np.all(angle_between(together[:, column], evaluated([each], times_s)[:, 0]) < 1e-6)
 
 
 @pytest.mark.parametrize("tension", [-0.5, 0.0, 1.0])

@@ -11,7 +11,13 @@ from understudy.realizer.body.movement_style import Holds
 from understudy.realizer.gestures.gesture import Expressivity
 from understudy.realizer.gestures.gesture_plan import ArmGesture, PlacedGesture, Repeat
 from understudy.realizer.scheduling.planning import plan_gestures
-from understudy.realizer.scheduling.repetition import let_go_in_time, most_repeats, with_beats, with_repeats
+from understudy.realizer.scheduling.repetition import (
+    is_held_long,
+    let_go_in_time,
+    most_repeats,
+    with_beats,
+    with_repeats,
+)
 from understudy.realizer.scheduling.selection import place_clip, requests_of
 
 
@@ -104,7 +110,8 @@ def test_beats_fall_on_emphases_where_there_are_any() -> None:
 
 
 def test_a_short_hold_is_held() -> None:
-    assert beats(3.1) == []
+    assert not is_held_long(held_until(3.1), HOLDS)
+    assert is_held_long(held_until(4.6), HOLDS)
 
 
 def test_a_body_that_is_to_be_still_lets_go_instead() -> None:
