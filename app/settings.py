@@ -112,6 +112,19 @@ class Settings(BaseSettings):
     )
     header_s: float = Field(default=10.0, gt=0, description="a request whose headers take longer ends its connection")
     max_connections: int = Field(default=512, gt=0, description="connections at the same time; 503 beyond")
+    live_streams: int | None = Field(
+        default=None, ge=0, description="live streams at the same time, refused beyond; eight a core if unset"
+    )
+    live_s: float = Field(default=14_400.0, gt=0, description="longest live stream, seconds of sound")
+    live_message_bytes: int = Field(default=256 * 1024, gt=0, description="largest message of a live stream, bytes")
+    live_idle_s: float = Field(
+        default=30.0, gt=0, description="a live stream on which nothing is sent for so long is ended"
+    )
+    live_ahead_s: float = Field(
+        default=10.0,
+        ge=0,
+        description="seconds that the sound of a live stream may be ahead of the clock",
+    )
     rate_per_minute: int = Field(
         default=0, ge=0, description="requests for work a minute from one address, 429 beyond; 0 for any number"
     )
@@ -120,6 +133,11 @@ class Settings(BaseSettings):
     def worker_count(self) -> int:
         """How many worker processes there are."""
         return self.workers or len(psutil.Process().cpu_affinity() or ()) or 1
+
+    @property
+    def live_stream_count(self) -> int:
+        """How many live streams there may be."""
+        return 8 * (len(psutil.Process().cpu_affinity() or ()) or 1) if self.live_streams is None else self.live_streams
 
     @property
     def motion_limits(self) -> MotionLimits:

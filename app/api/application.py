@@ -14,6 +14,7 @@ from .admission.admission import Admission, guard
 from .clients import Rates
 from .description import page
 from .description.document import describe
+from .live import router as live_router
 from .metrics import Measured, Metrics
 from .problems import answer_errors_as_problems
 from .reloading import reloading
@@ -22,6 +23,7 @@ from .service import Service
 from .uploads import Uploads
 from .workers.pool import Pool
 from .workers.processes import Nursery
+from .workers.streams import Streams
 
 DESCRIPTION = "Performs a spoken line in an actor's stead: audio and words in, a BML schedule of movements out."
 
@@ -45,9 +47,12 @@ def create_app(
         async with AsyncExitStack() as stack:
             pool = await stack.enter_async_context(Pool(nursery, settings))
             metrics.watch(busy=lambda: pool.busy, waiting=lambda: pool.waiting)
+            streams = Streams(pool, settings)
+            stack.callback(streams.stop)
             app.state.service = Service(
                 settings,
                 pool,
+                streams,
                 Uploads(settings),
                 Rates(settings.rate_per_minute),
                 metrics,
@@ -68,6 +73,7 @@ def create_app(
     )
     app.include_router(router)
     app.include_router(authoring.router)
+    app.include_router(live_router)
     app.include_router(page.router)
     app.include_router(page_router(line))
     answer_errors_as_problems(app)

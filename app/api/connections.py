@@ -5,6 +5,7 @@ to be read. A connection that keeps to none of them is closed; nothing of it is 
 import asyncio
 from typing import Any
 
+import h11
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from ..settings import Settings
@@ -37,6 +38,12 @@ class LimitedProtocol(H11Protocol):
         if not self._is_in_request and self.timeout_keep_alive_task is not None:
             self._headers_due_s = self.loop.time() + self.settings.header_s
         super().data_received(data)
+
+    def handle_websocket_upgrade(self, event: h11.Request) -> None:
+        """From here on the connection is a live stream's, which has limits of its own (`live.py`)."""
+        if self._checking is not None:
+            self._checking.cancel()
+        super().handle_websocket_upgrade(event)
 
     def connection_lost(self, exc: Exception | None) -> None:
         if self._checking is not None:

@@ -11,6 +11,7 @@ from .clients import Rates
 from .metrics import Metrics
 from .uploads import Uploads
 from .workers.pool import Pool
+from .workers.streams import Streams
 
 
 @dataclass(slots=True)
@@ -20,6 +21,7 @@ class Service:
 
     settings: Settings
     pool: Pool
+    streams: Streams
     uploads: Uploads
     rates: Rates
     metrics: Metrics

@@ -49,7 +49,9 @@ class Server(uvicorn.Server):
         return await super().on_tick(counter)
 
     async def _drain(self) -> None:
-        await self._app.state.service.pool.stop(self._grace_s)
+        service = self._app.state.service
+        service.streams.stop()
+        await service.pool.stop(self._grace_s)
         self.should_exit = True
 
 
@@ -65,6 +67,8 @@ def serve(
     config = uvicorn.Config(
         app,
         http=limited_protocol(settings),
+        ws="websockets-sansio",
+        ws_max_size=settings.live_message_bytes,
         server_header=False,
         log_config=log_config,
         timeout_keep_alive=max(1, round(settings.idle_s)),

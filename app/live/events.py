@@ -11,7 +11,6 @@ from ..acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
 from ..model import FloatArray
 from ..prosody_gestures.live_gestures import ANNOUNCED_S, DECIDED_S, LiveGestures, Phase
 from ..prosody_gestures.voice_model import VoiceModel
-from .voice import StreamingVoice
 
 LATEST_S = PITCH_LATEST_S + ANNOUNCED_S
 DECIDED_LATEST_S = PITCH_LATEST_S + DECIDED_S
@@ -30,30 +29,23 @@ class LiveEvent:
 
 
 class LiveEvents:
-    """Takes mono samples in [-1, 1] at `rate_hz` and tells what begins, as announced or, `decided`, as it was decided.
+    """Takes contours, a row each `FRAME_SHIFT_S`, and tells what begins, as announced or, `decided`, as it was decided.
     Memory does not grow."""
 
-    def __init__(self, model: VoiceModel, rate_hz: int, *, decided: bool = False) -> None:
-        self._decided = decided
-        self._voice, self._gestures, self._rate_hz = StreamingVoice(rate_hz), LiveGestures(model), rate_hz
-        self._heard = 0
+    def __init__(self, model: VoiceModel, *, decided: bool = False) -> None:
+        self._gestures, self._decided = LiveGestures(model), decided
 
-    @property
-    def heard_s(self) -> float:
-        return self._heard / self._rate_hz
+    def hear(self, energy_db: FloatArray, f0_hz: FloatArray, heard_s: float) -> tuple[LiveEvent, ...]:
+        """What is told by more of energy and f0, when `heard_s` of the sound have been heard."""
+        return self._told(self._gestures.hear(energy_db, f0_hz), heard_s)
 
-    def hear(self, samples: FloatArray) -> tuple[LiveEvent, ...]:
-        """What is told by more samples."""
-        self._heard += len(samples)
-        return self._told(self._gestures.hear(*self._voice.hear(samples)))
-
-    def finish(self) -> tuple[LiveEvent, ...]:
+    def finish(self, heard_s: float) -> tuple[LiveEvent, ...]:
         """What remains, when the sound has ended."""
-        return self._told((*self._gestures.hear(*self._voice.finish()), *self._gestures.finish()))
+        return self._told(self._gestures.finish(), heard_s)
 
-    def _told(self, phases: Iterable[Phase]) -> tuple[LiveEvent, ...]:
+    def _told(self, phases: Iterable[Phase], heard_s: float) -> tuple[LiveEvent, ...]:
         return tuple(
-            LiveEvent(phase.part, phase.state, phase.start_s, self.heard_s, phase.decided)
+            LiveEvent(phase.part, phase.state, phase.start_s, heard_s, phase.decided)
             for phase in phases
             if phase.begins and phase.decided is self._decided
         )

@@ -1,27 +1,24 @@
-"""Hears a signal as it comes, at any rate: energy and f0, a row each `FRAME_SHIFT_S`.
+"""Hears a signal as it comes: energy and f0, a row each `FRAME_SHIFT_S`.
 
 Energies are those of the recording; f0 is near to it (`understudy.acoustic.pitch.streaming`). Rows leave when f0 is
-decided. The resampler adds some milliseconds of its own.
+decided.
 """
 
 import numpy as np
-import soxr
 
 from ..acoustic.pitch.streaming import StreamingPitch
 from ..acoustic.signal.frames import SHIFT_SAMPLES
 from ..acoustic.signal.spectrum import FRAME_SAMPLES, energy_db
-from ..model import SAMPLE_RATE_HZ, Audio, FloatArray
+from ..model import Audio, FloatArray
 
 CONTEXT_FRAMES = -(-FRAME_SAMPLES // 2 // SHIFT_SAMPLES)
 """How many frames before and after a frame's its window reaches into."""
 
 
 class StreamingVoice:
-    """Takes mono samples in [-1, 1] at `rate_hz`. Memory does not grow."""
+    """Takes mono samples in [-1, 1] at `SAMPLE_RATE_HZ`. Memory does not grow."""
 
-    def __init__(self, rate_hz: int) -> None:
-        same = rate_hz == SAMPLE_RATE_HZ
-        self._resampler = None if same else soxr.ResampleStream(rate_hz, SAMPLE_RATE_HZ, 1, dtype="float64")
+    def __init__(self) -> None:
         self._pitch = StreamingPitch()
         self._samples: FloatArray = np.empty(0)
         self._begin = self._frames = 0
@@ -29,15 +26,11 @@ class StreamingVoice:
 
     def hear(self, samples: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Energy in dB and f0 in Hz (0: unvoiced) of the frames that are decided by more samples."""
-        return self._rows(self._resampled(samples, last=False), last=False)
+        return self._rows(samples, last=False)
 
     def finish(self) -> tuple[FloatArray, FloatArray]:
         """The remaining rows, when the signal has ended."""
-        return self._rows(self._resampled(np.empty(0), last=True), last=True)
-
-    def _resampled(self, samples: FloatArray, *, last: bool) -> FloatArray:
-        samples = np.asarray(samples, dtype=np.float64)
-        return samples if self._resampler is None else self._resampler.resample_chunk(samples, last)
+        return self._rows(np.empty(0), last=True)
 
     def _rows(self, samples: FloatArray, *, last: bool) -> tuple[FloatArray, FloatArray]:
         self._samples = np.concatenate([self._samples, samples])

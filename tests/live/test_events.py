@@ -5,6 +5,7 @@ import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE
 from understudy.live.events import DECIDED_LATEST_S, LATEST_S, LiveEvent, LiveEvents
+from understudy.live.voice import StreamingVoice
 from understudy.model import SAMPLE_RATE_HZ
 from understudy.prosody_gestures.voice_model import VoiceModel
 from understudy.resources import resource_folder
@@ -14,9 +15,12 @@ CHUNK = 640
 
 
 def told(*, decided: bool = False) -> list[LiveEvent]:
-    live = LiveEvents(MODEL, SAMPLE_RATE_HZ, decided=decided)
-    events = [event for first in range(0, len(LINE), CHUNK) for event in live.hear(LINE[first : first + CHUNK])]
-    return [*events, *live.finish()]
+    live, voice, heard_s = LiveEvents(MODEL, decided=decided), StreamingVoice(), 0.0
+    events: list[LiveEvent] = []
+    for first in range(0, len(LINE), CHUNK):
+        heard_s = (first + CHUNK) / SAMPLE_RATE_HZ
+        events += live.hear(*voice.hear(LINE[first : first + CHUNK]), heard_s)
+    return [*events, *live.hear(*voice.finish(), heard_s), *live.finish(heard_s)]
 
 
 @pytest.mark.parametrize("decided", [False, True])
@@ -53,6 +57,6 @@ def test_the_same_sound_has_the_same_events() -> None:
 
 
 def test_nothing_heard_is_nothing_told() -> None:
-    live = LiveEvents(MODEL, 48_000)
-    assert live.hear(np.empty(0)) == ()
-    assert len(live.finish()) <= 3
+    live = LiveEvents(MODEL)
+    assert live.hear(np.empty(0), np.empty(0), 0.0) == ()
+    assert live.finish(0.0) == ()

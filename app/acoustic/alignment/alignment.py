@@ -99,6 +99,12 @@ class Aligner:
         in_time = {word.index: word for word in timed}
         return Alignment(tuple(in_time.get(word.index, word) for word in words), notices + fit_notices, fillers)
 
+    def pronounce(self, words: tuple[Word, ...]) -> tuple[Word, ...]:
+        """The words with the phones they are expected to have, none of them timed. Raises InputError
+        `transcript_unspoken`."""
+        expected = {word.index: word for word in _expected(self._pronounced(words)[0])}
+        return tuple(expected.get(word.index, word) for word in words)
+
     def decode(self, audio: Audio, words: tuple[Word, ...]) -> Decoded | None:
         """The phones of the words where the decoder has them, whether they fit or not; None if it finds no path."""
         return self._decoded(audio.samples, self._pronounced(words)[0])

@@ -77,9 +77,11 @@ class Loaded:
 
 @dataclass(frozen=True, slots=True)
 class Fork:
-    """To the nursery, with a socket: have a worker at its other end, with these limits."""
+    """To the nursery, with a socket: have a worker at its other end, with these limits; one for a live stream does
+    nothing else."""
 
     settings: Settings
+    is_live: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +97,23 @@ class Ready:
     shared_bytes: int
 
 
-Message: TypeAlias = Job | Answer | Failed | Start | Loaded | Fork | Reload | Ready
+@dataclass(frozen=True, slots=True)
+class LiveInput:
+    """To a worker with a live stream: a message of its client, which is the content beside it."""
+
+    is_text: bool
+
+
+@dataclass(frozen=True, slots=True)
+class LiveOutput:
+    """From it: messages for the client, one a line, in the content beside it. Of `are_frames` some may be left out;
+    after one that has `ended` there are no more."""
+
+    ended: bool
+    are_frames: bool
+
+
+Message: TypeAlias = Job | Answer | Failed | Start | Loaded | Fork | Reload | Ready | LiveInput | LiveOutput
 
 
 def send(to: socket.socket, message: Message, content: Content = b"", *, pass_on: tuple[int, ...] = ()) -> None:

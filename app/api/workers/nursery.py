@@ -12,6 +12,7 @@ import socket
 import sys
 from collections.abc import Mapping
 from contextlib import suppress
+from dataclasses import replace
 from typing import Never
 
 from ...authoring.catalogue import Catalogue, Kind
@@ -19,12 +20,14 @@ from ...authoring.inspection import read_again
 from ...authoring.rule_edits import editable_files
 from ...authoring.rule_files import read_rule_text
 from ...errors import UnderstudyError
+from ...live.models import LiveModels
 from ...performance import Line, Options, Understudy, perform
 from ...realization import realize, schedule_of
 from ...resources import resource_folder
 from ...schemas.gesture_language import GestureLanguageResponse
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from ...schemas.rules import RuleFileResponse
+from .live_worker import stream
 from .messages import Failed, Fork, Loaded, Reload, Start, receive, send
 from .worker import work
 
@@ -39,6 +42,7 @@ def main(control: socket.socket) -> None:
     try:
         understudy = Understudy.load(start.settings)
         _warm(understudy)
+        models = LiveModels.load(understudy)
     except UnderstudyError as error:
         send(control, Failed(error))
         return
@@ -51,9 +55,9 @@ def main(control: socket.socket) -> None:
         except EOFError:
             return
         if isinstance(message, Reload):
-            understudy = _reloaded(control, understudy)
+            models = _reloaded(control, models)
         elif isinstance(message, Fork):
-            _fork(control, understudy, message, socket.socket(fileno=descriptors[0]))
+            _fork(control, models, message, socket.socket(fileno=descriptors[0]))
 
 
 def _warm(understudy: Understudy) -> None:
@@ -68,30 +72,34 @@ def _warm(understudy: Understudy) -> None:
     gc.freeze()
 
 
-def _fork(control: socket.socket, understudy: Understudy, fork: Fork, service: socket.socket) -> None:
+def _fork(control: socket.socket, models: LiveModels, fork: Fork, service: socket.socket) -> None:
     with service:
         if os.fork() == 0:
             control.close()
-            _be_worker(service, understudy.with_settings(fork.settings))
+            _be_worker(service, models, fork)
 
 
-def _be_worker(service: socket.socket, understudy: Understudy) -> Never:
+def _be_worker(service: socket.socket, models: LiveModels, fork: Fork) -> Never:
     """The rest of a worker's life; nothing of the nursery's is run afterwards."""
+    understudy = models.understudy.with_settings(fork.settings)
     try:
         signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-        work(service, understudy)
+        if fork.is_live:
+            stream(service, replace(models, understudy=understudy), fork.settings)
+        else:
+            work(service, understudy)
     finally:
         os._exit(0)
 
 
-def _reloaded(control: socket.socket, understudy: Understudy) -> Understudy:
+def _reloaded(control: socket.socket, models: LiveModels) -> LiveModels:
     """What is loaded from now on; what was, when the files have mistakes."""
     try:
-        again = read_again(understudy)
+        again = LiveModels.load(read_again(models.understudy))
     except UnderstudyError as error:
         send(control, Failed(error))
-        return understudy
-    send(control, Loaded(_library(again)))
+        return models
+    send(control, Loaded(_library(again.understudy)))
     return again
 
 

@@ -96,14 +96,14 @@ class Nursery:
         origin = self._origin
         return Nursery.start(origin.settings, logging=origin.logging, command=origin.command)
 
-    def fork(self, settings: Settings) -> socket.socket:
+    def fork(self, settings: Settings, *, is_live: bool = False) -> socket.socket:
         """Our end of a new worker's socket, from which `Ready` comes. Raises OSError when the nursery has ended."""
         ours, its = socket.socketpair()
         ours.setblocking(False)
         with its:
             try:
                 with self._turn:
-                    send(self._control, Fork(settings), pass_on=(its.fileno(),))
+                    send(self._control, Fork(settings, is_live), pass_on=(its.fileno(),))
             except OSError:
                 ours.close()
                 raise
@@ -153,9 +153,12 @@ class Worker:
     given_up: ServiceError | Exception | None = None
 
     @classmethod
-    async def forked(cls, nursery: Nursery, settings: Settings) -> Self:
-        """A new worker, ready for a job. Raises OSError or EOFError when the nursery or the worker ended."""
-        service = nursery.fork(settings)
+    async def forked(cls, nursery: Nursery, settings: Settings, *, is_live: bool = False) -> Self:
+        """A new worker, ready for a job, or for a live stream.
+
+        Raises OSError or EOFError when the nursery or the worker ended.
+        """
+        service = nursery.fork(settings, is_live=is_live)
         try:
             ready, _ = await receive_soon(service)
             assert isinstance(ready, Ready)

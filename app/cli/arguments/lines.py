@@ -104,6 +104,10 @@ def add_live(add: Adding) -> None:
         type=int,
         help="FILE is raw: 16-bit little-endian samples, one channel, so many a second; from - as they come",
     )
+    parser.add_argument("--frames", type=int, choices=(30, 60), help="tell the body's joints too, so often a second")
+    parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
+    parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
+    add_output(parser, "OUT.jsonl", "where the lines go (default: standard output)", default=STANDARD)
 
 
 def add_analyses(add: Adding) -> None:

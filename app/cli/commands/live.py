@@ -1,50 +1,49 @@
-"""`understudy live`: speech as it comes, what the body does as it is decided, one JSON object a line.
+"""`understudy live`: speech as it comes, what the body does as it is decided, one JSON object a line (docs/live.md).
 
-`{"type":"ready"}`; then `{"type":"gesture","part","state","start_s","heard_s"}` where a phase of hands, head or brows
-begins; at last `{"type":"done","duration_s"}`.
+The lines are the messages of `WS /live`: `ready`, then behaviours, shapes of the mouth and, asked for, frames; at last
+`done`.
 """
 
 import argparse
-import json
 import sys
 from collections.abc import Iterator
+from contextlib import ExitStack
 from typing import BinaryIO, TextIO
-
-import numpy as np
 
 from ...acoustic.signal.decoding import decode
 from ...errors import InputError
 from ...hearing import audio_limits
-from ...live.events import LiveEvent, LiveEvents
+from ...live.models import LiveModels
+from ...live.session import LiveSession
+from ...live.telling import LiveOptions
 from ...model import SAMPLE_RATE_HZ, FloatArray
-from ...prosody_gestures.voice_model import VoiceModel
-from ...resources import resource_folder
+from ...performance import Understudy
+from ...schemas.live import read_samples, to_done, to_json, to_ready
 from ...settings import Settings, read_settings
 from ..files import STANDARD, read_bytes
 from ..log import Log
 
 CHUNK_S = 0.04
-FULL_SCALE = 32768
-DECIMALS = 3
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
-    raw = arguments.rate is not None
     _check_rate(arguments.rate, settings)
-    model = VoiceModel.load(resource_folder("models") / "prosody_gestures" / "voice.npz")
-    if raw and arguments.audio == STANDARD:
-        _perform(model, arguments.rate, _chunks_of(sys.stdin.buffer, arguments.rate), sys.stdout)
-        return 0
-    content = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
-    if raw:
-        samples, rate_hz = _samples(content), arguments.rate
-    else:
-        audio, notices = decode(content, audio_limits(settings))
-        log.warnings(notices)
-        samples, rate_hz = audio.samples, SAMPLE_RATE_HZ
-    _perform(model, rate_hz, _cut(samples, rate_hz), sys.stdout)
+    rate_hz, chunks = _sound(arguments, settings, log)
+    options = LiveOptions(rate_hz, arguments.character, arguments.seed, arguments.frames)
+    with ExitStack() as stack:
+        out = sys.stdout if arguments.output == STANDARD else stack.enter_context(_opened(arguments.output))
+        understudy = stack.enter_context(Understudy.load(settings))
+        _perform(LiveModels.load(understudy), options, chunks, out)
     return 0
+
+
+def _opened(path: str) -> TextIO:
+    """A file that is written while the stream goes on. Raises InputError `file_unwritable`."""
+    try:
+        return open(path, "w", encoding="utf-8")
+    except OSError as error:
+        raise InputError("file_unwritable", f"{path}: cannot be written: {error.strerror}") from None
 
 
 def _check_rate(rate_hz: int | None, settings: Settings) -> None:
@@ -53,31 +52,33 @@ def _check_rate(rate_hz: int | None, settings: Settings) -> None:
         raise InputError("value_wrong", f"--rate {rate_hz}; give {lowest} to {highest} samples a second", field="rate")
 
 
-def _perform(model: VoiceModel, rate_hz: int, chunks: Iterator[FloatArray], out: TextIO) -> None:
-    """Tells each event as soon as it is decided."""
-    live = LiveEvents(model, rate_hz)
-    _tell(out, {"type": "ready"})
+def _sound(arguments: argparse.Namespace, settings: Settings, log: Log) -> tuple[int, Iterator[FloatArray]]:
+    """The rate and the chunks of what is to be heard."""
+    rate_hz = arguments.rate
+    if rate_hz is not None and arguments.audio == STANDARD:
+        return rate_hz, _chunks_of(sys.stdin.buffer, rate_hz)
+    content = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
+    if rate_hz is not None:
+        return rate_hz, _cut(_samples(content), rate_hz)
+    audio, notices = decode(content, audio_limits(settings))
+    log.warnings(notices)
+    return SAMPLE_RATE_HZ, _cut(audio.samples, SAMPLE_RATE_HZ)
+
+
+def _perform(models: LiveModels, options: LiveOptions, chunks: Iterator[FloatArray], out: TextIO) -> None:
+    """Tells everything as soon as it is known."""
+    session = LiveSession(models, options)
+    joints = models.understudy.realizer.skeleton.names if options.frame_rate_hz else ()
+    _tell(out, to_ready(options, tuple(joints)))
     for chunk in chunks:
-        for event in live.hear(chunk):
-            _tell(out, _told(event))
-    for event in live.finish():
-        _tell(out, _told(event))
-    _tell(out, {"type": "done", "duration_s": round(live.heard_s, DECIMALS)})
+        for told in session.hear(chunk):
+            _tell(out, to_json(told))
+    _tell(out, to_done(session.heard_s))
 
 
-def _tell(out: TextIO, message: dict[str, object]) -> None:
-    out.write(json.dumps(message) + "\n")
+def _tell(out: TextIO, message: str) -> None:
+    out.write(message + "\n")
     out.flush()
-
-
-def _told(event: LiveEvent) -> dict[str, object]:
-    return {
-        "type": "gesture",
-        "part": event.part,
-        "state": event.state,
-        "start_s": round(event.start_s, DECIMALS),
-        "heard_s": round(event.heard_s, DECIMALS),
-    }
 
 
 def _chunks_of(stream: BinaryIO, rate_hz: int) -> Iterator[FloatArray]:
@@ -88,8 +89,7 @@ def _chunks_of(stream: BinaryIO, rate_hz: int) -> Iterator[FloatArray]:
 
 
 def _samples(content: bytes) -> FloatArray:
-    """Little-endian 16-bit samples, one channel."""
-    return np.frombuffer(content[: len(content) // 2 * 2], dtype="<i2") / FULL_SCALE
+    return read_samples(content[: len(content) // 2 * 2], 1)[:, 0]
 
 
 def _cut(samples: FloatArray, rate_hz: int) -> Iterator[FloatArray]:

@@ -1,0 +1,122 @@
+"""`WS /live`: passes a client's messages to the process of its stream, and back what that tells (docs/live.md).
+
+Nothing of a message is read here. A client that reads slowly gets fewer frames, but every other message; one that reads
+nothing, or sends nothing, for too long is let go.
+"""
+
+import asyncio
+import logging
+from contextlib import suppress
+
+from fastapi import APIRouter, WebSocket
+from starlette.websockets import WebSocketDisconnect, WebSocketState
+
+from ..errors import ServiceError, SlowClientError, TooManyError, UnderstudyError
+from ..schemas.live import to_error
+from ..settings import Settings
+from .service import Service
+from .workers.messages import LiveInput, LiveOutput, receive_soon, send_soon
+from .workers.processes import Worker
+from .workers.streams import stopping
+
+GOING_AWAY, ENDED, TRY_AGAIN, IDLE = 1001, 1000, 1013, 1008
+MOST_UNSENT = 32
+"""Outputs that may wait for a slow reader before frames are left out."""
+
+_LOGGER = logging.getLogger("understudy.requests")
+
+router = APIRouter()
+
+
+@router.websocket("/live")
+async def live(socket: WebSocket) -> None:
+    """A stream of speech in, gestures out."""
+    service: Service = socket.app.state.service
+    await socket.accept()
+    try:
+        service.rates.take(socket.client.host if socket.client else "")
+        async with service.streams.process() as worker:
+            await _converse(socket, service, worker)
+    except (ServiceError, SlowClientError, TooManyError) as error:
+        await _refuse(socket, error)
+    except (WebSocketDisconnect, ConnectionError):
+        pass
+    _LOGGER.info("live stream of %s has ended", socket.client.host if socket.client else None)
+
+
+async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None:
+    """Until one side ends it."""
+    told: asyncio.Queue[tuple[LiveOutput, str]] = asyncio.Queue(2 * MOST_UNSENT)
+    tasks = {
+        asyncio.create_task(_listen(socket, worker, service.settings)),
+        asyncio.create_task(_hear(worker, told)),
+        asyncio.create_task(_tell(socket, told, service.settings)),
+        asyncio.create_task(_stop(service)),
+    }
+    try:
+        done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        for task in done:
+            task.result()
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+
+
+async def _listen(socket: WebSocket, worker: Worker, settings: Settings) -> None:
+    """The client's messages to the process. Raises WebSocketDisconnect, SlowClientError `live_idle`."""
+    while True:
+        try:
+            message = await asyncio.wait_for(socket.receive(), settings.live_idle_s)
+        except TimeoutError:
+            told = f"nothing was sent for {settings.live_idle_s:g} s; send silence while a microphone is off"
+            raise SlowClientError("live_idle", told) from None
+        if message["type"] == "websocket.disconnect":
+            raise WebSocketDisconnect(message.get("code", ENDED))
+        text = message.get("text")
+        content = message.get("bytes") or b"" if text is None else text.encode("utf-8", "surrogatepass")
+        with suppress(BrokenPipeError, ConnectionError):  # it has ended, of which its last output tells more
+            await send_soon(worker.socket, LiveInput(is_text=text is not None), content)
+
+
+async def _hear(worker: Worker, told: "asyncio.Queue[tuple[LiveOutput, str]]") -> None:
+    """What the process tells, into the queue. Raises ServiceError `worker_lost` where it ended unasked."""
+    while True:
+        try:
+            output, content = await receive_soon(worker.socket)
+        except (EOFError, OSError):
+            raise ServiceError("worker_lost", "the process of this stream ended; begin again") from None
+        assert isinstance(output, LiveOutput)
+        if output.are_frames and told.qsize() >= MOST_UNSENT:
+            continue
+        await told.put((output, content.decode()))
+        if output.ended:
+            await asyncio.Event().wait()  # the last output is told, and then all is over
+
+
+async def _tell(socket: WebSocket, told: "asyncio.Queue[tuple[LiveOutput, str]]", settings: Settings) -> None:
+    """What is in the queue to the client, until the last. Raises SlowClientError `live_unread`."""
+    while True:
+        output, lines = await told.get()
+        for line in lines.split("\n"):
+            try:
+                await asyncio.wait_for(socket.send_text(line), settings.idle_s)
+            except TimeoutError:
+                raise SlowClientError("live_unread", f"nothing was read for {settings.idle_s:g} s") from None
+        if output.ended:
+            await socket.close(ENDED)
+            return
+
+
+async def _stop(service: Service) -> None:
+    await service.streams.stopped()
+    raise stopping()
+
+
+async def _refuse(socket: WebSocket, error: UnderstudyError) -> None:
+    """Says why, if anybody still listens."""
+    codes = {"service_stopping": GOING_AWAY, "live_idle": IDLE, "live_unread": IDLE}
+    with suppress(RuntimeError, WebSocketDisconnect, TimeoutError, ConnectionError):
+        if socket.application_state is WebSocketState.CONNECTED and error.code != "live_unread":
+            await asyncio.wait_for(socket.send_text(to_error(error)), 1.0)
+        await socket.close(codes.get(error.code, TRY_AGAIN))

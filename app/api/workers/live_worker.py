@@ -1,0 +1,62 @@
+"""The life of a process that has one live stream: messages come over its socket, and what is told goes back, until the
+stream or the socket ends. A process of its own costs each stream little, for it shares what the nursery has loaded, and
+no stream waits for the work of another.
+"""
+
+import logging
+import os
+import socket
+import time
+
+import psutil
+
+from ...errors import ServiceError
+from ...live.models import LiveModels
+from ...schemas.live import to_error
+from ...settings import Settings
+from .conversation import Conversation
+from .limits import limit_memory, too_large
+from .messages import LiveInput, LiveOutput, Ready, receive, send
+
+_LOGGER = logging.getLogger(__name__)
+_FRAME = '{"type":"frame"'
+
+
+def stream(service: socket.socket, models: LiveModels, settings: Settings) -> None:
+    """Answers one client until its stream is over."""
+    limit_memory(settings.worker_memory_bytes)
+    send(service, Ready(os.getpid(), psutil.Process().memory_info().rss))
+    conversation, began_s = Conversation(models, settings), time.monotonic()
+    while not conversation.ended:
+        try:
+            message, content, _ = receive(service)
+            assert isinstance(message, LiveInput)
+            _answer(service, conversation, settings, bytes(content), is_text=message.is_text)
+        except (EOFError, OSError):
+            break
+        ahead_s = conversation.heard_s - (time.monotonic() - began_s)
+        if ahead_s > settings.live_ahead_s:
+            time.sleep(ahead_s - settings.live_ahead_s)
+    models.understudy.close()
+
+
+def _answer(
+    service: socket.socket, conversation: Conversation, settings: Settings, content: bytes, *, is_text: bool
+) -> None:
+    """Sends what a message is answered; of a mistake of ours, that there was one."""
+    frames: list[str] = []
+    others: list[str] = []
+    try:
+        for told in conversation.answer(content, is_text=is_text):
+            (frames if told.startswith(_FRAME) else others).append(told)
+    except MemoryError:
+        conversation.ended = True
+        others.append(to_error(too_large(settings.worker_memory_bytes)))
+    except Exception:
+        _LOGGER.exception("a mistake of ours in a live stream")
+        conversation.ended = True
+        others.append(to_error(ServiceError("internal_error", "see the log")))
+    if frames:
+        send(service, LiveOutput(ended=False, are_frames=True), "\n".join(frames).encode())
+    if others:
+        send(service, LiveOutput(ended=conversation.ended, are_frames=False), "\n".join(others).encode())

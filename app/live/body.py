@@ -1,0 +1,165 @@
+"""The body frame by frame, while its schedule still changes.
+
+The realizer makes motion of whole schedules. Here it makes a take: the schedule as it is known now, on a clock of its
+own of `TAKE_S`, of which frames are shown until the schedule changes or the take has run out. Behaviours move the body
+only while they last, and what it does by itself hangs on the seed alone, so takes of one clock are the same where the
+schedule is; where they differ, `blending` leads over. A new clock begins `BEFORE_S` before now, so that whatever still
+goes on has begun in it, with another seed, else the body would repeat itself.
+
+Lips follow the voice (`mouth`) unless the take has visemes of words then.
+"""
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import floor
+
+import numpy as np
+
+from ..model import Behavior, FloatArray, Interval, Schedule, Viseme
+from ..realizer.body.motion import SHAPES
+from ..realizer.face.face_tables import INDEX, VISEMES
+from ..realizer.realizing import Realizer, realize
+from .blending import Offset, Pose
+from .mouth import MouthShape
+
+TAKE_S, BEFORE_S = 12.0, 4.0
+_LIPS_S = 0.05
+"""In which time lips go most of the way to a shape."""
+
+_EARLY_S = 1e-6
+_JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
+
+
+@dataclass(frozen=True, slots=True)
+class Performing:
+    """Who moves, by which seed, how many frames a second, and how much less than usual."""
+
+    character: str
+    seed: int
+    frame_rate_hz: int
+    stillness: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BodyFrame:
+    """The body at `at_s`: local rotations (J, 4) as x y z w, place of the hips (3,), blendshapes (52,)."""
+
+    at_s: float
+    rotations: FloatArray
+    hips_m: FloatArray
+    shapes: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """What the body should do, on the stream's clock."""
+
+    behaviors: tuple[Behavior, ...] = ()
+    visemes: tuple[Viseme, ...] = ()
+
+
+class LiveBody:
+    """Gives frames up to a moment, each once. Memory does not grow."""
+
+    def __init__(self, realizer: Realizer, performing: Performing) -> None:
+        self._realizer, self._performing = realizer, performing
+        self._frame_s = 1 / performing.frame_rate_hz
+        self._next = self._clocks = self._begin = 0
+        self._take: Pose | None = None
+        self._offset: Offset | None = None
+        self._shown: list[Pose] = []
+        self._asked = Asked()
+        self._lips = np.zeros(len(SHAPES))
+
+    def ask(self, asked: Asked) -> None:
+        """What it should do from the next frame on."""
+        if asked != self._asked:
+            self._asked, self._take = asked, None
+
+    def frames_until(self, now_s: float, mouth: Sequence[MouthShape]) -> tuple[BodyFrame, ...]:
+        """The frames up to now. `mouth` are the voice's shapes since before the last frame."""
+        last = floor(now_s / self._frame_s + _EARLY_S)
+        frames: list[BodyFrame] = []
+        while self._next <= last:
+            count = min(last + 1 - self._next, self._frames_left() or self._retaken())
+            frames += self._shown_frames(count, mouth)
+        return tuple(frames)
+
+    def _frames_left(self) -> int:
+        """How many frames the take has left."""
+        return 0 if self._take is None else self._begin + len(self._take.hips_m) - self._next
+
+    def _retaken(self) -> int:
+        """Makes a take from the next frame on, which goes over from what was shown; the frames that it has."""
+        if not self._clocks or self._next - self._begin >= round((TAKE_S - 1.0) / self._frame_s):
+            self._clocks += 1
+            self._begin = self._next - round(BEFORE_S / self._frame_s)
+        self._take = take = self._realized(self._begin * self._frame_s)
+        if len(self._shown) == 2:
+            at = self._next - self._begin
+            shown = Pose.of(self._shown)
+            at_s = (self._next - 1) * self._frame_s
+            self._offset = Offset.between(shown, take.at(slice(at - 2, at)), at_s=at_s, frame_s=self._frame_s)
+        return self._frames_left()
+
+    def _realized(self, begin_s: float) -> Pose:
+        schedule = Schedule(
+            behaviors=tuple(self._on_clock(begin_s)),
+            duration_s=TAKE_S,
+            visemes=tuple(_later(each, begin_s) for each in self._asked.visemes if each.interval.end_s > begin_s),
+            character=self._performing.character,
+            stillness=self._performing.stillness,
+        )
+        seed = self._performing.seed + self._clocks
+        motion = realize(self._realizer, schedule, frame_rate_hz=self._performing.frame_rate_hz, seed=seed)
+        return Pose(motion.body.rotations, motion.body.hips_m, motion.shapes)
+
+    def _on_clock(self, begin_s: float) -> list[Behavior]:
+        """The behaviours that are not over, on the take's clock."""
+        going_on = (each for each in self._asked.behaviors if begin_s <= each.sync.start < begin_s + TAKE_S)
+        return [replace(each, sync=each.sync.shifted(-begin_s)) for each in going_on]
+
+    def _shown_frames(self, count: int, mouth: Sequence[MouthShape]) -> list[BodyFrame]:
+        assert self._take is not None, "there is a take"
+        first = self._next - self._begin
+        times_s = np.arange(self._next, self._next + count) * self._frame_s
+        poses = self._take.at(slice(first, first + count))
+        if self._offset is not None:
+            poses = self._offset.added(poses, times_s)
+        self._shown = [*self._shown, *(poses.at(each) for each in range(count))][-2:]
+        self._next += count
+        lips = self._spoken(times_s, mouth)
+        return [
+            BodyFrame(at_s, poses.rotations[each], poses.hips_m[each], _with_lips(poses.shapes[each], lips[each]))
+            for each, at_s in enumerate(times_s.tolist())
+        ]
+
+    def _spoken(self, times_s: FloatArray, mouth: Sequence[MouthShape]) -> FloatArray:
+        """The mouth's shapes (frames × 52) by the voice."""
+        table, begins_s = self._realizer.face.visemes, [each.at_s for each in mouth]
+        worded = [each.interval for each in self._asked.visemes]
+        shares, lips = 1 - np.exp(-self._frame_s / _LIPS_S), []
+        for at_s in times_s.tolist():
+            place, target = bisect_right(begins_s, at_s) - 1, np.zeros(len(SHAPES))
+            if place >= 0 and not _is_in(worded, at_s):
+                target = table.targets[VISEMES.index(mouth[place].viseme)] * mouth[place].articulation
+                target[_JAW] = mouth[place].opening * table.widest_jaw
+            self._lips = self._lips + shares * (target - self._lips)
+            lips.append(self._lips)
+        return np.array(lips)
+
+
+def _with_lips(shapes: FloatArray, lips: FloatArray) -> FloatArray:
+    shown: FloatArray = np.clip(np.maximum(shapes, lips), 0.0, 1.0)
+    shown[_CLOSE] = min(shown[_CLOSE] * lips[_JAW], shown[_JAW]) if lips[_JAW] > shapes[_JAW] else shown[_CLOSE]
+    return shown
+
+
+def _is_in(intervals: Sequence[Interval], at_s: float) -> bool:
+    return any(each.start_s <= at_s < each.end_s for each in intervals)
+
+
+def _later(viseme: Viseme, begin_s: float) -> Viseme:
+    interval = viseme.interval
+    return replace(viseme, interval=Interval(max(0.0, interval.start_s - begin_s), interval.end_s - begin_s))

@@ -1,0 +1,31 @@
+"""What live speech needs, loaded once and shared by all streams."""
+
+from dataclasses import dataclass
+from typing import Self
+
+from ..performance import Understudy
+from ..prosody_gestures.voice_model import VoiceModel
+from ..resources import resource_folder
+from .mouth import MouthModel
+from .table import LiveTable
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LiveModels:
+    """The whole understudy, for words and bodies, and what the voice alone tells."""
+
+    understudy: Understudy
+    voice: VoiceModel
+    mouth: MouthModel
+    table: LiveTable
+
+    @classmethod
+    def load(cls, understudy: Understudy) -> Self:
+        """Raises ServiceError `model_unreadable`, AuthoringError for `lexicon/live.yaml`."""
+        models, lexicon = resource_folder("models"), resource_folder("lexicon")
+        return cls(
+            understudy,
+            VoiceModel.load(models / "prosody_gestures" / "voice.npz"),
+            MouthModel.load(models / "live" / "mouth.npz"),
+            LiveTable.load(lexicon / "live.yaml", understudy.behavior.characters.behavior_names),
+        )

@@ -1,0 +1,100 @@
+"""Hands, head and brows by what the voice announces: a beat where a stroke or its preparation is announced, held as
+long as a hold is, a movement of the head or the brows where one is. Times are seconds of the stream.
+
+A beat begun by a preparation strikes when the stroke is announced, at the latest when a preparation usually ends.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ..model import Behavior
+from .events import LiveEvent
+from .placing import Placer, held_until, struck_at
+from .table import LiveTable
+
+PREPARATION_S = 0.48
+"""How long the model's preparations last on average."""
+
+LONGEST_HOLD_S = 2.0
+_HOLD_S = 0.25
+"""How long a beat is held about which nothing more is heard."""
+
+_APART, _FEWEST_PER_MINUTE = 20.0, 1.0
+"""No beat begins sooner after another's stroke than so many seconds over the character's gestures a minute, a third of
+its usual distance."""
+
+
+@dataclass(slots=True)
+class Movements:
+    """Behaviours by announcements, new ones and the last of a part as it changes. `prepared` tells that the last beat
+    was begun by a preparation whose stroke has not been announced."""
+
+    table: LiveTable
+    placer: Placer
+    hands: Behavior | None = None
+    brows: Behavior | None = None
+    prepared: bool = False
+
+    def moved(self, event: LiveEvent, now_s: float) -> Iterator[Behavior]:
+        """What an announcement has the body do from now on."""
+        parts = {"hands": self._hands, "head": self._head, "brows": self._brows}
+        yield from parts[event.part](event.state, now_s)
+
+    def forget(self) -> None:
+        """Nothing that was begun goes on."""
+        self.hands, self.brows, self.prepared = None, None, False
+
+    def _hands(self, state: str, now_s: float) -> Iterator[Behavior]:
+        if state == "preparation":
+            yield from self._beaten(now_s, PREPARATION_S, "the voice sounds like the preparation of a stroke")
+        elif state == "stroke" and self.prepared:
+            self.prepared = False
+            yield from self._struck(now_s)
+        elif state == "stroke":
+            yield from self._beaten(now_s, 0.0, "the voice sounds like a stroke")
+        else:
+            self.prepared = False
+            yield from self._relaxed(now_s, LONGEST_HOLD_S if state == "hold" else 0.0)
+
+    def _beaten(self, now_s: float, preparation_s: float, reason: str) -> Iterator[Behavior]:
+        """A beat from now on, unless one is being made."""
+        before = self.hands
+        apart_s = _APART / max(self.placer.character.gestures_per_minute, _FEWEST_PER_MINUTE)
+        if before is not None and now_s < (before.sync.stroke_end or 0.0) + apart_s:
+            return
+        if before is not None and before.sync.end > now_s:
+            yield held_until(before, now_s)
+        beat = self.placer.soon(self.placer.drawn(self.table.hands), now_s, hold_s=_HOLD_S, reason=reason)
+        self.hands = struck_at(beat, max(now_s + preparation_s, beat.sync.ready or 0.0))
+        self.prepared = preparation_s > 0
+        yield self.hands
+
+    def _struck(self, now_s: float) -> Iterator[Behavior]:
+        """The beat that was prepared, now or as soon as the hand is there."""
+        beat = self.hands
+        if beat is not None and (beat.sync.stroke_start or 0.0) > now_s:
+            self.hands = struck_at(beat, max(now_s, beat.sync.ready or 0.0))
+            yield self.hands
+
+    def _relaxed(self, now_s: float, hold_s: float) -> Iterator[Behavior]:
+        """The last beat, held for so long more."""
+        beat = self.hands
+        if beat is not None and beat.sync.relax is not None and beat.sync.relax > now_s:
+            self.hands = held_until(beat, max(now_s, beat.sync.stroke_end or 0.0) + hold_s)
+            yield self.hands
+
+    def _head(self, state: str, now_s: float) -> Iterator[Behavior]:
+        names = {"nod": self.table.nod, "shake": self.table.shake, "tilt": self.table.tilt, "turn": self.table.turn}
+        if state in names:
+            yield self.placer.soon(self.placer.drawn(names[state]), now_s, hold_s=0.4, reason=f"sounds like a {state}")
+
+    def _brows(self, state: str, now_s: float) -> Iterator[Behavior]:
+        before, names = self.brows, {"raised": self.table.raised, "lowered": self.table.lowered}
+        if before is not None and before.sync.relax is not None and before.sync.relax > now_s:
+            yield held_until(before, now_s)
+        self.brows = None
+        if state in names:
+            reason = f"sounds as if brows were {state}"
+            entry = self.placer.drawn(names[state])
+            self.brows = self.placer.soon(entry, now_s, hold_s=LONGEST_HOLD_S, reason=reason)
+            yield self.brows

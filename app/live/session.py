@@ -1,0 +1,173 @@
+"""A stream of speech and what the body does with it, step by step: sound, words and commands in, what is told out.
+
+The stream's clock is its sound: seconds of what was heard, silences that were told of included. Nothing here waits or
+looks at another clock, so the same steps always tell the same. While words are being spoken that came beside the
+sound, the rules perform them and the voice moves nothing; before and after it does.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from ..analysis import Options
+from ..errors import InputError
+from ..model import FloatArray, Word
+from .agenda import REMEMBERED_S, WORDED, Agenda
+from .attention import Attention
+from .body import Asked, BodyFrame, LiveBody, Performing
+from .ear import Ear
+from .events import LiveEvents
+from .models import LiveModels
+from .mouth import MouthShape, StreamingMouth
+from .movements import Movements
+from .placing import Placer
+from .telling import LiveOptions, Mouthed, Told
+from .words import PerformedPhrase, TimedText, paced_words, perform_words, timed_words
+
+MOST_AHEAD_S = 120.0
+MOST_WAITING = 100
+"""Texts that wait for a voice."""
+
+BESIDE_WORDS_S = 0.2
+LONGEST_SILENCE_S = 60.0
+
+
+class LiveSession:
+    """One stream. Raises InputError `unknown_character` where it begins. Memory does not grow."""
+
+    def __init__(self, models: LiveModels, options: LiveOptions) -> None:
+        behavior = models.understudy.behavior
+        self._models, self._options = models, options
+        self._placer = Placer.of(behavior.characters.named(options.character), options.seed)
+        self._own, self._other = Ear(options.sample_rate_hz), Ear(options.sample_rate_hz)
+        self._events, self._mouth = LiveEvents(models.voice), StreamingMouth(models.mouth)
+        self._movements = Movements(models.table, self._placer)
+        self._attention = Attention(models.table, self._placer, behavior.head_rates)
+        self._body = _body(models, options)
+        self._agenda = Agenda()
+        self._phrases: tuple[PerformedPhrase, ...] = ()
+        self._waiting: tuple[str, ...] = ()
+        self._shapes: list[MouthShape] = []
+        self._heard = self._performed = 0
+        self._listens = False
+
+    @property
+    def heard_s(self) -> float:
+        """Now, on the stream's clock."""
+        return self._heard / self._options.sample_rate_hz
+
+    def hear(self, own: FloatArray | None, other: FloatArray | None = None) -> tuple[Told, ...]:
+        """Mono samples in [-1, 1] of the character's voice, and of whom it listens to; None is silence, as long as the
+        other."""
+        count = len(own) if own is not None else len(other) if other is not None else 0
+        self._heard += count
+        self._listens = self._listens or other is not None
+        told = list(self._spoken(np.zeros(count) if own is None else own))
+        if self._listens:
+            told += self._listened(np.zeros(count) if other is None else other)
+        if not self._is_worded():
+            told += self._agenda.keep(self._attention.passed(self.heard_s), self.heard_s)
+        self._forget()
+        return (*told, *self._frames())
+
+    def silence(self, duration_s: float) -> tuple[Told, ...]:
+        """Nothing is heard for so long: sound that was lost, or a microphone that is off."""
+        if not 0 <= duration_s <= LONGEST_SILENCE_S:
+            message = f"duration_s: {duration_s:g}; a silence is 0 to {LONGEST_SILENCE_S:g} s long"
+            raise InputError("value_wrong", message, field="duration_s")
+        return self.hear(np.zeros(round(duration_s * self._options.sample_rate_hz)))
+
+    def words(self, timed: tuple[TimedText, ...]) -> tuple[Told, ...]:
+        """Words of the character, with times. Raises InputError as `timed_words` does, `value_wrong` for times too far
+        from now."""
+        begin_s = timed[0].interval.start_s
+        if abs(begin_s - self.heard_s) > MOST_AHEAD_S:
+            message = f"words: from {begin_s:g} s on; now is {self.heard_s:.2f} s of the stream"
+            raise InputError("value_wrong", message, field="words")
+        return tuple(self._perform(timed_words(self._models.understudy, timed)))
+
+    def text(self, text: str) -> tuple[Told, ...]:
+        """Words of the character, without times: they are those of the phrase that is being spoken, or of the next
+        that has none. Raises InputError as `paced_words` does, `words_waiting`."""
+        began_s = self._own.phrase_began_s
+        words = paced_words(self._models.understudy, text, began_s or 0.0)
+        if began_s is not None and not self._is_worded():
+            return tuple(self._perform(words))
+        if len(self._waiting) == MOST_WAITING:
+            raise InputError("words_waiting", f"{MOST_WAITING} texts wait for a voice; send the sound first")
+        self._waiting = (*self._waiting, text)
+        return ()
+
+    def interrupt(self) -> tuple[Told, ...]:
+        """Whatever is going on ends now, and nothing that was to come is done."""
+        self._phrases, self._waiting = (), ()
+        self._movements.forget()
+        told = tuple(self._agenda.give_up(self.heard_s))
+        self._ask()
+        return told
+
+    def _spoken(self, samples: FloatArray) -> Iterator[Told]:
+        """What the character's own voice has the body do."""
+        samples = self._own.resampled(samples)
+        energy_db, f0_hz = self._own.contours(samples)
+        for shape in self._mouth.hear(samples):
+            self._shapes.append(shape)
+            yield Mouthed(shape, self.heard_s)
+        for edge in self._own.phrases(f0_hz):
+            if edge.begins and self._waiting and not self._is_worded():
+                text, *rest = self._waiting
+                self._waiting = tuple(rest)
+                yield from self._perform(paced_words(self._models.understudy, text, edge.at_s))
+            if not self._is_worded():
+                yield from self._agenda.keep(self._attention.spoken(edge, self.heard_s), self.heard_s)
+        for event in self._events.hear(energy_db, f0_hz, self.heard_s):
+            if not self._is_worded():
+                yield from self._agenda.keep(self._movements.moved(event, self.heard_s), self.heard_s)
+
+    def _listened(self, samples: FloatArray) -> Iterator[Told]:
+        """What is done about the other's voice."""
+        _, f0_hz = self._other.contours(self._other.resampled(samples))
+        for edge in self._other.phrases(f0_hz):
+            yield from self._agenda.keep(self._attention.listened(edge, self.heard_s), self.heard_s)
+
+    def _is_worded(self) -> bool:
+        """Whether words are being spoken that are known."""
+        spoken = (each.interval for each in self._phrases)
+        return any(each.start_s - BESIDE_WORDS_S <= self.heard_s < each.end_s + BESIDE_WORDS_S for each in spoken)
+
+    def _perform(self, words: tuple[Word, ...]) -> Iterator[Told]:
+        """The rules take over for these words; what the voice began ends as they begin."""
+        options = Options(character=self._options.character, seed=self._options.seed, stillness=self._options.stillness)
+        phrase = perform_words(self._models.understudy, words, options, self.heard_s)
+        self._performed += 1
+        named = (replace(each, id=f"{WORDED}{self._performed}.{each.id}") for each in phrase.behaviors)
+        behaviors = self._agenda.beside(named)
+        self._phrases = (*self._phrases, replace(phrase, behaviors=()))
+        self._movements.forget()
+        yield from self._agenda.make_way(behaviors, self.heard_s)
+        yield from self._agenda.keep(behaviors, self.heard_s)
+        self._ask()
+
+    def _forget(self) -> None:
+        until_s = self.heard_s - REMEMBERED_S
+        self._agenda.forget(self.heard_s)
+        self._phrases = tuple(each for each in self._phrases if each.interval.end_s >= until_s)
+        while len(self._shapes) > 1 and self._shapes[1].at_s < until_s:
+            self._shapes.pop(0)
+
+    def _frames(self) -> tuple[BodyFrame, ...]:
+        self._ask()
+        return () if self._body is None else self._body.frames_until(self.heard_s, self._shapes)
+
+    def _ask(self) -> None:
+        if self._body is not None:
+            visemes = tuple(viseme for phrase in self._phrases for viseme in phrase.visemes)
+            self._body.ask(Asked(self._agenda.behaviors, visemes))
+
+
+def _body(models: LiveModels, options: LiveOptions) -> LiveBody | None:
+    if options.frame_rate_hz is None:
+        return None
+    performing = Performing(options.character, options.seed, options.frame_rate_hz, options.stillness)
+    return LiveBody(models.understudy.realizer, performing)

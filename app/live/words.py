@@ -1,0 +1,128 @@
+"""Words that come beside the voice: the rules perform them, phrase by phrase, as soon as they are known.
+
+Whoever synthesises the speech knows when each word falls; then nothing is heard and nothing aligned. Plain text is
+spread over the time that its sounds usually take. Times are seconds of the stream.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from ..analysis import Analysis, Options
+from ..errors import InputError
+from ..model import Behavior, Interval, Phone, Utterance, Viseme, Word
+from ..moving import move
+from ..performance import Understudy
+from ..rules.derivation import understand
+from ..transcript import read_transcript
+
+LEAD_IN_S = 0.6
+"""How long before its first word a phrase may begin to move."""
+
+PHONE_S = 0.08
+"""What a speech sound takes at a usual pace: 12 to 13 a second."""
+
+BETWEEN_WORDS_S = 0.01
+SOONEST_S = 0.15
+"""What has its stroke, or its peak, no sooner than this from now can still be begun."""
+
+
+@dataclass(frozen=True, slots=True)
+class TimedText:
+    """A word as it is written, and when it is spoken."""
+
+    text: str
+    interval: Interval
+
+
+@dataclass(frozen=True, slots=True)
+class PerformedPhrase:
+    """What the body does with a phrase, from its first word to its last."""
+
+    interval: Interval
+    behaviors: tuple[Behavior, ...]
+    visemes: tuple[Viseme, ...]
+    words: tuple[Word, ...]
+
+
+def timed_words(understudy: Understudy, timed: tuple[TimedText, ...]) -> tuple[Word, ...]:
+    """Words in order, with their sounds spread over the time of each. Raises InputError for times that are not in
+    order, and as `read_transcript` does."""
+    limit = understudy.language.settings.max_text_characters
+    if any(not _is_one_word(each.text) for each in timed):
+        raise InputError("value_wrong", "words: each text is one word, without white space", field="words")
+    words = read_transcript(" ".join(each.text for each in timed), max_characters=limit)
+    for before, after in pairwise(timed):
+        if after.interval.start_s < before.interval.end_s:
+            message = f"words: {after.text!r} begins before {before.text!r} ends; send them in order"
+            raise InputError("value_wrong", message, field="words")
+    spoken = understudy.acoustic.aligner.pronounce(words)
+    return tuple(_spread(word, each.interval) for word, each in zip(spoken, timed, strict=True))
+
+
+def paced_words(understudy: Understudy, text: str, start_s: float) -> tuple[Word, ...]:
+    """The words of a text at a usual pace from then on; raises as `read_transcript` does, and InputError
+    `transcript_unspoken`."""
+    words = read_transcript(text, max_characters=understudy.language.settings.max_text_characters)
+    return tuple(_paced(understudy.acoustic.aligner.pronounce(words), start_s))
+
+
+def perform_words(understudy: Understudy, words: tuple[Word, ...], options: Options, now_s: float) -> PerformedPhrase:
+    """What the rules make of timed words, so far as it can still be begun. Raises InputError as `move` does."""
+    intervals = [word.interval for word in words if word.interval]
+    spoken = Interval(intervals[0].start_s, intervals[-1].end_s)
+    begin_s = spoken.start_s - LEAD_IN_S
+    heard = tuple(_shifted(word, -begin_s) for word in words)
+    utterance = Utterance(heard, understudy.language.parser.parse(heard), duration_s=spoken.end_s - begin_s)
+    known = understand(understudy.language.rules, utterance)
+    analysis = Analysis(utterance, known.functions, facts=known.facts)
+    performance, _ = move(understudy.behavior, analysis, options)
+    later = (replace(each, sync=each.sync.shifted(begin_s)) for each in performance.behaviors if each.kept)
+    visemes = tuple(
+        replace(each, interval=_moved(each.interval, begin_s))
+        for each in performance.visemes
+        if each.interval.end_s + begin_s > spoken.start_s
+    )
+    return PerformedPhrase(spoken, tuple(_in_time(later, now_s)), visemes, words)
+
+
+def _in_time(behaviors: Iterator[Behavior], now_s: float) -> Iterator[Behavior]:
+    """Those that can be begun now or later; one whose beginning has passed is begun now."""
+    for each in behaviors:
+        sync = each.sync
+        aim_s = next(at_s for at_s in (sync.stroke_start, sync.ready, sync.start) if at_s is not None)
+        if sync.start >= now_s:
+            yield each
+        elif aim_s >= now_s + SOONEST_S:
+            yield replace(each, sync=replace(sync, start=round(now_s, 3)))
+
+
+def _is_one_word(text: str) -> bool:
+    return len(text.split()) == 1
+
+
+def _paced(words: tuple[Word, ...], start_s: float) -> Iterator[Word]:
+    for word in words:
+        end_s = start_s + PHONE_S * len(word.phones)
+        yield _spread(word, Interval(round(start_s, 3), round(end_s, 3)))
+        start_s = end_s + BETWEEN_WORDS_S
+
+
+def _spread(word: Word, interval: Interval) -> Word:
+    each_s = interval.duration_s / max(1, len(word.phones))
+    edges = [round(interval.start_s + place * each_s, 3) for place in range(len(word.phones) + 1)]
+    phones = tuple(
+        replace(phone, interval=Interval(begin_s, end_s))
+        for phone, (begin_s, end_s) in zip(word.phones, pairwise(edges), strict=True)
+    )
+    return replace(word, interval=interval, phones=phones, spread=True)
+
+
+def _shifted(word: Word, by_s: float) -> Word:
+    assert word.interval is not None, "every word is timed"
+    phones = tuple(Phone(each.label, _moved(each.interval, by_s), each.stress) for each in word.phones)
+    return replace(word, interval=_moved(word.interval, by_s), phones=phones)
+
+
+def _moved(interval: Interval, by_s: float) -> Interval:
+    return Interval(round(interval.start_s + by_s, 3), round(interval.end_s + by_s, 3))

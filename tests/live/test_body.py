@@ -1,0 +1,89 @@
+"""Frames while the schedule changes: they follow it, and nothing jumps."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from understudy.live.blending import Pose
+from understudy.live.body import TAKE_S, Asked, BodyFrame, LiveBody, Performing
+from understudy.live.mouth import MouthShape
+from understudy.model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
+from understudy.performance import Understudy
+from understudy.realizer.body.motion import SHAPES
+from understudy.realizer.geometry.rotations import angle_between
+from understudy.realizer.realizing import realize
+
+RATE_HZ = 30
+
+
+def beat(at_s: float) -> Behavior:
+    sync = SyncPoints(
+        start=at_s, ready=at_s + 0.4, stroke_start=at_s + 0.4, stroke=at_s + 0.6, stroke_end=at_s + 0.65,
+        relax=at_s + 1.0, end=at_s + 1.5,
+    )  # fmt: skip
+    return Behavior(f"beat{at_s}", Channel.GESTURE, "BEAT", sync, 0, 0, 1.0, hand=Hand.RIGHT)
+
+
+def steps(frames: list[BodyFrame]) -> FloatArray:
+    """How far each joint turns from a frame to the next, radians."""
+    poses = np.stack([frame.rotations for frame in frames])
+    return np.asarray(angle_between(poses[1:], poses[:-1]))
+
+
+@pytest.fixture
+def body(understudy: Understudy) -> LiveBody:
+    return LiveBody(understudy.realizer, Performing("default", 3, RATE_HZ))
+
+
+def test_a_schedule_that_does_not_change_is_realized_as_ever(understudy: Understudy, body: LiveBody) -> None:
+    """The arms, for what the rest does by itself is another's luck."""
+    body.ask(Asked((beat(1.0),)))
+    frames = body.frames_until(3.0, ())
+    whole = realize(understudy.realizer, Schedule((beat(1.0),), duration_s=3.2), frame_rate_hz=RATE_HZ, seed=3)
+    arm = understudy.realizer.skeleton.names.index("rightUpperArm")
+    ours = np.stack([frame.rotations[arm] for frame in frames])
+    theirs = whole.body.rotations[: len(ours), arm]
+    raised = angle_between(theirs, theirs[0])
+    assert raised.max() > np.radians(20)
+    assert np.degrees(np.abs(angle_between(ours, ours[0]) - raised)).max() < 6
+
+
+def test_changes_and_new_clocks_make_no_jump(understudy: Understudy, body: LiveBody) -> None:
+    """A beat every two seconds, asked for as it begins, for three takes: no joint goes faster than in the same
+    schedule realized at once."""
+    beats: list[Behavior] = []
+    frames: list[BodyFrame] = []
+    for begin_s in np.arange(0.0, 3 * TAKE_S, 2.0).tolist():
+        frames += body.frames_until(begin_s, ())
+        beats.append(beat(begin_s))
+        body.ask(Asked(tuple(beats[-3:])))
+    whole = realize(understudy.realizer, Schedule(tuple(beats), duration_s=3 * TAKE_S), frame_rate_hz=RATE_HZ, seed=3)
+    fastest = angle_between(whole.body.rotations[1:], whole.body.rotations[:-1]).max()
+    assert steps(frames).max() < 1.2 * fastest
+    hips_m = np.stack([frame.hips_m for frame in frames])
+    assert np.abs(np.diff(hips_m, axis=0)).max() < 0.01
+    assert all(other.at_s > one.at_s for one, other in pairwise(frames))
+
+
+def test_a_gesture_taken_back_half_way_goes_to_rest_smoothly(body: LiveBody) -> None:
+    body.ask(Asked((beat(1.0),)))
+    frames = [*body.frames_until(1.5, ())]
+    moving = steps(frames).max()
+    body.ask(Asked(()))
+    after = [frames[-1], *body.frames_until(3.0, ())]
+    assert steps(after).max() < 1.2 * moving
+    assert steps(after)[-10:].max() < np.radians(1)
+
+
+def test_lips_follow_the_voice(body: LiveBody) -> None:
+    shapes = [MouthShape(0.0, "sil", 1.0, 0.0), MouthShape(1.0, "aa", 1.0, 1.0), MouthShape(1.5, "sil", 1.0, 0.0)]
+    jaw = [frame.shapes[SHAPES.index("jawOpen")] for frame in body.frames_until(2.0, shapes)]
+    assert max(jaw[:29]) < 0.05
+    assert max(jaw[40:45]) > 0.3
+    assert max(jaw[-5:]) < 0.05
+
+
+def test_poses_are_taken_apart_and_together() -> None:
+    frames = [Pose(np.full((2, 4), k), np.full(3, k), np.full(52, k)) for k in range(3)]
+    assert Pose.of(frames).at(1).hips_m.tolist() == [1, 1, 1]
