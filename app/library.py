@@ -96,7 +96,7 @@ class RealizeKeywords(TypedDict, total=False):
     """How BML is to be played: `agitation` overrides what the voice says, `character` who is named in the file;
     `fps` is 30 or 60, `seed` varies what the body does by itself, `stillness` (0 to 1) is how much less of it all,
     `targets` are where things are (as for performances), `tail_s` (0 to 10) is how long the motion goes on after the
-    recording."""
+    recording; with `physics` the body has mass."""
 
     agitation: LevelName | None
     character: str | None
@@ -105,6 +105,7 @@ class RealizeKeywords(TypedDict, total=False):
     stillness: float
     targets: Mapping[str, Sequence[float]]
     tail_s: float
+    physics: bool
 
 
 def load(settings: Settings | None = None) -> Understudy:
@@ -190,13 +191,15 @@ def realize(
     fps: Literal[30, 60] = 60,
     seed: int | None = None,
     tail_s: float = 0.0,
+    physics: bool = False,
 ) -> Realized:
     """The motion of a performance (§3.8), frame by frame, as long as its recording and `tail_s` more, in which the
-    hands come to rest; `seed` is the performance's own unless given. `Realizer` suffices.
+    hands come to rest; `seed` is the performance's own unless given. With `physics` the body has mass (ServiceError
+    `physics_missing` without understudy[physics]). `Realizer` suffices.
 
     `realized.motion.decisions` tells what could not be played as it was asked for, and why.
     """
-    checked = check_realize_options({"fps": fps, "seed": seed, "tail_s": tail_s})
+    checked = check_realize_options({"fps": fps, "seed": seed, "tail_s": tail_s, "physics": physics})
     prepared = PreparedSchedule.of(performance)
     return _played(models, prepared if seed is None else replace(prepared, seed=seed), checked)
 
@@ -355,7 +358,13 @@ def _bml_form(dialect: str, timing: str, audio_name: str | None) -> BmlForm:
 
 
 def _played(models: Understudy | Realizer, prepared: PreparedSchedule, options: RealizeOptions) -> Realized:
-    return realize_prepared(_realizer(models), prepared, frame_rate_hz=options.fps, tail_s=options.tail_s)
+    return realize_prepared(
+        _realizer(models),
+        prepared,
+        frame_rate_hz=options.fps,
+        tail_s=options.tail_s,
+        physics=bool(options.physics),
+    )
 
 
 def _realizer(models: Understudy | Realizer) -> Realizer:

@@ -198,11 +198,16 @@ def _read(sheet: BmlInput) -> tuple[Document, tuple[Notice, ...]]:
 
 
 def realize_prepared(
-    realizer: Realizer, prepared: PreparedSchedule, *, frame_rate_hz: int = 60, tail_s: float = 0.0
+    realizer: Realizer,
+    prepared: PreparedSchedule,
+    *,
+    frame_rate_hz: int = 60,
+    tail_s: float = 0.0,
+    physics: bool = False,
 ) -> Realized:
     """The motion of a schedule, whose notices tell also which gestures are not those that were asked for."""
-    schedule = prepared.schedule
-    motion = realize(realizer, schedule, frame_rate_hz=frame_rate_hz, seed=prepared.seed, tail_s=tail_s)
+    schedule, seed = prepared.schedule, prepared.seed
+    motion = realize(realizer, schedule, frame_rate_hz=frame_rate_hz, seed=seed, tail_s=tail_s, physics=physics)
     notices = (*prepared.notices, *_unknown_gestures(realizer, schedule), *_unplayed_gestures(motion, schedule))
     return Realized(schedule, replace(motion, notices=notices))
 

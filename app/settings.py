@@ -52,6 +52,9 @@ class Settings(BaseSettings):
     blender: str | None = Field(
         default=None, description="the Blender that writes FBX, or a Python that has bpy; blender in the PATH if unset"
     )
+    physics: bool = Field(
+        default=False, description="move bodies with physics where nobody says (needs understudy[physics])"
+    )
     host: str = Field(default="127.0.0.1", description="address the service listens on")
     port: int = Field(default=8000, ge=0, le=65535, description="port the service listens on; 0 picks a free one")
     api_keys: SecretStr | None = Field(

@@ -29,6 +29,7 @@ from .head_and_gaze.gaze import apply_gaze, eyes_in_t_pose_m
 from .head_and_gaze.gaze_targets import LISTENER, LISTENER_M, Position
 from .head_and_gaze.head import apply_head_movements
 from .head_and_gaze.head_movements import realized_heads
+from .physics.tracking import with_physics
 from .scheduling.gesture_controller import accents_of, apply_gestures
 from .scheduling.planning import plan_gestures
 from .scheduling.unplayable import unplayable_behaviors
@@ -111,12 +112,18 @@ class Realizer:
 
 
 def realize(
-    realizer: Realizer, schedule: Schedule, *, frame_rate_hz: int = 60, seed: int = 0, tail_s: float = 0.0
+    realizer: Realizer,
+    schedule: Schedule,
+    *,
+    frame_rate_hz: int = 60,
+    seed: int = 0,
+    tail_s: float = 0.0,
+    physics: bool = False,
 ) -> Motion:
     """The motion of a schedule, exactly as long as the schedule is, and `tail_s` more in which hands come to rest.
-    Any integer is a seed; those that differ by a multiple of 2⁶⁴ are the same.
+    Any integer is a seed; those that differ by a multiple of 2⁶⁴ are the same. With `physics` the body has mass.
 
-    Raises InputError `value_wrong` for a tail that is not from 0 to 10.
+    Raises InputError `value_wrong` for a tail that is not from 0 to 10, ServiceError `physics_missing`.
     """
     check_tail(tail_s)
     seed &= _LARGEST_SEED
@@ -133,6 +140,10 @@ def realize(
     body = apply_head_movements(skeleton, body, schedule, seed=seed, seen_m=seen_m)
     body = with_neck_reaching(skeleton, body, schedule, accents.neck, seed=seed, life=style.idle)
     body, moved = resolve_collisions(skeleton, body)
+    if physics:
+        body, swung = with_physics(skeleton, body)
+        body, cleared = resolve_collisions(skeleton, body)
+        moved = (*moved, *swung, *cleared)
     shapes = face_weights(realizer.face, schedule, body, skeleton, seed=seed)
     return Motion(
         frame_rate_hz=frame_rate_hz,

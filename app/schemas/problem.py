@@ -39,7 +39,14 @@ CODES = MappingProxyType(
         429: ("too_many_requests",),
         500: (
             *("aligner_crashed", "model_unreadable", "model_damaged", "plot_unavailable", "parser_missing"),
-            *("parser_incomplete", "parser_labels", "installation_incomplete", "nursery_ended", "internal_error"),
+            *(
+                "parser_incomplete",
+                "parser_labels",
+                "physics_missing",
+                "installation_incomplete",
+                "nursery_ended",
+                "internal_error",
+            ),
         ),
         503: (*("service_full", "service_stopping", "uploads_full", "connections_full", "worker_lost", "not_ready"),),
         504: ("deadline_passed",),

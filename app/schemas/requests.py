@@ -134,6 +134,10 @@ class RealizeOptions(BaseModel):
     stillness: Stillness = 0.0
     targets: Positions = {}
     tail_s: Annotated[float, Field(description="Seconds of motion after the recording, at most 10.")] = 0.0
+    physics: Annotated[
+        bool | None,
+        Field(description="Whether the body has mass: arms swing, wrists overshoot. Null: as the service is set."),
+    ] = None
     t_pose: Annotated[bool, Field(description="Whether BVH begins with a frame in the T-pose.")] = False
     root_at_origin: Annotated[
         bool, Field(description="Whether the root's OFFSET in BVH is zero, for readers that add it, such as three.js.")

@@ -1,12 +1,13 @@
 """Every recording performed and realized by everybody in every mood: does anything break, step or pass a limit?
 
-    python -m benchmarks.realizer.soak [--seeds 5] [--every N] [--first K]
+    python -m benchmarks.realizer.soak [--seeds 5] [--every N] [--first K] [--physics]
 
 The recordings are those of `benchmarks.realizer.liveliness`, each heard once; characters are all of the lexicon,
 agitation all three levels. What must hold is in `tests/support/motion_limits.py` and `tests/support/soaking.py`:
 no error, no number that is none, joints, head, eyes and hips within their speeds and ranges in every frame, hands
 outside the body, valid BML, losers that lost to somebody. `--every N` takes each N-th variant of a recording, and
-`--first K` begins with the K-th, so that a soak can be done in parts.
+`--first K` begins with the K-th, so that a soak can be done in parts. With `--physics` bodies have mass, and must not
+fall.
 """
 
 import argparse
@@ -36,6 +37,7 @@ def main() -> None:
     arguments.add_argument("--seeds", type=int, default=5)
     arguments.add_argument("--every", type=int, default=1)
     arguments.add_argument("--first", type=int, default=0)
+    arguments.add_argument("--physics", action="store_true")
     options = arguments.parse_args()
     begun_s = time.monotonic()
     with Understudy.load(Settings()) as understudy:
@@ -44,14 +46,14 @@ def main() -> None:
         for number, (name, line) in enumerate(recorded_lines().items()):
             analysis = analyze(understudy, line)
             part = chosen[(options.first + number) % options.every :: options.every]
-            found += [Found(name, each, tried(understudy, analysis, each)) for each in part]
+            found += [Found(name, each, tried(understudy, analysis, each, physics=options.physics)) for each in part]
     report(found, time.monotonic() - begun_s)
 
 
-def tried(understudy: Understudy, analysis: Analysis, variant: Variant) -> tuple[str, ...]:
+def tried(understudy: Understudy, analysis: Analysis, variant: Variant, *, physics: bool) -> tuple[str, ...]:
     """What is wrong, an error among it: a soak goes on."""
     try:
-        return tuple(broken_by(understudy, analysis, variant))
+        return tuple(broken_by(understudy, analysis, variant, physics=physics))
     except Exception as error:  # noqa: BLE001  # it tells of every error and goes on
         return (f"{type(error).__name__}: {error}",)
 

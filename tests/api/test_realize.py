@@ -72,6 +72,16 @@ def test_files_are_written_as_asked(client: TestClient) -> None:
     assert b'"name":"face"' in client.post("/realize", files=files, headers={"Accept": "model/gltf-binary"}).content
 
 
+def test_a_body_has_mass_if_asked_for(client: TestClient) -> None:
+    clips = []
+    for physics in (True, False, None):
+        files = {"bml": ("a.bml", BEAT), "options": (None, json.dumps({"fps": 30, "physics": physics}))}
+        clips.append(client.post("/realize", files=files).json())
+    moved, plain, usual = clips
+    assert moved["duration_s"] == plain["duration_s"]
+    assert moved != plain == usual
+
+
 def test_a_speech_without_its_recording_is_warned_of(client: TestClient, understudy: Understudy) -> None:
     bml = without_record(write_bml(perform(understudy, Line(AUDIO, TEXT), Options())))
     answer = client.post("/realize", content=bml, headers=XML)

@@ -1,6 +1,7 @@
 """`understudy realize` and `perform --realize`: files in the format of their names, whole or not at all."""
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -59,6 +60,32 @@ def test_files_are_written_as_asked(capfdbinary: Captured, tmp_path: Path, beat:
     code, err = _run(capfdbinary, *argv[:-1], "11")
     assert (code, err.count("\n")) == (2, 1)
     assert "0 to 10 s" in err
+
+
+def test_physics_is_asked_for_on_the_command_line_or_in_the_settings(
+    capfdbinary: Captured, tmp_path: Path, beat: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The setting counts where the command line says nothing; the motion has as many frames."""
+
+    def bvh(*argv: str) -> str:
+        path = tmp_path / "a.bvh"
+        assert _run(capfdbinary, "realize", str(beat), "-o", str(path), "--fps", "30", *argv)[0] == 0
+        return path.read_text()
+
+    plain, moved = bvh(), bvh("--physics")
+    assert plain != moved
+    assert plain.partition("MOTION")[2].splitlines()[1] == moved.partition("MOTION")[2].splitlines()[1]
+    monkeypatch.setenv("UNDERSTUDY_PHYSICS", "1")
+    assert (bvh(), bvh("--no-physics")) == (moved, plain)
+
+
+def test_physics_without_mujoco_names_the_extra(
+    capfdbinary: Captured, tmp_path: Path, beat: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    code, err = _run(capfdbinary, "realize", str(beat), "-o", str(tmp_path / "a.bvh"), "--physics")
+    assert (code, err.count("\n")) == (2, 1)
+    assert "understudy[physics]" in err
 
 
 def test_an_avatar_of_ones_own_wears_the_motion(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:

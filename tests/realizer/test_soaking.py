@@ -29,6 +29,11 @@ def test_nothing_breaks(understudy: Understudy, analysis: Analysis, variant: Var
     assert broken_by(understudy, analysis, variant) == []
 
 
+@pytest.mark.parametrize("character", CHARACTERS)
+def test_nobody_falls(understudy: Understudy, analysis: Analysis, character: str) -> None:
+    assert broken_by(understudy, analysis, Variant(character, Level.HIGH, 0), physics=True) == []
+
+
 def test_a_line_heard_once_is_performed_as_if_heard_anew(understudy: Understudy, analysis: Analysis) -> None:
     line = Line((AUDIO_FOLDER / "figure8.flac").read_bytes(), (AUDIO_FOLDER / "figure8.txt").read_text())
     anew = perform(understudy, line, Options(character="reserved", agitation=Level.HIGH, seed=3))

@@ -34,14 +34,16 @@ def variants(characters: Sequence[str], seeds: int) -> Iterator[Variant]:
     return (Variant(*each) for each in product(characters, Level, range(seeds)))
 
 
-def broken_by(understudy: Understudy, analysis: Analysis, variant: Variant) -> list[str]:
+def broken_by(understudy: Understudy, analysis: Analysis, variant: Variant, *, physics: bool = False) -> list[str]:
     """What is wrong with the performance or its motion, in words."""
     performance = performed(understudy, analysis, variant)
     schedule, realizer = schedule_of(performance), understudy.realizer
-    motion, skeleton = realize(realizer, schedule, seed=variant.seed), realizer.performer(schedule.character).skeleton
+    motion = realize(realizer, schedule, seed=variant.seed, physics=physics)
+    skeleton = realizer.performer(schedule.character).skeleton
     deepest_m = float(np.max(penetrations_m(skeleton, motion.body.rotations, motion.body.hips_m)))
     deep = [f"a hand or forearm {100 * deepest_m:.1f} cm inside the body"] if deepest_m > DEEPEST_M else []
-    return [*_broken_schedule(performance), *broken_limits(motion, skeleton), *deep]
+    fallen = [told.reason for told in motion.decisions if "fall" in told.reason]
+    return [*_broken_schedule(performance), *broken_limits(motion, skeleton), *deep, *fallen]
 
 
 def performed(understudy: Understudy, analysis: Analysis, variant: Variant) -> Performance:

@@ -134,7 +134,8 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
     )
     limits = understudy.acoustic.settings.motion_limits
     limits.check(staged.schedule, frame_rate_hz=question.fps, tail_s=question.tail_s)
-    realized = realize_prepared(realizer, staged, frame_rate_hz=question.fps, tail_s=question.tail_s)
+    physics = understudy.acoustic.settings.physics if question.physics is None else question.physics
+    realized = realize_prepared(realizer, staged, frame_rate_hz=question.fps, tail_s=question.tail_s, physics=physics)
     wearer = AvatarOptions(question.skeleton, asked.avatar)
     files = replace(question.files, audio=asked.audio)
     body = write_motion(realized, realizer, MOTION_TYPES[media_type], wearer, files)

@@ -20,10 +20,12 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class MotionForm:
-    """How motion is written: frames a second, and whose names joints go by (None: the format's own)."""
+    """How motion is made and written: frames a second, whose names joints go by (None: the format's own), and whether
+    bodies have mass."""
 
     frame_rate_hz: int = 60
     skeleton: str | None = None
+    physics: bool = False
 
 
 @dataclass(frozen=True, slots=True)

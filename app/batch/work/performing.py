@@ -66,7 +66,8 @@ def _realized(job: LineJob, models: Understudy, performance: Performance) -> Map
     found = {}
     for name, part in _parts(performance):
         prepared = PreparedSchedule.of(part)
-        found[name] = realize_prepared(models.realizer, prepared, frame_rate_hz=job.motion.frame_rate_hz)
+        how = job.motion
+        found[name] = realize_prepared(models.realizer, prepared, frame_rate_hz=how.frame_rate_hz, physics=how.physics)
     return found
 
 

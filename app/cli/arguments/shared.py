@@ -70,6 +70,8 @@ def add_rate(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--skeleton", metavar="NAME", help="whose names joints go by (default: mixamo in BVH, vrm in JSON)"
     )
+    told = "move with momentum: arms swing, wrists overshoot (needs understudy[physics])"
+    parser.add_argument("--physics", action=argparse.BooleanOptionalAction, help=told)
 
 
 def add_targets(parser: argparse.ArgumentParser) -> None:

@@ -30,7 +30,7 @@ from ..inputs.early import require_character
 from ..inputs.profiles import optional_profile
 from ..log import Log
 from ..outputs.batch_progress import progress_for
-from ..outputs.motions import require_skeleton
+from ..outputs.motions import physics_asked, require_skeleton
 from ..outputs.plot import require_plot
 
 SOME_FAILED = 1
@@ -39,7 +39,7 @@ SOME_FAILED = 1
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     require_distinct(arguments, [OutputFile(Path(arguments.out) / name) for name in sorted(OURS)])
-    request = _request(arguments)
+    request = _request(arguments, settings)
     require_character(request.options.character)
     require_skeleton(request.motion.skeleton)
     if needs_pictures(request.formats) or request.thumbnails:
@@ -64,7 +64,7 @@ def _dry_run(request: BatchRequest, workers: int) -> int:
     return 0 if told.is_whole else SOME_FAILED
 
 
-def _request(arguments: argparse.Namespace) -> BatchRequest:
+def _request(arguments: argparse.Namespace, settings: Settings) -> BatchRequest:
     return BatchRequest(
         script=Path(arguments.script),
         audio=Path(arguments.audio),
@@ -75,7 +75,7 @@ def _request(arguments: argparse.Namespace) -> BatchRequest:
         pattern=Pattern.of(arguments.pattern) if arguments.pattern else None,
         choice=Choice(arguments.take),
         options=_options(arguments),
-        motion=MotionForm(arguments.fps, arguments.skeleton),
+        motion=MotionForm(arguments.fps, arguments.skeleton, physics_asked(arguments, settings)),
         cast=Path(arguments.cast) if arguments.cast else None,
         has_partners=arguments.partners == "scene",
         learns_voices=arguments.voices == "learn",

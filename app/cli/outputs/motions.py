@@ -15,6 +15,7 @@ from ...realizer.body.motion import Decision, check_tail
 from ...realizer.body.skeleton import Skeleton
 from ...realizer.exporting.extras import require_writer
 from ...realizer.exporting.retargeting import find_rig, load_rigs
+from ...realizer.physics.tracking import require_physics
 from ...resources import resource_folder
 from ...settings import Settings
 from ..files import STANDARD, read_bytes, require_writable, write
@@ -44,22 +45,32 @@ def require_skeleton(name: str | None) -> None:
         find_rig(load_rigs(resource_folder("lexicon") / "retarget", Skeleton.standing()), name)
 
 
+def physics_asked(arguments: argparse.Namespace, settings: Settings) -> bool:
+    """Whether bodies have mass: as the command line says, else the settings. Raises ServiceError `physics_missing`."""
+    asked = settings.physics if arguments.physics is None else bool(arguments.physics)
+    if asked:
+        require_physics()
+    return asked
+
+
 @dataclass(frozen=True, slots=True)
 class MotionOptions:
-    """How motion is made and written: frames a second, how much longer than the recording, the skeleton's name, the
-    content of the avatar's file, and what is special in files."""
+    """How motion is made and written: frames a second, how much longer than the recording, with physics or not, the
+    skeleton's name, the content of the avatar's file, and what is special in files."""
 
     frame_rate_hz: int
     tail_s: float
+    physics: bool
     skeleton: str | None
     avatar: bytes | None
     files: FileOptions
 
     @classmethod
     def of(cls, arguments: argparse.Namespace, settings: Settings) -> MotionOptions:
-        """Raises InputError `unknown_skeleton`, `value_wrong` and `file_unreadable`."""
+        """Raises InputError `unknown_skeleton`, `value_wrong` and `file_unreadable`, ServiceError `physics_missing`."""
         require_skeleton(arguments.skeleton)
         check_tail(arguments.tail)
+        physics = physics_asked(arguments, settings)
         name = arguments.avatar
         avatar = read_bytes(name, limit=LARGEST_AVATAR_BYTES, field="avatar") if name else None
         files = FileOptions(
@@ -69,7 +80,7 @@ class MotionOptions:
             blender=settings.blender,
             bap=BapVersion(arguments.bap_version),
         )
-        return cls(arguments.fps, arguments.tail, arguments.skeleton, avatar, files)
+        return cls(arguments.fps, arguments.tail, physics, arguments.skeleton, avatar, files)
 
 
 def write_motions(
@@ -81,7 +92,13 @@ def write_motions(
 
     realizer = load_realizer()
     log.stage("realize")
-    realized = realize_prepared(realizer, staged, frame_rate_hz=options.frame_rate_hz, tail_s=options.tail_s)
+    realized = realize_prepared(
+        realizer,
+        staged,
+        frame_rate_hz=options.frame_rate_hz,
+        tail_s=options.tail_s,
+        physics=options.physics,
+    )
     log.warnings(realized.motion.notices[len(staged.notices) :])
     log.stage("export")
     wearer = AvatarOptions(options.skeleton, options.avatar)

@@ -1,0 +1,1 @@
+"""Motion with mass: `app/realizer/physics`. Begin with `test_tracking.py`."""
