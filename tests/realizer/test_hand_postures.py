@@ -37,3 +37,15 @@ def test_hands_do_not_go_through_the_body(
     schedule = Schedule(asked, DURATION_S, agitation=Level.HIGH, character=character)
     body, skeleton = realize(realizer, schedule).body, realizer.performer(character).skeleton
     assert penetrations_m(skeleton, body.rotations, body.hips_m).max() <= DEEPEST_M
+
+
+def test_arms_that_fold_after_a_gesture_do_not_go_through_each_other(realizer: Realizer) -> None:
+    """One hand comes from its gesture and the other from the side, both at the end: with the usual time to blend in
+    what keeps them apart, one stays 2.8 cm inside the other."""
+    sync = SyncPoints(4.552, 6.655, 5.082, 5.082, 5.699, 5.964, 6.105)
+    closer = Behavior("gesture3", Channel.GESTURE, "COME_CLOSER", sync, 0, 0, 8.0, hand=Hand.RIGHT, amount=0.3)
+    asked = (posture("HANDS_FOLDED", 4.408), closer)
+    schedule = Schedule(asked, 6.785, agitation=Level.LOW, character="reserved")
+    motion, skeleton = realize(realizer, schedule, seed=1), realizer.performer("reserved").skeleton
+    assert penetrations_m(skeleton, motion.body.rotations, motion.body.hips_m).max() <= DEEPEST_M
+    assert "kept" not in {told.action for told in motion.decisions}

@@ -5,7 +5,7 @@ along the shortest way out. The displacement is blended in and out over the surr
 continuous, and the arm is solved again for its new wrist. The hand keeps its orientation as far as joint limits allow.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -23,7 +23,8 @@ from ..gestures.wrist_angles import preserving_wrist_angles
 from .arm_reach import ArmBones, reach_by_elbow, towards_elbow
 
 _CLEARANCE_M = 0.004
-_SWELL_S = 0.18
+_SWELLS_S = (0.18, 0.27, 0.36)
+"""Over how long a displacement is blended in; longer only where something stays inside."""
 _ROUNDS = 8
 _ELBOW_AT_LEAST_M = 0.12
 _FARTHEST_M = 0.22
@@ -66,22 +67,47 @@ def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion
     without making a joint jump.
 
     Penetration that is left after a round is added to the displacement and the arms are solved again from the original
-    motion, so the displacement stays smooth however many rounds are needed.
+    motion, so the displacement stays smooth however many rounds are needed. Where that leaves something inside, as when
+    both arms fold at once, displacements are blended in over a longer time.
     """
     body = replace(body, rotations=clamped(skeleton, body.rotations))
     depth_m = depths_where_near_m(skeleton, body)
     decisions = _decisions(depth_m, body.times_s)
     if not decisions:
         return body, ()
-    swell = _swell_frames(body.times_s)
-    rotations = body.rotations  # a copy already, and stretches do not overlap
-    for first, past in _stretches(_around(depth_m.max(axis=1) > 0, 2 * swell)):
-        there, ends = slice(first, past), (first > 0, past < len(rotations))
+    inside, best = depth_m.max(axis=1) > 0, tuple[_Clearance, ...]()
+    for swell_s in _SWELLS_S:
+        tried = tuple(_clearances(skeleton, body, inside, _frames(body.times_s, swell_s)))
+        best = tried if not best or _left_m(tried) < _left_m(best) else best
+        if _left_m(best) <= _TOLERATED_M:
+            break
+    for each in best:
+        body.rotations[each.there] = each.rotations  # a copy already, and stretches do not overlap
+    unsolved = (_unsolved(body.times_s[each.there], each.left_m) for each in best if each.left_m > _TOLERATED_M)
+    return body, (*decisions, *unsolved)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Clearance:
+    """A stretch of frames, its local rotations with the arms displaced, and what is left of the penetration."""
+
+    there: slice
+    rotations: FloatArray
+    left_m: float
+
+
+def _left_m(clearances: Sequence[_Clearance]) -> float:
+    return max(each.left_m for each in clearances)
+
+
+def _clearances(skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_], swell: int) -> Iterator[_Clearance]:
+    """The stretches around the frames with a limb `inside` something; displacements are blended over `swell` frames."""
+    most_rad = _FASTEST_RAD_S * _SWELLS_S[0] / _frames(body.times_s, _SWELLS_S[0])
+    for first, past in _stretches(_around(inside, 2 * swell)):
+        there, ends = slice(first, past), (first > 0, past < len(inside))
         posed = PosedBody.of(skeleton, body.rotations[there], body.hips_m[there])
-        rotations[there], left_m = _cleared(skeleton, posed, swell, _taper(past - first, swell, ends))
-        if left_m > _TOLERATED_M:
-            decisions = (*decisions, _unsolved(body.times_s[there], left_m))
-    return replace(body, rotations=rotations), decisions
+        taper = _taper(past - first, swell, ends)
+        yield _Clearance(there, *_cleared(skeleton, posed, swell, taper, most_rad))
 
 
 def depths_where_near_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
@@ -111,9 +137,12 @@ def _taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:
     return minimum_jerk(np.minimum(from_start, from_end) / swell)[:, None]
 
 
-def _cleared(skeleton: Skeleton, start: PosedBody, swell: int, taper: FloatArray) -> tuple[FloatArray, float]:
+def _cleared(
+    skeleton: Skeleton, start: PosedBody, swell: int, taper: FloatArray, most_rad: float
+) -> tuple[FloatArray, float]:
     """The local rotations of a stretch of frames after the round with the least penetration, and its depth in metres;
-    displacements are blended over `swell` frames."""
+    displacements are blended over `swell` frames, and no joint turns by more than `most_rad` from frame to frame unless
+    it did before."""
     found = contacts(skeleton, start)
     nothing = np.zeros((len(start.rotations), 3))
     pushes = dict.fromkeys(SIDES, _Push(nothing, nothing))
@@ -128,18 +157,17 @@ def _cleared(skeleton: Skeleton, start: PosedBody, swell: int, taper: FloatArray
         body = start.with_arms(skeleton, _moved(skeleton, start, swelling))
         found = contacts(skeleton, body)
         turned, before = (each.rotations.take(arms, axis=1) for each in (body, start))
-        if found.depth_m.max() < least_m and not _jumps(turned, before, swell):
+        if found.depth_m.max() < least_m and not _jumps(turned, before, most_rad):
             least_m, rotations = float(found.depth_m.max()), body.rotations
         if found.depth_m.max() <= 0:
             break
     return rotations, least_m
 
 
-def _jumps(rotations: FloatArray, before: FloatArray, swell: int) -> bool:
-    """Whether a joint of (F, J, 4) turns faster than the speed limit and faster than it did before."""
-    fastest = _FASTEST_RAD_S * _SWELL_S / swell
+def _jumps(rotations: FloatArray, before: FloatArray, most_rad: float) -> bool:
+    """Whether a joint of (F, J, 4) turns by more than the most from frame to frame, and by more than it did before."""
     turned, did = (angle_between(each[1:], each[:-1]).max(initial=0.0) for each in (rotations, before))
-    return bool(turned > max(fastest, did))
+    return bool(turned > max(most_rad, did))
 
 
 def _way_out(found: Contacts, known: FloatArray) -> FloatArray:
@@ -261,10 +289,10 @@ def _without_twist(lower_arm: FloatArray) -> FloatArray:
     return multiply(lower_arm, from_axis_angle((-1.0, 0.0, 0.0), np.radians(swing_twist_deg(lower_arm, 0)[..., 0])))
 
 
-def _swell_frames(times_s: FloatArray) -> int:
-    """The number of frames over which a displacement is blended in."""
+def _frames(times_s: FloatArray, time_s: float) -> int:
+    """The number of frames in a time, at least one."""
     rate_hz = (len(times_s) - 1) / max(times_s[-1] - times_s[0], 1e-9)
-    return max(1, round(_SWELL_S * float(rate_hz)))
+    return max(1, round(time_s * float(rate_hz)))
 
 
 def _around(inside: NDArray[np.bool_], frames: int) -> NDArray[np.bool_]:
