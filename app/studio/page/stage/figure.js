@@ -5,7 +5,7 @@ import { Retargeting, rigFromThree, sampled } from "understudy-client";
 
 import { showOnVrm } from "./vrm_face.js";
 
-/** @import { Clip, Vector } from "understudy-client" */
+/** @import { Clip, Pose, Vector } from "understudy-client" */
 /** @import { Body } from "./bodies.js" */
 
 /**
@@ -52,7 +52,16 @@ export class Figure {
    * @param {number} time_s
    */
   show(clip, time_s) {
-    const pose = sampled(clip, time_s);
+    this.pose(sampled(clip, time_s), time_s);
+  }
+
+  /**
+   * Shows a pose, which is that of a time: hair and cloth swing from one to the next.
+   *
+   * @param {Pose} pose
+   * @param {number} time_s
+   */
+  pose(pose, time_s) {
     this.#retargeting.show(pose);
     if (this.#vrm) {
       const step_s = Math.min(LONGEST_STEP_S, Math.abs(time_s - this.#shown_s));

@@ -1,0 +1,101 @@
+"""A scene is read from the folder of a batch: who speaks, who is seen, and what is told of a folder that will not
+do."""
+
+import zipfile
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page
+
+from tests.studio.waiting import wait_until
+from tests.support.batches import ThisProcess
+from understudy.batch.batch import run_batch
+from understudy.batch.request import BatchRequest
+from understudy.batch.watching import Nobody
+from understudy.batch.work.formats import formats_named
+from understudy.batch.work.jobs import MotionForm
+from understudy.performance import Understudy
+from understudy.resources import resource_folder
+from understudy.settings import Settings
+
+LINE_S, PAUSE_S = 7.18, 0.4
+"""Both lines are the bundled one."""
+
+
+@pytest.fixture(scope="module")
+def scene(understudy: Understudy, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A batch of two lines, which two characters say to each other."""
+    folder, example = tmp_path_factory.mktemp("scene"), resource_folder("examples")
+    text = (example / "example.txt").read_text().strip()
+    (folder / "audio").mkdir()
+    for name in ("one", "two"):
+        (folder / "audio" / f"{name}.flac").write_bytes((example / "example.flac").read_bytes())
+    (folder / "lines.csv").write_text(f'id,scene,character,text\none,1,ELIZA,"{text}"\ntwo,1,HENRY,"{text}"\n')
+    request = BatchRequest(
+        folder / "lines.csv",
+        folder / "audio",
+        folder / "out",
+        formats=formats_named(["clip.json", "wav"]),
+        motion=MotionForm(frame_rate_hz=30),
+        learns_voices=False,
+    )
+    run_batch(request, Settings(), lambda: ThisProcess(understudy), Nobody())
+    return folder / "out"
+
+
+@pytest.fixture
+def room(page: Page) -> Page:
+    page.goto("/")
+    page.get_by_role("button", name="Table read").click()
+    return page
+
+
+def test_two_characters_speak_in_turn_on_their_marks(room: Page, scene: Path) -> None:
+    room.set_input_files("#scene-folder", scene)
+    room.wait_for_selector("#table-read-canvas[data-wrists]")
+    before = _wrists(room)
+    assert len(before) == 6, "the right hands of two"
+    assert before[0] < 0 < before[3], "ELIZA stands on the left, HENRY on the right"
+    assert room.get_attribute("#table-read-canvas", "data-shot") == "wide ELIZA"
+    room.get_by_role("button", name="HENRY").click()
+    wait_until(room, "document.querySelector('#scene-time').value.startsWith('7.6')")
+    assert room.get_attribute("[aria-current=true]", "aria-current")
+    assert room.get_attribute("#table-read-canvas", "data-shot") == "close HENRY"
+    room.click("#scene-play")
+    wait_until(room, f"parseFloat(document.querySelector('#scene-time').value) > {LINE_S + PAUSE_S + 1}")
+    room.click("#scene-play")
+    assert max(abs(one - other) for one, other in zip(before, _wrists(room), strict=True)) > 0.05
+
+
+def test_a_camera_may_be_chosen(room: Page, scene: Path) -> None:
+    room.set_input_files("#scene-folder", scene)
+    room.wait_for_selector("#table-read-canvas[data-wrists]")
+    room.get_by_label("Camera").last.select_option("over_shoulder")
+    room.wait_for_selector("#table-read-canvas[data-shot='over_shoulder ELIZA']")
+
+
+def test_a_zip_of_the_folder_will_do(room: Page, scene: Path, tmp_path: Path) -> None:
+    packed = tmp_path / "scene.zip"
+    with zipfile.ZipFile(packed, "w") as file:
+        for path in scene.iterdir():
+            file.write(path, f"out/{path.name}")
+    room.set_input_files("#scene-zip", packed)
+    room.wait_for_selector("#table-read-canvas[data-wrists]")
+    assert room.get_by_role("list", name="Lines").get_by_role("listitem").count() == 2
+
+
+def test_a_folder_that_is_no_batch_says_so(room: Page, tmp_path: Path) -> None:
+    (tmp_path / "some").mkdir()
+    (tmp_path / "some" / "notes.txt").write_text("nothing")
+    room.set_input_files("#scene-folder", tmp_path / "some")
+    room.wait_for_selector("#problem:has-text('there is no index.json')")
+
+
+def test_what_a_batch_lacks_is_told(room: Page, scene: Path, tmp_path: Path) -> None:
+    (tmp_path / "index.json").write_bytes((scene / "index.json").read_bytes())
+    room.set_input_files("#scene-folder", tmp_path)
+    room.wait_for_selector("#problem:has-text('of one, two; perform the batch with --format clip.json --format wav')")
+
+
+def _wrists(page: Page) -> list[float]:
+    return [float(metres) for metres in (page.get_attribute("#table-read-canvas", "data-wrists") or "").split()]
