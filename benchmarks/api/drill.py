@@ -11,6 +11,7 @@ inputs that are answered otherwise are kept in FOLDER (default out/drill). `benc
 
 import argparse
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -22,6 +23,9 @@ from .fuzzing import fuzzed
 from .lines import usual
 from .load import PARTS, USUAL_S
 from .watching import HOST, Watched, serving, watching
+
+AFTERMATH_S = 0.3
+"""So long an attack is watched after its answer."""
 
 OUT = Path(__file__).resolve().parents[2] / "out" / "drill"
 
@@ -36,6 +40,7 @@ def attacked(only: str) -> Iterator[Bar]:
                 continue
             with watching(service) as enough:
                 told = client.ask(attack)
+                time.sleep(AFTERMATH_S)
                 seen = enough()
             worst_s, peak_mb = max(worst_s, seen.worst_s), max(peak_mb, seen.peak_mb)
             wrong += [f"{attack.name}: {told.status}"] if told.status >= 500 and told.status not in (503, 504) else []

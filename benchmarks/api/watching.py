@@ -140,7 +140,7 @@ def _watch(pipe: Connection, pid: int, port: int) -> None:
     pipe.send("ready")
     connection = HTTPConnection(HOST, port, timeout=LONGEST_PROBE_S)
     try:
-        while not pipe.poll(PROBE_EVERY_S):
+        while not health_s or not pipe.poll(PROBE_EVERY_S):
             health_s.append(_asked(connection))
             if time.monotonic() - looked_s >= MEMORY_EVERY_S:
                 peak_mb, looked_s = max(peak_mb, memory_mb(pid)), time.monotonic()

@@ -197,6 +197,8 @@ MISTAKES: list[tuple[list[str], str]] = [
     (["perform", *LINE, "--agitation", "mid"], "usage"),
     (["perform", *LINE, "--seed", "many"], "usage"),
     (["perform", *LINE, "--see", "1"], "usage"),
+    (["perform", *LINE, "-o", "a.bml", "-o", "b.bml"], "usage"),
+    (["perform", *LINE, "--seed", "1", "--seed", "2"], "usage"),
     (["perform", "-", "--text-file", "-"], "usage"),
     (["perform", *LINE, "-o", "same.json", "--trace", "same.json"], "files_same"),
     (["perform", *LINE, "-o", "/nowhere/out.bml"], "file_unwritable"),
@@ -228,6 +230,11 @@ def test_a_mistake_is_one_line_and_exit_code_2(argv: list[str], code: str, capfd
 def test_a_mistake_for_people_names_the_program(capfdbinary: Captured) -> None:
     assert _run(capfdbinary, "dance")[2].startswith("understudy: ")
     assert _run(capfdbinary, "dance", "--quiet")[2].startswith("understudy: ")
+
+
+def test_an_option_that_is_given_twice_is_named_with_what_to_do(capfdbinary: Captured) -> None:
+    told = _run(capfdbinary, "perform", *LINE, "-o", "a.bml", "-o", "b.bml")[2]
+    assert told == "understudy: -o is given twice; give it once; see understudy perform --help\n"
 
 
 def test_a_wrong_setting_is_a_mistake(capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,6 +4,8 @@ import argparse
 from collections.abc import Callable
 from functools import partial
 
+from .once import Once
+
 Adding = Callable[[str, str], argparse.ArgumentParser]
 """Adds a command, given its name and what it does."""
 
@@ -19,7 +21,9 @@ def actions_of(command: argparse.ArgumentParser) -> Adding:
 
 
 def _add(add_parser: Callable[..., argparse.ArgumentParser], name: str, does: str) -> argparse.ArgumentParser:
-    return add_parser(name, help=does, description=does, parents=[voices()], allow_abbrev=False)
+    parser = add_parser(name, help=does, description=does, parents=[voices()], allow_abbrev=False)
+    parser.register("action", None, Once)
+    return parser
 
 
 def voices() -> argparse.ArgumentParser:

@@ -12,10 +12,10 @@ from functools import partial
 from math import inf
 
 from ....model import Alternative, Behavior, BehaviorCandidates, Channel
-from ..timing.candidates import asked, interval_of
+from ..timing.candidates import asked, interval_of, words_before
 from ..timing.conflicts import Kept
 from .attempts import Attempt, Line, attempted, count_made, is_planned
-from .suitability import form, most_suitable, suitability
+from .suitability import form, has_idle_hands, most_suitable, suitability
 
 HANDS_WANTED = 0.01
 """What an alternative is worth of another that leaves the hands to those who have only the hands."""
@@ -57,8 +57,8 @@ def _rank(offer: BehaviorCandidates, line: Line) -> tuple[float, bool, tuple[flo
 def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
     """Whether a stroke of it would begin with the performance, for want of time."""
     _priority, first, _last, _id = offer.rank
-    begun = [word for word in line.timed if word.index <= first]
-    if begun and interval_of(begun[-1]).start_s >= EASILY_S:
+    begun = words_before(line.timed, first + 1)
+    if begun and interval_of(line.timed[begun - 1]).start_s >= EASILY_S:
         return False
     movements = (movement for alternative in offer.alternatives for movement in alternative.movements)
     entries = ((movement, line.character.entries[movement.name]) for movement in movements)
@@ -75,11 +75,11 @@ def _best(offer: BehaviorCandidates, kept: Kept, line: Line, waiting: Sequence[B
     possible = count_made(near, kept, line)
     scored = partial(_score, line=line, waiting=near, possible=possible)
     first = best = attempt_at(lucky[0], 0)
-    score = scored(lucky[0], first)
+    score, hands_idle = scored(lucky[0], first), has_idle_hands(kept, line)
     for number, alternative in enumerate(lucky[1:], start=1):
         if _luck(alternative) >= score:
             break
-        if _luck(alternative) / most_suitable(alternative, kept, line) >= score:
+        if _luck(alternative) / most_suitable(alternative, line, hands_idle=hands_idle) >= score:
             continue
         attempt = attempt_at(alternative, number)
         attempt_score = scored(alternative, attempt)

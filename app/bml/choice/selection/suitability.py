@@ -42,17 +42,17 @@ def suitability(attempt: Attempt, line: Line) -> float:
         elif any(_repeats(behavior, other.behavior) for other in attempt.kept):
             suits *= REPEATED
     with_gesture = any(each.candidate.behavior.kind is Channel.GESTURE for each in attempt.own)
-    return suits if with_gesture or not _has_idle_hands(attempt.kept, line) else suits * HANDS_IDLE
+    return suits if with_gesture or not has_idle_hands(attempt.kept, line) else suits * HANDS_IDLE
 
 
-def most_suitable(alternative: Alternative, kept: Kept, line: Line) -> float:
-    """The most that the suitability of an alternative beside the kept can be."""
+def most_suitable(alternative: Alternative, line: Line, *, hands_idle: bool) -> float:
+    """The most that the suitability of an alternative can be where the character usually gestures more, or does not."""
     entries = line.character.entries
     by_hand = any(entries[movement.name].channel is Channel.GESTURE for movement in alternative.movements)
-    return HANDS_IDLE if not by_hand and _has_idle_hands(kept, line) else 1.0
+    return HANDS_IDLE if hands_idle and not by_hand else 1.0
 
 
-def _has_idle_hands(kept: Kept, line: Line) -> bool:
+def has_idle_hands(kept: Kept, line: Line) -> bool:
     """Whether the character usually gestures more."""
     return sum(other.behavior.kind is Channel.GESTURE for other in kept) < line.most_gestures
 

@@ -6,7 +6,8 @@ begins with the hand raised, and says so; all else comes a little later instead.
 are seconds.
 """
 
-from collections.abc import Mapping
+from bisect import bisect_left
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import floor
 
@@ -56,11 +57,12 @@ def asked(
     brief = entry.brief if may_be_brief else None
     if brief:
         entry = replace(entry, timing=replace(entry.timing, hold=Phase(0.0, entry.timing.hold.usual_s)))
-    words = [word for word in timed if movement.first <= word.index <= movement.last]
+    begin, past = words_before(timed, movement.first), words_before(timed, movement.last + 1)
+    words = timed[begin:past]
     if words:
         at_s, until_s = stressed_vowel_s(_stroke_word(movement, entry.anchor, words)), interval_of(words[-1]).end_s
     else:
-        at_s = until_s = max((interval_of(word).end_s for word in timed if word.index < movement.first), default=0.0)
+        at_s = until_s = max((interval_of(word).end_s for word in timed[:begin]), default=0.0)
     placing, sync, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
     if brief and placing.at_s > at_s:
         entry = replace(entry, timing=brief.timing, forms=brief.forms)
@@ -102,6 +104,15 @@ def stressed_vowel_s(word: Word) -> float:
     return max(vowels, key=_strength).interval.start_s
 
 
+def words_before(timed: Sequence[Word], index: int) -> int:
+    """How many of the timed words, which are in order, come before the word of that number."""
+    return bisect_left(timed, index, key=_index)
+
+
+def _index(word: Word) -> int:
+    return word.index
+
+
 def interval_of(word: Word) -> Interval:
     """The interval of a word that has one."""
     assert word.interval is not None, "only timed words are asked"
@@ -118,7 +129,7 @@ def _strength(vowel: Phone) -> tuple[int, bool, float]:
     return _DIGIT_RANKS[vowel.stress], vowel.label != "AH", round(vowel.interval.duration_s, 3)
 
 
-def _stroke_word(movement: Movement, anchor: Anchor, words: list[Word]) -> Word:
+def _stroke_word(movement: Movement, anchor: Anchor, words: Sequence[Word]) -> Word:
     """The word a stroke falls on: the movement's own if it is spoken, else the anchor; of equally emphasised words the
     last."""
     for word in words:

@@ -43,6 +43,9 @@ EARLY_S = 0.1
 
 BRIEFLY = "smaller and shorter than usual, for want of time"
 
+REACH_S = 5.0
+"""What is this long away does not touch a behaviour, however that is moved: no way of a hand takes half as long."""
+
 NEAR_S = 1.0
 """Of a gesture that is over this long before another begins, the hand is back in time."""
 
@@ -61,7 +64,7 @@ def resolve(candidates: Iterable[PlacedBehavior], kept: Kept = ()) -> tuple[Kept
 
 def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
     """The candidate among the kept; its behaviour as a loser where it does not fit."""
-    rivals = [other for other in kept if compete(other.behavior, candidate.behavior)]
+    rivals = [other for other in _near(candidate, kept) if compete(other.behavior, candidate.behavior)]
     earlier = [other for other in rivals if other.placing.at_s <= candidate.placing.at_s]
     later = [other for other in rivals if other.placing.at_s > candidate.placing.at_s]
     candidate = _with_way(candidate, earlier)
@@ -75,9 +78,17 @@ def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
     for moved, window in _ways_to_fit(candidate, earlier, later):
         within = _within(moved, window, neighbour)
         if within is not None:
-            ready = (_making_way(other, within) if other in earlier else _waiting(other, within) for other in kept)
-            return Fitted(within, (*ready, within))
+            ready = {id(each): _making_way(each, within) for each in earlier}
+            ready |= {id(each): _waiting(each, within) for each in later}
+            return Fitted(within, (*(ready.get(id(other), other) for other in kept), within))
     return beaten(candidate.behavior, neighbour)
+
+
+def _near(candidate: PlacedBehavior, kept: Kept) -> Kept:
+    """Those kept that may touch the candidate, with its whole way and time to spare; most of a long line do not."""
+    from_s, to_s = candidate.behavior.sync.start - REACH_S, candidate.behavior.sync.end + REACH_S
+    near = tuple(other for other in kept if other.behavior.sync.end > from_s and other.behavior.sync.start < to_s)
+    return near or kept
 
 
 def _ways_to_fit(

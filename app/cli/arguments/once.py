@@ -1,0 +1,21 @@
+"""Options that are given once: with a second the first would be lost without a word."""
+
+import argparse
+
+
+class Once(argparse.Action):
+    """Keeps the value of an argument, and refuses an option that is there already; for one command line."""
+
+    _is_given = False
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: object,
+        option_string: str | None = None,
+    ) -> None:
+        if option_string and self._is_given:
+            parser.error(f"{option_string} is given twice; give it once")
+        self._is_given = True
+        setattr(namespace, self.dest, values)
