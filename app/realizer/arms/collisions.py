@@ -28,7 +28,7 @@ _SWELLS_S = (0.18, 0.27, 0.36)
 _ROUNDS = 8
 _ELBOW_AT_LEAST_M = 0.12
 _FARTHEST_M = 0.22
-_STRIDE, _NEAR_M = 3, 0.012
+_LOOK_S, _NEAR_M = 0.067, 0.012
 _FASTEST_RAD_S = 19.0
 _TOLERATED_M = 0.001
 _MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])
@@ -113,16 +113,16 @@ def _clearances(skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_],
 def depths_where_near_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
     """The depths (T, P) in all frames in which a limb may be inside something; the others', -1, are not looked at.
 
-    Every `_STRIDE`th frame is, and if one has a limb within `_NEAR_M` of something, the frames around it: how far
+    One frame every `_LOOK_S` is, and if one has a limb within `_NEAR_M` of something, the frames around it: how far
     limbs accelerate towards something from one of these frames to the next is less.
     """
-    frames = len(body.rotations)
+    frames, stride = len(body.rotations), _frames(body.times_s, _LOOK_S)
     looked_at = np.zeros(frames, dtype=bool)
-    looked_at[::_STRIDE] = looked_at[-1] = True
+    looked_at[::stride] = looked_at[-1] = True
     found = np.full((frames, len(PAIRS)), -1.0)
     first = np.flatnonzero(looked_at)
     found[first] = depths_m(skeleton, body.rotations, body.hips_m, first)
-    near = np.flatnonzero(_around(found.max(axis=1) > -_NEAR_M, _STRIDE) & ~looked_at)
+    near = np.flatnonzero(_around(found.max(axis=1) > -_NEAR_M, stride) & ~looked_at)
     if len(near):
         found[near] = depths_m(skeleton, body.rotations, body.hips_m, near)
     return found
@@ -309,6 +309,8 @@ def _stretches(inside: NDArray[np.bool_]) -> NDArray[np.intp]:
 def _decisions(depths: FloatArray, times_s: FloatArray) -> tuple[Decision, ...]:
     """One decision for each stretch of frames in which a limb penetrated something."""
     decisions = []
+    if depths.max() <= 0:
+        return ()
     for side in SIDES:
         own = [column for column, (limb, _other) in enumerate(PAIRS) if BUILD[limb].joint.startswith(side)]
         depth_m = depths[:, own]
