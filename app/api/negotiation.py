@@ -21,6 +21,13 @@ MOTION_TYPES: Mapping[str, MotionFormat] = MappingProxyType(
         "text/praat-textgrid": MotionFormat.TEXTGRID,
         "text/x-eaf+xml": MotionFormat.EAF,
         "text/csv": MotionFormat.EVENTS,
+        "model/vnd.vrm-animation": MotionFormat.VRMA,
+        "model/vnd.usdc": MotionFormat.USDC,
+        "application/vnd.autodesk.fbx": MotionFormat.FBX,
+        "text/x-arkit-csv": MotionFormat.CSV,
+        "text/x-visemes": MotionFormat.VISEMES,
+        "text/x-bap": MotionFormat.BAP,
+        "text/x-fap": MotionFormat.FAP,
     }
 )
 """What motion is answered as; the first where anything will do."""

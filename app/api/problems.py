@@ -46,6 +46,8 @@ _STATUS_OF_SERVICE_CODE = {
     "worker_lost": 503,
     "not_ready": 503,
     "deadline_passed": 504,
+    "usd_missing": 501,
+    "blender_missing": 501,
 }
 _CODE_OF_STATUS = {404: "not_found", 405: "method_not_allowed", 406: "not_acceptable"}
 

@@ -31,7 +31,8 @@ async def post_perform(request: Request, shared: Shared) -> Response:
 async def post_realize(request: Request, shared: Shared) -> Response:
     """BML in, motion out: the BML alone as the body, or a form with `bml`, the `audio` of its speech, an `avatar`
     (GLB or VRM) and `options` (JSON: agitation, character, fps, seed, skeleton, stillness, targets).
-    Answers a clip as JSON, GLB, BVH, USD, or a timeline (OpenTimelineIO, TextGrid, ELAN, CSV), by `Accept`.
+    Answers a clip as JSON, GLB, BVH, VRMA, USD, FBX, MPEG-4, CSV of the face or visemes, or a timeline
+    (OpenTimelineIO, TextGrid, ELAN, CSV), by `Accept`.
     """
     chosen(request.headers.get("accept"), tuple(MOTION_TYPES), "motion")
     return await worked(request, shared, Task.REALIZE)

@@ -48,6 +48,7 @@ CODES = MappingProxyType(
                 "internal_error",
             ),
         ),
+        501: ("usd_missing", "blender_missing"),
         503: (*("service_full", "service_stopping", "uploads_full", "connections_full", "worker_lost", "not_ready"),),
         504: ("deadline_passed",),
     }

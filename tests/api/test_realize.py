@@ -37,6 +37,10 @@ def client(nursery: Nursery) -> Iterator[TestClient]:
         ("text/praat-textgrid", b'File type = "ooTextFile"'),
         ("text/x-eaf+xml", b"<?xml"),
         ("text/csv", b"tier,id,label"),
+        ("model/vnd.vrm-animation", b"glTF"),
+        ("text/x-arkit-csv", b"Timecode,BlendShapeCount"),
+        ("text/x-bap", b"3.1 "),
+        ("text/x-fap", b"2.1 "),
         ("*/*", b"{"),
     ],
 )

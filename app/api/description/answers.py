@@ -26,6 +26,7 @@ _REASONS = {
     422: "The content is wrong; `field` and `detail` say where and why.",
     429: "Too many requests from one address; try again after `Retry-After`.",
     500: "A fault of the service.",
+    501: "The format needs something that is not installed with the service.",
     503: "The service is full or stopping; try again after `Retry-After`.",
     504: "Not done within the deadline.",
 }

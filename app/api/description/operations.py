@@ -104,15 +104,15 @@ _REALIZE = Operation(
     LINES,
     "Play BML",
     answer(
-        "The motion, by `Accept`: a clip as JSON, GLB, BVH or USD; or a timeline of what happens, for OpenTimelineIO, "
-        "Praat, ELAN or as CSV.",
+        "The motion, by `Accept`: a clip as JSON, GLB, BVH, VRMA, USD, FBX, MPEG-4's parameters, the face's CSV or a "
+        "list of visemes; or a timeline of what happens, for OpenTimelineIO, Praat, ELAN or as CSV.",
         {
             **named("ClipResponse"),
             **{media_type: {"schema": _of_file(media_type)} for media_type in MOTION_TYPES if media_type != JSON},
         },
         warned=True,
     ),
-    frozenset(WORK),
+    frozenset(WORK | {501}),
     {
         **form(
             ["bml"],

@@ -24,6 +24,7 @@ from ...performance import (
 )
 from ...realization import AvatarOptions, BmlInput, prepare_schedule, realize_prepared, write_motion
 from ...realizer.body.motion import check_tail
+from ...realizer.exporting.extras import require_writer
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions
@@ -118,6 +119,7 @@ class _Asked:
 def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
     """The motion in the form asked for."""
     media_type = chosen(job.accept, tuple(MOTION_TYPES), "motion")
+    require_writer(MOTION_TYPES[media_type])
     asked = _asked(understudy, job, content)
     question, realizer = asked.question, understudy.realizer
     check_tail(question.tail_s)

@@ -9,7 +9,7 @@ from .batch import add_batch
 from .command import commands_of, voices
 from .libraries import add_characters, add_gestures, add_profiles, add_rules
 from .lines import add_analyses, add_live, add_perform, add_realize, add_script
-from .serving import add_serve
+from .serving import add_serve, add_studio
 from .study import add_study
 
 
@@ -42,4 +42,5 @@ def make_parser() -> argparse.ArgumentParser:
     add_profiles(add)
     add_study(add)
     add_serve(add)
+    add_studio(add)
     return parser

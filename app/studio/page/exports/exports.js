@@ -1,13 +1,108 @@
-/** Mounts the panel; nothing is in it yet. */
+/** Takes a line away: as files that the service writes, as pictures of the stage, as a project to go on with. */
+
+import { choice, el, labelled } from "../dom.js";
+import { problemOf } from "../service/service.js";
+import { AVATAR, PERFORMED, PROBLEM } from "../state/performed.js";
+import { PROJECT } from "../state/project.js";
+import { SCREEN } from "../stage/viewing.js";
+import { FORMATS } from "./formats.js";
+import { film, frames, sheet } from "./pictures.js";
+import { projectFile } from "./project_file.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
+/** @import { Exported } from "./formats.js" */
 
 /**
  * @param {HTMLElement} element
- * @param {Store} _store
- * @param {Service} _service
+ * @param {Store} store
+ * @param {Service} service
  */
-export function mountExports(element, _store, _service) {
-  element.hidden = true;
+export function mountExports(element, store, service) {
+  const told = el("p", { id: "exported", role: "status", class: "quiet" });
+  const controls = el("fieldset", { disabled: true }, [formatRow(store, service, told), pictureRow(store, told)]);
+  element.append(el("h2", {}, ["Export"]), controls, told);
+  store.watch(PERFORMED, (line) => (controls.disabled = line === null));
+}
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ * @param {HTMLElement} told
+ */
+function formatRow(store, service, told) {
+  const names = [...FORMATS].map(([ending, { name }]) => /** @type {const} */ ([ending, `${name} (${ending})`]));
+  const format = choice(names, ".bml", () => undefined);
+  format.id = "format";
+  const click = () => {
+    const write = FORMATS.get(format.value)?.write;
+    void offer(store, told, format.value, (exported) => write?.(service, exported));
+  };
+  return el("div", { class: "row" }, [labelled("Format", format), el("button", { type: "button", id: "export", click }, ["Save"])]);
+}
+
+/**
+ * @param {Store} store
+ * @param {HTMLElement} told
+ */
+function pictureRow(store, told) {
+  const tell = (/** @type {number} */ share) => told.replaceChildren(`${String(Math.round(share * 100))} %`);
+  const screen = () => {
+    const found = store.get(SCREEN);
+    if (!found) {
+      throw new Error("there is no stage to take pictures of");
+    }
+    return found;
+  };
+  const button = (/** @type {string} */ name, /** @type {string} */ ending, /** @type {(exported: Exported) => Promise<Blob>} */ make) =>
+    el("button", { type: "button", click: () => void offer(store, told, ending, make) }, [name]);
+  return el("div", { class: "row" }, [
+    button("Project", ".studio.zip", ({ line }) => projectFile(line)),
+    button("Film (WebM)", ".webm", ({ performed }) => film(store, screen(), lengthOf(performed), tell)),
+    button("Frames (PNG)", ".frames.zip", ({ performed }) => frames(store, screen(), lengthOf(performed), tell)),
+    button("Still sheet", ".png", ({ performed }) => sheet(store, screen(), performed.performance)),
+  ]);
+}
+
+/** @param {Exported["performed"]} performed */
+function lengthOf({ performance }) {
+  return performance.lead_in_s + performance.audio.duration_s;
+}
+
+/**
+ * Makes a file of the line as it is now and has the browser save it; what goes wrong is told.
+ *
+ * @param {Store} store
+ * @param {HTMLElement} told
+ * @param {string} ending
+ * @param {(exported: Exported) => Promise<Blob> | undefined} make
+ */
+async function offer(store, told, ending, make) {
+  const performed = store.get(PERFORMED);
+  const { audio, ...project } = store.get(PROJECT);
+  if (!performed || !audio) {
+    return;
+  }
+  told.replaceChildren("Making it…");
+  const name = audio.name.replace(/\.[^.]*$/, "") + ending;
+  try {
+    const content = await make({ line: { ...project, audio }, performed, avatar: store.get(AVATAR) });
+    if (content) {
+      save(content, name);
+      told.replaceChildren(`${name}: ${String(Math.ceil(content.size / 1024))} KB`);
+    }
+  } catch (error) {
+    told.replaceChildren();
+    store.set(PROBLEM, problemOf(error));
+  }
+}
+
+/**
+ * @param {Blob} content
+ * @param {string} name
+ */
+function save(content, name) {
+  const url = URL.createObjectURL(content);
+  el("a", { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }

@@ -1,7 +1,9 @@
-/** Takes files that are chosen or dropped: a recording, its words (.txt), or a body (.glb, .vrm). */
+/** Takes files that are chosen or dropped: a recording, its words (.txt), a body (.glb, .vrm), or a project (.zip). */
 
+import { openedProject } from "../exports/project_file.js";
+import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
-import { AVATAR } from "../state/performed.js";
+import { AVATAR, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { open } from "./opening.js";
 
@@ -9,6 +11,7 @@ import { open } from "./opening.js";
 
 const BODY = /\.(glb|vrm)$/i;
 const TEXT = /\.txt$/i;
+const PROJECT_FILE = /\.zip$/i;
 
 /**
  * Takes files by the endings of their names; what is neither a body nor a text is taken for a recording, and the service
@@ -18,6 +21,11 @@ const TEXT = /\.txt$/i;
  * @param {readonly File[]} files
  */
 export async function takeFiles(store, files) {
+  const kept = files.find(({ name }) => PROJECT_FILE.test(name));
+  if (kept) {
+    await openProject(store, kept);
+    return;
+  }
   const body = files.find(({ name }) => BODY.test(name));
   const text = files.find(({ name }) => TEXT.test(name));
   const audio = files.find(({ name }) => !BODY.test(name) && !TEXT.test(name));
@@ -31,6 +39,18 @@ export async function takeFiles(store, files) {
     open(store, { audio, options, text: words ?? (isFirst ? typed : "") });
   } else if (words !== undefined) {
     store.history.execute(new ChangeProject(store, "Words", { text: words }));
+  }
+}
+
+/**
+ * @param {Store} store
+ * @param {File} file
+ */
+async function openProject(store, file) {
+  try {
+    open(store, await openedProject(file));
+  } catch (error) {
+    store.set(PROBLEM, problemOf(error));
   }
 }
 

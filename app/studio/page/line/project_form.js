@@ -30,12 +30,12 @@ export function mountProject(element, store, service) {
  * @param {Service} service
  */
 function files(store, service) {
-  const chosen = el("input", { type: "file", id: "files", multiple: true, accept: ".wav,.flac,.ogg,.txt,.glb,.vrm" });
+  const chosen = el("input", { type: "file", id: "files", multiple: true, accept: ".wav,.flac,.ogg,.txt,.glb,.vrm,.zip" });
   chosen.addEventListener("change", () => void takeFiles(store, [...(chosen.files ?? [])]));
   const example = el("button", { type: "button", id: "example", click: () => void openExample(store, service) }, ["Example"]);
   const ours = el("button", { type: "button", click: () => store.set(AVATAR, null) }, ["Our body again"]);
   store.watch(AVATAR, (avatar) => (ours.hidden = avatar === null));
-  return el("div", { class: "row" }, [labelled("Recording, words (.txt) or body (.glb, .vrm)", chosen), example, ours]);
+  return el("div", { class: "row" }, [labelled("Recording, words (.txt), body (.glb, .vrm) or project (.zip)", chosen), example, ours]);
 }
 
 /** @param {Store} store */

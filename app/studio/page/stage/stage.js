@@ -1,7 +1,8 @@
 /**
  * The stage: shows the performed line, and whoever else `GUESTS` says, at the time of the playhead.
  *
- * The canvas has `data-roles` (who stands there) and `data-pose` (where the wrists are, metres) for tests.
+ * The canvas has `data-roles` (who stands there), `data-time` (of what is shown, seconds) and `data-pose` (where the wrists
+ * are, metres) for tests.
  */
 
 import { el } from "../dom.js";
@@ -15,7 +16,7 @@ import { Clock } from "./clock.js";
 import { makePlace } from "./scene.js";
 import { Trail } from "./trail.js";
 import { mountTransport } from "./transport.js";
-import { GUESTS, OPPOSITE_M, rolesOf, VIEWING } from "./viewing.js";
+import { GUESTS, OPPOSITE_M, rolesOf, SCREEN, VIEWING } from "./viewing.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
@@ -30,10 +31,11 @@ const EYES_M = 1.55;
 export function mountStage(element, store, service) {
   const canvas = el("canvas", { id: "stage-canvas", tabindex: 0, role: "img", "aria-label": "The character performs the line" });
   const controls = el("div", { class: "transport", role: "toolbar", "aria-label": "Playing" });
-  element.append(el("div", { class: "screen" }, [canvas]), controls);
-  mountTransport(controls, store);
   const audio = recordingOf(store);
+  element.append(el("div", { class: "screen" }, [canvas]), controls, audio);
+  mountTransport(controls, store);
   const stage = new Stage(canvas, store, service);
+  store.set(SCREEN, { canvas, audio, draw: () => stage.draw() });
   runFrames(new Clock(store, audio), stage);
 }
 
@@ -43,7 +45,7 @@ export function mountStage(element, store, service) {
  * @param {Store} store
  */
 function recordingOf(store) {
-  const audio = new Audio();
+  const audio = el("audio");
   audio.preservesPitch = true;
   /** @type {File | null} */
   let file = null;
@@ -144,6 +146,7 @@ class Stage {
   #tell() {
     const { standing } = this.#cast;
     const wrists = ["leftHand", "rightHand"].flatMap((joint) => standing[0]?.figure.place(joint)?.toArray() ?? []);
+    this.#canvas.dataset["time"] = String(this.#store.get(TIME_S));
     this.#canvas.dataset["roles"] = standing.map(({ role }) => role.name).join(" ");
     this.#canvas.dataset["pose"] = wrists.map((metres) => metres.toFixed(4)).join(" ");
   }

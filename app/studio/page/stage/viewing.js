@@ -18,6 +18,15 @@ export const VIEWING = slice(/** @type {Viewing} */ ({ shot: "medium", listening
  */
 export const GUESTS = slice(/** @type {readonly Role[]} */ ([]));
 
+/**
+ * What the stage is shown and heard on, for those who take pictures: `draw` draws it as it is now.
+ *
+ * @typedef {Readonly<{ canvas: HTMLCanvasElement, audio: HTMLAudioElement, draw: () => void }>} Screen
+ */
+
+/** Null before there is a stage. */
+export const SCREEN = slice(/** @type {Screen | null} */ (null));
+
 /** The name by which the page has somebody listen. */
 export const LISTENER = "listener";
 

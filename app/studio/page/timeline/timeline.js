@@ -21,7 +21,7 @@ export function mountTimeline(element, store) {
   const canvas = el("canvas", { id: "timeline-canvas", "aria-label": "Timeline; the list beside it says the same", role: "img" });
   const playhead = el("div", { class: "playhead" });
   const { list, show } = makeList(store);
-  const screen = el("div", { class: "tracks" }, [canvas, playhead]);
+  const screen = el("div", { class: "tracks", role: "group", tabindex: 0, "aria-label": "Tracks" }, [canvas, playhead]);
   const timeline = new Timeline(canvas, playhead, store);
   element.append(toolbar(timeline), el("div", { class: "beside" }, [screen, list]));
   store.watch(PERFORMED, () => show(timeline.take()));
@@ -44,19 +44,23 @@ function toolbar(timeline) {
 }
 
 /**
- * Decodes each new recording for its wave.
+ * Decodes each new recording for its wave, once the service has taken it.
  *
  * @param {Store} store
  */
 function keepPeaks(store) {
   /** @type {File | null} */
   let file = null;
-  store.watch(PROJECT, ({ audio }) => {
-    if (audio && audio !== file) {
+  store.watch(PERFORMED, (line) => {
+    const { audio } = store.get(PROJECT);
+    if (line && audio && audio !== file) {
       file = audio;
       peaksOf(audio).then(
         (peaks) => store.set(PEAKS, peaks),
-        (error) => store.set(PROBLEM, { ...problemOf(error), detail: `${audio.name}: the browser cannot decode it` }),
+        (error) => {
+          store.set(PEAKS, new Float32Array());
+          store.set(PROBLEM, { ...problemOf(error), detail: `${audio.name}: the browser cannot decode it, nor play it` });
+        },
       );
     }
   });

@@ -1,0 +1,48 @@
+"""`understudy studio`: the service on this machine alone, and the studio page in the browser, with a line if one is
+given."""
+
+import argparse
+import webbrowser
+from pathlib import Path
+
+from ...errors import InputError
+from ...settings import Settings, read_settings
+from ...studio.pages import OpenedLine
+from ..files import STANDARD, read_bytes, read_text
+from ..log import Log
+from ..service import run_service
+
+LOOPBACK = "127.0.0.1"
+
+
+def run(arguments: argparse.Namespace, log: Log) -> int:
+    """Raises KeyboardInterrupt, when all has ended, where that is what stopped it; InputError for what cannot be
+    read."""
+    settings = read_settings().model_copy(update={"host": LOOPBACK, "port": arguments.port, "studio": True})
+    line = _line(arguments, settings)
+
+    def show(address: str) -> None:
+        page = f"{address}/?line={'opened' if line else 'example'}"
+        log.note(f"the studio is at {page}")
+        if not arguments.no_browser:
+            webbrowser.open(page)
+
+    return run_service(settings, log, reload=arguments.reload, line=line, when_started=show)
+
+
+def _line(arguments: argparse.Namespace, settings: Settings) -> OpenedLine | None:
+    """The line to open; raises InputError `usage` for words without a recording."""
+    if arguments.audio is None:
+        if arguments.text is not None or arguments.text_file is not None:
+            raise InputError("usage", "words were given without their recording; give AUDIO, too")
+        return None
+    audio = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
+    name = "line.wav" if arguments.audio == STANDARD else Path(arguments.audio).name
+    return OpenedLine(audio, name, _text(arguments, settings))
+
+
+def _text(arguments: argparse.Namespace, settings: Settings) -> str:
+    """The words; none where nobody gave them, and the page asks for them."""
+    if arguments.text_file is None:
+        return arguments.text or ""
+    return read_text(arguments.text_file, max_characters=settings.max_text_characters, field="text").strip()

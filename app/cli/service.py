@@ -1,0 +1,57 @@
+"""Runs the service until it is told to stop.
+
+Everything is loaded, and the bundled example performed once, before the first request is taken: a mistake in rules or
+settings is told like any other, and no caller waits for what only the first line needs.
+"""
+
+import signal
+from collections.abc import Callable
+from contextlib import ExitStack
+
+from ..api.admission.admission import Admission, require_keys
+from ..api.application import create_app
+from ..api.serving import serve
+from ..api.workers.processes import Nursery
+from ..settings import Settings
+from ..studio.pages import OpenedLine
+from .listening import bind, listen, shown_address
+from .log import Log
+
+
+def _nothing(_address: str) -> None:
+    """What is done with the address when nobody says."""
+
+
+def run_service(
+    settings: Settings,
+    log: Log,
+    *,
+    reload: bool = False,
+    line: OpenedLine | None = None,
+    when_started: Callable[[str], None] = _nothing,
+) -> int:
+    """Listens where the settings say; `when_started` is told the first address, as a URL.
+
+    Raises KeyboardInterrupt, when all has ended, where that is what stopped it; InputError `address_unusable`,
+    `key_missing` and `setting_wrong`.
+    """
+    admission = Admission.of(settings)
+    ports = [settings.port, *([settings.operations_port] if settings.operations_port else [])]
+    with ExitStack() as stack:
+        sockets = [stack.enter_context(each) for port in ports for each in bind(settings.host, port)]
+        for each in sockets:
+            require_keys(admission, each.getsockname()[0], settings)
+        log_config = log.service_logging()
+        nursery = stack.enter_context(Nursery.start(settings, logging=log_config))
+        app = create_app(settings, nursery, reload=reload, line=line)
+        listen(sockets)
+        addresses = [shown_address(each) for each in sockets]
+
+        def told() -> None:
+            log.note("\n".join(f"listening on {address}" for address in addresses))
+            when_started(addresses[0])
+
+        stopped_by = serve(app, settings, sockets, log_config=log_config, when_started=told)
+    if stopped_by == signal.SIGINT:
+        raise KeyboardInterrupt
+    return 0

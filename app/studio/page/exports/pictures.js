@@ -1,0 +1,168 @@
+/** What the stage shows, taken away: a film, its frames, a sheet of stills. Pictures are as large as the stage. */
+
+import { zipSync } from "fflate";
+
+import { PLAYBACK, TIME_S } from "../state/performed.js";
+
+/** @import { Performance } from "understudy-client" */
+/** @import { Store } from "../state/store.js" */
+/** @import { Screen } from "../stage/viewing.js" */
+
+/** Tells how far something is, from 0 to 1. @typedef {(share: number) => void} Telling */
+
+const FRAMES_HZ = 30;
+const MOST_STILLS = 12;
+const COLUMNS = 4;
+const LABEL_PX = 26;
+
+/**
+ * The line as it is played once, with its voice (WebM). It takes as long as the line.
+ *
+ * @param {Store} store
+ * @param {Screen} screen
+ * @param {number} length_s
+ * @param {Telling} tell
+ */
+export async function film(store, { canvas, audio }, length_s, tell) {
+  const stream = canvas.captureStream(FRAMES_HZ * 2);
+  // Where the browser cannot tap the recording, the film is silent.
+  const voice = /** @type {{ captureStream?: () => MediaStream }} */ (/** @type {unknown} */ (audio)).captureStream?.();
+  for (const track of voice?.getAudioTracks() ?? []) {
+    stream.addTrack(track);
+  }
+  const recorder = new MediaRecorder(stream, { mimeType: "video/webm", videoBitsPerSecond: 8_000_000 });
+  /** @type {Blob[]} */
+  const pieces = [];
+  recorder.addEventListener("dataavailable", ({ data }) => pieces.push(data));
+  const stopped = new Promise((resolve) => recorder.addEventListener("stop", resolve, { once: true }));
+  store.set(TIME_S, 0);
+  store.set(PLAYBACK, { playing: true, speed: 1, loop: null });
+  recorder.start();
+  await playedToTheEnd(store, length_s, tell);
+  recorder.stop();
+  await stopped;
+  return new Blob(pieces, { type: "video/webm" });
+}
+
+/**
+ * Frames as PNG in a zip, FRAMES_HZ a second, named as ffmpeg's %05d wants them.
+ *
+ * @param {Store} store
+ * @param {Screen} screen
+ * @param {number} length_s
+ * @param {Telling} tell
+ */
+export async function frames(store, screen, length_s, tell) {
+  const count = Math.ceil(length_s * FRAMES_HZ);
+  /** @type {Record<string, Uint8Array>} */
+  const files = {};
+  await resting(store, async () => {
+    for (let frame = 0; frame < count; frame++) {
+      const picture = await taken(store, screen, frame / FRAMES_HZ);
+      files[`${String(frame).padStart(5, "0")}.png`] = new Uint8Array(await picture.arrayBuffer());
+      tell((frame + 1) / count);
+    }
+  });
+  return new Blob([new Uint8Array(zipSync(files, { level: 0 }))], { type: "application/zip" });
+}
+
+/**
+ * The strokes of the gestures side by side, with their times and words; of a line without any, equal steps.
+ *
+ * @param {Store} store
+ * @param {Screen} screen
+ * @param {Performance} performance
+ */
+export async function sheet(store, screen, performance) {
+  const moments = momentsOf(performance);
+  const { width, height } = screen.canvas;
+  const columns = Math.min(COLUMNS, moments.length);
+  const paper = new OffscreenCanvas(columns * width, Math.ceil(moments.length / columns) * (height + LABEL_PX));
+  const pen = paper.getContext("2d");
+  if (!pen) {
+    throw new Error("the browser draws no pictures");
+  }
+  pen.fillStyle = "white";
+  pen.fillRect(0, 0, paper.width, paper.height);
+  pen.fillStyle = "black";
+  pen.font = "16px system-ui, sans-serif";
+  await resting(store, async () => {
+    for (const [index, { time_s, label }] of moments.entries()) {
+      const [x, y] = [(index % columns) * width, Math.floor(index / columns) * (height + LABEL_PX)];
+      pen.drawImage(await createImageBitmap(await taken(store, screen, time_s)), x, y);
+      pen.fillText(`${time_s.toFixed(2)} s  ${label}`, x + 6, y + height + 18, width - 12);
+    }
+  });
+  return paper.convertToBlob({ type: "image/png" });
+}
+
+/**
+ * @param {Performance} performance
+ * @returns {{ time_s: number, label: string }[]}
+ */
+export function momentsOf({ behaviors, audio, lead_in_s }) {
+  const strokes = behaviors
+    .filter(({ kind, kept, sync }) => kind === "gesture" && kept && sync["stroke"] !== undefined)
+    .map(({ lexeme, sync }) => ({ time_s: sync["stroke"] ?? 0, label: lexeme }));
+  const steps = Array.from({ length: COLUMNS }, (_, index) => ({
+    time_s: lead_in_s + (audio.duration_s * (index + 0.5)) / COLUMNS,
+    label: "",
+  }));
+  return (strokes.length > 0 ? strokes : steps).slice(0, MOST_STILLS);
+}
+
+/**
+ * The stage at a time.
+ *
+ * @param {Store} store
+ * @param {Screen} screen
+ * @param {number} time_s
+ * @returns {Promise<Blob>}
+ */
+async function taken(store, { canvas, draw }, time_s) {
+  store.set(TIME_S, time_s);
+  draw();
+  const picture = await new Promise((/** @type {(blob: Blob | null) => void} */ resolve) => canvas.toBlob(resolve, "image/png"));
+  if (!picture) {
+    throw new Error("the browser made no picture of the stage");
+  }
+  return picture;
+}
+
+/**
+ * Does something while nothing is played, and goes back to where the playhead was.
+ *
+ * @param {Store} store
+ * @param {() => Promise<void>} act
+ */
+async function resting(store, act) {
+  const time_s = store.get(TIME_S);
+  store.patch(PLAYBACK, { playing: false });
+  try {
+    await act();
+  } finally {
+    store.set(TIME_S, time_s);
+  }
+}
+
+/**
+ * @param {Store} store
+ * @param {number} length_s
+ * @param {Telling} tell
+ */
+function playedToTheEnd(store, length_s, tell) {
+  return new Promise((/** @type {(value: void) => void} */ resolve) => {
+    const stopTelling = store.watch(TIME_S, (time_s) => tell(time_s / length_s));
+    let isPlaying = false;
+    const stop = store.watch(PLAYBACK, ({ playing }) => {
+      if (isPlaying && !playing) {
+        queueMicrotask(() => {
+          stop();
+          stopTelling();
+          resolve();
+        });
+      }
+      isPlaying = playing;
+    });
+  });
+}

@@ -1,0 +1,91 @@
+"""What the page saves is what the command line writes; a project opens again as it was."""
+
+import io
+import json
+import zipfile
+from pathlib import Path
+
+import pytest
+import soundfile
+from playwright.sync_api import Page
+
+from tests.support.python_page import ROOT
+from understudy.cli.main import main
+
+AUDIO, TEXT = ROOT / "examples/example.flac", ROOT / "examples/example.txt"
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with what the command line makes of the example."""
+    folder = tmp_path_factory.mktemp("written")
+    bml, trace = folder / "example.bml", folder / "example.json"
+    line = [str(AUDIO), "--text-file", str(TEXT)]
+    assert main(["perform", *line, "-o", str(bml), "--trace", str(trace), "--quiet"]) == 0
+    (folder / "smartbody").mkdir()  # of its own, for what SmartBody wants beside the recording is called example.bml
+    smartbody = ["--dialect", "smartbody", "-o", str(folder / "smartbody" / "line.bml")]
+    assert main(["perform", *line, *smartbody, "--quiet"]) == 0
+    (folder / "smartbody" / "line.bml").rename(folder / "example.smartbody.bml")
+    motions = [f"-o{folder / f'example{ending}'}" for ending in (".glb", ".bvh", ".otio", ".csv")]
+    assert main(["realize", str(bml), "--audio", str(AUDIO), *motions, "--quiet"]) == 0
+    return folder
+
+
+def _saved(page: Page, ending: str) -> bytes:
+    page.select_option("#format", ending)
+    with page.expect_download() as download:
+        page.click("#export")
+    assert download.value.suggested_filename == f"example{ending}"
+    return Path(download.value.path()).read_bytes()
+
+
+def _made(page: Page, button: str) -> bytes:
+    with page.expect_download() as download:
+        page.click(f"#exports button:has-text('{button}')")
+    return Path(download.value.path()).read_bytes()
+
+
+@pytest.mark.parametrize("ending", [".bml", ".smartbody.bml", ".glb", ".bvh", ".csv"])
+def test_bytes_are_those_of_the_command_line(opened: Page, written: Path, ending: str) -> None:
+    assert _saved(opened, ending) == (written / f"example{ending}").read_bytes()
+
+
+def test_the_performance_is_that_of_the_command_line(opened: Page, written: Path) -> None:
+    assert json.loads(_saved(opened, ".json")) == json.loads((written / "example.json").read_bytes())
+
+
+def test_a_project_has_all_and_opens_again(opened: Page, tmp_path: Path) -> None:
+    opened.fill("#seed", "7")
+    opened.press("#seed", "Enter")
+    opened.wait_for_selector("#state:has-text('behaviours')")
+    kept = tmp_path / "kept.studio.zip"
+    kept.write_bytes(_made(opened, "Project"))
+    with zipfile.ZipFile(kept) as opened_zip:
+        assert set(opened_zip.namelist()) == {"audio/example.flac", "text.txt", "options.json"}
+        assert opened_zip.read("audio/example.flac") == AUDIO.read_bytes()
+        assert json.loads(opened_zip.read("options.json")) == {"seed": 7}
+    opened.goto("/")
+    opened.set_input_files("#files", str(kept))
+    opened.wait_for_selector("#state:has-text('7.18 s')")
+    assert opened.input_value("#seed") == "7"
+
+
+def test_stills_are_a_picture_of_the_strokes(opened: Page) -> None:
+    assert _made(opened, "Still sheet").startswith(b"\x89PNG")
+
+
+def test_a_film_and_frames_are_as_long_as_the_line(opened: Page, tmp_path: Path) -> None:
+    samples, rate_hz = soundfile.read(AUDIO)
+    short = tmp_path / "short.wav"
+    soundfile.write(short, samples[: int(0.6 * rate_hz)], rate_hz)
+    opened.goto("/")
+    opened.set_input_files("#files", str(short))
+    opened.fill("#text", "No.")
+    opened.press("#text", "Tab")
+    opened.wait_for_selector("#stage-canvas[data-roles='speaker']")
+    seconds = opened.evaluate("document.querySelector('audio').duration")
+    film = _made(opened, "Film")
+    assert film.startswith(b"\x1a\x45\xdf\xa3")
+    with zipfile.ZipFile(io.BytesIO(_made(opened, "Frames"))) as frames:
+        assert abs(len(frames.namelist()) - 30 * seconds) <= 1
+        assert frames.read("00000.png").startswith(b"\x89PNG")

@@ -1,0 +1,54 @@
+"""The timeline shows what is heard, meant and done, and says of all of it why; by mouse and by keyboard."""
+
+from playwright.sync_api import Page
+
+LABELS_PX = 78
+RIGHT_PX = 10
+
+
+def _reasons(page: Page) -> str:
+    return page.inner_text("#reasons")
+
+
+def test_the_list_leads_to_reasons_rules_terms_and_losers(opened: Page) -> None:
+    opened.click("#items li:has-text('gesture NEGATION')")
+    told = _reasons(opened)
+    for part in ("have never seen", "show_negation", "agreement.rules:", "reading in context: negation", "none_empty"):
+        assert part in told
+    opened.click("#reasons button:has-text('negation “never”')")
+    assert "negation_word" in _reasons(opened)
+    assert "the word “never”" in _reasons(opened)
+
+
+def test_what_was_dropped_says_to_what_it_gave_way(opened: Page) -> None:
+    opened.click("#items li.dropped:has-text('head SHAKE')")
+    assert "too close to SHAKE" in _reasons(opened)
+
+
+def test_arrows_move_the_selection(opened: Page) -> None:
+    opened.focus("#items")
+    opened.keyboard.press("Home")
+    opened.keyboard.press("ArrowDown")
+    assert opened.get_attribute("#items li:nth-child(2)", "aria-selected") == "true"
+    assert opened.get_attribute("#items", "aria-activedescendant") == "item-1"
+
+
+def test_a_click_on_the_canvas_selects_and_the_ruler_moves_the_playhead(opened: Page) -> None:
+    opened.click("#items li:has-text('gesture NEGATION')")
+    opened.keyboard.press("Home")
+    box = opened.locator("#timeline-canvas").bounding_box()
+    assert box
+    rate = (box["width"] - LABELS_PX - RIGHT_PX) / 7.642
+    opened.mouse.click(box["x"] + LABELS_PX + 4 * rate, box["y"] + 8)
+    assert abs(float(opened.inner_text("#time").removesuffix(" s")) - 4) < 0.1
+    opened.mouse.click(box["x"] + LABELS_PX + 1.15 * rate, box["y"] + 58)
+    assert "never" in _reasons(opened)
+
+
+def test_zooming_is_undone_by_the_whole_line(opened: Page) -> None:
+    whole = opened.get_attribute("#timeline-canvas", "data-stretch")
+    opened.click("[aria-label='Zoom in']")
+    opened.click("[aria-label='Zoom in']")
+    assert opened.get_attribute("#timeline-canvas", "data-stretch") == "3.899 0.000"
+    opened.click("[aria-label='Whole line']")
+    assert opened.get_attribute("#timeline-canvas", "data-stretch") == whole
