@@ -69,6 +69,11 @@ def test_a_study_is_made_of_a_folder_and_its_key_tells_the_clips(capfdbinary: Ca
     assert [row[1:] for row in rows] == [["line", "condition"], *(["example", mode] for mode in MODES)]
     assert {path.stem for path in (out / "page" / "clips").glob("*.js")} > {row[0] for row in rows[1:]}
     assert (out / "page" / "index.html").is_file()
+    made = {path.name for path in (out / "page" / "clips").iterdir()}
+    assert _run(capfdbinary, "study", "make", str(lines), "--out", str(out), "--seed", "4")[0] == 0
+    again = {path.name for path in (out / "page" / "clips").iterdir()}
+    assert len(again) == len(made), "what another seed made is gone"
+    assert not again & made
 
 
 @pytest.mark.parametrize(

@@ -19,9 +19,7 @@ from .clips import blind_clip, blind_sound, body_of, realized
 from .lines import StudyLine, read_lines
 from .modes import in_modes
 from .singletons import in_units_and_singly
-from .site import LinePage, Site, script_of, script_of_bytes, write_site
-
-CODE_LENGTH = 10
+from .site import CLIPS, CODE_LENGTH, LinePage, Site, script_of, script_of_bytes, write_site
 
 Told = Callable[[str, Sequence[Notice]], None]
 """Is told of each line when its clips are made: its name and what they have, and its notices."""
@@ -112,12 +110,12 @@ def _files(
     """The files beside the page."""
     for character, body in bodies.items():
         name = coding.code(character, "body")
-        yield f"clips/{name}.js", script_of_bytes(name, body)
+        yield f"{CLIPS}/{name}.js", script_of_bytes(name, body)
     for line in rendered:
-        yield f"clips/{coding.code(line.id, 'sound')}.flac", line.sound
+        yield f"{CLIPS}/{coding.code(line.id, 'sound')}.flac", line.sound
         for condition, clip in line.clips.items():
             name = coding.code(line.id, condition)
-            yield f"clips/{name}.js", script_of(name, clip)
+            yield f"{CLIPS}/{name}.js", script_of(name, clip)
 
 
 def _write_key(request: StudyRequest, rendered: Sequence[RenderedLine], coding: _Coding) -> None:

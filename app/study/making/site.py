@@ -6,6 +6,7 @@ disk browsers load only what is a script, so each is a script that hands over it
 
 import base64
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -17,6 +18,9 @@ from .inlining import Modules, packages_of
 from .ordering import rater_orders
 
 PAGE = Path(__file__).resolve().parents[1] / "page"
+CLIPS = "clips"
+CODE_LENGTH = 10
+_CODED = re.compile(rf"[0-9a-f]{{{CODE_LENGTH}}}\.(js|flac)")
 STUDIO = PAGE.parents[1] / "studio" / "page"
 
 
@@ -55,9 +59,17 @@ def write_site(folder: Path, site: Site) -> None:
     try:
         for name, content in {**site.files, "index.html": _index(site).encode()}.items():
             write_whole(folder, name, content)
+        _remove_others(folder, site)
         clear_unfinished(folder)
     except OSError as error:
         raise InputError("file_unwritable", f"{folder}: cannot be written: {error.strerror}", field="out") from None
+
+
+def _remove_others(folder: Path, site: Site) -> None:
+    """Removes the clips of an earlier study in the same folder."""
+    for path in (folder / CLIPS).iterdir():
+        if _CODED.fullmatch(path.name) and f"{CLIPS}/{path.name}" not in site.files:
+            path.unlink()
 
 
 def _index(site: Site) -> str:

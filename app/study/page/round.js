@@ -36,7 +36,7 @@ export function mountRound(element, plan, round, { player, told }) {
       resolve(questions.rows());
     };
     const form = el("form", { submit: next }, [questions.element, el("button", { class: "main" }, ["Next"])]);
-    element.replaceChildren(el("h2", {}, [told]), el("div", { class: "row" }, buttons), problem, hint, form);
+    element.replaceChildren(el("h1", {}, [told]), el("div", { class: "row" }, buttons), problem, hint, form);
     buttons[0]?.focus();
   });
 }

@@ -64,3 +64,13 @@ def test_neighbours_flow_together_in_one_phrase_below_a_second_and_a_half() -> N
 def test_a_moment_belongs_to_the_phrase_that_has_begun_last(time_s: float, phrase: int) -> None:
     assert TransitionContext((Interval(0.2, 2.0), Interval(3.0, 4.0))).phrase_of(time_s) == phrase
     assert TransitionContext().phrase_of(time_s) is None
+
+
+def test_singletons_rest_between_neighbours_as_soon_as_hands_can() -> None:
+    """To the side and back at 1.25 m/s, where hands that take their time would stay in the unit."""
+    first = at(2.0, 2.5, clip(to_m=0.1))
+    one = (Interval(0.0, 9.0),)
+    second = at(4.2, 4.7)
+    assert blends(first, second, Hand.RIGHT, TransitionContext(one))
+    assert not blends(first, second, Hand.RIGHT, TransitionContext(one, singletons=True))
+    assert blends(first, at(3.0, 3.5), Hand.RIGHT, TransitionContext(one, singletons=True)), "no time at all"
