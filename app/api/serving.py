@@ -69,6 +69,7 @@ def serve(
         http=limited_protocol(settings),
         ws="websockets-sansio",
         ws_max_size=settings.live_message_bytes,
+        ws_ping_interval=None,  # a client that sends ahead answers late, and those that are gone are noticed without
         server_header=False,
         log_config=log_config,
         timeout_keep_alive=max(1, round(settings.idle_s)),

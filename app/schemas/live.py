@@ -121,7 +121,7 @@ def read_samples(content: bytes, channels: int) -> FloatArray:
 def to_ready(options: LiveOptions, joints: tuple[str, ...]) -> str:
     """The answer to the start: with frames, the order of their numbers."""
     told: dict[str, Any] = {"type": "ready", "sample_rate_hz": options.sample_rate_hz, "character": options.character}
-    if options.frame_rate_hz:
+    if joints:
         told |= {"frames": options.frame_rate_hz, "joints": joints, "shapes": SHAPES}
     return json.dumps(told)
 

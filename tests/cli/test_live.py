@@ -2,11 +2,13 @@
 
 import io
 import json
+import socket
 import sys
 from pathlib import Path
 
 import pytest
 import soundfile
+from pythonosc.osc_bundle import OscBundle
 
 from tests.cli.test_cli import AUDIO
 from understudy.cli.main import main
@@ -63,3 +65,28 @@ def test_what_is_no_audio_is_refused(capsys: Captured, tmp_path: Path) -> None:
     (tmp_path / "speech.wav").write_bytes(b"nothing of the kind")
     assert main(["live", str(tmp_path / "speech.wav")]) == 2
     assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+def test_an_avatar_is_moved_in_time_with_the_recording(capsys: Captured, tmp_path: Path) -> None:
+    """A tenth of a second: six frames, without a line of them."""
+    (tmp_path / "short.raw").write_bytes(bytes(3200))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
+        receiver.bind(("127.0.0.1", 0))
+        receiver.settimeout(5)
+        host, port = receiver.getsockname()
+        lines = told(
+            capsys, str(tmp_path / "short.raw"), "--rate", "16000", "--vmc", f"{host}:{port}", "--vmc-face", "none"
+        )
+        assert [line["type"] for line in lines if line["type"] != "mouth"] == ["ready", "done"]
+        assert OscBundle(receiver.recv(2000)).content(0).address == "/VMC/Ext/OK"
+
+
+@pytest.mark.parametrize("address", ["nowhere:port", ":39539", "host:0", "host:70000"])
+def test_no_address(capsys: Captured, address: str) -> None:
+    assert main(["live", AUDIO, "--vmc", address]) == 2
+    assert "HOST:PORT" in capsys.readouterr().err
+
+
+def test_a_microphone_or_a_file(capsys: Captured) -> None:
+    assert main(["live"]) == 2
+    assert "--microphone" in capsys.readouterr().err

@@ -97,7 +97,9 @@ def add_realize(add: Adding) -> None:
 
 def add_live(add: Adding) -> None:
     parser = add("live", "speech as it comes, gestures as they are decided, without the words; one JSON object a line")
-    parser.add_argument("audio", metavar="FILE", type=InputFile, help=AUDIO_HELP)
+    heard = parser.add_mutually_exclusive_group(required=True)
+    heard.add_argument("audio", metavar="FILE", type=InputFile, nargs="?", help=AUDIO_HELP)
+    heard.add_argument("--microphone", action="store_true", help="hear the microphone (needs the extra `microphone`)")
     parser.add_argument(
         "--rate",
         metavar="HZ",
@@ -105,6 +107,11 @@ def add_live(add: Adding) -> None:
         help="FILE is raw: 16-bit little-endian samples, one channel, so many a second; from - as they come",
     )
     parser.add_argument("--frames", type=int, choices=(30, 60), help="tell the body's joints too, so often a second")
+    parser.add_argument("--vmc", metavar="HOST:PORT", help="move an avatar there, as the sound is heard (port 39539)")
+    parser.add_argument(
+        "--vmc-face", choices=("presets", "arkit", "none"), default="presets", help="whose shapes of the face VMC has"
+    )
+    parser.add_argument("--vmc-without-head", action="store_true", help="leave neck, head and eyes to who tracks them")
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
     add_output(parser, "OUT.jsonl", "where the lines go (default: standard output)", default=STANDARD)

@@ -1,41 +1,84 @@
 """`understudy live`: speech as it comes, what the body does as it is decided, one JSON object a line (docs/live.md).
 
 The lines are the messages of `WS /live`: `ready`, then behaviours, shapes of the mouth and, asked for, frames; at last
-`done`.
+`done`. With `--vmc` the frames go to a program that shows an avatar, a recording as fast as it is spoken.
 """
 
 import argparse
 import sys
+import time
 from collections.abc import Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
+from dataclasses import dataclass, replace
 from typing import BinaryIO, TextIO
 
 from ...acoustic.signal.decoding import decode
 from ...errors import InputError
 from ...hearing import audio_limits
+from ...live.body import BodyFrame
 from ...live.models import LiveModels
 from ...live.session import LiveSession
-from ...live.telling import LiveOptions
+from ...live.telling import LiveOptions, Told
+from ...live.vmc import PORT, VmcFace, VmcParts, VmcSender, VmcWriter
 from ...model import SAMPLE_RATE_HZ, FloatArray
 from ...performance import Understudy
 from ...schemas.live import read_samples, to_done, to_json, to_ready
 from ...settings import Settings, read_settings
 from ..files import STANDARD, read_bytes
+from ..inputs.microphone import microphone_chunks
 from ..log import Log
 
 CHUNK_S = 0.04
+VMC_FRAME_RATE_HZ = 60
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     _check_rate(arguments.rate, settings)
+    address = _address(arguments.vmc) if arguments.vmc else None
     rate_hz, chunks = _sound(arguments, settings, log)
     options = LiveOptions(rate_hz, arguments.character, arguments.seed, arguments.frames)
+    if address and not options.frame_rate_hz:
+        options = replace(options, frame_rate_hz=VMC_FRAME_RATE_HZ)
     with ExitStack() as stack:
         out = sys.stdout if arguments.output == STANDARD else stack.enter_context(_opened(arguments.output))
         understudy = stack.enter_context(Understudy.load(settings))
-        _perform(LiveModels.load(understudy), options, chunks, out)
+        sender = None
+        if address:
+            parts = VmcParts(head=not arguments.vmc_without_head, face=VmcFace(arguments.vmc_face))
+            writer = VmcWriter(understudy.realizer.performer(arguments.character).skeleton, parts)
+            sender = stack.enter_context(closing(VmcSender(address, writer)))
+            chunks = chunks if arguments.microphone else _paced(chunks, rate_hz)
+        sink = _Sink(out, sender, tells_frames=arguments.frames is not None)
+        _perform(LiveModels.load(understudy), options, chunks, sink)
     return 0
+
+
+@dataclass(frozen=True, slots=True)
+class _Sink:
+    """Where what is told goes."""
+
+    out: TextIO
+    sender: VmcSender | None
+    tells_frames: bool
+
+    def line(self, message: str) -> None:
+        self.out.write(message + "\n")
+        self.out.flush()
+
+    def told(self, told: Told) -> None:
+        if isinstance(told, BodyFrame) and self.sender is not None:
+            self.sender.send(told)
+        if not isinstance(told, BodyFrame) or self.tells_frames:
+            self.line(to_json(told))
+
+
+def _address(text: str) -> tuple[str, int]:
+    """Raises InputError `value_wrong`."""
+    host, _, port = text.rpartition(":") if ":" in text else (text, "", str(PORT))
+    if not host or not port.isdecimal() or not 0 < int(port) < 65536:
+        raise InputError("value_wrong", f"--vmc {text}; give HOST:PORT, as 127.0.0.1:{PORT}", field="vmc")
+    return host.strip("[]"), int(port)
 
 
 def _opened(path: str) -> TextIO:
@@ -55,6 +98,8 @@ def _check_rate(rate_hz: int | None, settings: Settings) -> None:
 def _sound(arguments: argparse.Namespace, settings: Settings, log: Log) -> tuple[int, Iterator[FloatArray]]:
     """The rate and the chunks of what is to be heard."""
     rate_hz = arguments.rate
+    if arguments.microphone:
+        return rate_hz or SAMPLE_RATE_HZ, microphone_chunks(rate_hz or SAMPLE_RATE_HZ, CHUNK_S)
     if rate_hz is not None and arguments.audio == STANDARD:
         return rate_hz, _chunks_of(sys.stdin.buffer, rate_hz)
     content = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
@@ -65,20 +110,24 @@ def _sound(arguments: argparse.Namespace, settings: Settings, log: Log) -> tuple
     return SAMPLE_RATE_HZ, _cut(audio.samples, SAMPLE_RATE_HZ)
 
 
-def _perform(models: LiveModels, options: LiveOptions, chunks: Iterator[FloatArray], out: TextIO) -> None:
+def _perform(models: LiveModels, options: LiveOptions, chunks: Iterator[FloatArray], sink: _Sink) -> None:
     """Tells everything as soon as it is known."""
     session = LiveSession(models, options)
-    joints = models.understudy.realizer.skeleton.names if options.frame_rate_hz else ()
-    _tell(out, to_ready(options, tuple(joints)))
+    joints = models.understudy.realizer.skeleton.names if sink.tells_frames else ()
+    sink.line(to_ready(options, tuple(joints)))
     for chunk in chunks:
         for told in session.hear(chunk):
-            _tell(out, to_json(told))
-    _tell(out, to_done(session.heard_s))
+            sink.told(told)
+    sink.line(to_done(session.heard_s))
 
 
-def _tell(out: TextIO, message: str) -> None:
-    out.write(message + "\n")
-    out.flush()
+def _paced(chunks: Iterator[FloatArray], rate_hz: int) -> Iterator[FloatArray]:
+    """The chunks, none before its sound would have been heard."""
+    began_s, heard_s = time.monotonic(), 0.0
+    for chunk in chunks:
+        heard_s += len(chunk) / rate_hz
+        time.sleep(max(0.0, began_s + heard_s - time.monotonic()))
+        yield chunk
 
 
 def _chunks_of(stream: BinaryIO, rate_hz: int) -> Iterator[FloatArray]:
