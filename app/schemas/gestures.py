@@ -2,6 +2,7 @@
 and how one is played. The values are those of `understudy.realizer.gestures.gesture`, by the words of the language."""
 
 from collections.abc import Iterable, Mapping
+from dataclasses import asdict
 from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -25,16 +26,18 @@ from ..realizer.gestures.gesture import (
     HandShape,
     Height,
     KeyCurve,
+    OffsetTrack,
     Place,
     Sideways,
     Thumb,
+    TrackForm,
     Wrist,
 )
 from ..realizer.gestures.writing import write_gesture
 from .requests import checked
 from .response_model import ResponseModel
 
-MOST_GESTURES, MOST_FRAMES = 400, 100
+MOST_GESTURES, MOST_FRAMES, MOST_TRACKS = 400, 100, 21
 
 Triple = tuple[float, float, float]
 
@@ -154,6 +157,16 @@ class ExpressivityValues(Values):
     repetition: float
 
 
+class TrackValues(Values):
+    """A rotation that is added to a joint: its angles in degrees, and if it circles, how often and from which angle."""
+
+    form: TrackForm
+    joint: Annotated[str, Field(max_length=16)]
+    degrees: Triple
+    turns: float = 0.0
+    phase_deg: float = 0.0
+
+
 class GestureValues(Values):
     """A whole gesture; `arms` is absent if either hand may make it."""
 
@@ -163,6 +176,7 @@ class GestureValues(Values):
     arms: Hand | None = None
     categories: Annotated[tuple[str, ...], Field(max_length=32)]
     aimed: bool = False
+    tracks: Annotated[tuple[TrackValues, ...], Field(max_length=MOST_TRACKS)] = ()
     levels: dict[Level, ExpressivityValues]
     frames: Annotated[tuple[FrameValues, ...], Field(max_length=MOST_FRAMES)]
 
@@ -175,6 +189,7 @@ class GestureValues(Values):
             arms=definition.hand,
             categories=definition.categories,
             aimed=definition.aimed,
+            tracks=tuple(TrackValues.model_validate(asdict(track)) for track in definition.tracks),
             levels={level: _expressivity(found) for level, found in definition.levels.items()},
             frames=tuple(map(FrameValues.of, definition.frames)),
         )
@@ -193,6 +208,10 @@ class GestureValues(Values):
                 },
                 hand=self.arms,
                 aimed=self.aimed,
+                tracks=tuple(
+                    OffsetTrack(each.form, _one_line(each.joint), each.degrees, each.turns, each.phase_deg)
+                    for each in self.tracks
+                ),
             )
         )
 

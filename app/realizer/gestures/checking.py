@@ -3,9 +3,10 @@
 Frame times increase within 0 … 1, phases are in order, there is a stroke, and the first frame places the arm.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from types import MappingProxyType
 
 from ...errors import Mistake
 from .gesture import ArmKey, FrameType, KeyCurve
@@ -17,8 +18,8 @@ IN_ORDER: tuple[FrameType, ...] = tuple(FrameType)
 REPEATED = frozenset({FrameType.PREPARATION, FrameType.STROKE, FrameType.HOLD, FrameType.RETRACTION})
 """Poses within a phase, which may occur any number of times. The other types are instants and occur once."""
 
-_PARTS = frozenset({"FINGER", "JOINT", "EXPRESSIVITY"})
-"""Statements that may occur several times, each with a different first word."""
+_PARTS: Mapping[str, int] = MappingProxyType({"FINGER": 1, "JOINT": 1, "EXPRESSIVITY": 1, "TRACK": 2})
+"""Statements that may occur several times, and how many of their first words are then different."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +54,7 @@ def repeated_statements(statements: Iterable[Statement]) -> Iterator[LocatedMist
     seen: dict[tuple[str, ...], Word] = {}
     for statement in statements:
         keyword = statement.keyword
-        part = [word.text for word in statement.words[:1]] if keyword.text in _PARTS else []
+        part = [word.text for word in statement.words[: _PARTS.get(keyword.text, 0)]]
         key = ("OTHER" if statement.other else "", keyword.text, *part)
         if statement.readable and key in seen:
             what = " ".join(filter(None, key))

@@ -40,6 +40,7 @@ def clip(definition: Definition, level: Level, hand: Hand, category: str) -> Cli
         expressivity=expressivity,
         stroke_speed_m_s=_stroke_speed_m_s(definition.frames, markers, expressivity, scale_s),
         aimed=definition.aimed,
+        tracks=definition.tracks,
         manner=definition.manner,
     )
 

@@ -12,7 +12,8 @@ from types import MappingProxyType
 
 from ...model import Hand, Level
 from .checking import TimedFrame, frame_mistakes, repeated_statements
-from .gesture import ArmKey, Definition, Expressivity, Frame, FrameType
+from .gesture import ArmKey, Definition, Expressivity, Frame, FrameType, OffsetTrack
+from .offset_tracks import offset_tracks
 from .specifiers import arm_key, key_curve, number, one_of
 from .statements import FrameTree, GestureTree, LocatedMistake, Statement, Word
 
@@ -49,6 +50,7 @@ class _Header:
     levels: Mapping[Level, Expressivity]
     hand: Hand | None
     aimed: bool
+    tracks: tuple[OffsetTrack, ...]
 
 
 def definition(tree: GestureTree, path: Path | None, wrong: list[LocatedMistake]) -> Definition | None:
@@ -70,6 +72,7 @@ def definition(tree: GestureTree, path: Path | None, wrong: list[LocatedMistake]
         levels=header.levels,
         hand=header.hand,
         aimed=header.aimed,
+        tracks=header.tracks,
         path=path,
         line=tree.start.line,
     )
@@ -100,7 +103,7 @@ def _header(tree: GestureTree, wrong: list[LocatedMistake]) -> _Header | None:
     said = {statement.keyword.text: statement for statement in tree.header if statement.readable}
     hand = one_of(Hand, said["ARMS"].words[0], "an arm, nor both", wrong) if "ARMS" in said else None
     categories = _categories(said["CATEGORY"].words, wrong) if "CATEGORY" in said else ()
-    levels = _levels(tree.header, wrong)
+    levels, tracks = _levels(tree.header, wrong), offset_tracks(tree.header, wrong)
     duration_s = (
         number(said["DURATION"].numbers[0], MIN_DURATION_S, MAX_DURATION_S, wrong, unit=" s")
         if "DURATION" in said
@@ -117,6 +120,7 @@ def _header(tree: GestureTree, wrong: list[LocatedMistake]) -> _Header | None:
         levels=levels,
         hand=hand,
         aimed="AIMED" in said,
+        tracks=tracks,
     )
 
 

@@ -190,11 +190,33 @@ class Expressivity:
     repetition: float = 0.0
 
 
+class TrackForm(StrEnum):
+    """How an offset track goes: up to the stroke's end and back with the retraction; there and back within the stroke,
+    which curves its path; round and round in the stroke."""
+
+    HELD = "held"
+    CURVED = "curved"
+    CIRCLING = "circling"
+
+
+@dataclass(frozen=True, slots=True)
+class OffsetTrack:
+    """A rotation that is added to what the key poses make of a joint (NGS §3.4), in degrees about the joint's axes as
+    for a left arm; at most `degrees`. One that circles goes round `turns` times, and begins at the angle `phase_deg` of
+    its sine."""
+
+    form: TrackForm
+    joint: str
+    degrees: tuple[float, float, float]
+    turns: float = 0.0
+    phase_deg: float = 0.0
+
+
 @dataclass(frozen=True, slots=True)
 class Definition:
     """A gesture as defined in a file. `categories` are the BML lexemes that it shows; `levels` its expressivity at each
     level of agitation that it suits; `hand` None is either hand alone; `aimed` hands point at the target by inverse
-    kinematics. `manner` is that of the character whose gesture it is."""
+    kinematics. `tracks` are added to what the frames make. `manner` is that of the character whose gesture it is."""
 
     gesture_class: str
     name: str
@@ -204,6 +226,7 @@ class Definition:
     levels: Mapping[Level, Expressivity]
     hand: Hand | None = None
     aimed: bool = False
+    tracks: tuple[OffsetTrack, ...] = ()
     path: Path | None = None
     line: int = 1
     manner: Manner = PLAIN_MANNER
@@ -251,4 +274,5 @@ class Clip:
     expressivity: Expressivity
     stroke_speed_m_s: float
     aimed: bool = False
+    tracks: tuple[OffsetTrack, ...] = ()
     manner: Manner = PLAIN_MANNER

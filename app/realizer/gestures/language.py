@@ -27,6 +27,7 @@ HEADER: Mapping[str, str] = MappingProxyType(
         "AIMED": "AIMED",
         "LEVELS": "LEVELS medium high",
         "EXPRESSIVITY": "EXPRESSIVITY low amplitude 0.8 tempo 0.9",
+        "TRACK": "TRACK held chest 0 12 0",
     }
 )
 """The statements before the frames, each with an example."""

@@ -10,7 +10,19 @@ from dataclasses import fields, replace
 
 from ...model import Level
 from .definitions import MEDIUM, RANGES, completed_by_mirroring, derived_expressivity
-from .gesture import ArmKey, Definition, Direction, Expressivity, Frame, HandShape, KeyCurve, Place, Thumb, Wrist
+from .gesture import (
+    ArmKey,
+    Definition,
+    Direction,
+    Expressivity,
+    Frame,
+    HandShape,
+    KeyCurve,
+    OffsetTrack,
+    Place,
+    Thumb,
+    Wrist,
+)
 from .specifiers import AS_THE_FOREARM, FINGER_BASE, PALM
 from .statements import OTHER
 
@@ -33,9 +45,15 @@ def _header(definition: Definition) -> Iterator[str]:
         yield f"CATEGORY {' '.join(definition.categories)}"
     if definition.aimed:
         yield "AIMED"
+    yield from map(_track, definition.tracks)
     if len(definition.levels) < len(Level):
         yield f"LEVELS {' '.join(definition.levels)}"
     yield from _expressivities(definition.levels)
+
+
+def _track(track: OffsetTrack) -> str:
+    last = [track.turns, track.phase_deg] if track.phase_deg else [track.turns] if track.turns else []
+    return " ".join(["TRACK", track.form, track.joint, *map(_number, (*track.degrees, *last))])
 
 
 def _expressivities(levels: Mapping[Level, Expressivity]) -> Iterator[str]:

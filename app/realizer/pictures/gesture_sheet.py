@@ -25,6 +25,7 @@ from ..gestures.gesture import Clip, ClipKey, KeyCurve
 from ..gestures.gesture_plan import ArmGesture, GesturePlan
 from ..scheduling.gesture_controller import apply_gestures
 from ..scheduling.planning import plan_gestures
+from ..scheduling.track_offsets import with_tracks
 from .contact_sheet import Still, draw_stills
 from .speed_plot import LINE, PHASES
 
@@ -57,7 +58,10 @@ class _OneClip:
 def draw_gestures(skeleton: Skeleton, clips: Sequence[Clip]) -> tuple[bytes, int]:
     """The picture as PNG, and how many key poses it has."""
     stills = [
-        Still(f"{clip.name}  {pose.key.time_s:.2f} s\n{pose.key.type}{_written(pose.key)}", pose.rotations)
+        Still(
+            f"{clip.name}  {pose.key.time_s:.2f} s\n{pose.key.type}{_written(pose.key)}",
+            with_tracks(skeleton, pose.rotations, clip, pose.key.time_s),
+        )
         for clip in clips
         for pose in key_poses(skeleton, clip)
     ]

@@ -26,12 +26,15 @@ from understudy.realizer.gestures.gesture import (
     HandShape,
     Height,
     KeyCurve,
+    OffsetTrack,
     Place,
     Sideways,
     Thumb,
+    TrackForm,
     Wrist,
 )
 from understudy.realizer.gestures.language import parse_gestures
+from understudy.realizer.gestures.offset_tracks import TrackJoint
 from understudy.realizer.gestures.specifiers import ARM_JOINTS, MAX_DEGREES, MAX_OFFSET_M, THUMB_IN_FORM, orthogonal
 from understudy.realizer.gestures.statements import LocatedMistake
 from understudy.realizer.gestures.writing import write_gesture
@@ -90,6 +93,18 @@ LEVELS = st.dictionaries(
 ).map(lambda made: {level: made[level] for level in Level if level in made})
 
 
+def tracks_of(form: TrackForm) -> st.SearchStrategy[OffsetTrack]:
+    circles = form is TrackForm.CIRCLING
+    turns, phases = (number(0.25, 6), number(-360, 360)) if circles else (st.just(0.0), st.just(0.0))
+    angles = st.tuples(number(-45, 45), number(1, 45), number(-45, 45))
+    return st.builds(OffsetTrack, st.just(form), st.sampled_from([*TrackJoint]).map(str), angles, turns, phases)
+
+
+TRACKS = st.lists(
+    st.sampled_from(TrackForm).flatmap(tracks_of), max_size=3, unique_by=lambda track: (track.form, track.joint)
+)
+
+
 @st.composite
 def definitions(draw: st.DrawFn) -> Definition:
     types = draw(st.lists(st.sampled_from(FrameType), min_size=1, max_size=6))
@@ -115,6 +130,7 @@ def definitions(draw: st.DrawFn) -> Definition:
         levels=draw(LEVELS),
         hand=hand,
         aimed=draw(st.booleans()),
+        tracks=tuple(draw(TRACKS)),
         path=PATH,
     )
 
