@@ -5,6 +5,7 @@ time of grace, what is not by then is answered 503. A second signal ends it at o
 """
 
 import asyncio
+import gc
 import logging
 import signal
 import socket
@@ -40,6 +41,8 @@ class Server(uvicorn.Server):
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
+        gc.collect()
+        gc.freeze()  # to look through all that stays takes so long that nobody is answered meanwhile
         self._when_started()
 
     async def on_tick(self, counter: int) -> bool:

@@ -15,6 +15,7 @@ import psutil
 
 from ...errors import ServiceError
 from ...settings import Settings
+from .families import family_of
 from .messages import (
     Answer,
     Content,
@@ -201,8 +202,7 @@ class Worker:
     def kill(self) -> None:
         """Ends it with all that it started; its socket ends too, which whoever waits for its answer notices."""
         with suppress(psutil.NoSuchProcess):
-            family = [self.process, *self.process.children(recursive=True)]
-            for each in family:
+            for each in family_of(self.process):
                 with suppress(psutil.NoSuchProcess):
                     each.kill()
 

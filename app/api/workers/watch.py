@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import psutil
 
+from .families import family_of
 from .processes import Worker
 
 
@@ -25,7 +26,7 @@ def look(workers: Sequence[Worker], limit_bytes: int) -> tuple[Seen, ...]:
 def _seen(worker: Worker, limit_bytes: int) -> Seen:
     pid = worker.process.pid
     try:
-        family = [worker.process, *worker.process.children(recursive=True)]
+        family = family_of(worker.process)
         stopped = [each.pid for each in family if each.status() == psutil.STATUS_STOPPED]
         grown_bytes = sum(each.memory_info().rss for each in family) - worker.shared_bytes
     except psutil.NoSuchProcess:

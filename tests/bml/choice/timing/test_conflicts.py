@@ -91,6 +91,14 @@ def test_the_lower_is_shortened_where_that_suffices() -> None:
     assert outcome["low"].reason == "shortened beside X"
 
 
+def test_the_reason_names_the_neighbour_and_nobody_far_away() -> None:
+    near, far = candidate("near", 3.5, 5), candidate("far", 30.0, 5)
+    near = replace(near, behavior=replace(near.behavior, lexeme="NEAR"))
+    for others in ((near, far), (far, near)):
+        assert resolved(*others, candidate("low", 2.5, 3))["low"].reason == "shortened beside NEAR"
+        assert resolved(*others, candidate("low", 3.4, 3))["low"].lost_to == "near"
+
+
 def test_a_retraction_gives_way_to_the_next_preparation() -> None:
     high, low = candidate("high", 2.0, 5), candidate("low", 2.7, 3)
     outcome = resolved(high, low)
