@@ -31,8 +31,8 @@ async def get_gesture_language(shared: Shared) -> Response:
 
 @router.post("/gestures/check")
 async def post_gestures_check(request: Request, shared: Shared) -> Response:
-    """Gestures as text or as values in; the text, every mistake with its line and column, and what was defined as
-    values out. What is written wrong is no error of the request.
+    """Gestures as text, as values or by name in; the text, every mistake with its line and column, and what was defined
+    as values out. What is written wrong is no error of the request.
     """
     return await worked(request, shared, Task.GESTURE_CHECK)
 

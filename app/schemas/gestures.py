@@ -33,6 +33,7 @@ from ..realizer.gestures.gesture import (
     TrackForm,
     Wrist,
 )
+from ..realizer.gestures.library import Library
 from ..realizer.gestures.writing import write_gesture
 from .requests import checked
 from .response_model import ResponseModel
@@ -217,15 +218,19 @@ class GestureValues(Values):
 
 
 class GestureCheckRequest(Values):
-    """Gestures as text, or as values; one of the two."""
+    """Gestures as text, as values, or by the name of one in the library; one of the three."""
 
     text: Annotated[str | None, Field(description="In the language of docs/gesture-language.md.")] = None
     gestures: Annotated[tuple[GestureValues, ...] | None, Field(max_length=MOST_GESTURES)] = None
 
-    def written(self) -> str:
-        """The text. Raises InputError `value_wrong` if there is not one of the two."""
-        if (self.text is None) == (self.gestures is None):
-            raise InputError("value_wrong", "text: send either text or gestures", field="text")
+    library: Annotated[str | None, Field(description="The name of a gesture of the library.")] = None
+
+    def written(self, library: Library) -> str:
+        """The text. Raises InputError `value_wrong` if there is not one of the three, `unknown_name`."""
+        if [self.text, self.gestures, self.library].count(None) != 2:
+            raise InputError("value_wrong", "text: send text, gestures or library, and one alone", field="text")
+        if self.library is not None:
+            return write_gesture(library.definition(self.library))
         return self.text if self.text is not None else "\n".join(one.to_text() for one in self.gestures or ())
 
 

@@ -24,13 +24,19 @@ def test_values_that_contradict_each_other_are_written_for_the_checker_to_tell()
     values = GestureValues.of(load_gestures().definitions[0]).model_dump(mode="json", by_alias=True)
     values["frames"][0]["leading"]["wrist"] = {"finger_base": ["Up"], "palm": ["Up", "Down"]}
     values["name"] = "two\nENDFRAME words"
-    text = read_gesture_check({"gestures": [values]}).written()
+    text = read_gesture_check({"gestures": [values]}).written(load_gestures())
     assert "  WRIST FBUp PalmUpDown\n" in text
     assert "GESTUREINSTANCE two ENDFRAME words\n" in text
+
+
+def test_a_gesture_of_the_library_is_asked_for_by_its_name() -> None:
+    library = load_gestures()
+    definition = library.definitions[3]
+    assert read_gesture_check({"library": definition.name}).written(library) == write_gesture(definition)
 
 
 @pytest.mark.parametrize("fields", [{}, {"text": "", "gestures": []}, {"text": 3}, {"gestures": [{}]}, {"txt": ""}])
 def test_a_request_has_a_text_or_gestures(fields: dict[str, object]) -> None:
     with pytest.raises(InputError) as caught:
-        read_gesture_check(fields).written()
+        read_gesture_check(fields).written(load_gestures())
     assert caught.value.code == "value_wrong"

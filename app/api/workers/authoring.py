@@ -33,7 +33,9 @@ from .messages import Answer, Job, Task
 def check_gesture(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
     """A gesture's text or values with every mistake; never an error for what its author wrote."""
     asked = read_gesture_check(_json(job, content))
-    return Answer(JSON), GestureCheckResponse.of(check_text(asked.written(), understudy.realizer.skeleton)).to_json()
+    realizer = understudy.realizer
+    found = check_text(asked.written(realizer.library), realizer.skeleton)
+    return Answer(JSON), GestureCheckResponse.of(found).to_json()
 
 
 def play_gesture(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:

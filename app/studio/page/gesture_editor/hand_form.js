@@ -1,0 +1,85 @@
+/** The hand: one of the twelve forms or the relaxed hand, the thumb that it leaves free, and single fingers' bends. */
+
+import { choice, el, labelled } from "../dom.js";
+import { possibleHand, withArm } from "./frames.js";
+import { ARM, changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
+import { thumbsOf } from "./possible.js";
+import { redraw } from "./redrawing.js";
+
+/** @import { GestureArm, GestureLanguage } from "understudy-client" */
+/** @import { Store } from "../state/store.js" */
+
+/** @typedef {NonNullable<GestureArm["hand"]>} Hand */
+
+const OPEN = "";
+/** @type {Readonly<Record<string, string>>} */
+const THUMBS = Object.freeze({ default: "as the form has it", open: "beside the index finger", out: "away from it", across: "across" });
+
+/** @param {Store} store */
+export function handForm(store) {
+  const element = el("fieldset", { id: "hand" });
+  const show = () => {
+    const language = store.get(LANGUAGE);
+    const arm = gestureOf(store.get(EDITED)).frames[store.get(FRAME)]?.[store.get(ARM)] ?? {};
+    redraw(element, language ? [el("legend", {}, ["Hand"]), shape(store, language, arm), fingers(store, language, arm)] : []);
+  };
+  for (const of of [EDITED, FRAME, ARM, LANGUAGE]) {
+    store.watch(/** @type {typeof FRAME} */ (of), show);
+  }
+  return element;
+}
+
+/**
+ * @param {Store} store
+ * @param {GestureLanguage} language
+ * @param {GestureArm} arm
+ */
+function shape(store, language, { hand }) {
+  const put = (/** @type {Hand | null | undefined} */ made) => change(store, "Form of the hand", { hand: made ? possibleHand(language, made) : undefined });
+  const forms = /** @type {[string, string][]} */ ([[OPEN, "open"], ...language.forms.map(({ name }) => [name, readable(name)])]);
+  const form = choice(forms, hand?.form ?? OPEN, (name) =>
+    put(name === OPEN ? undefined : /** @type {Hand} */ ({ thumb: "default", ...hand, form: name })),
+  );
+  form.id = "hand-form";
+  const free = hand ? thumbsOf(language, hand.form) : [];
+  const thumb = choice(free.map((name) => [name, THUMBS[name] ?? name]), hand?.thumb ?? "default", (name) =>
+    put(hand && /** @type {Hand} */ ({ ...hand, thumb: name })),
+  );
+  thumb.id = "hand-thumb";
+  thumb.disabled = free.length < 2;
+  return el("div", { class: "row" }, [labelled("Form", form), labelled("Thumb", thumb)]);
+}
+
+/**
+ * @param {Store} store
+ * @param {GestureLanguage} language
+ * @param {GestureArm} arm
+ */
+function fingers(store, language, arm) {
+  const bends = /** @type {[string, string][]} */ ([[OPEN, "as the form"], ...language.bends.map((name) => [name, readable(name)])]);
+  const selects = language.fingers.map((finger) => {
+    const bend = choice(bends, arm.fingers?.[finger] ?? OPEN, (name) => {
+      const kept = Object.entries(arm.fingers ?? {}).filter(([other]) => other !== finger);
+      const made = name === OPEN ? kept : [...kept, [finger, name]];
+      const sorted = language.fingers.flatMap((each) => made.filter(([other]) => other === each));
+      change(store, `Bend of the ${finger}`, { fingers: Object.fromEntries(sorted) });
+    });
+    bend.dataset["finger"] = finger;
+    return labelled(finger, bend);
+  });
+  return el("div", { class: "row" }, selects);
+}
+
+/**
+ * @param {Store} store
+ * @param {string} label
+ * @param {{ [Part in keyof GestureArm]: GestureArm[Part] | undefined }} parts
+ */
+function change(store, label, parts) {
+  changeGesture(store, label, (gesture) => withArm(gesture, store.get(FRAME), store.get(ARM), parts));
+}
+
+/** @param {string} name */
+function readable(name) {
+  return name.replace(/^(form|symbol|bend)_/, "").replaceAll("_", " ");
+}

@@ -1,0 +1,83 @@
+/** Takes a pose from a GLB or VRM file as angles of joints, and shows which joints a frame overrides so. */
+
+import { el, labelled } from "../dom.js";
+import { problemOf } from "../service/service.js";
+import { PROBLEM } from "../state/performed.js";
+import { withArm } from "./frames.js";
+import { ARM, changeGesture, EDITED, FRAME, gestureOf } from "./gestures.js";
+
+/** @import { AvatarPose, GestureArm, GestureValues } from "understudy-client" */
+/** @import { Service } from "../service/service.js" */
+/** @import { Store } from "../state/store.js" */
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+export function poseForm(store, service) {
+  const file = el("input", { type: "file", id: "pose-file", accept: ".glb,.vrm" });
+  const time = el("input", { type: "number", id: "pose-time", min: 0, step: 0.1, value: 0 });
+  const told = el("p", { id: "pose-told", role: "status" });
+  file.addEventListener("change", () => void take(store, service, { file, time_s: Number(time.value) }));
+  const clear = el("button", { type: "button", id: "pose-clear", click: () => put(store, {}) }, ["Without joints"]);
+  const show = () => {
+    const joints = gestureOf(store.get(EDITED)).frames[store.get(FRAME)]?.[store.get(ARM)]?.joints ?? {};
+    const names = Object.keys(joints);
+    told.replaceChildren(names.length > 0 ? `Set by angles: ${names.join(", ")}` : "No joint is set by angles.");
+    clear.disabled = names.length === 0;
+  };
+  for (const of of [EDITED, FRAME, ARM]) {
+    store.watch(/** @type {typeof FRAME} */ (of), show);
+  }
+  const row = el("div", { class: "row" }, [labelled("Pose from a body (.glb, .vrm)", file), labelled("at, s", time), clear]);
+  return el("fieldset", { id: "pose" }, [el("legend", {}, ["Joints by angles"]), row, told]);
+}
+
+/**
+ * The gesture with the pose in a frame: the leading arm's is the right's, unless the gesture is for the left hand or the
+ * right hangs as in the T-pose; the other arm's is the left's where it is another one.
+ *
+ * @param {GestureValues} gesture
+ * @param {number} index
+ * @param {AvatarPose["arms"]} arms
+ * @returns {GestureValues}
+ */
+export function withPose(gesture, index, arms) {
+  const right = /** @type {NonNullable<GestureArm["joints"]>} */ (arms["right"] ?? {});
+  const left = /** @type {NonNullable<GestureArm["joints"]>} */ (arms["left"] ?? {});
+  const isLeft = gesture.arms === "left" || Object.keys(right).length === 0;
+  const posed = withArm(gesture, index, "leading", { joints: isLeft ? left : right });
+  const differs = JSON.stringify(left) !== JSON.stringify(right);
+  return gesture.arms === "both" && differs ? withArm(posed, index, "other", { joints: left }) : posed;
+}
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ * @param {{ file: HTMLInputElement, time_s: number }} asked
+ */
+async function take(store, service, { file, time_s }) {
+  const [chosen] = file.files ?? [];
+  if (!chosen) {
+    return;
+  }
+  const form = new FormData();
+  form.append("avatar", chosen, chosen.name);
+  form.append("options", JSON.stringify({ time_s }));
+  try {
+    const answer = await service.fetch("gestures/pose", { method: "POST", body: form });
+    const { arms } = /** @type {AvatarPose} */ (await answer.json());
+    changeGesture(store, "Pose from a file", (gesture) => withPose(gesture, store.get(FRAME), arms));
+  } catch (error) {
+    store.set(PROBLEM, problemOf(error));
+  }
+  file.value = "";
+}
+
+/**
+ * @param {Store} store
+ * @param {NonNullable<GestureArm["joints"]>} joints
+ */
+function put(store, joints) {
+  changeGesture(store, "Joints by angles", (gesture) => withArm(gesture, store.get(FRAME), store.get(ARM), { joints }));
+}

@@ -1,0 +1,188 @@
+"""The gesture editor by mouse and keyboard: what is composed is the text that it would be written as, nonsense cannot
+be chosen, and a text that is wrong says where."""
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page
+
+from tests.studio.waiting import wait_until
+from understudy.authoring.gesture_texts import one_gesture
+from understudy.realizer.gestures.gesture import Definition
+from understudy.realizer.gestures.writing import write_gesture
+
+STOP = """\
+GESTURECLASS emblem
+GESTUREINSTANCE stop_there
+DURATION 1.5
+STARTFRAME 0.25
+  FRAMETYPE stroke_start
+  ARM XC YCC ZMiddle
+ENDFRAME
+STARTFRAME 0.425
+  FRAMETYPE stroke
+  ARM XC YUpperC ZFar
+  HAND form_flat_out
+  FINGER little bend_hooked
+  WRIST FBUp PalmAway
+  TENSION 0.5
+  ADDNOISE
+ENDFRAME
+STARTFRAME 0.6
+  FRAMETYPE stroke_end
+  ARM XC YUpperC ZMiddle
+ENDFRAME
+"""
+
+
+@pytest.fixture
+def editor(page: Page) -> Page:
+    page.goto("/")
+    page.click("#views >> text=Gesture editor")
+    page.wait_for_selector("#gesture-canvas[data-pose*='.']")
+    return page
+
+
+def _text(page: Page) -> str:
+    return page.input_value("#gesture-text")
+
+
+def _direction(half: str, name: str) -> str:
+    return f"#wrist [aria-label='{half}'] [data-direction='{name}']"
+
+
+def _right_wrist(page: Page) -> list[float]:
+    return [float(metres) for metres in (page.get_attribute("#gesture-canvas", "data-pose") or "").split()[3:]]
+
+
+def test_a_gesture_that_is_composed_by_clicks_is_its_text(editor: Page) -> None:
+    for field, value in (("name", "stop_there"), ("class", "emblem"), ("categories", "stop_there")):
+        editor.fill(f"#gesture-{field}", value)
+        editor.press(f"#gesture-{field}", "Tab")
+    editor.focus(".key-time >> nth=0")
+    editor.click("#frame-add")
+    editor.click("[data-sector='XC YUpperC']")
+    editor.click("[data-distance='ZFar']")
+    editor.select_option("#hand-form", "form_flat")
+    editor.select_option("#hand-thumb", "out")
+    editor.select_option("[data-finger='little']", "bend_hooked")
+    editor.click(_direction("Fingers point", "Up"))
+    editor.click(_direction("Palm faces", "Away"))
+    editor.fill("#curve-tension", "0.5")
+    editor.check("#noise")
+    expected = one_gesture(STOP, None)
+    wait_until(editor, "document.querySelector('#gesture-text').value.includes('ADDNOISE')")
+    assert one_gesture(_text(editor), None) == expected
+    assert _text(editor) == write_gesture(expected)
+
+
+def test_it_is_saved_and_opened_as_the_same_file(editor: Page, tmp_path: Path) -> None:
+    file = tmp_path / "stop.gesture"
+    file.write_text(STOP, encoding="utf-8")
+    editor.set_input_files("#gesture-file", file)
+    wait_until(editor, "document.querySelector('#gesture-name').value === 'stop_there'")
+    with editor.expect_download() as download:
+        editor.click("#gesture-save")
+    assert download.value.suggested_filename == "stop_there.gesture"
+    assert Path(download.value.path()).read_text(encoding="utf-8") == STOP
+
+
+def test_what_makes_no_sense_cannot_be_chosen(editor: Page) -> None:
+    """Palm up leaves the fingers away, inwards, outwards, towards and their sums (Gesture Engine §4.3)."""
+    editor.click(_direction("Palm faces", "Up"))
+    editor.wait_for_selector(_direction("Fingers point", "Down") + ":disabled")
+    fingers = editor.locator("#wrist [aria-label='Fingers point'] .direction:not(:disabled)")
+    possible = {fingers.nth(k).get_attribute("data-direction") or "" for k in range(fingers.count())}
+    assert {"Away", "Inwards", "Outwards", "Towards"} <= possible
+    assert not any("Up" in name or "Down" in name for name in possible)
+    editor.select_option("#hand-form", "symbol_pinch")
+    editor.wait_for_selector("#hand-thumb:disabled")
+    editor.focus(".key-time >> nth=0")
+    assert "hold" not in editor.inner_text("#frame-type")
+    assert editor.is_disabled("#frame-remove")
+    assert editor.is_disabled("#place-open")
+
+
+def test_the_body_takes_the_pose_of_the_frame_at_once(editor: Page) -> None:
+    editor.focus(".key-time >> nth=0")
+    before = _right_wrist(editor)
+    pose = editor.get_attribute("#gesture-canvas", "data-pose")
+    editor.click("[data-sector='XC YUpperP']")
+    wait_until(editor, f"document.querySelector('#gesture-canvas').dataset.pose !== '{pose}'")
+    editor.wait_for_timeout(300)
+    assert _right_wrist(editor)[1] > before[1] + 0.15
+
+
+def test_times_are_moved_by_the_keyboard_and_stay_between_their_neighbours(editor: Page) -> None:
+    handle = editor.locator(".key-time >> nth=1")
+    handle.focus()
+    for _ in range(3):
+        editor.keyboard.press("ArrowRight")
+    assert editor.locator(".key-time >> nth=1").get_attribute("aria-valuenow") == "0.63"
+    wait_until(editor, "document.querySelector('#gesture-text').value.includes('STARTFRAME 0.63')")
+    editor.locator(".key-time >> nth=0").focus()
+    for _ in range(40):
+        editor.keyboard.press("ArrowRight")
+    assert editor.locator(".key-time >> nth=0").get_attribute("aria-valuenow") == "0.62"
+    editor.click("#undo")
+    assert editor.locator(".key-time >> nth=0").get_attribute("aria-valuenow") == "0.25"
+
+
+def test_a_mistake_in_the_text_is_told_with_its_place_and_what_was_stays(editor: Page) -> None:
+    editor.fill("#gesture-text", _text(editor).replace("ZMiddle", "ZMidle", 1))
+    editor.wait_for_selector("#gesture-mistakes .wrong")
+    lines = _text(editor).splitlines()
+    line = next(number for number, text in enumerate(lines, start=1) if "ZMidle" in text)
+    told = editor.inner_text("#gesture-mistakes .wrong >> nth=0")
+    assert told.startswith(f"{line}:{lines[line - 1].index('ZMidle') + 1} ")
+    assert "did you mean ZMiddle?" in told
+    editor.click("#gesture-mistakes button >> nth=0")
+    start = sum(len(text) + 1 for text in lines[: line - 1]) + lines[line - 1].index("ZMidle")
+    assert editor.evaluate("document.querySelector('#gesture-text').selectionStart") == start
+    assert editor.locator("[data-distance='ZMiddle']").get_attribute("aria-pressed") == "true"
+
+
+def test_it_is_played_at_three_agitations(editor: Page) -> None:
+    """The more agitated, the larger: the wrist gets further from where it was."""
+    editor.click("[data-sector='XC YUpperP']")
+    highest = {}
+    for level in ("low", "high"):
+        with editor.expect_response("**/gestures/motion") as answer:
+            editor.select_option("#gesture-level", level)
+        assert answer.value.status == 200
+        pose = editor.get_attribute("#gesture-canvas", "data-pose")
+        wait_until(editor, f"document.querySelector('#gesture-canvas').dataset.pose !== '{pose}'")
+        highest[level] = _right_wrist(editor)
+    assert highest["low"] != highest["high"]
+    editor.click("#gesture-play")
+    pose = editor.get_attribute("#gesture-canvas", "data-pose")
+    wait_until(editor, f"document.querySelector('#gesture-canvas').dataset.pose !== '{pose}'")
+
+
+def test_a_pose_of_a_body_is_set_by_angles(editor: Page, tmp_path: Path) -> None:
+    with editor.expect_response("**/gestures/motion"):
+        editor.click("[data-sector='XP YUpperP']")
+    body = editor.evaluate_handle(
+        """async () => {
+            const text = document.querySelector("#gesture-text").value;
+            const headers = { "content-type": "application/json", accept: "model/gltf-binary" };
+            const body = JSON.stringify({ text, fps: 30 });
+            const answer = await fetch("gestures/motion", { method: "POST", headers, body });
+            return Array.from(new Uint8Array(await answer.arrayBuffer()));
+        }"""
+    ).json_value()
+    file = tmp_path / "posed.glb"
+    file.write_bytes(bytes(body))
+    editor.fill("#pose-time", "1.2")
+    editor.set_input_files("#pose-file", file)
+    wait_until(editor, "document.querySelector('#pose-told').textContent.includes('UpperArm')")
+    wait_until(editor, "document.querySelector('#gesture-text').value.includes('JOINT UpperArm')")
+    definition: Definition = one_gesture(_text(editor), None)
+    assert "LowerArm" in dict(definition.frames[0].leading.joints)
+
+
+def test_a_gesture_of_the_library_is_opened(editor: Page) -> None:
+    editor.fill("#gesture-library", "greeting_raised_hand")
+    editor.press("#gesture-library", "Tab")
+    wait_until(editor, "document.querySelector('#gesture-name').value === 'greeting_raised_hand'")
+    assert "GESTUREINSTANCE greeting_raised_hand" in _text(editor)
