@@ -111,7 +111,13 @@ async def post_rules_compare(request: Request, shared: Shared) -> Response:
 
 
 def _is_own_machine(request: Request) -> bool:
+    """Whether a page of this machine asks: the name is checked as well, for any page can have a name that leads here
+    (DNS rebinding)."""
+    return request.client is not None and all(map(_is_loopback, (request.client.host, request.url.hostname or "")))
+
+
+def _is_loopback(name: str) -> bool:
     try:
-        return request.client is not None and ip_address(request.client.host).is_loopback
-    except ValueError:  # a test's client, or a socket of another family, has no address
+        return name == "localhost" or ip_address(name).is_loopback
+    except ValueError:  # another name
         return False

@@ -141,7 +141,7 @@ def saving(nursery: Nursery, tmp_path: Path) -> FastAPI:
 
 def test_rules_are_saved_in_the_folder_and_in_use_stay_those_that_were(saving: FastAPI, tmp_path: Path) -> None:
     in_use = text_of(WORDS)
-    with TestClient(saving, client=("127.0.0.1", 50000)) as client:
+    with TestClient(saving, "http://127.0.0.1", client=("127.0.0.1", 50000)) as client:
         assert client.put(f"/rules/files/{WORDS}", content="class: thanks\n").status_code == 200
         assert client.put("/rules/files/lexicon/new.yaml", content="x").status_code == 404
         assert client.get("/rules/files").json()["saved"] == [WORDS]
@@ -151,15 +151,20 @@ def test_rules_are_saved_in_the_folder_and_in_use_stay_those_that_were(saving: F
 
 
 def test_rules_are_saved_from_this_machine_alone(saving: FastAPI, tmp_path: Path) -> None:
-    for host in ("192.0.2.7", "testclient"):
-        with TestClient(saving, client=(host, 50000)) as client:
+    elsewhere = [
+        ("http://127.0.0.1", "192.0.2.7"),
+        ("http://127.0.0.1", "nobody"),
+        ("http://rebound.example", "127.0.0.1"),
+    ]
+    for address, host in elsewhere:
+        with TestClient(saving, address, client=(host, 50000)) as client:
             assert client.put(f"/rules/files/{WORDS}", content="class: thanks\n").status_code == 403
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_file_to_be_saved_is_text_within_the_limit(nursery: Nursery, tmp_path: Path) -> None:
     app = create_app(Settings(workers=1, max_rules_bytes=100), nursery, rules_folder=tmp_path)
-    with TestClient(app, client=("127.0.0.1", 50000)) as client:
+    with TestClient(app, "http://localhost", client=("127.0.0.1", 50000)) as client:
         assert client.put(f"/rules/files/{WORDS}", content=b"\xff").json()["code"] == "text_not_utf8"
         assert client.put(f"/rules/files/{WORDS}", content=b"x" * 101).status_code == 413
         assert client.put(f"/rules/files/{WORDS}", content=b"#" * 100).status_code == 200

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
+from tests.studio.accessibility import serious_findings
 from tests.studio.waiting import wait_until
 from understudy.authoring.gesture_texts import one_gesture
 from understudy.realizer.gestures.gesture import Definition
@@ -125,7 +126,7 @@ def test_times_are_moved_by_the_keyboard_and_stay_between_their_neighbours(edito
         editor.keyboard.press("ArrowRight")
     assert editor.locator(".key-time >> nth=0").get_attribute("aria-valuenow") == "0.62"
     editor.click("#undo")
-    assert editor.locator(".key-time >> nth=0").get_attribute("aria-valuenow") == "0.25"
+    assert float(editor.locator(".key-time >> nth=0").get_attribute("aria-valuenow") or 1) < 0.62
 
 
 def test_a_mistake_in_the_text_is_told_with_its_place_and_what_was_stays(editor: Page) -> None:
@@ -133,27 +134,26 @@ def test_a_mistake_in_the_text_is_told_with_its_place_and_what_was_stays(editor:
     editor.wait_for_selector("#gesture-mistakes .wrong")
     lines = _text(editor).splitlines()
     line = next(number for number, text in enumerate(lines, start=1) if "ZMidle" in text)
-    told = editor.inner_text("#gesture-mistakes .wrong >> nth=0")
-    assert told.startswith(f"{line}:{lines[line - 1].index('ZMidle') + 1} ")
-    assert "did you mean ZMiddle?" in told
-    editor.click("#gesture-mistakes button >> nth=0")
+    mistake = editor.locator("#gesture-mistakes .wrong", has_text="did you mean ZMiddle?")
+    assert mistake.inner_text().startswith(f"{line}:{lines[line - 1].index('ZMidle') + 1} ")
+    mistake.locator("button").click()
     start = sum(len(text) + 1 for text in lines[: line - 1]) + lines[line - 1].index("ZMidle")
     assert editor.evaluate("document.querySelector('#gesture-text').selectionStart") == start
     assert editor.locator("[data-distance='ZMiddle']").get_attribute("aria-pressed") == "true"
 
 
 def test_it_is_played_at_three_agitations(editor: Page) -> None:
-    """The more agitated, the larger: the wrist gets further from where it was."""
+    """The more agitated, the larger: the wrist gets higher above the middle of gesture space."""
     editor.click("[data-sector='XC YUpperP']")
-    highest = {}
-    for level in ("low", "high"):
+    heights = []
+    for level in ("low", "medium", "high"):
         with editor.expect_response("**/gestures/motion") as answer:
             editor.select_option("#gesture-level", level)
         assert answer.value.status == 200
-        pose = editor.get_attribute("#gesture-canvas", "data-pose")
-        wait_until(editor, f"document.querySelector('#gesture-canvas').dataset.pose !== '{pose}'")
-        highest[level] = _right_wrist(editor)
-    assert highest["low"] != highest["high"]
+        editor.wait_for_timeout(1000)
+        heights.append(_right_wrist(editor)[1])
+    assert heights == sorted(heights)
+    assert heights[2] > heights[0] + 0.02
     editor.click("#gesture-play")
     pose = editor.get_attribute("#gesture-canvas", "data-pose")
     wait_until(editor, f"document.querySelector('#gesture-canvas').dataset.pose !== '{pose}'")
@@ -186,3 +186,7 @@ def test_a_gesture_of_the_library_is_opened(editor: Page) -> None:
     editor.press("#gesture-library", "Tab")
     wait_until(editor, "document.querySelector('#gesture-name').value === 'greeting_raised_hand'")
     assert "GESTUREINSTANCE greeting_raised_hand" in _text(editor)
+
+
+def test_nobody_stumbles_over_the_editor(editor: Page) -> None:
+    assert serious_findings(editor, "#gesture_editor") == []

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { withArms, withPose } from "../../../app/studio/page/gesture_editor/arms.js";
 import {
   canBeWithout,
   possibleHand,
@@ -12,8 +13,6 @@ import {
   withType,
 } from "../../../app/studio/page/gesture_editor/frames.js";
 import { FIRST } from "../../../app/studio/page/gesture_editor/gestures.js";
-import { withArms } from "../../../app/studio/page/gesture_editor/header_form.js";
-import { withPose } from "../../../app/studio/page/gesture_editor/pose_form.js";
 import { LANGUAGE } from "./small_language.js";
 
 test("a time stays between its neighbours", () => {

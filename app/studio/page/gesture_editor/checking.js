@@ -5,6 +5,7 @@
 
 import { clipFromJson } from "understudy-client";
 
+import { latest } from "../service/latest.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
 import { slice } from "../state/slice.js";
@@ -29,27 +30,11 @@ const SOURCE = slice(/** @type {Readonly<{ gestures: readonly GestureValues[], c
 const JSON_TYPE = "application/json";
 
 /**
- * One request at a time, and always for the latest: the service gives up work whose client goes away, with the process
- * that did it.
- *
  * @param {Store} store
  * @param {Service} service
  */
 export function keepChecked(store, service) {
-  let isAsked = false;
-  let isRunning = false;
-  const refresh = async () => {
-    isAsked = true;
-    if (isRunning) {
-      return;
-    }
-    isRunning = true;
-    while (isAsked) {
-      isAsked = false;
-      await updated(store, service, () => !isAsked);
-    }
-    isRunning = false;
-  };
+  const refresh = latest((isLatest) => updated(store, service, isLatest));
   for (const of of [EDITED, PREVIEW]) {
     store.watch(/** @type {typeof PREVIEW} */ (of), () => void refresh());
   }

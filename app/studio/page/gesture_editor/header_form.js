@@ -1,6 +1,7 @@
 /** What holds for the whole gesture: its name, what it shows, how long it takes, whose arms, at which agitation. */
 
 import { choice, el, labelled } from "../dom.js";
+import { EITHER, withArms } from "./arms.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
 import { redraw } from "./redrawing.js";
 
@@ -8,7 +9,6 @@ import { redraw } from "./redrawing.js";
 /** @import { Store } from "../state/store.js" */
 /** @import { Edited } from "./gestures.js" */
 
-const EITHER = "";
 const LEVELS = /** @type {const} */ (["low", "medium", "high"]);
 const FACTORS = /** @type {const} */ (["amplitude", "tempo", "fluidity", "power", "repetition"]);
 
@@ -82,19 +82,6 @@ function arms(store, gesture) {
   shown.id = "gesture-arm";
   shown.disabled = gesture.arms !== "both";
   return el("div", { class: "row" }, [labelled("Arms", made), labelled("Compose", shown), labelled("aimed at a target", aimed)]);
-}
-
-/**
- * The gesture for other arms; what it says of the other arm goes where there is none.
- *
- * @param {GestureValues} gesture
- * @param {string} arms
- * @returns {GestureValues}
- */
-export function withArms(gesture, arms) {
-  const chosen = arms === EITHER ? null : /** @type {"left" | "right" | "both"} */ (arms);
-  const frames = chosen === "both" ? gesture.frames : gesture.frames.map((frame) => ({ ...frame, other: null }));
-  return { ...gesture, arms: chosen, frames };
 }
 
 /**

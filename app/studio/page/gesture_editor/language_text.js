@@ -3,10 +3,11 @@
 import { el, labelled } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
+import { goTo } from "../text_place.js";
 import { takeText } from "./checking.js";
 import { ChangeGestures, CHECKED, EDITED, FIRST, FRAME, gestureOf } from "./gestures.js";
 
-/** @import { CheckedGestures, Gestures, PlacedMistake } from "understudy-client" */
+/** @import { CheckedGestures, Gestures } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
@@ -44,19 +45,6 @@ function told({ mistakes, doubts }, typed) {
     return el("li", { class: "wrong" }, [go, ` ${mistake.message}`]);
   });
   return [...wrong, ...doubts.map(({ gesture, time, level, message }) => el("li", {}, [`${gesture} at ${String(time)}, ${level} agitation: ${message}`]))];
-}
-
-/**
- * Puts the cursor where a mistake is.
- *
- * @param {HTMLTextAreaElement} typed
- * @param {PlacedMistake} mistake
- */
-export function goTo(typed, { line, column }) {
-  const before = typed.value.split("\n").slice(0, line - 1);
-  const start = before.reduce((sum, each) => sum + each.length + 1, 0) + column - 1;
-  typed.focus();
-  typed.setSelectionRange(start, start + 1);
 }
 
 /**

@@ -3,10 +3,11 @@
 import { el, labelled } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
+import { withPose } from "./arms.js";
 import { withArm } from "./frames.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf } from "./gestures.js";
 
-/** @import { AvatarPose, GestureArm, GestureValues } from "understudy-client" */
+/** @import { AvatarPose, GestureArm } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
@@ -31,24 +32,6 @@ export function poseForm(store, service) {
   }
   const row = el("div", { class: "row" }, [labelled("Pose from a body (.glb, .vrm)", file), labelled("at, s", time), clear]);
   return el("fieldset", { id: "pose" }, [el("legend", {}, ["Joints by angles"]), row, told]);
-}
-
-/**
- * The gesture with the pose in a frame: the leading arm's is the right's, unless the gesture is for the left hand or the
- * right hangs as in the T-pose; the other arm's is the left's where it is another one.
- *
- * @param {GestureValues} gesture
- * @param {number} index
- * @param {AvatarPose["arms"]} arms
- * @returns {GestureValues}
- */
-export function withPose(gesture, index, arms) {
-  const right = /** @type {NonNullable<GestureArm["joints"]>} */ (arms["right"] ?? {});
-  const left = /** @type {NonNullable<GestureArm["joints"]>} */ (arms["left"] ?? {});
-  const isLeft = gesture.arms === "left" || Object.keys(right).length === 0;
-  const posed = withArm(gesture, index, "leading", { joints: isLeft ? left : right });
-  const differs = JSON.stringify(left) !== JSON.stringify(right);
-  return gesture.arms === "both" && differs ? withArm(posed, index, "other", { joints: left }) : posed;
 }
 
 /**

@@ -7,9 +7,12 @@
 const waiting = new Map();
 let isPressed = false;
 
-document.addEventListener("pointerdown", () => (isPressed = true), { capture: true });
-for (const end of ["pointerup", "pointercancel"]) {
-  document.addEventListener(end, () => setTimeout(release), { capture: true });
+/** Begins to know when the pointer is pressed. */
+export function watchPointer() {
+  document.addEventListener("pointerdown", () => (isPressed = true), { capture: true });
+  for (const end of ["pointerup", "pointercancel"]) {
+    document.addEventListener(end, () => setTimeout(release), { capture: true });
+  }
 }
 
 /**

@@ -23,6 +23,7 @@ export function performForm(project, heard) {
   appendFile(form, "words", words && { words });
   appendFile(form, "direction", project.direction);
   appendFile(form, "edits", project.edits);
+  appendFile(form, "rules", project.rules && { files: project.rules });
   return form;
 }
 

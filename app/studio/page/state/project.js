@@ -10,7 +10,8 @@ import { slice } from "./slice.js";
 
 /**
  * `options` are those of `POST /perform`, `words` the times of words that the author corrected (as `understudy align`
- * writes them), `edits` what was changed by hand (as `perform --edits` reads it); null where there are none.
+ * writes them), `edits` what was changed by hand (as `perform --edits` reads it), `rules` the texts of edited files of
+ * rules and words by their names; null where there are none.
  *
  * @typedef {object} Project
  * @property {File | null} audio
@@ -19,6 +20,7 @@ import { slice } from "./slice.js";
  * @property {Direction | null} direction
  * @property {object | null} words
  * @property {object | null} edits
+ * @property {Readonly<Record<string, string>> | null} rules
  */
 
 /** A line that nothing is known of. @type {Readonly<Project>} */
@@ -29,6 +31,7 @@ export const EMPTY = Object.freeze({
   direction: null,
   words: null,
   edits: null,
+  rules: null,
 });
 
 export const PROJECT = slice(EMPTY);

@@ -1,0 +1,26 @@
+/** Which rules and words a filter finds. */
+
+/** @import { Item } from "./rule_book.js" */
+
+export const MOST_SHOWN = 200;
+
+/**
+ * The items of a kind (any, if it is empty) in which every word of the filter occurs: in the name, the class, the
+ * subtype or the file. Those whose name begins with the filter come first.
+ *
+ * @param {readonly Item[]} items
+ * @param {string} filter
+ * @param {string} kind
+ * @returns {Item[]}
+ */
+export function matching(items, filter, kind) {
+  const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
+  const found = items.filter((item) => (!kind || item.kind === kind) && words.every((word) => textOf(item).includes(word)));
+  const begins = (/** @type {Item} */ { name }) => Number(!name.toLowerCase().startsWith(filter.trim().toLowerCase()));
+  return words.length > 0 ? found.sort((one, other) => begins(one) - begins(other)) : found;
+}
+
+/** @param {Item} item */
+function textOf(item) {
+  return [item.name, item.class, item.subtype, item.file].join(" ").toLowerCase();
+}

@@ -1,0 +1,63 @@
+/** What a rule is, rests on and leads to; and what edited rules change in the example lines. */
+
+import { el } from "../dom.js";
+import { CHOSEN, COMPARED, EXPLAINED } from "./rule_book.js";
+import { toldChanges } from "./telling_changes.js";
+
+/** @import { RuleComparison, RuleExplanations } from "understudy-client" */
+/** @import { Store } from "../state/store.js" */
+/** @import { Item } from "./rule_book.js" */
+
+const MOST_NAMED = 30;
+
+/** @param {Store} store */
+export function ruleDetails(store) {
+  const explained = el("div", { id: "rule-explained" });
+  const compared = el("div", { id: "rules-compared", role: "status" });
+  store.watch(EXPLAINED, (found) => explained.replaceChildren(...(found ? explanations(store, found) : [])));
+  store.watch(COMPARED, (found) => compared.replaceChildren(...(found ? comparison(found) : [])));
+  return el("section", { class: "rule-details", "aria-label": "About the rule" }, [compared, explained]);
+}
+
+/**
+ * @param {Store} store
+ * @param {RuleExplanations} found
+ */
+function explanations(store, { items }) {
+  return items.map((item) =>
+    el("article", {}, [
+      el("h2", {}, [item.name]),
+      el("p", {}, [item.comment]),
+      el("p", { class: "quiet" }, [`${item.file}:${String(item.line)}`]),
+      el("pre", {}, [item.source]),
+      ...related(store, "Comes from", item.comes_from),
+      ...related(store, "Leads to", item.leads_to),
+    ]),
+  );
+}
+
+/**
+ * @param {Store} store
+ * @param {string} title
+ * @param {readonly Item[]} items
+ */
+function related(store, title, items) {
+  const links = items.slice(0, MOST_NAMED).flatMap((item) => [
+    el("button", { type: "button", class: "link", click: () => store.set(CHOSEN, item) }, [item.name]),
+    " ",
+  ]);
+  const more = items.length > MOST_NAMED ? [`and ${String(items.length - MOST_NAMED)} more`] : [];
+  return items.length > 0 ? [el("h3", {}, [title]), el("p", {}, [...links, ...more])] : [];
+}
+
+/** @param {RuleComparison} compared */
+function comparison({ lines, changes }) {
+  const title = `${String(changes.length)} of ${String(lines)} lines change`;
+  return [
+    el("h2", {}, [title]),
+    ...changes.map((change) => {
+      const told = toldChanges(change).map(({ sign, text }) => el("li", { class: sign === "+" ? "new" : "gone" }, [`${sign} ${text}`]));
+      return el("article", { class: "changed-line" }, [el("h3", {}, [change.text]), el("ul", {}, told)]);
+    }),
+  ];
+}

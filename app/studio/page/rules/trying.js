@@ -1,0 +1,90 @@
+/** What is done with edited rules: the line performed by them, all example lines compared, taken back, saved. */
+
+import { el } from "../dom.js";
+import { VIEW } from "../frame/views.js";
+import { ChangeProject } from "../state/change_project.js";
+import { PROJECT } from "../state/project.js";
+import { CHOSEN, COMPARED, DRAFTS, FILES, MISTAKES, posted, told } from "./rule_book.js";
+
+/** @import { RuleComparison } from "understudy-client" */
+/** @import { Service } from "../service/service.js" */
+/** @import { Store } from "../state/store.js" */
+
+/** The line that is open, among the lines that are compared. */
+export const THIS_LINE = "this line";
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+export function actions(store, service) {
+  const button = (/** @type {string} */ id, /** @type {string} */ text, /** @type {() => void} */ click) =>
+    el("button", { type: "button", id, click }, [text]);
+  const run = button("rules-run", "Run the line by these rules", () => perform(store));
+  const compare = button("rules-compare", "What else changes?", () => void compareAll(store, service));
+  const back = button("rules-back", "As it was", () => takeBack(store));
+  const save = button("rules-save", "Save", () => void saveFile(store, service));
+  const show = () => {
+    const drafts = store.get(DRAFTS);
+    const isWrong = store.get(MISTAKES).length > 0;
+    const file = store.get(CHOSEN)?.file ?? "";
+    run.disabled = isWrong;
+    compare.disabled = isWrong || Object.keys(drafts).length === 0;
+    back.disabled = !(file in drafts);
+    save.hidden = !store.get(FILES).writable;
+    save.disabled = isWrong || !(file in drafts);
+  };
+  for (const of of [DRAFTS, MISTAKES, CHOSEN, FILES]) {
+    store.watch(/** @type {typeof FILES} */ (of), show);
+  }
+  return el("div", { class: "row", role: "toolbar", "aria-label": "Try the rules" }, [run, compare, back, save]);
+}
+
+/**
+ * Performs the line by the drafts: they are part of the project, so that it can be undone.
+ *
+ * @param {Store} store
+ */
+function perform(store) {
+  const drafts = store.get(DRAFTS);
+  const rules = Object.keys(drafts).length > 0 ? drafts : null;
+  store.history.execute(new ChangeProject(store, "Rules", { rules }));
+  store.set(VIEW, "line");
+}
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+async function compareAll(store, service) {
+  const { text } = store.get(PROJECT);
+  const lines = text.trim() ? { [THIS_LINE]: text } : {};
+  await told(store, async () => {
+    const found = await posted(service, "rules/compare", { files: store.get(DRAFTS), lines });
+    store.set(COMPARED, /** @type {RuleComparison} */ (found));
+  });
+}
+
+/** @param {Store} store */
+function takeBack(store) {
+  const file = store.get(CHOSEN)?.file;
+  const others = Object.entries(store.get(DRAFTS)).filter(([name]) => name !== file);
+  store.set(DRAFTS, Object.fromEntries(others));
+  store.set(MISTAKES, store.get(MISTAKES).filter((mistake) => mistake.file !== file));
+  store.set(COMPARED, null);
+}
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+async function saveFile(store, service) {
+  const name = store.get(CHOSEN)?.file ?? "";
+  const text = store.get(DRAFTS)[name];
+  if (text !== undefined) {
+    await told(store, async () => {
+      await service.fetch(`rules/files/${name}`, { method: "PUT", headers: { "content-type": "text/plain" }, body: text });
+      store.patch(FILES, { saved: [...new Set([...store.get(FILES).saved, name])] });
+    });
+  }
+}

@@ -1,0 +1,46 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { matching } from "../../../app/studio/page/rules/choosing_rules.js";
+import { toldChanges } from "../../../app/studio/page/rules/telling_changes.js";
+
+/** @import { Item } from "../../../app/studio/page/rules/rule_book.js" */
+/** @import { LineChange } from "../../../app/studio/page/rules/telling_changes.js" */
+
+/** @type {Item[]} */
+const ITEMS = [
+  { kind: "function", name: "big_yes", class: "affirmation", file: "a.rules", line: 1 },
+  { kind: "word", name: "yes", class: "affirmation", subtype: "plain", file: "b.yaml", line: 2 },
+  { kind: "bml", name: "big_nod", file: "c.yaml", line: 3 },
+];
+
+/** @param {readonly Item[]} items */
+function names(items) {
+  return items.map(({ name }) => name);
+}
+
+test("every word of the filter is in the name, the class, the subtype or the file", () => {
+  assert.deepEqual(names(matching(ITEMS, "AFFIRM plain", "")), ["yes"]);
+  assert.deepEqual(names(matching(ITEMS, "yaml", "")), ["yes", "big_nod"]);
+  assert.deepEqual(names(matching(ITEMS, "", "")), names(ITEMS));
+});
+
+test("names that begin with the filter come first", () => {
+  assert.deepEqual(names(matching(ITEMS, "yes", "")), ["yes", "big_yes"]);
+});
+
+test("a kind leaves out the others", () => {
+  assert.deepEqual(names(matching(ITEMS, "big", "bml")), ["big_nod"]);
+});
+
+test("what is there no more is told before what is new", () => {
+  const said = { id: "", class: "affirmation", subtype: "", text: "Yes,", first: 0, last: 0, priority: 5, rule: "big_yes", because: [], kept: true };
+  const offered = { name: "big_nod", rule: "show", class: "affirmation", first: 0, last: 0, weight: 4 };
+  /** @type {LineChange} */
+  const change = { id: "", text: "", functions_before: [said], functions_after: [], offers_before: [offered], offers_after: [{ ...offered, weight: 9 }] };
+  assert.deepEqual(toldChanges(change), [
+    { sign: "-", text: "affirmation “Yes,”, priority 5 (big_yes)" },
+    { sign: "-", text: "big_nod for affirmation, weight 4 (show)" },
+    { sign: "+", text: "big_nod for affirmation, weight 9 (show)" },
+  ]);
+});
