@@ -15,7 +15,7 @@ import numpy as np
 from ..figures import PLAIN, Figure, Looks
 from ..model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
 from .arms.collisions import resolve_collisions
-from .body.motion import Decision, Motion, check_tail
+from .body.motion import BodyMotion, Decision, Motion, check_tail
 from .body.movement_style import MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
@@ -128,38 +128,57 @@ def realize(
     check_tail(tail_s)
     seed &= _LARGEST_SEED
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
-    performer, style, lively = realizer.performer(schedule.character), realizer.style, 1 - schedule.stillness
-    skeleton, leading = performer.skeleton, performer.leading
-    targets_m = _targets_m(schedule, skeleton)
-    plan = plan_gestures(performer.library, schedule, seed=seed, targets_m=targets_m, leading=leading, style=style)
+    performer, style = realizer.performer(schedule.character), realizer.style
+    aims_m, leading = _targets_m(schedule, performer.skeleton), performer.leading
+    plan = plan_gestures(performer.library, schedule, seed=seed, targets_m=aims_m, leading=leading, style=style)
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
-    accents = accents_of(plan, times_s, style.stroke, scale=lively)
-    body = idle_motion(skeleton, times_s, schedule, seed=seed, life=style.idle, with_legs=False)
-    body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
-    body, seen_m = apply_gaze(skeleton, body, schedule, targets_m=targets_m, seed=seed)
-    body = apply_head_movements(skeleton, body, schedule, seed=seed, seen_m=seen_m)
-    body = with_neck_reaching(skeleton, body, schedule, accents.neck, seed=seed, life=style.idle)
-    body, moved = resolve_collisions(skeleton, body)
-    if physics:
-        body, swung = with_physics(skeleton, body)
-        body, cleared = resolve_collisions(skeleton, body)
-        moved = (*moved, *swung, *cleared)
-    shapes = face_weights(realizer.face, schedule, body, skeleton, seed=seed)
+    body = _moving_body(performer.skeleton, schedule, plan, times_s, style=style, targets_m=aims_m, seed=seed)
+    body, moved = _apart(performer.skeleton, body, physics=physics)
     return Motion(
         frame_rate_hz=frame_rate_hz,
         body=body,
-        shapes=shapes,
+        shapes=face_weights(realizer.face, schedule, body, performer.skeleton, seed=seed),
         realized=_realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz, end_s=float(times_s[-1])),
         decisions=(
             *plan.decisions,
             *_cut(plan, schedule.duration_s),
-            *unplayable_behaviors(schedule, targets_m=targets_m),
+            *unplayable_behaviors(schedule, targets_m=aims_m),
             *unknown_faces(realizer.face.lexemes, schedule.behaviors),
             *moved,
             *_unknown_body(realizer, schedule.character),
         ),
         lead_in_s=schedule.lead_in_s,
     )
+
+
+def _moving_body(
+    skeleton: Skeleton,
+    schedule: Schedule,
+    plan: GesturePlan,
+    times_s: FloatArray,
+    *,
+    style: MovementStyle,
+    targets_m: Mapping[str, Position],
+    seed: int,
+) -> BodyMotion:
+    """The body by the controllers in order."""
+    lively = 1 - schedule.stillness
+    accents = accents_of(plan, times_s, style.stroke, scale=lively)
+    body = idle_motion(skeleton, times_s, schedule, seed=seed, life=style.idle, with_legs=False)
+    body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
+    body, seen_m = apply_gaze(skeleton, body, schedule, targets_m=targets_m, seed=seed)
+    body = apply_head_movements(skeleton, body, schedule, seed=seed, seen_m=seen_m)
+    return with_neck_reaching(skeleton, body, schedule, accents.neck, seed=seed, life=style.idle)
+
+
+def _apart(skeleton: Skeleton, body: BodyMotion, *, physics: bool) -> tuple[BodyMotion, tuple[Decision, ...]]:
+    """The body with its limbs apart, with `physics` also after its mass has swung."""
+    body, moved = resolve_collisions(skeleton, body)
+    if not physics:
+        return body, moved
+    body, swung = with_physics(skeleton, body)
+    body, cleared = resolve_collisions(skeleton, body)
+    return body, (*moved, *swung, *cleared)
 
 
 def frame_times_s(end_s: float, frame_rate_hz: int) -> FloatArray:

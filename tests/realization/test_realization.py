@@ -28,7 +28,7 @@ from understudy.realization import (
     write_motion,
 )
 
-AUDIO_FOLDER = Path(__file__).parent / "audio"
+AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
 AUDIO = (AUDIO_FOLDER / "figure8.flac").read_bytes()
 TEXT = (AUDIO_FOLDER / "figure8.txt").read_text(encoding="utf-8")
 

@@ -1,0 +1,28 @@
+"""From a schedule to motion and its files: ours straight from a performance, anybody's from BML.
+
+`bml` reads what a file has the body do, `motion` makes it move, `writing` writes the files.
+"""
+
+from ..motion_formats import FileOptions, Keys, MotionFormat, format_of
+from ..realizer.realizing import Realizer, realize
+from .bml import BmlInput, prepare_schedule
+from .motion import PreparedSchedule, Realized, realize_prepared, schedule_of
+from .writing import OURS, AvatarOptions, write_motion
+
+__all__ = [
+    "OURS",
+    "AvatarOptions",
+    "BmlInput",
+    "FileOptions",
+    "Keys",
+    "MotionFormat",
+    "PreparedSchedule",
+    "Realized",
+    "Realizer",
+    "format_of",
+    "prepare_schedule",
+    "realize",
+    "realize_prepared",
+    "schedule_of",
+    "write_motion",
+]

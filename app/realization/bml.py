@@ -1,0 +1,174 @@
+"""From BML, anybody's, to a schedule in the time of its recording.
+
+BML of the core says no words' times, no phones and no agitation. Ours has them in the record of its speech, so that
+realizing it makes the very motion of the performance; of others they are heard in the recording, without which the lips
+stay shut, and a Notice says so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..bml.choice.characters.characters import DEFAULT_CHARACTER
+from ..bml.choice.speech.delivery import emphases_s, phrases
+from ..bml.choice.speech.lead_in import later_s
+from ..bml.choice.speech.visemes import visemes
+from ..bml.choice.stillness import check_stillness, stilled
+from ..bml.markup.documents import Document
+from ..bml.markup.speech import speech_of
+from ..bml.reading.pawns import scene_of
+from ..bml.reading.reader import read_bml
+from ..bml.reading.record import Record, read_record
+from ..bml.reading.resolving import Resolved, resolve
+from ..model import Level, Notice, Schedule, Target, Word
+from ..motion_limits import MotionLimits
+from ..progress import Progress, no_progress
+from ..targets import check_targets
+from ..transcript import read_transcript
+from .motion import PreparedSchedule, last_s
+
+if TYPE_CHECKING:
+    from ..hearing import AcousticModels
+
+
+@dataclass(frozen=True, slots=True)
+class BmlInput:
+    """A BML file that is to be played: its content, its name in messages, the recording of its speech, and what limits
+    the number of its behaviours, if anything does."""
+
+    bml: bytes
+    name: Path
+    audio: bytes | None = None
+    limits: MotionLimits | None = None
+
+
+def prepare_schedule(
+    acoustic: AcousticModels | None,
+    sheet: BmlInput,
+    *,
+    agitation: Level | None = None,
+    character: str | None = None,
+    stillness: float = 0.0,
+    targets: tuple[Target, ...] = (),
+    seed: int | None = None,
+    progress: Progress = no_progress,
+) -> PreparedSchedule:
+    """What a BML file has the body do, in the time of its recording.
+
+    `agitation` overrides what the voice says, `character` who is named in the file, and `seed` the one it records;
+    `stillness` (0 to 1) is how much less than it says moves; `targets` are where things are, beside and before the
+    file's own; `acoustic` may be None where there is no recording to hear. Raises WrongBmlError, TooLargeError, and
+    InputError for audio, words, targets or a stillness that cannot be used, and for too many behaviours before their
+    times are sought.
+    """
+    check_stillness(stillness)
+    check_targets(targets)
+    document, notices = _read(sheet)
+    record = read_record(document)
+    speech = _speech(acoustic, sheet.audio, document, record, progress)
+    progress("resolve")
+    resolved = resolve(document, speech.words)
+    schedule, lip_notices = _schedule(resolved, speech)
+    behaviors = tuple(map(record.completed, schedule.behaviors)) if record else schedule.behaviors
+    prepared = replace(
+        schedule,
+        behaviors=stilled(behaviors, stillness),
+        agitation=agitation or schedule.agitation,
+        character=character or resolved.character or DEFAULT_CHARACTER,
+        stillness=_together(record.stillness if record else 0.0, stillness),
+        targets=scene_of(behaviors, targets, resolved.targets),
+    )
+    told = (*notices, *speech.notices, *resolved.notices, *lip_notices)
+    recorded = record.seed if record and record.seed is not None else 0
+    return PreparedSchedule(prepared, told, recorded if seed is None else seed)
+
+
+def _read(sheet: BmlInput) -> tuple[Document, tuple[Notice, ...]]:
+    """The document, if it has no more behaviours than its limits allow."""
+    document, notices = read_bml(sheet.bml, sheet.name)
+    if sheet.limits is not None:
+        sheet.limits.check_count(sum(1 for _ in document.root.children))
+    return document, notices
+
+
+@dataclass(frozen=True, slots=True)
+class _Speech:
+    """What is known of a speech: its words from the start of the recording, how long that is and how agitated, and
+    whether the notices tell of its lips too."""
+
+    words: tuple[Word, ...] = ()
+    duration_s: float | None = None
+    agitation: Level | None = None
+    notices: tuple[Notice, ...] = ()
+    complete: bool = False
+
+
+def _speech(
+    acoustic: AcousticModels | None,
+    audio: bytes | None,
+    document: Document,
+    record: Record | None,
+    progress: Progress,
+) -> _Speech:
+    """The speech as the file records it, unless its words or the recording are others; then as it is heard."""
+    recorded = _recorded(record) if record else _Speech()
+    if audio is None or acoustic is None:
+        spoken = speech_of(document) is not None and not recorded.words
+        return replace(recorded, notices=recorded.notices + (_lips_unheard() if spoken else ()))
+    if recorded.words and recorded.duration_s == _duration_s(acoustic, audio):
+        return recorded
+    found = speech_of(document)
+    return _heard(acoustic, audio, found.text if found else "", progress)
+
+
+def _recorded(record: Record) -> _Speech:
+    return _Speech(record.words, record.duration_s, record.agitation, record.notices, complete=True)
+
+
+def _duration_s(acoustic: AcousticModels, audio: bytes) -> float:
+    from ..acoustic.signal.decoding import decode
+    from ..hearing import audio_limits
+
+    return decode(audio, audio_limits(acoustic.settings))[0].duration_s
+
+
+def _heard(acoustic: AcousticModels, audio: bytes, text: str, progress: Progress) -> _Speech:
+    """What the recording says, and the words of the speech where it has them."""
+    from ..hearing import align_words, analyze_signal  # what hears takes long to import, and only recordings need it
+
+    heard = analyze_signal(acoustic, audio, progress)
+    speech = _Speech((), heard.audio.duration_s, heard.agitation.level, heard.notices)
+    if not text:
+        message = "the BML says no words to look for in the recording; give its <speech> a <text>"
+        return replace(speech, notices=(*speech.notices, Notice("speech_missing", message)))
+    transcript = read_transcript(text, max_characters=acoustic.settings.max_text_characters)
+    timed, _thresholds = align_words(acoustic, heard, transcript, None, progress)
+    return replace(speech, words=timed.words, notices=speech.notices + timed.notices)
+
+
+def _schedule(resolved: Resolved, speech: _Speech) -> tuple[Schedule, tuple[Notice, ...]]:
+    spoken_s = [word.interval.end_s for word in resolved.words if word.interval]
+    heard_s = later_s(speech.duration_s, resolved.speech_start_s) if speech.duration_s else 0.0
+    lips, notices = visemes(resolved.words, heard_s) if heard_s else ((), ())
+    schedule = Schedule(
+        behaviors=resolved.behaviors,
+        duration_s=heard_s or max([last_s(resolved.behaviors), *spoken_s]),
+        words=resolved.words,
+        visemes=resolved.visemes or lips,
+        phrases=phrases(resolved.words),
+        emphases_s=emphases_s(resolved.words),
+        agitation=resolved.agitation or speech.agitation or Level.MEDIUM,
+        lead_in_s=resolved.speech_start_s,
+    )
+    return schedule, () if speech.complete else notices
+
+
+def _together(recorded: float, stillness: float) -> float:
+    """How still a body is that was made so still twice."""
+    return 1 - (1 - recorded) * (1 - stillness) if stillness else recorded
+
+
+def _lips_unheard() -> tuple[Notice, ...]:
+    return (Notice("lips_unheard", "there is no recording to take the lips from; send the audio with the BML"),)

@@ -1,0 +1,95 @@
+"""From a schedule to motion (paper §3.8), and what a performance has the body do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from ..bml.choice.speech.delivery import emphases_s, phrases
+from ..model import Behavior, Channel, Level, Notice, Performance, Schedule
+from ..realizer.body.motion import Motion
+from ..realizer.gestures.library import LAST_RESORT
+from ..realizer.realizing import Realizer, realize
+from ..yaml_files import did_you_mean
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Realized:
+    """A schedule and its motion."""
+
+    schedule: Schedule
+    motion: Motion
+
+
+@dataclass(frozen=True, slots=True)
+class PreparedSchedule:
+    """A schedule ready for the realizer, what was guessed or left out on the way, and the seed of all chance."""
+
+    schedule: Schedule
+    notices: tuple[Notice, ...]
+    seed: int = 0
+
+    @classmethod
+    def of(cls, performance: Performance) -> PreparedSchedule:
+        """What a performance has the body do."""
+        return cls(schedule_of(performance), performance.notices, performance.seed)
+
+
+def schedule_of(performance: Performance) -> Schedule:
+    """What a performance has the body do."""
+    utterance = performance.utterance
+    behaviors = tuple(behavior for behavior in performance.behaviors if behavior.kept)
+    return Schedule(
+        behaviors=behaviors,
+        duration_s=utterance.duration_s or last_s(behaviors),
+        words=utterance.words,
+        visemes=performance.visemes,
+        phrases=phrases(utterance.words),
+        emphases_s=emphases_s(utterance.words),
+        agitation=utterance.agitation.level if utterance.agitation else Level.MEDIUM,
+        character=performance.character,
+        lead_in_s=utterance.lead_in_s,
+        stillness=performance.stillness,
+        targets=performance.targets,
+        functions=tuple(function for function in performance.functions if function.kept),
+    )
+
+
+def realize_prepared(
+    realizer: Realizer,
+    prepared: PreparedSchedule,
+    *,
+    frame_rate_hz: int = 60,
+    tail_s: float = 0.0,
+    physics: bool = False,
+) -> Realized:
+    """The motion of a schedule, whose notices tell also which gestures are not those that were asked for."""
+    schedule, seed = prepared.schedule, prepared.seed
+    motion = realize(realizer, schedule, frame_rate_hz=frame_rate_hz, seed=seed, tail_s=tail_s, physics=physics)
+    notices = (*prepared.notices, *_unknown_gestures(realizer, schedule), *_unplayed_gestures(motion, schedule))
+    return Realized(schedule, replace(motion, notices=notices))
+
+
+def _unknown_gestures(realizer: Realizer, schedule: Schedule) -> Iterator[Notice]:
+    library = realizer.library
+    for gesture in _gestures(schedule):
+        if library.nearest(gesture.lexeme) == LAST_RESORT and gesture.lexeme != LAST_RESORT:
+            hint = did_you_mean(gesture.lexeme, library.categories)
+            message = f"{gesture.id} is played as a {LAST_RESORT}: no gesture is called {gesture.lexeme!r}{hint}"
+            yield Notice("gesture_unknown", message)
+
+
+def _unplayed_gestures(motion: Motion, schedule: Schedule) -> Iterator[Notice]:
+    names = {gesture.id for gesture in _gestures(schedule)}
+    for told in motion.decisions:
+        if told.behavior in names and told.action == "dropped":
+            yield Notice("gesture_not_played", f"{told.behavior} is not played: {told.reason}")
+
+
+def _gestures(schedule: Schedule) -> Iterator[Behavior]:
+    return (each for each in schedule.behaviors if each.kept and each.kind is Channel.GESTURE)
+
+
+def last_s(behaviors: tuple[Behavior, ...]) -> float:
+    """When the last of the behaviours ends."""
+    return max((behavior.sync.end for behavior in behaviors), default=0.0)

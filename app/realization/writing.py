@@ -1,0 +1,138 @@
+"""Writes motion in every format, for whoever wears it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from types import MappingProxyType
+
+from ..editorial.annotations import to_elan, to_textgrid
+from ..editorial.events import timeline_events, tracks_of
+from ..editorial.table import to_event_table
+from ..editorial.timeline import to_otio
+from ..model import FloatArray
+from ..motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat
+from ..realizer.exporting.arkit_csv import to_arkit_csv
+from ..realizer.exporting.avatar import to_avatar_glb
+from ..realizer.exporting.bvh import to_bvh
+from ..realizer.exporting.clip_json import to_clip_json
+from ..realizer.exporting.extras import require_usd
+from ..realizer.exporting.fbx.conversion import to_fbx
+from ..realizer.exporting.glb import to_glb
+from ..realizer.exporting.mpeg4.bap import to_bap
+from ..realizer.exporting.mpeg4.fap import TABLE, FapTable, to_fap
+from ..realizer.exporting.viseme_list import to_viseme_text
+from ..realizer.exporting.vrma import to_vrma
+from ..realizer.face.diphthongs import with_glides
+from ..realizer.face.lips import viseme_weights
+from ..realizer.pictures.contact_sheet import draw_sheet, moments_of
+from ..realizer.pictures.speed_plot import draw_speeds
+from ..realizer.realizing import Realizer
+from ..resources import resource_folder
+from .motion import Realized
+
+VRM, MIXAMO = "vrm", "mixamo"
+_RIGS: Mapping[MotionFormat, str] = MappingProxyType({MotionFormat.BVH: MIXAMO})
+"""Whose names joints go by where nobody says; others than these VRM's, as ours are."""
+
+
+@dataclass(frozen=True, slots=True)
+class AvatarOptions:
+    """Who is to wear the motion: the rig whose names joints go by in BVH and the clip, and the avatar, a GLB or VRM
+    file, that a GLB has instead of our mannequin."""
+
+    rig: str | None = None
+    avatar: bytes | None = None
+
+
+OURS = AvatarOptions()
+USUAL = FileOptions()
+
+
+def write_motion(
+    realized: Realized,
+    realizer: Realizer,
+    form: MotionFormat,
+    wearer: AvatarOptions = OURS,
+    options: FileOptions = USUAL,
+) -> bytes:
+    """The motion in a format, for whoever wears it.
+
+    Raises InputError `unknown_skeleton` and `unknown_avatar`, UndecodableError `avatar_undecodable`.
+    """
+    motion, schedule = realized.motion, realized.schedule
+    performer = realizer.performer(schedule.character)
+    skeleton, looks = performer.skeleton, performer.looks
+    rig = realizer.rig(wearer.rig or _RIGS.get(form, VRM))
+    writers: Mapping[MotionFormat, Callable[[], bytes]] = {
+        MotionFormat.BVH: lambda: to_bvh(
+            motion, skeleton, rig, t_pose=options.t_pose, root_at_origin=options.root_at_origin
+        ),
+        MotionFormat.GLB: lambda: _glb(realized, realizer, wearer.avatar, options.keys),
+        MotionFormat.VRMA: lambda: to_vrma(motion, skeleton),
+        **{form: partial(_usd, realized, realizer, form, options.audio) for form in SCENES},
+        MotionFormat.FBX: lambda: to_fbx(
+            _glb(realized, realizer, wearer.avatar, Keys.BAKED),
+            len(motion.body.times_s),
+            motion.frame_rate_hz,
+            blender=options.blender,
+        ),
+        MotionFormat.JSON: lambda: to_clip_json(motion, skeleton, rig, visemes=_viseme_weights(realized, realizer)),
+        MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
+        MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
+        MotionFormat.BAP: lambda: to_bap(motion, skeleton, options.bap),
+        MotionFormat.FAP: lambda: to_fap(motion, skeleton, FapTable.load(resource_folder("lexicon") / TABLE)),
+        **{form: partial(_editorial, realized, form, options.audio) for form in EDITORIAL},
+        MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule), looks=looks),
+        MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),
+    }
+    return writers[form]()
+
+
+def _glb(realized: Realized, realizer: Realizer, avatar: bytes | None, keys: Keys) -> bytes:
+    """On the caller's avatar, or on the character's mannequin."""
+    performer = realizer.performer(realized.schedule.character)
+    sparse_for = realized.schedule.behaviors if keys is Keys.SPARSE else None
+    if avatar is None:
+        return to_glb(realized.motion, performer.skeleton, performer.looks, sparse_for=sparse_for)
+    return to_avatar_glb(realized.motion, performer.skeleton, avatar, realizer.rigs, sparse_for=sparse_for)
+
+
+def _usd(realized: Realized, realizer: Realizer, form: MotionFormat, audio: AudioFile | None) -> bytes:
+    """Raises ServiceError `usd_missing`."""
+    require_usd()
+    from ..realizer.exporting.usd.stage import UsdForm, to_usd  # an extra, which most do without
+
+    performer = realizer.performer(realized.schedule.character)
+    return to_usd(
+        realized.motion,
+        performer.skeleton,
+        UsdForm(form.value.removeprefix(".")),
+        performer.looks,
+        behaviors=realized.schedule.behaviors,
+        audio=audio,
+    )
+
+
+def _editorial(realized: Realized, form: MotionFormat, audio: AudioFile | None) -> bytes:
+    """Functions and movements in time, for those who cut, annotate and count."""
+    schedule, motion = realized.schedule, realized.motion
+    events, lead_in_s = timeline_events(schedule, motion.realized), schedule.lead_in_s
+    match form:
+        case MotionFormat.OTIO:
+            lasting = {"lead_in_s": lead_in_s, "duration_s": schedule.duration_s}
+            return to_otio(events, motion.frame_rate_hz, audio=audio, **lasting)
+        case MotionFormat.EVENTS:
+            return to_event_table(events, clock_starts_s=lead_in_s)
+    tracks = tracks_of(events, clock_starts_s=lead_in_s, words=schedule.words)
+    if form is MotionFormat.EAF:
+        return to_elan(tracks, audio.name if audio else "")
+    return to_textgrid(tracks, schedule.duration_s - lead_in_s)
+
+
+def _viseme_weights(realized: Realized, realizer: Realizer) -> FloatArray | None:
+    """The weights (T, 15) of the speech's visemes; None when nothing is said."""
+    schedule = realized.schedule
+    spoken = with_glides(schedule.visemes, schedule.words)
+    return viseme_weights(realizer.face.visemes, spoken, realized.motion.body.times_s) if spoken else None

@@ -1,0 +1,1 @@
+"""From BML and performances to motion and its files: `app/realization`."""
