@@ -8,6 +8,7 @@ from fastapi import FastAPI
 
 from ..settings import Settings
 from ..studio.pages import OpenedLine, page_router
+from ..studio.scenes import OpenedScene
 from ..version import __version__
 from . import authoring
 from .admission.admission import Admission, guard
@@ -33,11 +34,11 @@ def create_app(
     nursery: Nursery,
     *,
     reload: bool = False,
-    line: OpenedLine | None = None,
+    opened: OpenedLine | OpenedScene | None = None,
     rules_folder: Path | None = None,
 ) -> FastAPI:
-    """The application. The nursery stays its giver's to close. With `reload` what authors save is read again; `line` is
-    what the studio page opens; rules that are edited there can be saved in `rules_folder`, by callers on this
+    """The application. The nursery stays its giver's to close. With `reload` what authors save is read again; `opened`
+    is what the studio page opens; rules that are edited there can be saved in `rules_folder`, by callers on this
     machine."""
 
     metrics = Metrics.fresh()
@@ -75,7 +76,7 @@ def create_app(
     app.include_router(authoring.router)
     app.include_router(live_router)
     app.include_router(page.router)
-    app.include_router(page_router(line))
+    app.include_router(page_router(opened))
     answer_errors_as_problems(app)
     guard(app, Admission.of(settings))
     app.add_middleware(Measured, metrics=metrics)

@@ -14,6 +14,7 @@ from ..api.serving import serve
 from ..api.workers.processes import Nursery
 from ..settings import Settings
 from ..studio.pages import OpenedLine
+from ..studio.scenes import OpenedScene
 from .listening import bind, listen, shown_address
 from .log import Log
 
@@ -27,7 +28,7 @@ def run_service(
     log: Log,
     *,
     reload: bool = False,
-    line: OpenedLine | None = None,
+    opened: OpenedLine | OpenedScene | None = None,
     when_started: Callable[[str], None] = _nothing,
 ) -> int:
     """Listens where the settings say; `when_started` is told the first address, as a URL.
@@ -43,7 +44,7 @@ def run_service(
             require_keys(admission, each.getsockname()[0], settings)
         log_config = log.service_logging()
         nursery = stack.enter_context(Nursery.start(settings, logging=log_config))
-        app = create_app(settings, nursery, reload=reload, line=line)
+        app = create_app(settings, nursery, reload=reload, opened=opened)
         listen(sockets)
         addresses = [shown_address(each) for each in sockets]
 

@@ -17,9 +17,10 @@ from types import MappingProxyType
 
 from fastapi import APIRouter, Request
 from starlette.exceptions import HTTPException
-from starlette.responses import Response
+from starlette.responses import FileResponse, Response
 
 from ..resources import resource_folder
+from .scenes import OpenedScene
 
 FOLDER = Path(__file__).parent / "page"
 MEDIA_TYPES: Mapping[str, str] = MappingProxyType(
@@ -73,8 +74,9 @@ class _Asset:
     etag: str
 
 
-def page_router(line: OpenedLine | None = None) -> APIRouter:
-    """The paths of the page, which finds `line` at `/opened/line` and `/opened/audio`."""
+def page_router(opened: OpenedLine | OpenedScene | None = None) -> APIRouter:
+    """The paths of the page, which finds a line at `/opened/line` and `/opened/audio`, the files of a scene at
+    `/opened/scene/…`."""
     router = APIRouter(include_in_schema=False)
 
     @router.get("/")
@@ -87,13 +89,21 @@ def page_router(line: OpenedLine | None = None) -> APIRouter:
     @router.get("/opened/line")
     def get_opened_line() -> dict[str, str]:
         """What the line is that the page was opened with. Raises HTTPException 404."""
-        return {"name": _opened(line).name, "text": _opened(line).text}
+        return {"name": _line(opened).name, "text": _line(opened).text}
 
     @router.get("/opened/audio")
     def get_opened_audio() -> Response:
         """Its recording. Raises HTTPException 404."""
-        suffix = PurePosixPath(_opened(line).name).suffix.lower()
-        return Response(_opened(line).audio, media_type=MEDIA_TYPES.get(suffix, "application/octet-stream"))
+        suffix = PurePosixPath(_line(opened).name).suffix.lower()
+        return Response(_line(opened).audio, media_type=MEDIA_TYPES.get(suffix, "application/octet-stream"))
+
+    @router.get("/opened/scene/{name:path}")
+    def get_scene_file(name: str) -> Response:
+        """A file of the scene. Raises HTTPException 404."""
+        file = opened.file(name) if isinstance(opened, OpenedScene) else None
+        if file is None:
+            raise HTTPException(404)
+        return FileResponse(file)
 
     @router.get("/studio/{path:path}")
     def get_file(path: str, request: Request) -> Response:
@@ -103,10 +113,10 @@ def page_router(line: OpenedLine | None = None) -> APIRouter:
     return router
 
 
-def _opened(line: OpenedLine | None) -> OpenedLine:
-    if line is None:
+def _line(opened: OpenedLine | OpenedScene | None) -> OpenedLine:
+    if not isinstance(opened, OpenedLine):
         raise HTTPException(404)
-    return line
+    return opened
 
 
 def content_policy(page: bytes) -> str:

@@ -23,6 +23,13 @@ def test_a_recording_that_cannot_be_read_is_told_before_loading(capsys: pytest.C
     assert "nothing.wav: cannot be read" in capsys.readouterr().err
 
 
+def test_a_scene_is_opened_alone(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    assert main(["studio", "line.wav", "--scene", str(tmp_path)]) == 2
+    assert "open one of them" in capsys.readouterr().err
+    assert main(["studio", "--scene", str(tmp_path)]) == 2
+    assert "give the folder that understudy batch wrote to" in capsys.readouterr().err
+
+
 def test_it_serves_the_page_and_the_line(tmp_path: Path) -> None:
     words = tmp_path / "words.txt"
     words.write_text("No, never.\n", encoding="utf-8")

@@ -1,5 +1,5 @@
-"""`understudy studio`: the service on this machine alone, and the studio page in the browser, with a line if one is
-given."""
+"""`understudy studio`: the service on this machine alone, and the studio page in the browser, with a line or a
+scene if one is given."""
 
 import argparse
 import webbrowser
@@ -8,6 +8,7 @@ from pathlib import Path
 from ...errors import InputError
 from ...settings import Settings, read_settings
 from ...studio.pages import OpenedLine
+from ...studio.scenes import OpenedScene
 from ..files import STANDARD, read_bytes, read_text
 from ..log import Log
 from ..service import run_service
@@ -19,15 +20,26 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     """Raises KeyboardInterrupt, when all has ended, where that is what stopped it; InputError for what cannot be
     read."""
     settings = read_settings().model_copy(update={"host": LOOPBACK, "port": arguments.port, "studio": True})
+    scene = _scene(arguments)
     line = _line(arguments, settings)
+    asked = "scene=opened" if scene else "line=opened" if line else "line=example"
 
     def show(address: str) -> None:
-        page = f"{address}/?line={'opened' if line else 'example'}"
+        page = f"{address}/?{asked}"
         log.note(f"the studio is at {page}")
         if not arguments.no_browser:
             webbrowser.open(page)
 
-    return run_service(settings, log, reload=arguments.reload, line=line, when_started=show)
+    return run_service(settings, log, reload=arguments.reload, opened=scene or line, when_started=show)
+
+
+def _scene(arguments: argparse.Namespace) -> OpenedScene | None:
+    """The scene to open; raises InputError `usage` for a line beside it."""
+    if arguments.scene is None:
+        return None
+    if arguments.audio is not None:
+        raise InputError("usage", "a line and a scene were given; open one of them")
+    return OpenedScene.of(Path(arguments.scene))
 
 
 def _line(arguments: argparse.Namespace, settings: Settings) -> OpenedLine | None:

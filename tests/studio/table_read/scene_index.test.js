@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { castOf, plainName, sceneOf } from "../../../app/studio/page/table_read/scene_index.js";
+import { castOf, namesIn, plainName, sceneOf } from "../../../app/studio/page/table_read/scene_index.js";
 
 /** @import { IndexLine } from "../../../app/studio/page/table_read/scene_index.js" */
 
@@ -53,4 +53,9 @@ test("everybody is played by whom his own lines say", () => {
 
 test("names are those by which a batch calls listeners", () => {
   assert.deepEqual(["HENRY V", " é ", "1st Lord", "O'Brien"].map(plainName), ["HENRY_V", "speaker", "L_1st_Lord", "O_Brien"]);
+});
+
+test("what a scene is read from is named by its index", () => {
+  const line = { ...LINE, files: { ...LINE.files, bml: "s1.bml" } };
+  assert.deepEqual(namesIn({ lines: [line] }), ["s1.clip.json", "s1.wav", "s1.ELIZA.clip.json"]);
 });

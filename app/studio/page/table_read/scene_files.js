@@ -2,6 +2,10 @@
 
 import { unzipSync } from "fflate";
 
+import { namesIn } from "./scene_index.js";
+
+/** @import { Service } from "../service/service.js" */
+
 /** @typedef {ReadonlyMap<string, Blob>} SceneFiles */
 
 const INDEX = "index.json";
@@ -19,6 +23,20 @@ export async function sceneFiles(files) {
     return fromIndex(await unpacked(only));
   }
   return fromIndex(new Map(files.map((file) => [file.webkitRelativePath || file.name, file])));
+}
+
+/**
+ * The files of the scene with which `understudy studio --scene` opened the page.
+ *
+ * @param {Service} service
+ * @returns {Promise<SceneFiles>}
+ */
+export async function openedFiles(service) {
+  const file = async (/** @type {string} */ name) => (await service.fetch(`opened/scene/${name}`)).blob();
+  const index = await file(INDEX);
+  const names = namesIn(JSON.parse(await index.text()));
+  const found = names.map(async (name) => /** @type {const} */ ([name, await file(encodeURI(name))]));
+  return new Map([[INDEX, index], ...(await Promise.all(found))]);
 }
 
 /**

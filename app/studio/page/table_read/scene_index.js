@@ -42,6 +42,17 @@ export function sceneOf(index, names) {
 }
 
 /**
+ * The files that a scene is read from, as an index names them.
+ *
+ * @param {{ lines: readonly IndexLine[] }} index
+ * @returns {string[]}
+ */
+export function namesIn({ lines }) {
+  const files = lines.flatMap((line) => [line.files, ...Object.values(line.listeners ?? {})]);
+  return files.flatMap((forms) => [...MOTIONS, "wav"].flatMap((form) => forms[form] ?? []));
+}
+
+/**
  * Everybody in a scene, in the order in which they come in, and our character who plays each.
  *
  * @param {readonly SceneLine[]} lines

@@ -10,7 +10,7 @@ import { PROBLEM } from "../state/performed.js";
 import { problemOf } from "../service/service.js";
 import { VIEW } from "../frame/views.js";
 import { CAMERAS, Reading } from "./reading.js";
-import { droppedFiles, sceneFiles } from "./scene_files.js";
+import { droppedFiles, openedFiles, sceneFiles } from "./scene_files.js";
 import { Script } from "./script.js";
 
 /** @import { Place } from "../stage/scene.js" */
@@ -25,18 +25,26 @@ import { Script } from "./script.js";
  * @param {Service} service
  */
 export function mountTableRead(element, store, service) {
+  const asked = new URLSearchParams(location.search).get("scene") === "opened";
   const stop = store.watch(VIEW, (view) => {
     if (view === "table_read") {
       queueMicrotask(() => stop());
-      mountRoom(element, store, new Bodies(service));
+      const open = mountRoom(element, store, new Bodies(service));
+      if (asked) {
+        open(openedFiles(service));
+      }
     }
   });
+  if (asked) {
+    store.set(VIEW, "table_read");
+  }
 }
 
 /**
  * @param {HTMLElement} element
  * @param {Store} store
  * @param {Bodies} bodies
+ * @returns {(files: Promise<SceneFiles>) => void} opens a scene
  */
 function mountRoom(element, store, bodies) {
   const canvas = el("canvas", { id: "table-read-canvas", role: "img", "aria-label": "The scene" });
@@ -64,6 +72,7 @@ function mountRoom(element, store, bodies) {
     Object.assign(canvas.dataset, room.reading.state);
     return true;
   });
+  return opened;
 }
 
 /**
