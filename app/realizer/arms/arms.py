@@ -73,7 +73,7 @@ class ArmTrack:
 
 
 def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int, noise_scale: float = 1.0) -> FloatArray:
-    """The arm's rotations (T, 19, 4) at `times_s` (T,); see `arm_motions`."""
+    """The arm's rotations (T, 19, 4) at `times_s` (T,); see `set_arms`."""
     arm = np.empty((len(times_s), len(PARTS) - 1, 4))
     set_arms((arm,), (track,), times_s, seed=seed, noise_scale=noise_scale)
     return arm
