@@ -7,6 +7,7 @@ settings is told like any other, and no caller waits for what only the first lin
 import signal
 from collections.abc import Callable
 from contextlib import ExitStack
+from pathlib import Path
 
 from ..api.admission.admission import Admission, require_keys
 from ..api.application import create_app
@@ -29,9 +30,11 @@ def run_service(
     *,
     reload: bool = False,
     opened: OpenedLine | OpenedScene | None = None,
+    rules_folder: Path | None = None,
     when_started: Callable[[str], None] = _nothing,
 ) -> int:
-    """Listens where the settings say; `when_started` is told the first address, as a URL.
+    """Listens where the settings say; `when_started` is told the first address, as a URL. Rules that are edited in the
+    page can be saved in `rules_folder`.
 
     Raises KeyboardInterrupt, when all has ended, where that is what stopped it; InputError `address_unusable`,
     `key_missing` and `setting_wrong`.
@@ -44,7 +47,7 @@ def run_service(
             require_keys(admission, each.getsockname()[0], settings)
         log_config = log.service_logging()
         nursery = stack.enter_context(Nursery.start(settings, logging=log_config))
-        app = create_app(settings, nursery, reload=reload, opened=opened)
+        app = create_app(settings, nursery, reload=reload, opened=opened, rules_folder=rules_folder)
         listen(sockets)
         addresses = [shown_address(each) for each in sockets]
 

@@ -12,6 +12,8 @@ import pytest
 from tests.support.python_page import ROOT
 from understudy.cli.main import main
 
+WORDS = "lexicon/en/thanks.yaml"
+
 
 def test_words_without_a_recording_are_the_users_mistake(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["studio", "--text", "No."]) == 2
@@ -30,10 +32,15 @@ def test_a_scene_is_opened_alone(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert "give the folder that understudy batch wrote to" in capsys.readouterr().err
 
 
-def test_it_serves_the_page_and_the_line(tmp_path: Path) -> None:
+def test_rules_are_saved_in_a_folder_that_is_there(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["studio", "--rules", "nowhere", "--no-browser"]) == 2
+    assert "nowhere: no such folder" in capsys.readouterr().err
+
+
+def test_it_serves_the_page_and_the_line_and_saves_rules_where_it_may(tmp_path: Path) -> None:
     words = tmp_path / "words.txt"
     words.write_text("No, never.\n", encoding="utf-8")
-    line = [str(ROOT / "examples/example.flac"), "--text-file", str(words)]
+    line = [str(ROOT / "examples/example.flac"), "--text-file", str(words), "--rules", str(tmp_path)]
     command = [sys.executable, "-m", "understudy.cli", "studio", *line, "--no-browser"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         try:
@@ -44,11 +51,14 @@ def test_it_serves_the_page_and_the_line(tmp_path: Path) -> None:
             assert b"Understudy studio" in _content(f"{address[1]}/")
             assert json.loads(_content(f"{address[1]}/opened/line")) == {"name": "example.flac", "text": "No, never."}
             assert _content(f"{address[1]}/opened/audio").startswith(b"fLaC")
+            saved = urllib.request.Request(f"{address[1]}/rules/files/{WORDS}", b"class: thanks\n", method="PUT")
+            assert json.loads(_content(saved))["saved"]
+            assert (tmp_path / WORDS).read_text(encoding="utf-8") == "class: thanks\n"
         finally:
             process.terminate()
 
 
-def _content(url: str) -> bytes:
+def _content(url: str | urllib.request.Request) -> bytes:
     with urllib.request.urlopen(url) as answer:
         content: bytes = answer.read()
     return content

@@ -30,7 +30,20 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         if not arguments.no_browser:
             webbrowser.open(page)
 
-    return run_service(settings, log, reload=arguments.reload, opened=scene or line, when_started=show)
+    folder = _rules_folder(arguments)
+    return run_service(
+        settings, log, reload=arguments.reload, opened=scene or line, rules_folder=folder, when_started=show
+    )
+
+
+def _rules_folder(arguments: argparse.Namespace) -> Path | None:
+    """Where rules may be saved; raises InputError `file_unwritable` for what is no folder."""
+    if arguments.rules is None:
+        return None
+    folder = Path(arguments.rules)
+    if not folder.is_dir():
+        raise InputError("file_unwritable", f"{folder}: no such folder; rules are saved in one", field="rules")
+    return folder
 
 
 def _scene(arguments: argparse.Namespace) -> OpenedScene | None:
