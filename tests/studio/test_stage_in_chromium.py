@@ -83,10 +83,10 @@ def test_a_chosen_stretch_is_played_again_and_again(opened: Page) -> None:
 
 def test_a_listener_stands_beside_or_instead(opened: Page) -> None:
     opened.select_option("#listening", "beside")
-    _roles(opened, "speaker listener")
+    _roles(opened, "speaker reserved")
     opened.select_option("#shot", "over_shoulder")
     opened.select_option("#listening", "instead")
-    _roles(opened, "listener")
+    _roles(opened, "reserved")
     opened.click("#undo")
     opened.select_option("#listening", "none")
     _roles(opened, "speaker")

@@ -5,6 +5,7 @@ import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
 import { AVATAR, BUSY, PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
+import { CHARACTERS } from "../stage/viewing.js";
 import { letFilesBeDropped, takeFiles } from "./dropping.js";
 import { openExample } from "./opening.js";
 
@@ -83,6 +84,7 @@ function options(store, service) {
 async function fillCharacters(select, store, service) {
   try {
     const { characters } = await service.client.listCharacters();
+    store.set(CHARACTERS, characters.map(({ name }) => name));
     select.replaceChildren(...characters.map(({ name }) => el("option", { value: name }, [name])));
     select.value = store.get(PROJECT).options.character ?? "default";
   } catch (error) {

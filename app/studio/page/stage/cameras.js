@@ -13,30 +13,40 @@ export const SHOTS = Object.freeze([
   ["over_shoulder", "Over the listener's shoulder"],
 ]);
 
+/** Where a listener stands if the line does not say: metres. @type {Vector} */
+export const OPPOSITE_M = Object.freeze([0, 0, 1.7]);
+
 const BEHIND_M = 0.75;
 const BESIDE_M = 0.38;
 const ABOVE_M = 0.12;
 
 /**
- * The view of a shot on whoever stands at the origin and faces +Z, whose eyes are at the height `eyes_m`, and whose
- * listener's head is at `listener_m`.
+ * From where a shot is taken of somebody alone and past whoever listens (metres beside the speaker and before him), and
+ * where it is aimed, as a share of the height of the eyes.
+ */
+const FRAMES = Object.freeze({
+  wide: { alone_m: [0.9, 4.4], past_m: [3.4, 3.1], aim: 0.56 },
+  medium: { alone_m: [0.35, 2.7], past_m: [1.9, 1.9], aim: 0.76 },
+  close: { alone_m: [0.12, 1.25], past_m: [0.75, 0.95], aim: 0.97 },
+});
+
+/**
+ * The view of a shot on whoever stands at the origin and faces +Z, whose eyes are at the height `eyes_m`. Somebody's
+ * head at `listener_m` is looked past; with nobody there it is null.
  *
  * @param {Shot} shot
  * @param {number} eyes_m
- * @param {Vector} listener_m
+ * @param {Vector | null} listener_m
  * @returns {View}
  */
 export function viewOf(shot, eyes_m, listener_m) {
-  switch (shot) {
-    case "wide":
-      return { from_m: [0.9, eyes_m, 4.4], at_m: [0, eyes_m * 0.56, 0] };
-    case "medium":
-      return { from_m: [0.35, eyes_m, 2.7], at_m: [0, eyes_m * 0.76, 0] };
-    case "close":
-      return { from_m: [0.12, eyes_m, 1.25], at_m: [0, eyes_m * 0.97, 0] };
-    case "over_shoulder":
-      return { from_m: behind(listener_m), at_m: [0, eyes_m * 0.92, 0] };
+  if (shot === "over_shoulder") {
+    return { from_m: behind(listener_m ?? [OPPOSITE_M[0], eyes_m, OPPOSITE_M[2]]), at_m: [0, eyes_m * 0.92, 0] };
   }
+  const { alone_m, past_m, aim } = FRAMES[shot];
+  const [x = 0, z = 0] = listener_m ? past_m : alone_m;
+  const between_m = shot === "wide" && listener_m ? listener_m[2] / 2 : 0;
+  return { from_m: [x, eyes_m, z], at_m: [0, eyes_m * aim, between_m] };
 }
 
 /**

@@ -1,8 +1,8 @@
 /**
  * The stage: shows the performed line, and whoever else `GUESTS` says, at the time of the playhead.
  *
- * The canvas has `data-roles` (who stands there), `data-time` (of what is shown, seconds) and `data-pose` (where the wrists
- * are, metres) for tests.
+ * The canvas has `data-roles` (who stands there), `data-time` (of what is shown, seconds), `data-pose` (where the wrists
+ * are, metres) and `data-casts` (how often somebody was cast) for tests and benchmarks.
  */
 
 import { el } from "../dom.js";
@@ -16,7 +16,7 @@ import { Clock } from "./clock.js";
 import { makePlace } from "./scene.js";
 import { Trail } from "./trail.js";
 import { mountTransport } from "./transport.js";
-import { GUESTS, OPPOSITE_M, rolesOf, SCREEN, VIEWING } from "./viewing.js";
+import { CHARACTERS, GUESTS, rolesOf, SCREEN, VIEWING } from "./viewing.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
@@ -81,6 +81,7 @@ class Stage {
   #cast;
   #trail = new Trail();
   #isStale = true;
+  #casts = 0;
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -119,7 +120,7 @@ class Stage {
     const line = this.#store.get(PERFORMED);
     const { listening, trail } = this.#store.get(VIEWING);
     const avatar = this.#store.get(AVATAR);
-    const roles = line ? rolesOf(line, listening, avatar) : [];
+    const roles = line ? rolesOf(line, listening, avatar, this.#store.get(CHARACTERS)) : [];
     try {
       await this.#cast.take([...roles, ...this.#store.get(GUESTS)]);
     } catch (error) {
@@ -129,13 +130,14 @@ class Stage {
     if (line && trail && listening !== "instead" && !avatar) {
       this.#trail.take(line.motion, line.performance.behaviors);
     }
+    this.#casts += 1;
     this.#isStale = true;
   }
 
   #aim() {
     const head = this.#cast.standing[0]?.figure.place("head")?.y;
     const eyes_m = head ? head + 0.06 : EYES_M;
-    const listener = this.#cast.standing[1]?.figure.place("head")?.toArray() ?? [OPPOSITE_M[0], eyes_m, OPPOSITE_M[2]];
+    const listener = this.#cast.standing[1]?.figure.place("head")?.toArray() ?? null;
     const { from_m, at_m } = viewOf(this.#store.get(VIEWING).shot, eyes_m, listener);
     this.#place.camera.position.set(...from_m);
     this.#place.controls.target.set(...at_m);
@@ -147,6 +149,7 @@ class Stage {
     const { standing } = this.#cast;
     const wrists = ["leftHand", "rightHand"].flatMap((joint) => standing[0]?.figure.place(joint)?.toArray() ?? []);
     this.#canvas.dataset["time"] = String(this.#store.get(TIME_S));
+    this.#canvas.dataset["casts"] = String(this.#casts);
     this.#canvas.dataset["roles"] = standing.map(({ role }) => role.name).join(" ");
     this.#canvas.dataset["pose"] = wrists.map((metres) => metres.toFixed(4)).join(" ");
   }

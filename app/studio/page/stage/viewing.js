@@ -1,6 +1,7 @@
 /** How the stage is looked at, and who stands on it: `ROLES` says it, and the stage has them stand there. */
 
 import { slice } from "../state/slice.js";
+import { OPPOSITE_M } from "./cameras.js";
 
 /** @import { PerformedLine } from "../state/performed.js" */
 /** @import { Shot } from "./cameras.js" */
@@ -27,11 +28,11 @@ export const GUESTS = slice(/** @type {readonly Role[]} */ ([]));
 /** Null before there is a stage. */
 export const SCREEN = slice(/** @type {Screen | null} */ (null));
 
-/** The name by which the page has somebody listen. */
-export const LISTENER = "listener";
+/** Whom the page has listen: a character. */
+export const LISTENER = "reserved";
 
-/** Where a listener stands if the line does not say: metres. @type {Vector} */
-export const OPPOSITE_M = Object.freeze([0, 0, 1.7]);
+/** The names of the characters; none before they are known. */
+export const CHARACTERS = slice(/** @type {readonly string[]} */ ([]));
 
 /**
  * Who stands on the stage for a line.
@@ -39,9 +40,10 @@ export const OPPOSITE_M = Object.freeze([0, 0, 1.7]);
  * @param {PerformedLine} line
  * @param {Listening} listening
  * @param {File | null} avatar
+ * @param {readonly string[]} characters a listener who is none of them has the usual body
  * @returns {Role[]}
  */
-export function rolesOf({ performance, motion, listeners }, listening, avatar) {
+export function rolesOf({ performance, motion, listeners }, listening, avatar, characters) {
   const { character } = performance;
   /** @type {Vector} */
   const origin = [0, 0, 0];
@@ -49,7 +51,7 @@ export function rolesOf({ performance, motion, listeners }, listening, avatar) {
   const heard = [...listeners].map(([name, clip]) => {
     const place_m = listening === "instead" ? origin : standing(performance.targets?.[name]);
     const turn_rad = listening === "instead" ? 0 : Math.atan2(-place_m[0], -place_m[2]);
-    return { name, character: "default", motion: clip, place_m, turn_rad, avatar: null };
+    return { name, character: characters.includes(name) ? name : "default", motion: clip, place_m, turn_rad, avatar: null };
   });
   return listening === "none" ? [speaker] : listening === "instead" ? heard : [speaker, ...heard];
 }
