@@ -3,10 +3,14 @@
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import TypeAlias
 
 from ..model import Function
 from ..yaml_files import Entry
 from .chaining.chainer import Fact
+
+_Kind: TypeAlias = tuple[str, str | None]
+"""A class, and a subtype of it or None for all."""
 
 
 class Conflicts(Entry):
@@ -16,15 +20,16 @@ class Conflicts(Entry):
     within_subtype: frozenset[str]
     between: tuple[tuple[str, str], ...]
 
-    def compete(self, one: Function, other: Function) -> bool:
-        """Whether the two cannot both be shown."""
-        if one.first > other.last or other.first > one.last:
-            return False
-        if one.class_name == other.class_name:
-            same_subtype = one.subtype == other.subtype and one.class_name in self.within_subtype
-            return same_subtype or one.class_name in self.within_class
-        pairs = (one.class_name, other.class_name), (other.class_name, one.class_name)
-        return any(pair in self.between for pair in pairs)
+    def rivals(self, function: Function) -> Iterator["_Kind"]:
+        """The kinds of function that compete with this one where they share a word."""
+        name = function.class_name
+        if name in self.within_class:
+            yield name, None
+        elif name in self.within_subtype:
+            yield name, function.subtype
+        for one, other in self.between:
+            if name in (one, other):
+                yield (other if name == one else one), None
 
     def facts(self) -> Iterator[Fact]:
         """The classes whose functions compete with each other, for the rules that ask."""
@@ -36,22 +41,25 @@ def resolved(functions: Sequence[Function], conflicts: Conflicts) -> tuple[Funct
 
     What was given from outside stays before all else; then the higher priority, the longer, the earlier.
     """
-    strongest_first = sorted(functions, key=_rank)
-    kept_on: dict[int, list[Function]] = defaultdict(list)
+    strongest_on: defaultdict[_Kind, dict[int, tuple[int, Function]]] = defaultdict(dict)
     lost_to: dict[str, str] = {}
-    for function in strongest_first:
+    for number, function in enumerate(sorted(functions, key=_rank)):
         words = range(function.first, function.last + 1)
-        rivals = (other for word in words for other in kept_on[word])
-        winner = next((other for other in rivals if conflicts.compete(function, other)), None)
+        rivals = [strongest_on[kind] for kind in conflicts.rivals(function)]
+        winner = next((min(found) for word in words if (found := [on[word] for on in rivals if word in on])), None)
         if winner is not None:
-            lost_to[function.id] = winner.id
+            lost_to[function.id] = winner[1].id
             continue
-        for word in words:
-            kept_on[word].append(function)
+        for kind in _kinds(function):
+            strongest_on[kind] |= {word: (number, function) for word in words if word not in strongest_on[kind]}
     return tuple(
         replace(function, kept=False, lost_to=lost_to[function.id]) if function.id in lost_to else function
         for function in functions
     )
+
+
+def _kinds(function: Function) -> tuple[_Kind, _Kind]:
+    return (function.class_name, None), (function.class_name, function.subtype)
 
 
 def _rank(function: Function) -> tuple[bool, float, int, int]:

@@ -15,6 +15,9 @@ from .requests import read_json
 
 FIELD = "functions"
 MOST_FUNCTIONS = 1000
+MOST_WORDS = 20_000
+"""Of all functions together: each word is told as what its function rests on."""
+
 
 Position = Annotated[int, Field(ge=0)]
 
@@ -42,7 +45,12 @@ def read_functions(content: bytes) -> tuple[GivenFunction, ...]:
         raise InputError("functions_wrong", "functions must be a JSON list in brackets", field=FIELD)
     if len(items) > MOST_FUNCTIONS:
         raise InputError("functions_wrong", f"functions: {len(items)} are more than {MOST_FUNCTIONS}", field=FIELD)
-    return tuple(_function(number, item) for number, item in enumerate(items))
+    functions = tuple(_function(number, item) for number, item in enumerate(items))
+    words = sum(max(each.last - each.first + 1, 0) for each in functions)
+    if words > MOST_WORDS:
+        message = f"functions: they are over {words} words together; {MOST_WORDS} at most"
+        raise InputError("functions_wrong", message, field=FIELD)
+    return functions
 
 
 def _function(number: int, item: object) -> GivenFunction:

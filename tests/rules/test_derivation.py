@@ -5,10 +5,11 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.operations import operations_of
 from tests.support.utterances import utterance
 from understudy.errors import AuthoringError
 from understudy.model import Because, Function, Utterance
-from understudy.rules.conflicts import Conflicts
+from understudy.rules.conflicts import Conflicts, resolved
 from understudy.rules.derivation import FunctionRules, derive_functions
 
 VOCABULARY = (Path(__file__).resolve().parents[2] / "app" / "rules" / "vocabulary.rules").read_text()
@@ -143,7 +144,26 @@ def test_which_functions_compete_is_said_in_a_table(one: Function, other: Functi
         within_subtype=frozenset({"deixis"}),
         between=(("comparison", "emphasis"),),
     )
-    assert conflicts.compete(one, other) is compete
+    both = resolved([replace(one, id="f1"), replace(other, id="f2")], conflicts)
+    assert any(not each.kept for each in both) is compete
+    assert {each.lost_to for each in both if not each.kept} <= {"f1", "f2"}
+
+
+def test_among_many_rivals_the_strongest_at_the_first_shared_word_wins() -> None:
+    conflicts = Conflicts(within_class=frozenset({"negation"}), within_subtype=frozenset(), between=())
+    strong, weak = (replace(function("negation", "plain", n, n), id=f"f{n}", priority=9.0 - n) for n in (0, 1))
+    lost = replace(function("negation", "strong", 0, 1), id="f2", priority=1.0)
+    assert [each.lost_to for each in resolved([lost, weak, strong], conflicts)] == ["f0", None, None]
+
+
+def test_many_functions_over_the_same_words_are_settled_in_proportion() -> None:
+    conflicts = Conflicts(within_class=frozenset(), within_subtype=frozenset(), between=(("modal", "emphasis"),))
+
+    def work(count: int) -> int:
+        functions = [replace(function("modal", "ability", 0, 20), id=f"f{n}") for n in range(count)]
+        return operations_of(lambda: resolved(functions, conflicts))
+
+    assert work(200) <= 1.1 * 2 * work(100)
 
 
 def test_mistakes_in_rules_words_and_conflicts_come_together(tmp_path: Path) -> None:

@@ -32,6 +32,7 @@ def test_a_class_without_subtypes_needs_none(subtype: str) -> None:
         ('[{"class": 3, "first": 0, "last": 0}]', "functions[0].class"),
         ('[{"class": "contrast", "first": 0, "last": 0, "priority": NaN}]', "functions[0].priority"),
         ('[{"class": "contrast", "first": 0, "last": 0, "priority": 1e9}]', "functions[0].priority"),
+        ('[{"class": "contrast", "first": 0, "last": 20000}]', "over 20001 words together; 20000 at most"),
         ("[" + ",".join(["{}"] * (MOST_FUNCTIONS + 1)) + "]", "more than 1000"),
     ],
 )
