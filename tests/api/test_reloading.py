@@ -15,7 +15,7 @@ from understudy.settings import Settings
 
 RULES = Path(__file__).resolve().parents[2] / "app" / "rules"
 RULE = "\nrule spoon\nforeach\n  word(spoon, $s, $e)\nassert\n  fcn(negation, plain, $s, $e)\n"
-PATIENCE_S = 20
+PATIENCE_S = 60
 
 
 @pytest.fixture

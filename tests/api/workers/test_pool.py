@@ -18,7 +18,7 @@ from understudy.api.workers.processes import Nursery
 from understudy.errors import InputError, ServiceError, TooLargeError, UnderstudyError
 from understudy.settings import Settings
 
-PATIENCE_S = 20.0
+PATIENCE_S = 60.0
 
 
 @asynccontextmanager
