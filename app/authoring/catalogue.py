@@ -21,7 +21,7 @@ from ..rules.mapping import MappingRules
 from ..rules.program.program import Mention, Rule
 from ..yaml_files import Source
 
-__all__ = ["Catalogue", "Character", "Item", "Kind", "load_characters", "load_gestures"]
+__all__ = ["Catalogue", "Character", "Item", "Kind", "load_characters", "load_families", "load_gestures"]
 
 
 class Kind(StrEnum):

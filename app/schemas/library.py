@@ -6,8 +6,10 @@ from typing import Self
 
 from pydantic import Field
 
+from ..acting.families import Families
 from ..authoring.catalogue import Character, Item, Kind, shown_path
-from ..model import Hand, Level
+from ..bml.choice.characters.characters import Characters
+from ..model import Channel, Hand, Level
 from ..realizer.gestures.clips import clip
 from ..realizer.gestures.gesture import Definition
 from .response_model import Number, ResponseModel
@@ -161,13 +163,24 @@ class GestureResponse(ResponseModel):
 
 
 class GesturesResponse(ResponseModel):
-    """All gestures of the library."""
+    """All gestures of the library. `families` are what each lexeme may be read as, the likeliest first; `lexemes` are
+    those of the behaviour table by channel, gestures and all else."""
 
     gestures: list[GestureResponse]
+    families: dict[str, list[str]]
+    lexemes: dict[Channel, list[str]]
 
     @classmethod
-    def of(cls, definitions: Iterable[Definition]) -> Self:
-        return cls(gestures=[GestureResponse.of(definition) for definition in definitions])
+    def of(cls, definitions: Iterable[Definition], families: Families, characters: Characters) -> Self:
+        lexemes: dict[Channel, set[str]] = {channel: set() for channel in Channel}
+        for character in characters.by_name.values():
+            for channel, lexeme in character.lexemes.values():
+                lexemes[channel].add(lexeme)
+        return cls(
+            gestures=[GestureResponse.of(definition) for definition in definitions],
+            families={lexeme: list(shown) for lexeme, shown in families.shows.items()},
+            lexemes={channel: sorted(found) for channel, found in lexemes.items()},
+        )
 
 
 def _at_level(definition: Definition, level: Level) -> GestureLevelResponse:

@@ -113,7 +113,9 @@ def _library(understudy: Understudy) -> Mapping[str, bytes]:
     )
     return {
         "/characters": CharactersResponse.of(catalogue.characters.by_name.values()).to_json(),
-        "/gestures": GesturesResponse.of(understudy.realizer.library.definitions).to_json(),
+        "/gestures": GesturesResponse.of(
+            understudy.realizer.library.definitions, behavior.families, behavior.characters
+        ).to_json(),
         "/rules": rules.to_json(),
         "/lexicon": words.to_json(),
         "/gestures/language": GestureLanguageResponse.of(understudy.realizer.skeleton).to_json(),

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from ...authoring.catalogue import load_gestures
+from ...authoring.catalogue import load_characters, load_families, load_gestures
 from ...authoring.proofreading import check_files
 from ...errors import InputError
 from ...model import Hand, Level, Notice
@@ -51,7 +51,9 @@ def _tell_doubts(definitions: Iterable[Definition], log: Log) -> None:
 def _list(arguments: argparse.Namespace, _log: Log) -> None:
     library = load_gestures()
     if arguments.json:
-        write_standard(GesturesResponse.of(library.definitions).to_json(indent=2) + b"\n")
+        characters = load_characters()
+        told = GesturesResponse.of(library.definitions, load_families(characters), characters)
+        write_standard(told.to_json(indent=2) + b"\n")
     else:
         _print([*map(headline, library.definitions), "", *counts(library)])
 

@@ -1,13 +1,96 @@
-/** Mounts the panel; nothing is in it yet. */
+/**
+ * The panel of changes: what can be changed in what is selected, what was changed and what of it no longer fits, and another
+ * version beside this one. Dragging on the timeline and its keys come to the same changes.
+ */
+
+import { el } from "../dom.js";
+import { PERFORMED, SELECTION } from "../state/performed.js";
+import { BADGES } from "../timeline/pointing.js";
+import { madeOf, selectedBehavior } from "./behaviors.js";
+import { comparison } from "./comparing.js";
+import { conflicts } from "./conflicts.js";
+import { moveWhatIsDragged } from "./dragging.js";
+import { fileButtons } from "./edit_files.js";
+import { editOf } from "./edits.js";
+import { keepSelected } from "./following.js";
+import { inspector } from "./inspector.js";
+import { followKeys } from "./keys.js";
+import { askForLexemes, LEXEMES } from "./lexemes.js";
+import { wordPanel } from "./word_panel.js";
+import { wordOf } from "./words.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
 /**
  * @param {HTMLElement} element
- * @param {Store} _store
- * @param {Service} _service
+ * @param {Store} store
+ * @param {Service} service
  */
-export function mountChanges(element, _store, _service) {
-  element.hidden = true;
+export function mountChanges(element, store, service) {
+  const selected = el("div", { id: "selected" });
+  const told = el("div", {});
+  element.append(el("h2", {}, ["Changes"]), selected, told, fileButtons(store), comparison(store, service));
+  keepSelected(store);
+  const show = () => showSelected(selected, store, service);
+  for (const of of [PERFORMED, SELECTION, LEXEMES]) {
+    store.watch(/** @type {typeof SELECTION} */ (of), show);
+  }
+  store.watch(PERFORMED, (line) => {
+    told.replaceChildren(...(line ? conflicts(store, line.performance) : []));
+    store.set(BADGES, badges(store));
+  });
+  moveWhatIsDragged(store);
+  const timeline = document.getElementById("timeline");
+  if (timeline) {
+    followKeys(timeline, store);
+  }
+  void askForLexemes(store, service);
+}
+
+/**
+ * Fills the panel anew, with the focus where it was.
+ *
+ * @param {HTMLElement} element
+ * @param {Store} store
+ * @param {Service} service
+ */
+function showSelected(element, store, service) {
+  const focused = nameOf(document.activeElement);
+  const line = store.get(PERFORMED);
+  const [lexemes, behavior, index] = [store.get(LEXEMES), selectedBehavior(store), wordOf(store.get(SELECTION))];
+  if (line && behavior) {
+    element.replaceChildren(...inspector(store, service, lexemes, behavior));
+  } else if (line && index !== null) {
+    element.replaceChildren(...wordPanel(store, service, lexemes, { performance: line.performance, index }));
+  } else {
+    element.replaceChildren(el("p", { class: "quiet" }, ["Select a movement or a word to change it."]));
+  }
+  const again = [...element.querySelectorAll("input, select, button")].find((each) => nameOf(each) === focused);
+  if (focused && again instanceof HTMLElement) {
+    again.focus();
+  }
+}
+
+/**
+ * By what a control is found again.
+ *
+ * @param {Element | null} control
+ */
+function nameOf(control) {
+  return control instanceof HTMLElement && control.closest("#selected") ? control.dataset["mark"] ?? control.id : "";
+}
+
+/**
+ * What was changed, by the behaviour's id.
+ *
+ * @param {Store} store
+ */
+function badges(store) {
+  const made = madeOf(store);
+  const marked = made?.performance.behaviors.flatMap((behavior) => {
+    const edit = editOf(made, behavior);
+    return edit ? [[behavior.id, edit.lock ? "locked" : (edit.omit ?? (edit.add ? "added" : "changed"))]] : [];
+  });
+  return /** @type {Record<string, string>} */ (Object.fromEntries(marked ?? []));
 }

@@ -8,10 +8,10 @@ import { clipFromJson } from "understudy-client";
 import { BUSY, PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { slice } from "../state/slice.js";
-import { performForm, realizeForm } from "./requests.js";
+import { inRecording, performForm, realizeForm } from "./requests.js";
 import { problemOf } from "./service.js";
 
-/** @import { Performed } from "understudy-client" */
+/** @import { Edits, Performed } from "understudy-client" */
 /** @import { PerformedLine } from "../state/performed.js" */
 /** @import { Project } from "../state/project.js" */
 /** @import { Store } from "../state/store.js" */
@@ -21,7 +21,7 @@ import { problemOf } from "./service.js";
 
 const JSON_TYPE = "application/json";
 
-/** The last performance, and of what. */
+/** The last performance in which every word is where it was heard, and of what. */
 const HEARD = slice(/** @type {{ audio: File, text: string, line: PerformedLine } | null} */ (null));
 
 /**
@@ -71,7 +71,8 @@ export async function performed(service, line, heard = null, signal) {
     Promise.all(listening.map(async ([name, bml]) => /** @type {const} */ ([name, await played(bml)]))),
   ]);
   const contours = answer.contours ?? heard?.contours ?? null;
-  return { answer, performance: answer.performance, bml: answer.bml, motion, listeners: new Map(heardMotions), contours };
+  const { performance, bml } = answer;
+  return { answer, performance, bml, motion, listeners: new Map(heardMotions), contours, edits: line.edits };
 }
 
 /**
@@ -85,7 +86,7 @@ async function performInto(store, service, line, signal) {
   try {
     const found = await performed(service, line, heardBefore(store, line), signal);
     if (!signal.aborted) {
-      store.set(HEARD, { audio: line.audio, text: line.text, line: found });
+      keepHeard(store, line, found);
       store.set(PERFORMED, found);
       store.set(PROBLEM, null);
     }
@@ -100,10 +101,35 @@ async function performInto(store, service, line, signal) {
 }
 
 /**
+ * The words where they were heard, whatever was corrected; null where nobody knows.
+ *
+ * @param {Store} store
+ */
+export function heardWords(store) {
+  const last = store.get(HEARD);
+  return last ? (inRecording(last.line.performance)?.words ?? null) : null;
+}
+
+/**
+ * @param {Store} store
+ * @param {Line} line
+ * @param {PerformedLine} found
+ */
+function keepHeard(store, line, found) {
+  const edits = /** @type {Edits | null} */ (line.edits);
+  const isCorrected = edits?.words?.some(({ start_s }) => typeof start_s === "number") ?? false;
+  if (!isCorrected) {
+    store.set(HEARD, { audio: line.audio, text: line.text, line: found });
+  }
+}
+
+/**
+ * What was made of the same recording and text before, if every word in it is where it was heard.
+ *
  * @param {Store} store
  * @param {Line} line
  */
-function heardBefore(store, line) {
+export function heardBefore(store, line) {
   const last = store.get(HEARD);
   return last?.audio === line.audio && last.text === line.text && line.words === null ? last.line : null;
 }

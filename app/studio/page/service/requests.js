@@ -19,8 +19,8 @@ export function performForm(project, heard) {
   form.append("audio", project.audio, project.audio.name);
   form.append("text", project.text);
   form.append("options", JSON.stringify(heard ? project.options : { ...project.options, contours: true }));
-  const words = project.words ?? (heard && wordsOf(heard.performance));
-  appendFile(form, "words", words && { words });
+  const known = heard && isCertain(heard.performance) ? inRecording(heard.performance) : null;
+  appendFile(form, "words", project.words ? { words: project.words } : known);
   appendFile(form, "direction", project.direction);
   appendFile(form, "edits", project.edits);
   appendFile(form, "rules", project.rules && { files: project.rules });
@@ -43,13 +43,28 @@ export function realizeForm(bml, audio, options = {}) {
 }
 
 /**
- * The words in time, where nothing about them was guessed.
+ * Words and fillers as they are in the recording, before which a performance may begin.
+ *
+ * @param {Performance} performance
+ */
+export function inRecording({ words, fillers, lead_in_s }) {
+  /** @template {{ start_s?: number | null, end_s?: number | null }} Timed @param {Timed} timed @returns {Timed} */
+  const earlier = (timed) => ({
+    ...timed,
+    ...(typeof timed.start_s === "number" ? { start_s: timed.start_s - lead_in_s } : {}),
+    ...(typeof timed.end_s === "number" ? { end_s: timed.end_s - lead_in_s } : {}),
+  });
+  const spoken = words.map((word) => ({ ...earlier(word), phones: word.phones.map(earlier) }));
+  return { words: spoken, fillers: fillers.map(earlier) };
+}
+
+/**
+ * Whether nothing about the words was guessed; of edits and notes the service tells again.
  *
  * @param {Performance} heard
  */
-function wordsOf({ words, fillers, warnings }) {
-  const isCertain = fillers.length === 0 && warnings.length === 0 && words.every(({ spread }) => !spread);
-  return isCertain ? words : null;
+function isCertain({ words, warnings }) {
+  return warnings.every(({ code }) => /^(edit|direction)_/.test(code)) && words.every(({ spread }) => !spread);
 }
 
 /**

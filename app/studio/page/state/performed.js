@@ -14,6 +14,7 @@ import { slice } from "./slice.js";
  * @property {Clip} motion
  * @property {ReadonlyMap<string, Clip>} listeners motions by the listeners' names
  * @property {Contours | null} contours f0 and energy
+ * @property {object | null} edits those that it was made with
  */
 
 /** @typedef {NonNullable<Performed["contours"]>} Contours */

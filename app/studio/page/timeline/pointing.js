@@ -1,7 +1,7 @@
 /**
  * What the pointer does on the timeline. Clicking an item selects it; dragging one, or one of its marks, tells DRAG and
  * nothing else: whoever changes lines (`changes/`) watches DRAG and makes an edit of it. The ruler moves the playhead;
- * dragging over the words chooses what is repeated.
+ * dragging over the words, but for their edges, chooses what is repeated.
  */
 
 import { PLAYBACK, SELECTION, TIME_S } from "../state/performed.js";
@@ -79,7 +79,7 @@ function press(store, { row, item }, time_s) {
 function drag(store, { hit, from_s, far }, to_s, ended) {
   if (hit.row === "ruler") {
     store.set(TIME_S, Math.max(0, to_s));
-  } else if (far && hit.row === "words") {
+  } else if (far && hit.row === "words" && !hit.mark) {
     store.patch(PLAYBACK, { loop: [Math.min(from_s, to_s), Math.max(from_s, to_s)] });
   } else if (far && hit.item && hit.item.marks.length > 0) {
     store.set(DRAG, { id: hit.item.id, mark: hit.mark, from_s, to_s, ended });

@@ -100,7 +100,18 @@ function inLanes(items, first) {
 
 /** @param {Performance} performance */
 function wordItems({ words }) {
-  return words.flatMap(({ index, text, start_s, end_s }) => within(`word:${String(index)}`, text, start_s, end_s)).map(on(0));
+  const items = words.flatMap(({ index, text, start_s, end_s }) => within(`word:${String(index)}`, text, start_s, end_s));
+  return items.map(withEdges).map(on(0));
+}
+
+/**
+ * A word with its edges as marks, by which it is dragged.
+ *
+ * @param {Omit<Item, "lane">} item
+ * @returns {Omit<Item, "lane">}
+ */
+function withEdges(item) {
+  return { ...item, marks: [["start", item.start_s], ["end", item.end_s]] };
 }
 
 /** @param {Performance} performance */

@@ -9,6 +9,7 @@ export function performForm(line: PerformRequest): FormData {
   appendJson(form, "options", line.options);
   appendJson(form, "functions", line.functions);
   appendJson(form, "direction", line.direction);
+  appendJson(form, "edits", line.edits);
   for (const name of ["words", "reference"] as const) {
     const file = line[name];
     if (file) {

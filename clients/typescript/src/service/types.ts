@@ -8,6 +8,11 @@ export type PerformOptions = Schemas["PerformOptions"];
 export type RealizeOptions = Schemas["RealizeOptions"];
 export type GivenFunction = Schemas["GivenFunctionRequest"];
 export type Direction = Schemas["DirectionRequest"];
+export type Edits = Schemas["EditsForm"];
+export type BehaviorEdit = Schemas["BehaviorEditForm"];
+export type BehaviorReference = Schemas["BehaviorReferenceForm"];
+export type Marks = Schemas["MarksForm"];
+export type WordEdit = Schemas["WordEditForm"];
 export type Performed = Schemas["PerformResponse"];
 export type Performance = Schemas["PerformanceResponse"];
 export type Behavior = Schemas["BehaviorResponse"];
@@ -48,6 +53,8 @@ export interface PerformRequest {
   readonly words?: NamedFile;
   readonly functions?: readonly GivenFunction[];
   readonly direction?: Direction;
+  /** What an author changed (docs/edits.md). */
+  readonly edits?: Edits;
   /** What `understudy reference` writes (.json), or another recording of the speaker. */
   readonly reference?: NamedFile;
 }

@@ -1,0 +1,118 @@
+/** What can be changed in the behaviour that is selected: fields for its lexeme, hand, size and marks, and buttons. */
+
+import { choice, el, labelled } from "../dom.js";
+import { MARKS } from "../timeline/phases.js";
+import { changeBehavior, editOfSelected, lockBehavior, moveBehavior, revertBehavior } from "./behaviors.js";
+import { browseGestures } from "./gesture_browser.js";
+import { changeOmission } from "./keys.js";
+
+/** @import { Behavior, BehaviorEdit } from "understudy-client" */
+/** @import { Service } from "../service/service.js" */
+/** @import { Store } from "../state/store.js" */
+/** @import { Lexemes } from "./lexemes.js" */
+
+const HANDS = /** @type {const} */ ([["left", "Left"], ["right", "Right"], ["both", "Both"]]);
+const STEP_S = 0.01;
+
+/**
+ * The fields of a behaviour.
+ *
+ * @param {Store} store
+ * @param {Service} service
+ * @param {Lexemes} lexemes
+ * @param {Behavior} behavior
+ */
+export function inspector(store, service, lexemes, behavior) {
+  const fields = behavior.kept ? [what(store, service, lexemes, behavior), marks(store, behavior)] : [];
+  const why = behavior.kept ? [] : [el("p", { class: "quiet" }, [behavior.reason ?? "it gave way"])];
+  return [el("h3", {}, [`${behavior.kind} ${behavior.lexeme}`]), ...why, ...fields, buttons(store, behavior)];
+}
+
+/**
+ * @param {Store} store
+ * @param {Service} service
+ * @param {Lexemes} lexemes
+ * @param {Behavior} behavior
+ */
+function what(store, service, lexemes, behavior) {
+  const { kind, hand, amount } = behavior;
+  const fields = [labelled("Movement", lexeme(store, service, lexemes, behavior))];
+  if (kind === "gesture") {
+    const chosen = (/** @type {string} */ value) =>
+      changeBehavior(store, "Hand of", behavior, { hand: /** @type {BehaviorEdit["hand"]} */ (value) });
+    fields.push(labelled("Hand", choice(HANDS, hand ?? "right", chosen)));
+  }
+  if (typeof amount === "number" && kind !== "gaze" && kind !== "posture") {
+    const size = el("input", { type: "range", id: "size", min: 0, max: 1, step: 0.05, value: amount });
+    size.addEventListener("input", () => changeBehavior(store, "Size of", behavior, { amount: Number(size.value) }));
+    fields.push(labelled("Size", size));
+  }
+  return el("div", { class: "pair" }, fields);
+}
+
+/**
+ * Gestures are chosen from the browser, everything else from a list.
+ *
+ * @param {Store} store
+ * @param {Service} service
+ * @param {Lexemes} lexemes
+ * @param {Behavior} behavior
+ */
+function lexeme(store, service, lexemes, behavior) {
+  const chosen = (/** @type {string} */ value) => changeBehavior(store, "Movement of", behavior, { lexeme: value });
+  if (behavior.kind === "gesture") {
+    const open = () => browseGestures(service, lexemes, { now: behavior.lexeme, chosen });
+    return el("button", { type: "button", id: "replace", "aria-haspopup": "dialog", click: open }, [`${behavior.lexeme}…`]);
+  }
+  const names = lexemes.of(behavior.kind);
+  return choice(names.map((name) => [name, name]), behavior.lexeme, chosen);
+}
+
+/**
+ * @param {Store} store
+ * @param {Behavior} behavior
+ */
+function marks(store, behavior) {
+  const rows = MARKS.flatMap((mark) => {
+    const time_s = behavior.sync[mark];
+    return time_s === undefined ? [] : [labelled(mark.replace("_", " "), markField(store, behavior, mark, time_s))];
+  });
+  return el("fieldset", { class: "marks" }, [el("legend", {}, ["Marks, seconds"]), ...rows]);
+}
+
+/**
+ * @param {Store} store
+ * @param {Behavior} behavior
+ * @param {string} mark
+ * @param {number} time_s
+ */
+function markField(store, behavior, mark, time_s) {
+  const field = el("input", { type: "number", step: STEP_S, min: 0, "data-mark": mark, value: time_s.toFixed(3) });
+  field.addEventListener("change", () => moveBehavior(store, behavior, mark, Number(field.value) - time_s));
+  return field;
+}
+
+/**
+ * @param {Store} store
+ * @param {Behavior} behavior
+ */
+function buttons(store, behavior) {
+  const edit = editOfSelected(store);
+  const button = (/** @type {string} */ id, /** @type {string} */ text, /** @type {() => void} */ click, /** @type {boolean} */ on) =>
+    el("button", { type: "button", id, "aria-pressed": String(on), click }, [text]);
+  const isLocked = edit?.lock === true;
+  const omission = edit?.omit ?? null;
+  const made = behavior.kept
+    ? [button("lock", "Lock", () => lockBehavior(store, behavior, !isLocked), isLocked)]
+    : [];
+  const omitted = behavior.kept || omission
+    ? [
+        button("mute", "Mute", () => changeOmission(store, behavior, "muted"), omission === "muted"),
+        button("delete", "Delete", () => changeOmission(store, behavior, "deleted"), omission === "deleted"),
+      ]
+    : [];
+  const back = edit
+    ? [el("button", { type: "button", id: "take-back", click: () => revertBehavior(store, behavior) }, ["As it was"])]
+    : [];
+  return el("div", { class: "row", role: "group", "aria-label": "Behaviour" }, [...made, ...omitted, ...back]);
+}

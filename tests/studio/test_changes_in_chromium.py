@@ -1,0 +1,179 @@
+"""A line changed in the page: by mouse and by keyboard, undone, saved as the command line reads it, and compared."""
+
+import json
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.studio.waiting import wait_until
+from understudy.cli.main import main
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+STROKE = "document.querySelector('#selected input[data-mark=stroke]')"
+LINE = (str(EXAMPLES / "example.flac"), "--text-file", str(EXAMPLES / "example.txt"))
+
+
+def _select(page: Page, text: str) -> None:
+    page.locator("#items li", has_text=text).first.click()
+
+
+def _mark_s(page: Page, mark: str) -> float:
+    return float(page.locator(f"#selected input[data-mark={mark}]").input_value())
+
+
+def _pose(page: Page) -> str:
+    return page.get_attribute("#stage-canvas", "data-pose") or ""
+
+
+def _go_to(page: Page, time_s: float) -> None:
+    """Clicks the ruler of the timeline at a time; the pose there is drawn when this returns."""
+    pose = _pose(page)
+    page.mouse.click(*_place_of(page, time_s))
+    expect(page.locator("#stage-canvas")).not_to_have_attribute("data-pose", pose)
+
+
+def _place_of(page: Page, time_s: float, top_px: float = 8.0) -> tuple[float, float]:
+    """Where a time is on the timeline when all of it is seen: on the ruler, unless lower."""
+    box = page.locator("#timeline-canvas").bounding_box()
+    assert box is not None
+    whole_s = _whole_s(page)
+    return box["x"] + 78 + time_s / whole_s * (box["width"] - 88), box["y"] + top_px
+
+
+def _whole_s(page: Page) -> float:
+    """When the last thing on the timeline is over."""
+    ends = page.locator("#items li").all_inner_texts()
+    return max(7.18, *(float(text.split("–")[1].split(" s")[0]) for text in ends))
+
+
+def _saved(page: Page, folder: Path) -> Path:
+    with page.expect_download() as download:
+        page.click("#save-edits")
+    path = folder / download.value.suggested_filename
+    download.value.save_as(path)
+    return path
+
+
+def test_a_mark_is_moved_by_mouse_the_motion_changes_and_is_undone(opened: Page) -> None:
+    _select(opened, "gesture NEGATION")
+    before_s = _mark_s(opened, "stroke")
+    _go_to(opened, before_s)
+    pose = _pose(opened)
+    y = _row_of_gestures(opened)
+    x, _ruler = _place_of(opened, before_s)
+    further, _ruler = _place_of(opened, before_s + 0.6)
+    opened.mouse.move(x, y)
+    opened.mouse.down()
+    opened.mouse.move((x + further) / 2, y, steps=3)
+    opened.mouse.move(further, y, steps=3)
+    opened.mouse.up()
+    expect(opened.locator("#undo")).to_be_enabled()
+    wait_until(opened, f"Math.abs({STROKE}.value - {before_s}) > 0.5")
+    assert _mark_s(opened, "stroke") == pytest.approx(before_s + 0.6, abs=0.05)
+    expect(opened.locator("#stage-canvas")).not_to_have_attribute("data-pose", pose)
+    while opened.locator("#undo").is_enabled():
+        opened.click("#undo")
+    wait_until(opened, f"Math.abs({STROKE}.value - {before_s}) < 0.002")
+    expect(opened.locator("#stage-canvas")).to_have_attribute("data-pose", pose)
+
+
+def _row_of_gestures(page: Page) -> float:
+    """The height at which gestures lie: found by clicking down the timeline until one is selected."""
+    stroke_s = _mark_s(page, "stroke")
+    for top_px in range(20, 400, 6):
+        x, y = _place_of(page, stroke_s - 0.1, top_px)
+        page.mouse.click(x, y)
+        if page.locator("#selected h3", has_text="gesture NEGATION").count():
+            return y
+    raise AssertionError("no gesture is on the timeline")
+
+
+def test_what_is_saved_makes_the_same_on_the_command_line(opened: Page, tmp_path: Path) -> None:
+    """By keyboard alone: a gesture is moved and made larger, another movement is deleted, a word is marked."""
+    _select(opened, "gesture NEGATION")
+    stroke_s = _mark_s(opened, "stroke")
+    opened.keyboard.press("Alt+Shift+ArrowRight")
+    wait_until(opened, f"{STROKE}.value > {stroke_s} + 0.05")
+    opened.locator("#size").fill("0.9")
+    _performed(opened)
+    _select(opened, "head SHAKE")
+    opened.locator("#items").focus()
+    opened.keyboard.press("Delete")
+    expect(opened.locator("#items li", has_text="deleted by the author")).to_have_count(1)
+    _select(opened, "word lights")
+    opened.locator("#word-mark").select_option("important")
+    _performed(opened)
+    edits = _saved(opened, tmp_path)
+    told = json.loads(edits.read_text(encoding="utf-8"))
+    assert [sorted(edit) for edit in told["behaviors"]] == [["amount", "marks", "of"], ["of", "omit"]]
+    out = tmp_path / "line.bml"
+    assert main(["perform", *LINE, "--edits", str(edits), "-o", str(out)]) == 0
+    assert _bml(opened) == out.read_bytes()
+
+
+def _performed(page: Page) -> None:
+    """Waits until the service has answered the last change."""
+    page.wait_for_timeout(50)
+    wait_until(page, "!document.querySelector('#state').textContent.startsWith('Performing')")
+
+
+def _bml(page: Page) -> bytes:
+    """The BML of the page's own last answer."""
+    with page.expect_response("**/perform") as answered:
+        page.evaluate("document.querySelector('#seed').dispatchEvent(new Event('change'))")
+    return str(answered.value.json()["bml"]).encode()
+
+
+def test_a_gesture_is_replaced_from_the_browser_and_locked(opened: Page) -> None:
+    _select(opened, "gesture NEGATION")
+    opened.click("#replace")
+    expect(opened.locator("#gesture-family")).to_have_value("negation")
+    opened.locator("#gesture-family").select_option("point_there")
+    wait_until(opened, "document.querySelectorAll('#gesture-browser canvas[data-played]').length > 0")
+    opened.click("#gesture-browser button[data-lexeme=POINT_FRONT]")
+    expect(opened.locator("#selected h3")).to_have_text("gesture POINT_FRONT")
+    opened.click("#lock")
+    expect(opened.locator("#lock")).to_have_attribute("aria-pressed", "true")
+    opened.locator("#seed").fill("9")
+    opened.keyboard.press("Tab")
+    _performed(opened)
+    expect(opened.locator("#items li", has_text="gesture POINT_FRONT")).to_have_count(1)
+
+
+def test_a_gesture_is_added_on_a_word_and_taken_back(opened: Page) -> None:
+    _select(opened, "word best")
+    opened.click("#add-gesture")
+    opened.locator("#gesture-family").select_option("")
+    opened.locator("#gesture-name").fill("precision")
+    opened.click("#gesture-browser button[data-lexeme=PRECISION]")
+    _select(opened, "gesture PRECISION")
+    opened.click("#take-back")
+    expect(opened.locator("#items li", has_text="gesture PRECISION")).to_have_count(0)
+
+
+def test_conflicts_are_shown_and_left_out(opened: Page, tmp_path: Path) -> None:
+    edits = tmp_path / "other.edits.json"
+    gone = {"of": {"channel": "gesture", "at": {"word": 0, "text": "Yes"}, "lexeme": "NOD"}, "omit": "muted"}
+    edits.write_text(json.dumps({"version": 1, "behaviors": [gone]}), encoding="utf-8")
+    opened.set_input_files("#edits-file", edits)
+    conflict = opened.locator("#conflicts li[data-code=edit_word_gone]")
+    expect(conflict).to_contain_text("the word 'Yes' is no longer in the line")
+    conflict.locator("button").click()
+    expect(conflict).to_have_count(0)
+
+
+def test_a_wrong_file_of_edits_shows_its_mistakes(opened: Page, tmp_path: Path) -> None:
+    for content, said in (("{", "is no file of edits"), ('{"behaviors": [{}]}', "give either of, or add and on")):
+        path = tmp_path / "wrong.json"
+        path.write_text(content)
+        opened.set_input_files("#edits-file", path)
+        expect(opened.locator("#problem")).to_contain_text(said)
+
+
+def test_another_version_stands_beside_this_one(opened: Page) -> None:
+    opened.locator("#compare-with").select_option("prosody")
+    expect(opened.locator("#stage-canvas")).to_have_attribute("data-roles", "speaker compared")
+    expect(opened.locator("#compared")).to_contain_text("movements are the same")
+    opened.locator("#compare-with").select_option("none")
+    expect(opened.locator("#stage-canvas")).to_have_attribute("data-roles", "speaker")
