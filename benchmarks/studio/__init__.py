@@ -1,0 +1,1 @@
+"""How soon the studio answers: Chromium against a service of its own."""
