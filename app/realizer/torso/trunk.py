@@ -29,9 +29,12 @@ TURN_RAD_M = 0.25
 TWIST_RAD_M = 0.10
 ASIDE_RAD_M = 0.08
 WEIGHT_M_M = 0.05
+BACK_M_M = (0.05, 0.07)
 """Per metre: forward lean towards the hand that is farther out, straightening for hands above the chest, yaw towards
 the hand farther to the side, yaw with the hand that reaches farther, side bend away from the higher hand, and lateral
-hip shift."""
+hip shift; and the way of the hips back, by each hand's reach and by the farther one's, after which the trunk leans.
+With the latter two, hands that are far away carry the centre of mass 5 mm forward instead of 16
+(`benchmarks.realizer.balance`)."""
 
 _AT_EASE_M: FloatArray = np.array([0.15, 0.05, 0.20])
 _AT_EASE_M.setflags(write=False)
@@ -53,14 +56,23 @@ def follow_with_trunk(
     shared = turns[:, None] * np.array(list(SHARES.values()))[:, None]
     rotations[:, joints] = multiply(rotations[:, joints], from_rotation_vector(shared))
     moved_m = hips_m[None].repeat(2, axis=0)
-    aside_m = _followed(body.times_s, WEIGHT_M_M * (left[:, :1] - right[:, :1]), _WEIGHT_SMOOTHING_S)
-    moved_m[1, :, 0] += aside_m[:, 0] if accents is None else aside_m[:, 0] + accents.aside_m
+    shift_m = np.stack([WEIGHT_M_M * (left[:, 0] - right[:, 0]), -_way_back_m(left, right)], axis=-1)
+    aside_m, away_m = _followed(body.times_s, shift_m, _WEIGHT_SMOOTHING_S).T
+    moved_m[1, :, 0] += aside_m if accents is None else aside_m + accents.aside_m
+    moved_m[1, :, 2] += away_m
     before_m, after_m = hips_height_m(skeleton, moved_m, rotations[:, 0])
-    hips_m[:, 0] = moved_m[1, :, 0]
+    hips_m[:, [0, 2]] = moved_m[1][:, [0, 2]]
     hips_m[:, 1] += after_m - before_m
     if accents is not None:
         hips_m[:, 1] -= accents.dip_m
     set_legs(skeleton, rotations, hips_m)
+
+
+def _way_back_m(left: FloatArray, right: FloatArray) -> FloatArray:
+    """How far back (T,) the hips go so that the centre of mass stays over the feet while hands reach away."""
+    left_m, right_m = np.maximum(left[:, 2], 0.0), np.maximum(right[:, 2], 0.0)
+    by_arms, by_lean = BACK_M_M
+    return np.asarray(by_arms * (left_m + right_m) + by_lean * np.maximum(left_m, right_m))
 
 
 def _turns(left: FloatArray, right: FloatArray) -> FloatArray:

@@ -71,3 +71,12 @@ def test_the_trunk_moves_ahead_of_the_hand() -> None:
     left = chest_facing(moved(out_and_back(0.4, 0.0, 0.0), AT_EASE_M))[:, 0]
     halfway_s = TIMES_S[np.argmax(left > left[120] / 2)]
     assert 0.85 < halfway_s < 1.0
+
+
+def test_hips_go_back_and_feet_stay_while_hands_reach_away() -> None:
+    reaching, idle, there = moved(*[out_and_back(0.0, 0.2, 0.3)] * 2), _idle(), slice(110, 130)
+    assert (reaching.hips_m[there, 2] < idle.hips_m[there, 2] - 0.03).all()
+    np.testing.assert_allclose(reaching.hips_m[0], idle.hips_m[0], atol=1e-3)  # the curve's tail
+    feet = SKELETON.chain("leftFoot", "rightFoot")
+    places, still = (forward(SKELETON, each.rotations, each.hips_m)[0][:, feet] for each in (reaching, idle))
+    np.testing.assert_allclose(places, still, atol=1e-6)
