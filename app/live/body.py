@@ -12,7 +12,7 @@ Lips follow the voice (`mouth`) unless the take has visemes of words then.
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import floor
+from math import floor, inf
 
 import numpy as np
 
@@ -70,12 +70,14 @@ class LiveBody:
         self._offset: Offset | None = None
         self._shown: list[Pose] = []
         self._asked = Asked()
+        self._due_s = inf
         self._lips = np.zeros(len(SHAPES))
 
     def ask(self, asked: Asked) -> None:
         """What it should do from the next frame on."""
         if asked != self._asked:
-            self._asked, self._take = asked, None
+            self._due_s = min(self._due_s, _differ_from_s(self._asked, asked, self._next * self._frame_s))
+            self._asked = asked
 
     def frames_until(self, now_s: float, mouth: Sequence[MouthShape]) -> tuple[BodyFrame, ...]:
         """The frames up to now. `mouth` are the voice's shapes since before the last frame."""
@@ -87,8 +89,11 @@ class LiveBody:
         return tuple(frames)
 
     def _frames_left(self) -> int:
-        """How many frames the take has left."""
-        return 0 if self._take is None else self._begin + len(self._take.hips_m) - self._next
+        """How many frames the take has left before it differs from what is asked."""
+        if self._take is None:
+            return 0
+        left = self._begin + len(self._take.hips_m) - self._next
+        return left if self._due_s == inf else max(0, min(left, floor(self._due_s / self._frame_s) - self._next))
 
     def _retaken(self) -> int:
         """Makes a take from the next frame on, which goes over from what was shown; the frames that it has."""
@@ -96,6 +101,7 @@ class LiveBody:
             self._clocks += 1
             self._begin = self._next - round(BEFORE_S / self._frame_s)
         self._take = take = self._realized(self._begin * self._frame_s)
+        self._due_s = inf
         if len(self._shown) == 2:
             at = self._next - self._begin
             shown = Pose.of(self._shown)
@@ -148,6 +154,35 @@ class LiveBody:
             self._lips = self._lips + shares * (target - self._lips)
             lips.append(self._lips)
         return np.array(lips)
+
+
+def _differ_from_s(before: Asked, after: Asked, now_s: float) -> float:
+    """From when on what is asked moves the body otherwise than before; of what is over nothing does."""
+    if before.visemes != after.visemes:
+        return now_s
+    ones, others = ({each.id: each for each in asked.behaviors} for asked in (before, after))
+    moments_s = [inf]
+    for name in ones.keys() | others.keys():
+        one, other = ones.get(name), others.get(name)
+        if one is None or other is None:
+            alone = one or other
+            assert alone is not None, "the name is one of theirs"
+            moments_s += [alone.sync.start] if alone.sync.end > now_s else []
+        elif one != other:
+            moments_s.append(_unlike_from_s(one, other))
+    return max(now_s, min(moments_s))
+
+
+def _unlike_from_s(one: Behavior, other: Behavior) -> float:
+    """From when on two states of a behaviour differ: the last sync point before the first that is another."""
+    if replace(one, sync=other.sync) != other:
+        return min(one.sync.start, other.sync.start)
+    same_s = min(one.sync.start, other.sync.start)
+    for mine, theirs in zip(one.sync.in_order(), other.sync.in_order(), strict=False):
+        if mine != theirs:
+            break
+        same_s = mine[1]
+    return same_s
 
 
 def _with_lips(shapes: FloatArray, lips: FloatArray) -> FloatArray:

@@ -87,3 +87,25 @@ def test_lips_follow_the_voice(body: LiveBody) -> None:
 def test_poses_are_taken_apart_and_together() -> None:
     frames = [Pose(np.full((2, 4), k), np.full(3, k), np.full(52, k)) for k in range(3)]
     assert Pose.of(frames).at(1).hips_m.tolist() == [1, 1, 1]
+
+
+def test_what_comes_later_is_realized_later_and_what_is_over_not_again(
+    body: LiveBody, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Takes are counted, for each costs as much as seconds of anything else."""
+    takes = []
+
+    def counted(*arguments: object, **keywords: object) -> object:
+        takes.append(body._next)
+        return realize(*arguments, **keywords)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("understudy.live.body.realize", counted)
+    body.ask(Asked((beat(0.0),)))
+    body.frames_until(1.7, ())
+    body.ask(Asked((beat(0.0), beat(3.0))))
+    body.frames_until(2.5, ())
+    assert len(takes) == 1
+    body.frames_until(3.5, ())
+    body.ask(Asked((beat(3.0),)))
+    body.frames_until(4.0, ())
+    assert len(takes) == 2

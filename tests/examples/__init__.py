@@ -1,0 +1,1 @@
+"""The examples in the repository that are no tests of their own."""
