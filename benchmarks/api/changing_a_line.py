@@ -5,7 +5,7 @@ performance, its BML and its motion. Told are milliseconds from the change to th
 requests within, the page's own share, and the processor time that the service takes for a change,
 which is the same on a busy machine.
 
-    python -m benchmarks.studio.changing
+    python -m benchmarks.api.changing_a_line
 """
 
 import statistics
@@ -14,9 +14,10 @@ from contextlib import ExitStack
 import psutil
 from playwright.sync_api import Page, sync_playwright
 
-from benchmarks.api.watching import HOST, Running, percentile, serving
 from tests.studio.conftest import CHROMIUM, FLAGS, SIZE
 from tests.studio.waiting import wait_until
+
+from .watching import HOST, Running, percentile, serving
 
 CHANGES = 20
 WARMING = 3

@@ -1,1 +1,0 @@
-"""How soon the studio answers: Chromium against a service of its own."""
