@@ -3,6 +3,7 @@
 import { el, labelled } from "../dom.js";
 import { performAgain } from "../service/performing.js";
 import { PROBLEM } from "../state/performed.js";
+import { PROJECT } from "../state/project.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
@@ -34,7 +35,12 @@ function keyForm(store, service) {
     event.preventDefault();
     service.key = typed.value;
     store.set(PROBLEM, null);
-    performAgain(store);
+    // With no line yet it was the page's own questions that were refused: all are asked again.
+    if (store.get(PROJECT).audio === null) {
+      location.reload();
+    } else {
+      performAgain(store);
+    }
   };
   return el("form", { submit: send }, [labelled("API key", typed), el("button", {}, ["Use this key"])]);
 }
