@@ -1,6 +1,6 @@
 /**
- * Keeps the performance that of the project: whenever the project changes it is performed and realized again, and what
- * is under way for an earlier one is given up.
+ * Keeps the performance that of the project: whenever the project changes it is performed and realized again, one at a
+ * time and then the latest. Only what is under way for another recording or text is given up, for that may take long.
  */
 
 import { clipFromJson } from "understudy-client";
@@ -8,6 +8,7 @@ import { clipFromJson } from "understudy-client";
 import { BUSY, PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { slice } from "../state/slice.js";
+import { latest } from "./latest.js";
 import { inRecording, performForm, realizeForm } from "./requests.js";
 import { problemOf } from "./service.js";
 
@@ -29,13 +30,23 @@ const HEARD = slice(/** @type {{ audio: File, text: string, line: PerformedLine 
  * @param {Service} service
  */
 export function keepPerformed(store, service) {
+  let { audio, text } = store.get(PROJECT);
   let underWay = new AbortController();
-  store.watch(PROJECT, (project) => {
-    underWay.abort();
-    underWay = new AbortController();
+  const refresh = latest(async (isLatest) => {
+    const project = store.get(PROJECT);
     if (isLine(project)) {
-      void performInto(store, service, project, underWay.signal);
+      await performInto(store, service, project, { signal: underWay.signal, isLatest });
+    } else {
+      store.set(BUSY, false);
     }
+  });
+  store.watch(PROJECT, (project) => {
+    if (project.audio !== audio || project.text !== text) {
+      ({ audio, text } = project);
+      underWay.abort();
+      underWay = new AbortController();
+    }
+    void refresh();
   });
 }
 
@@ -79,9 +90,9 @@ export async function performed(service, line, heard = null, signal) {
  * @param {Store} store
  * @param {Service} service
  * @param {Line} line
- * @param {AbortSignal} signal
+ * @param {{ signal: AbortSignal, isLatest: () => boolean }} under
  */
-async function performInto(store, service, line, signal) {
+async function performInto(store, service, line, { signal, isLatest }) {
   store.set(BUSY, true);
   try {
     const found = await performed(service, line, heardBefore(store, line), signal);
@@ -91,11 +102,11 @@ async function performInto(store, service, line, signal) {
       store.set(PROBLEM, null);
     }
   } catch (error) {
-    if (!signal.aborted) {
+    if (isLatest()) {
       store.set(PROBLEM, problemOf(error));
     }
   }
-  if (!signal.aborted) {
+  if (isLatest()) {
     store.set(BUSY, false);
   }
 }

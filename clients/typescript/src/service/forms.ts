@@ -10,6 +10,7 @@ export function performForm(line: PerformRequest): FormData {
   appendJson(form, "functions", line.functions);
   appendJson(form, "direction", line.direction);
   appendJson(form, "edits", line.edits);
+  appendJson(form, "rules", line.rules);
   for (const name of ["words", "reference"] as const) {
     const file = line[name];
     if (file) {

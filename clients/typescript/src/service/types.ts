@@ -28,6 +28,7 @@ export type GestureLanguage = Schemas["GestureLanguageResponse"];
 export type CheckedGestures = Schemas["GestureCheckResponse"];
 export type PlacedMistake = Schemas["PlacedMistakeResponse"];
 export type AvatarPose = Schemas["AvatarPoseResponse"];
+export type RuleEdits = Schemas["RuleEditsRequest"];
 export type RuleFile = Schemas["RuleFileResponse"];
 export type RuleFiles = Schemas["RuleFilesResponse"];
 export type RuleMistakes = Schemas["RuleCheckResponse"];
@@ -55,6 +56,8 @@ export interface PerformRequest {
   readonly direction?: Direction;
   /** What an author changed (docs/edits.md). */
   readonly edits?: Edits;
+  /** Edited files of rules and words; they hold for this request only. */
+  readonly rules?: RuleEdits;
   /** What `understudy reference` writes (.json), or another recording of the speaker. */
   readonly reference?: NamedFile;
 }

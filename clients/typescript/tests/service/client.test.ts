@@ -37,7 +37,9 @@ describe("the client and the service", { skip: noService }, () => {
       words: { name: "words.json", content: new TextEncoder().encode(JSON.stringify({ words })) },
       functions: [{ class: "negation", first: 1, last: 2 }],
       direction: { moments: [{ first: 8, last: 9, head: ["shake"] }] },
+      edits: { version: 1, line: { agitation: "high" } },
     });
+    assert.equal(performance.agitation, "high");
     assert.equal(performance.words[1]?.start_s, 0.2);
     assert.ok(performance.moments.some((moment) => moment.first === 8 && moment.note === 0));
     assert.ok(performance.functions.some((found) => found.class === "negation" && found.first === 1 && found.last === 2));
@@ -71,6 +73,10 @@ describe("the client and the service", { skip: noService }, () => {
     await assert.rejects(
       client.perform({ audio, text: "  " }),
       (error) => error instanceof ServiceProblemError && error.code === "text_empty" && error.field === "text",
+    );
+    await assert.rejects(
+      client.perform({ ...(await recorded("figure8")), rules: { files: { "en/nowhere.yaml": "" } } }),
+      (error) => error instanceof ServiceProblemError && error.status === 422 && error.detail.includes("nowhere"),
     );
     await assert.rejects(
       new UnderstudyClient({ baseUrl: service.baseUrl }).listCharacters(),
