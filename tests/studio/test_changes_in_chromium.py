@@ -112,6 +112,16 @@ def test_what_is_saved_makes_the_same_on_the_command_line(opened: Page, tmp_path
     assert _bml(opened) == out.read_bytes()
 
 
+def test_quick_changes_are_all_made_and_meet_no_full_service(opened: Page) -> None:
+    _select(opened, "gesture NEGATION")
+    stroke_s = _mark_s(opened, "stroke")
+    for _press in range(6):
+        opened.keyboard.press("Alt+Shift+ArrowRight")
+    _performed(opened)
+    wait_until(opened, f"Math.abs({STROKE}.value - {stroke_s} - 0.6) < 0.02")
+    expect(opened.locator("#problem")).to_be_hidden()
+
+
 def _performed(page: Page) -> None:
     """Waits until the service has answered the last change."""
     page.wait_for_timeout(50)

@@ -1,6 +1,7 @@
 /** What an author does to a behaviour of the performance that is looked at: each a change that can be undone. */
 
 import { PERFORMED, SELECTION } from "../state/performed.js";
+import { slice } from "../state/slice.js";
 import { changeEdits, editsOf } from "./change_edits.js";
 import { editOf, withAdded, withBehavior, withoutBehavior } from "./edits.js";
 import { marksOf, placeOf, wordReference } from "./references.js";
@@ -11,6 +12,14 @@ import { marksOf, placeOf, wordReference } from "./references.js";
 
 /** Which mark takes the whole behaviour with it, the first that it has. */
 const LEADING = /** @type {const} */ (["stroke", "ready", "start"]);
+
+/**
+ * What was moved last, and how much since the performance that is shown; whoever moves it again before the service has
+ * answered goes on from there.
+ *
+ * @typedef {Readonly<{ performance: object, edits: object, id: string, mark: string | null, later_s: number }>} Moved
+ */
+const MOVED = slice(/** @type {Moved | null} */ (null));
 
 /**
  * The performance that is shown with the edits it was made with; null before there is one.
@@ -147,8 +156,23 @@ function shifted(made, behavior, later_s) {
 export function moveBehavior(store, behavior, mark, later_s) {
   const made = madeOf(store);
   if (made) {
-    changeEdits(store, `Move ${mark ?? "all"} of ${behavior.id}`, withMoved(editsOf(store), made, behavior, mark, later_s));
+    const { performance } = made;
+    const together_s = later_s + alreadyMoved_s(store, performance, behavior.id, mark);
+    changeEdits(store, `Move ${mark ?? "all"} of ${behavior.id}`, withMoved(editsOf(store), made, behavior, mark, together_s));
+    store.set(MOVED, { performance, edits: editsOf(store), id: behavior.id, mark, later_s: together_s });
   }
+}
+
+/**
+ * @param {Store} store
+ * @param {object} performance
+ * @param {string} id
+ * @param {string | null} mark
+ */
+function alreadyMoved_s(store, performance, id, mark) {
+  const last = store.get(MOVED);
+  const isSame = last?.performance === performance && last.edits === editsOf(store) && last.id === id && last.mark === mark;
+  return last && isSame ? last.later_s : 0;
 }
 
 /**

@@ -96,7 +96,7 @@ async function performInto(store, service, line, { signal, isLatest }) {
   store.set(BUSY, true);
   try {
     const found = await performed(service, line, heardBefore(store, line), signal);
-    if (!signal.aborted) {
+    if (isLatest()) {
       keepHeard(store, line, found);
       store.set(PERFORMED, found);
       store.set(PROBLEM, null);
