@@ -115,10 +115,11 @@ def _hand_shares(profile: Profile) -> dict[Hand, float]:
 
 def _units(one: UnitHabit, other: UnitHabit, share: float) -> UnitHabit:
     longest = max(len(one.sizes), len(other.sizes))
+    known = max(len(one.joined), len(other.joined))
     sizes = (each.sizes + (0.0,) * (longest - len(each.sizes)) for each in (one, other))
     return UnitHabit(
         _between(one.merge_within_s, other.merge_within_s, share),
-        _between(one.joined, other.joined, share),
+        tuple(_between(one.joined_after(size), other.joined_after(size), share) for size in range(1, known + 1)),
         tuple(_between(first, second, share) for first, second in zip(*sizes, strict=True)),
     )
 

@@ -66,11 +66,16 @@ class FormHabit:
 @dataclass(frozen=True, slots=True)
 class UnitHabit:
     """Of gestures that are nearer than `merge_within_s`, end of stroke to start of stroke, in a segment of speech, the
-    share `joined` is one unit; `sizes` are the shares of units of 1, 2, … 6 and more gestures."""
+    share `joined` is one unit: of those after a unit's first gesture, after its second, … the last share after all
+    that follow. `sizes` are the shares of units of 1, 2, … 6 and more gestures."""
 
     merge_within_s: float
-    joined: float
+    joined: tuple[float, ...]
     sizes: tuple[float, ...]
+
+    def joined_after(self, size: int) -> float:
+        """How often a unit of so many gestures, 1 at least, goes on."""
+        return self.joined[min(size, len(self.joined)) - 1]
 
 
 @dataclass(frozen=True, slots=True)

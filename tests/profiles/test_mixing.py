@@ -20,6 +20,7 @@ def test_the_ends_are_the_speakers(both: tuple[Profile, Profile]) -> None:
         made = mix(*both, share, name="m")
         assert made.gestures_per_minute == whole.gestures_per_minute
         assert made.units.merge_within_s == whole.units.merge_within_s
+        assert made.units.joined == pytest.approx(whole.units.joined)
         assert made.rests == whole.rests
         for lexeme, habit in whole.lexemes.items():
             assert made.lexemes[lexeme].share == pytest.approx(habit.share)

@@ -35,7 +35,7 @@ def profile(lexemes: dict[str, LexemeHabit], tags: dict[str, dict[str, float]], 
         lexemes=lexemes,
         follows={},
         hand_follows={},
-        units=UnitHabit(1.5, 1.0, (1.0,)),
+        units=UnitHabit(1.5, (1.0,), (1.0,)),
         phases=PhaseHabit(Spread(0.4), Spread(0.3), Spread(0.5), Spread(0.3)),
         smoothing=Smoothing(1, 1, 1, 1, 0, 0),
     )

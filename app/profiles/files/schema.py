@@ -2,7 +2,7 @@
 
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
 from ...model import Hand
 from ...yaml_files import Entry
@@ -15,6 +15,11 @@ _Shares = dict[str, _Share]
 _Durations = tuple[_Seconds, _Seconds]
 _Offset = tuple[Annotated[float, Field(ge=-5, le=5)], _Seconds]
 _Strokes = tuple[Annotated[float, Field(ge=1, le=20)], Annotated[float, Field(ge=0, le=10)]]
+
+
+def _several(said: object) -> object:
+    """One share for all sizes of units is a list of one."""
+    return said if isinstance(said, list) else [said]
 
 
 class TagForm(Entry):
@@ -33,7 +38,7 @@ class LexemeForm(Entry):
 
 class UnitForm(Entry):
     merge_within_s: float = Field(default=1.5, ge=0, le=10)
-    joined: _Share = 1.0
+    joined: Annotated[tuple[_Share, ...], Field(min_length=1, max_length=6), BeforeValidator(_several)] = (1.0,)
     sizes: tuple[_Share, ...] = Field(default=(), max_length=7)
 
 

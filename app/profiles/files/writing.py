@@ -38,7 +38,7 @@ def profile_yaml(profile: Profile) -> bytes:
         f"gestures_per_minute: {_number(profile.gestures_per_minute)}",
         "# How much earlier than its word says a main stroke comes, and a stroke after it.",
         f"lead_s: {_flow({'main': profile.lead.main_s, 'after': profile.lead.after_s})}",
-        "# Strokes nearer than this are joined to one unit so often; shares of units of 1, 2, ... 6 and more gestures.",
+        "# Strokes nearer than this are joined so often to a unit of 1, 2, ... gestures; shares of units by size.",
         f"units: {_flow({name: getattr(profile.units, name) for name in UnitHabit.__slots__})}",
         f"phases: {_flow({name: getattr(profile.phases, name) for name in PhaseHabit.__slots__})}",
         "# Where the hands rest, by how soon the next unit begins.",

@@ -1,7 +1,7 @@
 """A line's gestures in a speaker's way: the sixteen steps of NGS §3.3, in their order.
 
      1–3  words, tags, candidates                                   `candidates`
-     4, 5  the sequence of gestures at the speaker's rate, and hands `sequence`
+     4, 5  the sequence of gestures at the speaker's rate, and hands `pacing`, `sequence`
      6    the form of the hand is the library's for the lexeme, in the size of the speaker's
      7, 8  units; a preparation where there is time                  `units`
      9    where strokes lead from and to: an occurrence of the speaker's GestureDB
@@ -22,17 +22,20 @@ from ...gesture_limits import USUAL_AMOUNT, transition_times
 from ...model import Hand, Interval, Utterance, Word
 from ..annotation.model import TaggedWords
 from ..profile import Occurrence, Profile
-from ..segments import segments_of, spoken_s
 from ..space import size_of
 from .candidates import places_of
-from .phases import Timed, after, drawn_main, form_of, with_after_strokes
+from .pacing import paced_gestures
+from .phases import MOVED_S, Timed, after, drawn_main, form_of, with_after_strokes
 from .repertoire import PlayableGesture, Repertoire
 from .script import GestureScript, ScriptedGesture, ScriptedUnit
-from .sequence import Drawn, drawn_gestures, drawn_hands
+from .sequence import Drawn, drawn_hands
 from .units import Bounds, bounds_of, joined, rest_after
 
 PREPARED_S = 0.5
 """With less time than this before its stroke a gesture is not prepared anew."""
+
+LEAST_MOVED_S = 0.005
+"""What is moved by less is not said to be."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,8 +63,7 @@ def generate(speaker: Speaker, utterance: Utterance, tags: Sequence[TaggedWords]
     words = [word for word in utterance.words if word.interval is not None]
     rng = random.Random(f"{speaker.seed} {profile.name} {' '.join(word.text for word in words)}")
     places = places_of(profile, repertoire, utterance, tags)
-    expected = profile.gestures_per_minute * spoken_s(words, segments_of(words)) / 60
-    chosen = drawn_gestures(profile, places, expected=expected, rng=rng, likeliest=speaker.likeliest)
+    chosen = paced_gestures(profile, places, words, rng=rng, likeliest=speaker.likeliest)
     hands = drawn_hands(profile, chosen, repertoire, rng=rng)
     by_index = {word.index: word for word in words}
     timed = [
@@ -77,11 +79,16 @@ def generate(speaker: Speaker, utterance: Utterance, tags: Sequence[TaggedWords]
 
 
 def _in_turn(repertoire: Repertoire, wanted: Sequence[_Made]) -> tuple[list[_Made], list[ScriptedGesture]]:
-    """Those for which there is time after the one before, moved back if need be, and the others (step 11)."""
+    """Those for which there is time after the one before, and the others (step 11). Where there is too little, the one
+    before is moved forward by half of what lacks, if it can be, and this one back by the rest."""
     made: list[_Made] = []
     given_up: list[ScriptedGesture] = []
     for each in wanted:
-        free_s = made[-1].timed.strokes[0].end_s + _way_s(repertoire, made[-1], each) if made else 0.0
+        free_s = _free_s(repertoire, made, each)
+        lacks_s = free_s - each.timed.strokes[0].start_s
+        if made and 0 < lacks_s <= MOVED_S:
+            made[-1] = _earlier(repertoire, made, lacks_s / 2)
+            free_s = _free_s(repertoire, made, each)
         timed = after(each.timed, free_s)
         if timed is None:
             before = f"{made[-1].drawn.lexeme} leaves it no time" if made else "there is no time before its word"
@@ -91,6 +98,20 @@ def _in_turn(repertoire: Repertoire, wanted: Sequence[_Made]) -> tuple[list[_Mad
         else:
             made.append(replace(each, timed=timed))
     return made, given_up
+
+
+def _free_s(repertoire: Repertoire, made: Sequence[_Made], following: _Made) -> float:
+    """When the hands are free for the next stroke."""
+    return made[-1].timed.strokes[0].end_s + _way_s(repertoire, made[-1], following) if made else 0.0
+
+
+def _earlier(repertoire: Repertoire, made: Sequence[_Made], most_s: float) -> _Made:
+    """The last of those made, earlier by so much, or as far as what is before it lets it."""
+    *others, last = made
+    timed = last.timed.shifted(
+        -max(0.0, min(most_s, last.timed.strokes[0].start_s - _free_s(repertoire, others, last)))
+    )
+    return last if any(_overlap(timed, taken) for taken in repertoire.taken) else replace(last, timed=timed)
 
 
 def _way_s(repertoire: Repertoire, one: _Made, other: _Made) -> float:
@@ -141,7 +162,6 @@ def _script(
 
 def _scripted(each: _Made, bounds: Bounds, name: str) -> ScriptedGesture:
     tag = each.drawn.place.tags[each.drawn.lexeme]
-    moved_s = each.timed.moved_s
     return ScriptedGesture(
         id=name,
         lexeme=each.drawn.lexeme,
@@ -155,7 +175,16 @@ def _scripted(each: _Made, bounds: Bounds, name: str) -> ScriptedGesture:
         relax_s=bounds.relax_s,
         end_s=bounds.end_s,
         held=each.timed.held,
-        reason=f"{moved_s:.2f} s later, for want of time before it" if moved_s else None,
+        reason=_moved(each.timed.moved_s),
+    )
+
+
+def _moved(moved_s: float) -> str | None:
+    """Why a gesture is not where its word has it."""
+    if abs(moved_s) < LEAST_MOVED_S:
+        return None
+    return f"{abs(moved_s):.2f} s " + (
+        "later, for want of time before it" if moved_s > 0 else "earlier, for want of time after it"
     )
 
 

@@ -3,9 +3,10 @@
 The main stroke ends with its word, by the speaker's own offset and deviation, and then earlier by the lead; an
 independent hold begins with its word. After-strokes end with the words that follow, at least `SPACING_S` apart, and
 lead by less. The stroke lasts as long as its clip, which is never time-warped. Where a stroke would come sooner after
-the one before than hands can go, it is moved back by at most `MOVED_S`, else the gesture is given up; after-strokes
-that would be in the next gesture's way are not made (the paper makes them and moves or gives up the next gesture).
-Times are seconds.
+the one before than hands can go, it is moved back by at most `MOVED_S`, else the gesture is given up (`generating`
+moves the one before it forward by half of that; the paper moves back alone, by which gestures came later on average
+than the speaker's); after-strokes that would be in the next gesture's way are not made (the paper makes them and moves
+or gives up the next gesture). Times are seconds.
 """
 
 import random
@@ -28,11 +29,17 @@ LONGEST_HELD_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Timed:
-    """The strokes of a gesture, and by how much they were moved back; `held` is an independent hold."""
+    """The strokes of a gesture, and by how much they were moved back, or forward below 0; `held` is an independent
+    hold."""
 
     strokes: tuple[Interval, ...]
     held: bool
     moved_s: float = 0.0
+
+    def shifted(self, by_s: float) -> "Timed":
+        """The same, later by so much."""
+        strokes = tuple(Interval(each.start_s + by_s, each.end_s + by_s) for each in self.strokes)
+        return Timed(strokes, self.held, self.moved_s + by_s)
 
 
 def drawn_main(profile: Profile, lexeme: str, word: Word, stroke_s: float, rng: random.Random) -> Timed:
@@ -54,8 +61,7 @@ def after(timed: Timed, free_s: float) -> Timed | None:
     most_s = LATEST_S if free_s <= 0 else MOVED_S
     if late_s > most_s:
         return None
-    strokes = tuple(Interval(each.start_s + late_s, each.end_s + late_s) for each in timed.strokes)
-    return Timed(strokes, timed.held, late_s)
+    return timed.shifted(late_s)
 
 
 def with_after_strokes(

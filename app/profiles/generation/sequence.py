@@ -55,13 +55,20 @@ class _Chain:
 
 
 def drawn_gestures(
-    profile: Profile, places: Sequence[Place], *, expected: float, rng: random.Random, likeliest: bool = False
+    profile: Profile,
+    places: Sequence[Place],
+    *,
+    expected: float,
+    rng: random.Random,
+    likeliest: bool = False,
+    before: str = FIRST,
 ) -> tuple[Drawn, ...]:
-    """The gestures of a line, as many as `expected` on average; with `likeliest` the likeliest of such chains."""
+    """The gestures of a stretch of speech after the lexeme `before`, as many as `expected` on average; with `likeliest`
+    the likeliest of such chains."""
     lexemes = sorted({lexeme for place in places for lexeme in place.weights})
     if not lexemes or expected <= 0:
         return ()
-    chain = _chain(profile, places, lexemes)
+    chain = _chain(profile, places, lexemes, before)
     expected = min(expected, NEARLY_ALL * _most(chain))
     found = _likeliest_of(chain, expected) if likeliest else _drawn(chain, expected, rng)
     return tuple(Drawn(places[place], lexemes[lexeme]) for place, lexeme in reversed(found))
@@ -87,11 +94,11 @@ def _hand_shares(profile: Profile) -> Mapping[Hand, float]:
     return {hand: max(sum(each.share * each.hands.get(hand, 0.0) for each in habits), LEAST) for hand in Hand}
 
 
-def _chain(profile: Profile, places: Sequence[Place], lexemes: Sequence[str]) -> _Chain:
+def _chain(profile: Profile, places: Sequence[Place], lexemes: Sequence[str], following: str) -> _Chain:
     shares = np.array([max(_share(profile, lexeme), LEAST) for lexeme in lexemes])
     weights = np.array([[max(place.weights.get(lexeme, 0.0), NEVER) for lexeme in lexemes] for place in places])
     follows = np.array([_row(profile, lexeme, lexemes, shares) for lexeme in lexemes])
-    first = _row(profile, FIRST, lexemes, shares)
+    first = _row(profile, following, lexemes, shares)
     before = tuple(sum(other.end_s <= place.end_s - APART_S for other in places) for place in places)
     return _Chain(np.log(weights), np.log(follows / shares), np.log(first / shares), before)
 
@@ -186,7 +193,11 @@ def _likeliest_of(chain: _Chain, expected: float) -> list[tuple[int, int]]:
 
 
 def _weight_for(count: Callable[[float], float], wanted: float) -> float:
-    """The log weight of a gesture at which there are as many."""
+    """The log weight of a gesture at which there are as many, or the nearest to it that there is."""
+    if wanted <= count(-WIDEST):
+        return -WIDEST
+    if wanted >= count(WIDEST):
+        return WIDEST
     return float(brentq(lambda weight: count(weight) - wanted, -WIDEST, WIDEST, xtol=EXACT))
 
 

@@ -79,18 +79,31 @@ def spread_of(values: Iterable[float], prior: Spread | None = None) -> Spread:
     return Spread(pooled, (squares / total) ** 0.5)
 
 
-def unit_habit(annotations: Iterable[Annotation], gestures: Iterable[ObservedGesture]) -> UnitHabit:
+def unit_habit(annotations: Iterable[Annotation], gestures: Sequence[ObservedGesture]) -> UnitHabit:
     """Sizes of units, the distance that best tells neighbours in one unit from those in two, and how many of those that
-    are nearer are one, where there is time for two."""
+    are nearer are one, where there is time for two, by how many gestures the unit has by then."""
     sizes = Counter(min(len(unit.phrases), LONGEST_UNIT + 1) for each in annotations for unit in each.units)
     gaps = [(each.gap_s, each.joined) for each in gestures if each.gap_s is not None]
     threshold_s = _threshold_s(gaps)
-    free = [joined for gap_s, joined in gaps if SHORTEST_REST_S <= gap_s < threshold_s]
     return UnitHabit(
         merge_within_s=threshold_s,
-        joined=sum(free) / len(free) if free else 1.0,
+        joined=_joined_by_size(gestures, threshold_s),
         sizes=tuple(sizes[size] / sizes.total() for size in range(1, LONGEST_UNIT + 2)),
     )
+
+
+def _joined_by_size(gestures: Iterable[ObservedGesture], threshold_s: float) -> tuple[float, ...]:
+    """Of gestures that are near, and could as well begin a unit, the share that is joined to one of 1, 2, … gestures;
+    drawn to the share over all sizes where such units are rare."""
+    free: dict[int, list[bool]] = {size: [] for size in range(1, LONGEST_UNIT + 1)}
+    size = 0
+    for each in gestures:
+        if each.gap_s is not None and SHORTEST_REST_S <= each.gap_s < threshold_s:
+            free[min(size, LONGEST_UNIT)].append(each.joined)
+        size = size + 1 if each.joined else 1
+    every = [joined for of_size in free.values() for joined in of_size]
+    usual = Spread(sum(every) / len(every) if every else 1.0)
+    return tuple(spread_of(map(float, of_size), usual).mean for of_size in free.values())
 
 
 def _threshold_s(gaps: Sequence[tuple[float, bool]]) -> float:

@@ -47,6 +47,11 @@ def test_a_small_profile_is_enough(tmp_path: Path) -> None:
     assert profile.tag("deixis.self") == profile.tags["any"]
 
 
+@pytest.mark.parametrize(("said", "shares"), [("0.5", (0.5,)), ("[0.9, 0.2]", (0.9, 0.2))])
+def test_units_go_on_by_one_share_or_by_one_for_each_size(tmp_path: Path, said: str, shares: tuple[float, ...]) -> None:
+    assert read_profile(_written(tmp_path, f"{SMALL}units: {{joined: {said}}}\n")).units.joined == shares
+
+
 @pytest.mark.parametrize(
     ("old", "new", "line", "told"),
     [
@@ -55,6 +60,7 @@ def test_a_small_profile_is_enough(tmp_path: Path) -> None:
         ("left: 0.5", "left: 0.7", 5, "the shares sum to 1.200"),
         ("ME: 0.1", "YOU: 0.1", 7, "YOU is not among the lexemes of this profile"),
         ("gestures_per_minute: 12", "gestures_per_minute: -1", 2, "greater than 0"),
+        ("tags:", "units: {joined: [0.5, 1.5]}\ntags:", 6, "less than or equal to 1"),
         ("size: 0.8", "sise: 0.8", 5, "unknown key"),
     ],
 )

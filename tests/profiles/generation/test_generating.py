@@ -120,3 +120,30 @@ def test_behaviors_of_a_script_have_its_strokes_and_rests() -> None:
         assert behavior.function == ("f4" if gesture.first == 4 else None)
     postures = [each.lexeme for each in behaviors if each.kind == "posture"]
     assert postures[0] in {"HANDS_CLASPED", "HANDS_AT_SIDE", "HANDS_IN_POCKETS"}
+
+
+def test_two_gestures_share_what_lacks_between_them() -> None:
+    """One that ends .2 s after its word before one that ends .2 s before: each is moved by half."""
+    lexemes = {"A": habit(0.5, offset_s=0.2), "B": habit(0.5, offset_s=-0.2)}
+    speaker = profile(lexemes, {"x": {"A": 0.9}, "y": {"B": 0.9}, "any": {}}, per_minute=26)
+    tags = [TaggedWords("x", 4, 4), TaggedWords("y", 6, 6)]
+    one, other = generate(Speaker(speaker, repertoire("A", "B")), line(TEXT), tags).made
+    ends_s = [word.interval.end_s for word in line(TEXT).words if word.interval]
+    early_s = ends_s[4] + 0.2 - 0.3 - one.strokes[0].end_s
+    assert early_s > 0.02
+    assert one.reason is not None
+    assert one.reason.endswith("earlier, for want of time after it")
+    assert other.strokes[0].end_s - (ends_s[6] - 0.2 - 0.3) == pytest.approx(early_s)
+
+
+def test_the_one_before_is_not_moved_into_what_is_asked_of_the_hands() -> None:
+    lexemes = {"A": habit(0.5, offset_s=0.2), "B": habit(0.5, offset_s=-0.2)}
+    speaker = profile(lexemes, {"x": {"A": 0.9}, "y": {"B": 0.9}, "any": {}}, per_minute=26)
+    tags = [TaggedWords("x", 4, 4), TaggedWords("y", 6, 6)]
+    asked = replace(
+        repertoire("A", "B"), taken=(Interval(0.0, 1.59),)
+    )  # A's stroke begins at 2.1, .5 s after it is free
+    one, other = generate(Speaker(speaker, asked), line(TEXT), tags).made
+    assert one.reason is None
+    assert other.reason is not None
+    assert "later" in other.reason

@@ -95,3 +95,11 @@ def test_mimes_need_their_words() -> None:
     tags = [TaggedWords("x", 1, 1)]
     assert not places_of(speaker, repertoire("A", lemmas=["phone"]), line("nothing of it"), tags)
     assert places_of(speaker, repertoire("A", lemmas=["phone"]), line("the phone rang"), tags)
+
+
+@pytest.mark.parametrize("likeliest", [False, True])
+def test_where_next_to_no_gesture_is_expected_there_is_none(likeliest: bool) -> None:
+    """A segment gets what others left it, which may be as little as rounding leaves."""
+    places = _places(4, {"A": 0.5})
+    drawn = drawn_gestures(_profile(A=1.0), places, expected=1e-15, rng=random.Random(0), likeliest=likeliest)
+    assert drawn == ()

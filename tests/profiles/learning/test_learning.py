@@ -79,6 +79,14 @@ def test_the_styles_by_which_the_examples_were_made_are_found_again(profiles: tu
     assert sweeping.rests.near == "open"
 
 
+def test_how_often_units_go_on_is_learnt_by_their_size(profiles: tuple[Profile, Profile]) -> None:
+    """By one share for every size up to six; longer units go on as often as the last says."""
+    units = profiles[0].units
+    assert len(set(units.joined)) > 1
+    assert units.joined_after(9) == units.joined[-1]
+    assert all(0 <= share <= 1 for share in units.joined)
+
+
 def test_tags_tell_something_by_held_out_likelihood(profiles: tuple[Profile, Profile]) -> None:
     for profile in profiles:
         assert profile.smoothing.held_out > profile.smoothing.blind
