@@ -1,7 +1,7 @@
 """`WS /live`: passes a client's messages to the process of its stream, and back what that tells (docs/live.md).
 
-Nothing of a message is read here. A client that reads slowly gets fewer frames, but every other message; one that reads
-nothing, or sends nothing, for too long is let go.
+Nothing of a message is read here. A client that reads slowly gets fewer frames and is told so, but every other message;
+one that reads nothing, or sends nothing, for too long is let go.
 """
 
 import asyncio
@@ -14,14 +14,14 @@ from starlette.websockets import WebSocketDisconnect, WebSocketState
 from ..errors import ServiceError, SlowClientError, TooManyError, UnderstudyError
 from ..schemas.live import to_error
 from ..settings import Settings
+from .admission.keys import PROTOCOL, offers_protocol
 from .service import Service
+from .unsent import Unsent
 from .workers.messages import LiveInput, LiveOutput, receive_soon, send_soon
 from .workers.processes import Worker
 from .workers.streams import stopping
 
 GOING_AWAY, ENDED, TRY_AGAIN, IDLE = 1001, 1000, 1013, 1008
-MOST_UNSENT = 32
-"""Outputs that may wait for a slow reader before frames are left out."""
 
 _LOGGER = logging.getLogger("understudy.requests")
 
@@ -32,7 +32,7 @@ router = APIRouter()
 async def live(socket: WebSocket) -> None:
     """A stream of speech in, gestures out."""
     service: Service = socket.app.state.service
-    await socket.accept()
+    await socket.accept(PROTOCOL if offers_protocol(socket.headers) else None)
     try:
         service.rates.take(socket.client.host if socket.client else "")
         async with service.streams.process() as worker:
@@ -46,7 +46,7 @@ async def live(socket: WebSocket) -> None:
 
 async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None:
     """Until one side ends it."""
-    told: asyncio.Queue[tuple[LiveOutput, str]] = asyncio.Queue(2 * MOST_UNSENT)
+    told = Unsent()
     tasks = {
         asyncio.create_task(_listen(socket, worker, service.settings)),
         asyncio.create_task(_hear(worker, told)),
@@ -79,7 +79,7 @@ async def _listen(socket: WebSocket, worker: Worker, settings: Settings) -> None
             await send_soon(worker.socket, LiveInput(is_text=text is not None), content)
 
 
-async def _hear(worker: Worker, told: "asyncio.Queue[tuple[LiveOutput, str]]") -> None:
+async def _hear(worker: Worker, told: Unsent) -> None:
     """What the process tells, into the queue. Raises ServiceError `worker_lost` where it ended unasked."""
     while True:
         try:
@@ -87,17 +87,15 @@ async def _hear(worker: Worker, told: "asyncio.Queue[tuple[LiveOutput, str]]") -
         except (EOFError, OSError):
             raise ServiceError("worker_lost", "the process of this stream ended; begin again") from None
         assert isinstance(output, LiveOutput)
-        if output.are_frames and told.qsize() >= MOST_UNSENT:
-            continue
-        await told.put((output, content.decode()))
+        await told.put(output, content.decode())
         if output.ended:
             await asyncio.Event().wait()  # the last output is told, and then all is over
 
 
-async def _tell(socket: WebSocket, told: "asyncio.Queue[tuple[LiveOutput, str]]", settings: Settings) -> None:
+async def _tell(socket: WebSocket, told: Unsent, settings: Settings) -> None:
     """What is in the queue to the client, until the last. Raises SlowClientError `live_unread`."""
     while True:
-        output, lines = await told.get()
+        output, lines = await told.take()
         for line in lines.split("\n"):
             try:
                 await asyncio.wait_for(socket.send_text(line), settings.idle_s)

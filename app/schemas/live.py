@@ -141,6 +141,11 @@ def to_json(told: Told) -> str:
     return _json(told.behavior.kind.value, told.heard_s, fields)
 
 
+def to_frames_skipped(count: int) -> str:
+    """So many frames are left out before the next, for the client reads too slowly."""
+    return json.dumps({"type": "frames_skipped", "count": count})
+
+
 def to_done(heard_s: float) -> str:
     """The last message of a stream that its client ended."""
     return json.dumps({"type": "done", "duration_s": round(heard_s, DECIMALS)})

@@ -15,7 +15,6 @@ import json
 import os
 import random
 import socket
-import statistics
 import subprocess
 import sys
 import time
@@ -34,6 +33,12 @@ from understudy.resources import resource_folder
 CHUNK_S = 0.04
 RATE_HZ = 16_000
 CHUNK_BYTES = 2 * round(CHUNK_S * RATE_HZ)
+WARM_S = 60.0
+"""What is loaded when first needed, and what caches hold, is there by then."""
+
+MOST_SENT_AHEAD_S = 2.0
+"""How much sound may wait in buffers, so that memory is measured when so much has been heard, not sent."""
+
 PARTS = ("memory", "together", "slow", "garbage")
 START = {"type": "start", "sample_rate_hz": RATE_HZ}
 
@@ -91,15 +96,17 @@ def newest(of: psutil.Process) -> psutil.Process:
 
 async def memory(port: int, process: psutil.Process, sound_s: float) -> None:
     async with stream(port, frames=30) as connection:
-        worker, seen, began_s = newest(process), list[tuple[float, float]](), time.monotonic()
+        worker, seen, began_s = newest(process), list[tuple[float, float, float]](), time.monotonic()
+
+        heard_s = 0.0
 
         async def read() -> int:
+            nonlocal heard_s
             count = 0
             with suppress(ConnectionClosed):
-                async for told in connection:
-                    count += 1
-                    if isinstance(told, str) and told.startswith('{"type": "done"'):
-                        break
+                async for text in connection:
+                    told, count = json.loads(text), count + 1
+                    heard_s = told.get("time_s", heard_s)
             return count
 
         reading = asyncio.create_task(read())
@@ -107,19 +114,24 @@ async def memory(port: int, process: psutil.Process, sound_s: float) -> None:
         for number in range(total):
             await connection.send(chunk(number))
             at_s = number * CHUNK_S
+            while heard_s < at_s - MOST_SENT_AHEAD_S and not reading.done():
+                await asyncio.sleep(0.01)
             if number % 250 == 0:
                 await connection.send(json.dumps({"type": "words", "text": "No, I have never seen those."}))
             if number % 700 == 699:
                 await connection.send(json.dumps({"type": "interrupt"}))
             if number % (total // 60) == 0:
-                seen.append((at_s, worker.memory_full_info().uss / 2**20))
+                used = worker.memory_full_info()
+                seen.append((at_s, used.uss / 2**20, used.rss / 2**20))
         await connection.send(json.dumps({"type": "end"}))
         count = await reading
     wall_s = time.monotonic() - began_s
-    settled = [megabytes for at_s, megabytes in seen if at_s >= min(60.0, sound_s / 10)]
-    first, last = statistics.mean(settled[:3]), statistics.mean(settled[-3:])
-    print(f"memory: {sound_s:.0f} s of sound in {wall_s:.0f} s, {count} messages; own memory {first:.1f} MB after a")
-    print(f"  minute, {last:.1f} MB at the end ({100 * (last / first - 1):+.1f} %), most {max(settled):.1f} MB")
+    print(f"memory: {sound_s:.0f} s of sound in {wall_s:.0f} s, {count} messages; MB from a minute on:")
+    settled = np.array([row for row in seen if row[0] >= WARM_S])
+    for name, megabytes in (("own pages", settled[:, 1]), ("with shared ones", settled[:, 2])):
+        quarters = [float(part.mean()) for part in np.array_split(megabytes, 4)]
+        growth = 100 * (megabytes[-3:].mean() / megabytes[:3].mean() - 1)
+        print(f"  {name}: {', '.join(f'{each:.1f}' for each in quarters)} by quarters, {growth:+.1f} % in all")
 
 
 async def together(port: int, process: psutil.Process, streams: int, lasting_s: float) -> None:

@@ -22,6 +22,7 @@ const ANSWERS = {
   ready: (told) => { ready = told; say("listening"); },
   frame: (told) => draw(element("body"), ready.joints, told, told.shapes[ready.shapes.indexOf("jawOpen")]),
   error: (told) => say(`${told.code}: ${told.detail}`),
+  frames_skipped: (told) => say(`${told.count} frames were left out`),
   done: (told) => say(`done after ${told.duration_s.toFixed(1)} s`),
 };
 
@@ -29,6 +30,12 @@ function heard({ data }) {
   const told = JSON.parse(data);
   if (told.lexeme && !told.revised) shownLine(told);
   ANSWERS[told.type]?.(told);
+}
+
+// Browsers cannot give a WebSocket headers, so the key goes as a protocol that it offers, as base64url.
+function protocols(key) {
+  const coded = btoa(String.fromCharCode(...new TextEncoder().encode(key)));
+  return key ? ["understudy", `understudy.key.${coded.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`] : [];
 }
 
 async function microphone() {
@@ -48,7 +55,7 @@ async function talk(event) {
     say(`no microphone: ${error.message}`);
     return;
   }
-  socket = new WebSocket(element("address").value);
+  socket = new WebSocket(element("address").value, protocols(element("key").value));
   socket.onmessage = heard;
   socket.onerror = () => say("the service cannot be reached");
   socket.onclose = stop;

@@ -2,6 +2,7 @@
 
 import json
 import time
+from base64 import urlsafe_b64encode
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -196,6 +197,9 @@ def test_keys_and_names_are_asked_for_as_everywhere(nursery: Nursery) -> None:
         with client.websocket_connect("/live", headers={"Authorization": f"Bearer {KEY}"}) as stream:
             stream.send_json(START)
             assert stream.receive_json()["type"] == "ready"
+        coded = urlsafe_b64encode(KEY.encode()).decode().rstrip("=")
+        with client.websocket_connect("/live", subprotocols=["understudy", f"understudy.key.{coded}"]) as stream:
+            assert stream.accepted_subprotocol == "understudy"
 
 
 def test_a_client_that_goes_leaves_no_process(client: TestClient) -> None:

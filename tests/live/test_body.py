@@ -5,12 +5,14 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from tests.live.kept import kept
 from understudy.live.blending import Pose
 from understudy.live.body import TAKE_S, Asked, BodyFrame, LiveBody, Performing
 from understudy.live.mouth import MouthShape
 from understudy.model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
 from understudy.performance import Understudy
 from understudy.realizer.body.motion import SHAPES
+from understudy.realizer.geometry.noise import _lattice
 from understudy.realizer.geometry.rotations import angle_between
 from understudy.realizer.realizing import realize
 
@@ -109,3 +111,14 @@ def test_what_comes_later_is_realized_later_and_what_is_over_not_again(
     body.ask(Asked((beat(3.0),)))
     body.frames_until(4.0, ())
     assert len(takes) == 2
+
+
+def test_what_it_keeps_after_ten_minutes_is_what_it_kept_after_two(body: LiveBody) -> None:
+    """Each clock has noise of another seed, which is not kept for ever either."""
+
+    def after(minutes: int) -> tuple[dict[str, int], int]:
+        for second in range(round(body._next / RATE_HZ), 60 * minutes + 1):
+            body.frames_until(second, ())
+        return kept(body), _lattice.cache_info().currsize
+
+    assert after(2) == after(10)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE
+from tests.live.kept import grown, kept
 from tests.live.streams import CHUNK, behaviors, frames, heard
 from understudy.errors import InputError
 from understudy.live.models import LiveModels
@@ -19,6 +20,7 @@ WORDS = ["No,", "I", "have", "never", "seen", "those", "two", "big", "boats", "b
 FRAMES = LiveOptions(frame_rate_hz=30)
 INTERRUPTED_S = 2.0
 STOPS_WITHIN_S = 0.15
+KEPT_TIMES = 12
 
 
 def timed(begin_s: float) -> tuple[TimedText, ...]:
@@ -164,3 +166,16 @@ def test_no_character_of_this_name(models: LiveModels) -> None:
     with pytest.raises(InputError) as raised:
         LiveSession(models, LiveOptions(character="nobody"))
     assert raised.value.code == "unknown_character"
+
+
+def test_what_a_stream_keeps_does_not_grow(models: LiveModels) -> None:
+    """The line is said over and over, with words, frames and an interruption now and then."""
+    session, before, after = LiveSession(models, FRAMES), list[dict[str, int]](), list[dict[str, int]]()
+    for number in range(KEPT_TIMES):
+        session.text("No, I have never seen those.")
+        list(heard(session, chunk=4 * CHUNK))
+        (after if number >= KEPT_TIMES // 2 else before).append(kept(session))
+        if number % 3 == 2:
+            session.interrupt()
+    assert not grown(before, after)
+    assert {"._agenda.by_id", "._shapes", "._own._voice._samples"} <= before[-1].keys()

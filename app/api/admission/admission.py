@@ -22,7 +22,7 @@ from ...settings import PREFIX, Settings
 from ..problems import problem, unexpected
 from .headers import set_headers
 from .hosts import is_allowed
-from .keys import ApiKeys
+from .keys import ApiKeys, authorization
 from .request_ids import HEADER, current_id, request_id
 
 PROBES = frozenset({"/healthz", "/readyz"})
@@ -64,7 +64,7 @@ class Admission:
             return problem(404, "not_found", "Not Found")
         if not self.keys.digests or is_operators_port or _is_under(path, (*DOCS, *STUDIO)):
             return None
-        if self.keys.name(headers.get("authorization")) is None:
+        if self.keys.name(authorization(headers)) is None:
             sent = "the API key is wrong" if "authorization" in headers else "an API key is missing"
             challenge = {"WWW-Authenticate": "Bearer"}
             return problem(401, "key_wrong", f"{sent}; send it as Authorization: Bearer KEY", headers=challenge)
@@ -134,7 +134,7 @@ class Admitted:
             "status": status,
             "took_s": round(took_s, 3),
             "client": client[0] if client else None,
-            "key": self._admission.keys.name(headers.get("authorization")),
+            "key": self._admission.keys.name(authorization(headers)),
         }
         told = f"{fields['method']} {fields['path']!r} {status} in {took_s:.3f} s for {fields['client']}"
         level = logging.DEBUG if scope["path"] in PROBES and status == 200 else logging.INFO

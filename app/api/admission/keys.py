@@ -1,10 +1,13 @@
 """API keys: of the settings or of a file, known by their SHA-256 alone, compared in constant time."""
 
 import hmac
+from base64 import urlsafe_b64decode
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from typing import Self
+
+from starlette.datastructures import Headers
 
 from ...errors import InputError
 from ...settings import PREFIX, Settings
@@ -13,7 +16,10 @@ FEWEST_CHARACTERS = 16
 SHOWN_DIGITS = 8
 LARGEST_FILE_BYTES = 1 << 20
 
-_SCHEME = "bearer "
+PROTOCOL = "understudy"
+"""The protocol by which a browser's WebSocket is answered that offers its key as another."""
+
+_SCHEME, _KEY_PROTOCOL = "bearer ", "understudy.key."
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +49,29 @@ class ApiKeys:
         sent = sha256(authorization[len(_SCHEME) :].strip().encode("utf-8", "surrogateescape")).digest()
         found = [hmac.compare_digest(known, sent) for known in self.digests]
         return sent.hex()[:SHOWN_DIGITS] if any(found) else None
+
+
+def authorization(headers: Headers) -> str | None:
+    """The Authorization header. Browsers cannot give a WebSocket one, but protocols that it offers: there the key may
+    be one of them, as base64url."""
+    sent = [each for each in _protocols(headers) if each.startswith(_KEY_PROTOCOL)]
+    if "authorization" in headers or not sent:
+        return headers.get("authorization")
+    coded = sent[0].removeprefix(_KEY_PROTOCOL)
+    try:
+        key = urlsafe_b64decode(coded + "=" * (-len(coded) % 4))
+    except ValueError:
+        return _SCHEME
+    return _SCHEME + key.decode("utf-8", "surrogateescape")
+
+
+def offers_protocol(headers: Headers) -> bool:
+    """Whether a WebSocket offers `PROTOCOL`."""
+    return PROTOCOL in _protocols(headers)
+
+
+def _protocols(headers: Headers) -> list[str]:
+    return [each.strip() for each in ",".join(headers.getlist("sec-websocket-protocol")).split(",")]
 
 
 def _keys_in(path: Path) -> list[str]:

@@ -41,8 +41,8 @@ def main(control: socket.socket) -> None:
         logging.config.dictConfig(start.logging)
     try:
         understudy = Understudy.load(start.settings)
-        _warm(understudy)
         models = LiveModels.load(understudy)
+        _warm(understudy)
     except UnderstudyError as error:
         send(control, Failed(error))
         return

@@ -76,9 +76,9 @@ class _Lattice:
     hashed: NDArray[np.uint64]
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(maxsize=64)
 def _lattice(kinds: tuple[Noise, ...]) -> _Lattice:
-    """Cached, since most lines have the same seed; never mutated."""
+    """Cached, since most lines have the same seed; few, since a live stream has ever new ones. Never mutated."""
     frequency_hz = np.concatenate([np.full(kind.channels, kind.frequency_hz) for kind in kinds])
     shift = np.concatenate([np.arange(kind.channels) * _GOLDEN % 1.0 * (not kind.in_step) for kind in kinds])
     hashed = np.concatenate([_of_channels(kind.seed, kind.channels) for kind in kinds])

@@ -1,12 +1,14 @@
 """API keys come from the settings and from a file, and nothing of them is kept but digests."""
 
+from base64 import urlsafe_b64encode
 from hashlib import sha256
 from pathlib import Path
 
 import pytest
 from pydantic import SecretStr
+from starlette.datastructures import Headers
 
-from understudy.api.admission.keys import FEWEST_CHARACTERS, ApiKeys
+from understudy.api.admission.keys import FEWEST_CHARACTERS, ApiKeys, authorization, offers_protocol
 from understudy.errors import InputError
 from understudy.settings import Settings
 
@@ -55,3 +57,29 @@ def test_a_file_without_keys_lets_nobody_in_by_mistake(tmp_path: Path, content: 
         _keys(file=tmp_path / "keys")
     assert caught.value.code == "setting_wrong"
     assert str(tmp_path / "keys") in caught.value.message
+
+
+def _offered(protocols: str) -> Headers:
+    return Headers({"Sec-WebSocket-Protocol": protocols})
+
+
+@pytest.mark.parametrize("key", [ONE, "key-with-ünicode-?>~~", "k" * 17])
+def test_a_websocket_may_offer_its_key_as_a_protocol(key: str) -> None:
+    coded = urlsafe_b64encode(key.encode()).decode().rstrip("=")
+    headers = _offered(f"understudy, understudy.key.{coded}")
+    assert _keys(key).name(authorization(headers))
+    assert not _keys(OTHER).name(authorization(headers))
+    assert offers_protocol(headers)
+
+
+@pytest.mark.parametrize(
+    "protocols", ["", "understudy", "understudy.key.", "understudy.key.a", "understudy.key.é", ONE]
+)
+def test_other_protocols_let_nobody_in(protocols: str) -> None:
+    assert _keys(ONE).name(authorization(_offered(protocols))) is None
+
+
+def test_the_header_goes_before_a_protocol() -> None:
+    coded = urlsafe_b64encode(ONE.encode()).decode().rstrip("=")
+    headers = Headers({"Authorization": "Bearer wrong", "Sec-WebSocket-Protocol": f"understudy.key.{coded}"})
+    assert _keys(ONE).name(authorization(headers)) is None
