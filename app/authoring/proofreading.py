@@ -18,6 +18,8 @@ from ..bml.choice.listeners.head_rates import HeadRates
 from ..bml.writing.smartbody_tables import FILE as SMARTBODY
 from ..bml.writing.smartbody_tables import SmartBodyTables
 from ..errors import AuthoringError, InputError, Mistake
+from ..live.table import FILE as LIVE
+from ..live.table import LiveTable
 from ..loading import (
     AUTHORED,
     load_characters,
@@ -79,6 +81,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "columns.yaml": _check_column_names,
         SMARTBODY: SmartBodyTables.load,
         FAPS: FapTable.load,
+        LIVE: lambda file: LiveTable.load(file, load_characters().behavior_names),
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
@@ -105,6 +108,7 @@ def check_files_in_use() -> None:
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
         partial(SmartBodyTables.load, lexicon / SMARTBODY),
         partial(FapTable.load, lexicon / FAPS),
+        lambda: LiveTable.load(lexicon / LIVE, load_characters().behavior_names),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     ) or _mistakes_of(
         lambda: check_coverage(lexicon, load_gestures()),

@@ -7,6 +7,7 @@ from ..performance import Understudy
 from ..prosody_gestures.voice_model import VoiceModel
 from ..resources import resource_folder
 from .mouth import MouthModel
+from .table import FILE as LIVE
 from .table import LiveTable
 
 
@@ -27,5 +28,5 @@ class LiveModels:
             understudy,
             VoiceModel.load(models / "prosody_gestures" / "voice.npz"),
             MouthModel.load(models / "live" / "mouth.npz"),
-            LiveTable.load(lexicon / "live.yaml", understudy.behavior.characters.behavior_names),
+            LiveTable.load(lexicon / LIVE, understudy.behavior.characters.behavior_names),
         )

@@ -11,6 +11,8 @@ from pydantic import Field
 from ..errors import AuthoringError, Mistake
 from ..yaml_files import Entry, Source, did_you_mean
 
+FILE = "live.yaml"
+
 _Names = Annotated[tuple[str, ...], Field(min_length=1, strict=False)]
 
 

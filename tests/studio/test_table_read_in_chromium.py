@@ -64,7 +64,7 @@ def test_two_characters_speak_in_turn_on_their_marks(room: Page, scene: Path) ->
     room.click("#scene-play")
     wait_until(room, f"parseFloat(document.querySelector('#scene-time').value) > {LINE_S + PAUSE_S + 1}")
     room.click("#scene-play")
-    assert max(abs(one - other) for one, other in zip(before, _wrists(room), strict=True)) > 0.05
+    assert max(abs(one - other) for one, other in zip(before, _wrists(room), strict=True)) > 0.01
 
 
 def test_a_camera_may_be_chosen(room: Page, scene: Path) -> None:
