@@ -99,6 +99,7 @@ class Settings(BaseSettings):
     max_direction_bytes: int = Field(default=2 * 1024 * 1024, gt=0, description="largest part `direction`, bytes")
     max_rules_bytes: int = Field(default=1024 * 1024, gt=0, description="largest part `rules` of a form, bytes")
     max_edits_bytes: int = Field(default=512 * 1024, gt=0, description="largest part `edits`, bytes")
+    max_profile_bytes: int = Field(default=256 * 1024, gt=0, description="largest part `profile`, bytes")
     max_bml_bytes: int = Field(default=2 * 1024 * 1024, gt=0, description="largest BML, bytes")
     max_motion_behaviors: int = Field(default=1000, gt=0, description="most behaviours of BML that is realized")
     max_motion_s: float = Field(default=150.0, gt=0, description="longest motion answered, seconds")

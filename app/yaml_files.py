@@ -39,14 +39,15 @@ class Entry(BaseModel):
 
 
 class Source:
-    """One YAML file: its node tree for places, its plain value for the schema.
+    """One YAML file: its node tree for places, its plain value for the schema. `text` is what it says, where it is not
+    to be read.
 
     Raises AuthoringError when the file is no YAML, or uses what we do not allow.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, text: str | None = None) -> None:
         self.path = path
-        self._text = _read(path)
+        self._text = _read(path) if text is None else text
         self.lines = self._text.splitlines()
         self._root = self._compose()
         self._refuse_what_is_not_shown()

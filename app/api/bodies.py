@@ -27,6 +27,7 @@ def form_limits(task: Task, settings: Settings) -> Mapping[str, int]:
         "direction": settings.max_direction_bytes,
         "rules": settings.max_rules_bytes,
         "edits": settings.max_edits_bytes,
+        "profile": settings.max_profile_bytes,
         "reference": settings.max_audio_bytes,
         "bml": settings.max_bml_bytes,
         "avatar": settings.max_avatar_bytes,
@@ -35,7 +36,9 @@ def form_limits(task: Task, settings: Settings) -> Mapping[str, int]:
 
 
 FORM_FIELDS: Mapping[Task, tuple[str, ...]] = {
-    Task.PERFORM: ("audio", "text", "options", "words", "functions", "direction", "edits", "reference", "rules"),
+    Task.PERFORM: (
+        *("audio", "text", "options", "words", "functions", "direction", "edits", "profile", "reference", "rules"),
+    ),
     Task.REALIZE: ("bml", "audio", "avatar", "options"),
     Task.GESTURE_POSE: ("avatar", "options"),
 }

@@ -21,7 +21,8 @@ async def post_perform(request: Request, shared: Shared) -> Response:
     to 3), stillness (0 to 1), profile (whose gestures), contours (JSON has f0 and energy, too), targets (names,
     each with [x, y, z] in metres), reference (what `understudy reference` writes). The file `reference` is the same
     as a .json, or another recording of the speaker; `functions` are functions known already, `direction` is a
-    director's notes (docs/directing.md), `edits` are what an author changed (docs/edits.md).
+    director's notes (docs/directing.md), `edits` are what an author changed (docs/edits.md), `profile` is a gesture
+    profile's file (docs/profiles.md).
     """
     chosen(request.headers.get("accept"), (XML, JSON), "a performance")
     return await worked(request, shared, Task.PERFORM)

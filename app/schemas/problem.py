@@ -34,7 +34,7 @@ CODES = MappingProxyType(
             *("direction_importance", "direction_span", "not_an_object", "field_missing", "field_unknown"),
             *("field_repeated", "motion_too_large", "target_wrong", "unknown_target", "unknown_profile"),
             *("gesture_wrong", "unfit_gesture", "unknown_name", "rules_wrong", "unknown_file"),
-            *("edits_wrong",),
+            *("edits_wrong", "profile_wrong"),
         ),
         429: ("too_many_requests",),
         500: (

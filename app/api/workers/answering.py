@@ -45,6 +45,7 @@ from . import authoring
 from .form import Part, read_form
 from .messages import Answer, Job, Task
 from .speaker import with_reference
+from .speaker_profile import with_profile
 
 WARNINGS_HEADER = "Understudy-Warnings"
 
@@ -57,7 +58,8 @@ def answered(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, 
 def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
     form = read_form(job.content_type, content, form_limits(Task.PERFORM, understudy.acoustic.settings))
     line = _line(form)
-    options = with_reference(_options(form), form.get("reference"), understudy)
+    options = with_profile(_options(form), form.get("profile"), understudy)
+    options = with_reference(options, form.get("reference"), understudy)
     offered = (JSON,) if options.listeners else (XML, JSON)
     media_type = chosen(job.accept, offered, "a performance with listeners" if options.listeners else "a performance")
     edits = read_rule_part(form["rules"].content) if "rules" in form else {}

@@ -1,7 +1,8 @@
 """Another Understudy's service as an engine: lines are posted to `/perform`, and waited with when it is full.
 
-It gives the schedule and the whole performance; motion and what else a local worker writes it does not. Who plays a
-listener it knows by the listener's own name only. Voices are learnt here.
+It gives the schedule and the whole performance; motion and what else a local worker writes it does not. A gesture
+profile that is a file here is sent, rounded as in `profiles.files.writing`. Who plays a listener it knows by the
+listener's own name only. Voices are learnt here.
 """
 
 import json
@@ -19,6 +20,8 @@ from ...edits.values import NO_EDITS
 from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
 from ...performance import DialectName, SpeakerReference
+from ...profiles.files.writing import profile_yaml
+from ...profiles.profile import Profile
 from ...schemas.edits import write_edits
 from ...schemas.references import ReferenceForm
 from ...settings import PREFIX, Settings
@@ -129,6 +132,8 @@ def _require_ready(url: str, headers: Mapping[str, str]) -> None:
 def _post(url: str, job: LineJob, audio: bytes, headers: Mapping[str, str]) -> tuple[requests.Response | None, str]:
     """The answer, or why there is none."""
     files = {"audio": (_audio_name(job), audio)}
+    if isinstance(job.options.profile, Profile):
+        files["profile"] = (f"{job.options.profile.name}.yaml", profile_yaml(job.options.profile))
     fields = {"text": job.text, "options": json.dumps(_options(job))}
     if job.direction is not None:
         fields["direction"] = json.dumps(asdict(job.direction))
@@ -165,8 +170,8 @@ def _options(job: LineJob) -> dict[str, Any]:
     }
     if options.agitation is not None:
         told["agitation"] = options.agitation.value
-    if options.profile is not None:
-        told["profile"] = options.profile if isinstance(options.profile, str) else options.profile.name
+    if isinstance(options.profile, str):
+        told["profile"] = options.profile
     if options.reference is not None:
         told["reference"] = ReferenceForm.of(options.reference).model_dump()
     return told

@@ -36,12 +36,20 @@ def read_profile(path: Path, lexemes: Collection[str] | None = None) -> Profile:
 
     Raises AuthoringError with every mistake at its place.
     """
-    source = Source(path)
+    return _read(Source(path), path.stem, lexemes)
+
+
+def read_profile_text(text: str, name: str, lexemes: Collection[str] | None = None) -> Profile:
+    """The profile of that name in a file's text; raises as `read_profile` does."""
+    return _read(Source(Path(f"{name}.yaml"), text), name, lexemes)
+
+
+def _read(source: Source, name: str, lexemes: Collection[str] | None) -> Profile:
     form = source.validated(ProfileForm)
     mistakes = tuple(source.mistake(place, message) for place, message in _mistakes(form, lexemes))
     if mistakes:
         raise AuthoringError(mistakes)
-    return _profile(form, path.stem)
+    return _profile(form, name)
 
 
 _Place = tuple[str | int, ...]

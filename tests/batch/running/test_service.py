@@ -11,6 +11,7 @@ import pytest
 import uvicorn
 from pydantic import SecretStr
 
+from tests.support.annotations import SWEEPING
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
 from understudy.batch.running.service import ServiceEngine, require_served
@@ -24,6 +25,10 @@ from understudy.model import Channel, DirectedMoment, Direction
 from understudy.model import Target as Place
 from understudy.motion_formats import MotionFormat
 from understudy.performance import BmlForm, DialectName, Options, Understudy
+from understudy.profiles.annotation.reading import read_annotations
+from understudy.profiles.files.reading import read_profile_text
+from understudy.profiles.files.writing import profile_yaml
+from understudy.profiles.learning.learning import learn
 from understudy.settings import Settings
 
 AUDIO = Path(__file__).parents[2] / "audio"
@@ -77,6 +82,18 @@ def test_a_line_is_performed_there_as_here(
     assert here.measures is not None
     assert replace(here.measures, pitch_spread_st=None) == there.measures
     assert there.notices == here.notices
+
+
+def test_a_profile_of_ones_own_is_sent(url: str, understudy: Understudy) -> None:
+    """One that is a file here is known there by what it says, for the service has none of its name."""
+    own = read_profile_text(profile_yaml(learn(read_annotations([SWEEPING]), "anna")).decode(), "anna")
+    job = replace(JOB, options=Options(seed=3, profile=own), direction=None)
+    with closing(ServiceEngine(url, 1, Settings(api_key=KEY))) as engine:
+        there = engine.submit(job).result()
+    here = perform_job(job, understudy)
+    bml = [[file.content for file in each.files if file.form is LineFormat.BML] for each in (there, here)]
+    assert bml[0] == bml[1]
+    assert b"profile_anna" in (here.files[-1].content or b"")
 
 
 def test_what_the_line_has_wrong_is_its_failure(url: str) -> None:
