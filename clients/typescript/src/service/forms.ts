@@ -11,7 +11,7 @@ export function performForm(line: PerformRequest): FormData {
   appendJson(form, "direction", line.direction);
   appendJson(form, "edits", line.edits);
   appendJson(form, "rules", line.rules);
-  for (const name of ["words", "reference"] as const) {
+  for (const name of ["words", "reference", "profile"] as const) {
     const file = line[name];
     if (file) {
       form.append(name, blob(file.content), file.name);

@@ -60,6 +60,8 @@ export interface PerformRequest {
   readonly rules?: RuleEdits;
   /** What `understudy reference` writes (.json), or another recording of the speaker. */
   readonly reference?: NamedFile;
+  /** A gesture profile's file (docs/profiles.md), under whose name its gestures are made. */
+  readonly profile?: NamedFile;
 }
 
 /** BML, and what it is played with. */

@@ -75,6 +75,13 @@ describe("the client and the service", { skip: noService }, () => {
       (error) => error instanceof ServiceProblemError && error.code === "text_empty" && error.field === "text",
     );
     await assert.rejects(
+      client.perform({
+        ...(await recorded("figure8")),
+        profile: { name: "anna.yaml", content: new TextEncoder().encode("a: [") },
+      }),
+      (error) => error instanceof ServiceProblemError && error.code === "profile_wrong" && error.field === "profile",
+    );
+    await assert.rejects(
       client.perform({ ...(await recorded("figure8")), rules: { files: { "en/nowhere.yaml": "" } } }),
       (error) => error instanceof ServiceProblemError && error.status === 422 && error.detail.includes("nowhere"),
     );
