@@ -37,6 +37,17 @@ def test_a_zip_that_is_no_project_is_told(page: Page, tmp_path: Path) -> None:
     page.wait_for_selector("#problem:has-text('other.zip is not a zip that can be opened')")
 
 
+def test_gestures_are_those_of_a_profile_and_another_name_is_told(opened: Page) -> None:
+    opened.fill("#profile", "sweepng")
+    opened.press("#profile", "Tab")
+    opened.wait_for_selector("#problem:has-text('sweeping')")
+    opened.fill("#profile", "sweeping")
+    with opened.expect_response("**/perform") as answered:
+        opened.press("#profile", "Tab")
+    assert answered.value.ok
+    opened.wait_for_selector("#problem", state="hidden")
+
+
 def test_the_views_are_changed_by_keyboard(opened: Page) -> None:
     opened.focus("#views button:has-text('Rules')")
     opened.keyboard.press("Enter")

@@ -1,4 +1,4 @@
-/** The line as its author gives it: recording, words, character, agitation, seed, stillness, mode. */
+/** The line as its author gives it: recording, words, character, agitation, seed, stillness, mode, gesture profile. */
 
 import { choice, el, labelled } from "../dom.js";
 import { problemOf } from "../service/service.js";
@@ -13,6 +13,7 @@ import { openExample } from "./opening.js";
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
+const EXAMPLE_PROFILES = ["sparing", "sweeping"];
 const LEVELS = /** @type {const} */ ([["", "As the voice"], ["low", "Low"], ["medium", "Medium"], ["high", "High"]]);
 const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stress"], ["random", "Chance"]]);
 
@@ -65,15 +66,31 @@ function options(store, service) {
   seed.addEventListener("change", () => setOption(store, "seed", Number(seed.value)));
   const stillness = el("input", { type: "range", min: 0, max: 1, step: 0.05, value: 0, id: "stillness" });
   stillness.addEventListener("change", () => setOption(store, "stillness", Number(stillness.value)));
+  const [profile, examples] = profileField(store);
   store.watch(PROJECT, ({ options: now }) => {
+    profile.value = now.profile ?? "";
     character.value = now.character ?? "default";
     agitation.value = now.agitation ?? "";
     mode.value = now.mode ?? "semantic";
     seed.value = String(now.seed ?? 0);
     stillness.value = String(now.stillness ?? 0);
   });
-  const controls = { Character: character, Agitation: agitation, "Gestures from": mode, Seed: seed, Stillness: stillness };
-  return el("div", { class: "pair" }, Object.entries(controls).map(([name, control]) => labelled(name, control)));
+  const controls = { Character: character, Agitation: agitation, "Gestures from": mode, Seed: seed, Stillness: stillness, "Gesture profile": profile };
+  return el("div", { class: "pair" }, [...Object.entries(controls).map(([name, control]) => labelled(name, control)), examples]);
+}
+
+/**
+ * Whose gestures are made: a name is typed, for the service may know others than our examples.
+ *
+ * @param {Store} store
+ * @returns {[HTMLInputElement, HTMLDataListElement]}
+ */
+function profileField(store) {
+  const names = el("datalist", { id: "profiles" }, EXAMPLE_PROFILES.map((name) => el("option", { value: name })));
+  const typed = el("input", { type: "text", id: "profile", placeholder: "nobody's", spellcheck: false });
+  typed.setAttribute("list", names.id);
+  typed.addEventListener("change", () => setOption(store, "profile", typed.value.trim() || undefined));
+  return [typed, names];
 }
 
 /**
