@@ -46,10 +46,11 @@ def main() -> None:
             bodies = [realize(understudy.realizer, schedule).body for schedule in moved]
             report(character, len(lines), np.concatenate([margin_m(skeleton, body) for body in bodies]))
             found_m = np.concatenate([reach_and_centre_m(skeleton, body) for body in bodies])
-            far_m, near_m = (
-                float(found_m[reached, 1].mean()) for reached in (found_m[:, 0] > FAR_M, found_m[:, 0] < NEAR_M)
-            )
-            print(f"  hands far away carry the centre {1000 * (far_m - near_m):.1f} mm forward")
+            far_m, near_m = found_m[found_m[:, 0] > FAR_M, 1], found_m[found_m[:, 0] < NEAR_M, 1]
+            if len(far_m) and len(near_m):
+                print(f"  hands far away carry the centre {1000 * (far_m.mean() - near_m.mean()):.1f} mm forward")
+            else:
+                print("  hands are never far away, or always")
 
 
 def report(character: str, lines: int, margins_m: FloatArray) -> None:
