@@ -62,8 +62,8 @@ def test_types_are_known_to_a_type_checker(understudy: Understudy, performance: 
 
 def test_keywords_are_the_options_of_the_other_doors() -> None:
     written_otherwise = {"dialect", "timing", "visemes", "bmlt_audio"}  # they are given when the BML is written
-    always_there = {"contours"}  # a performance in Python has them
-    assert set(PerformKeywords.__annotations__) == set(PerformOptions.model_fields) - written_otherwise - always_there
+    of_the_answer = {"contours"}  # f0 and energy go into the service's JSON; in Python `analyze` has them
+    assert set(PerformKeywords.__annotations__) == set(PerformOptions.model_fields) - written_otherwise - of_the_answer
     of_files = {"skeleton", "t_pose", "root_at_origin", "keys"}  # these when the motion is written
     assert set(RealizeKeywords.__annotations__) == set(RealizeOptions.model_fields) - of_files
 

@@ -1,13 +1,14 @@
 """A scene is read from the folder of a batch: who speaks, who is seen, and what is told of a folder that will not
 do."""
 
+import time
 import zipfile
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page
 
-from tests.studio.waiting import wait_until
+from tests.studio.waiting import PATIENCE_S, wait_until
 from tests.support.batches import ThisProcess
 from understudy.batch.batch import run_batch
 from understudy.batch.request import BatchRequest
@@ -62,9 +63,12 @@ def test_two_characters_speak_in_turn_on_their_marks(room: Page, scene: Path) ->
     assert room.get_attribute("[aria-current=true]", "aria-current")
     assert room.get_attribute("#table-read-canvas", "data-shot") == "close HENRY"
     room.click("#scene-play")
-    wait_until(room, f"parseFloat(document.querySelector('#scene-time').value) > {LINE_S + PAUSE_S + 1}")
+    furthest_m, end_s = 0.0, time.monotonic() + PATIENCE_S
+    while _time_s(room) < LINE_S + PAUSE_S + 3:
+        assert time.monotonic() < end_s, "the scene stands still"
+        furthest_m = max(furthest_m, *(abs(one - other) for one, other in zip(before, _wrists(room), strict=True)))
     room.click("#scene-play")
-    assert max(abs(one - other) for one, other in zip(before, _wrists(room), strict=True)) > 0.01
+    assert furthest_m > 0.05
 
 
 def test_a_camera_may_be_chosen(room: Page, scene: Path) -> None:
@@ -95,6 +99,11 @@ def test_what_a_batch_lacks_is_told(room: Page, scene: Path, tmp_path: Path) -> 
     (tmp_path / "index.json").write_bytes((scene / "index.json").read_bytes())
     room.set_input_files("#scene-folder", tmp_path)
     room.wait_for_selector("#problem:has-text('of one, two; perform the batch with --format clip.json --format wav')")
+
+
+def _time_s(room: Page) -> float:
+    """Where the scene is."""
+    return float(room.evaluate("parseFloat(document.querySelector('#scene-time').value)"))
 
 
 def _wrists(page: Page) -> list[float]:
