@@ -19,6 +19,9 @@ from understudy.errors import InputError, ServiceError, TooLargeError, Understud
 from understudy.settings import Settings
 
 PATIENCE_S = 60.0
+TOO_LITTLE_BYTES = 16 * 1024 * 1024
+"""Memory beyond a worker's own that a short job does not need and the answer to a long one, 11 MB and all that is made
+on the way to it, cannot do with."""
 
 
 @asynccontextmanager
@@ -184,7 +187,7 @@ def test_a_stopped_aligner_is_told_of_and_replaced(nursery: Nursery) -> None:
 
 def test_a_job_may_take_only_so_much_memory(nursery: Nursery) -> None:
     async def scenario() -> None:
-        async with _pool(nursery, worker_memory_bytes=48 * 1024 * 1024) as pool:
+        async with _pool(nursery, worker_memory_bytes=TOO_LITTLE_BYTES) as pool:
             with pytest.raises(TooLargeError) as caught:
                 await pool.run(LONG, LONG_BML, Deadline.starting_now(PATIENCE_S))
             assert caught.value.code == "work_too_large"
