@@ -1,4 +1,4 @@
-"""An author's edits made on the performance of a line; read it from top to bottom."""
+"""Applies an author's edits to the performance of a line: finds the behaviours, changes them, makes room for them."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -19,7 +19,7 @@ from .words import find_word, word_gone
 
 @dataclass(frozen=True, slots=True)
 class _Outcome:
-    """What an edit makes: a behaviour, unless it cannot be made, and what is not as the author wants it."""
+    """The result of an edit: its behaviour, None if it cannot be made, and notices about what could not be done."""
 
     edit: BehaviorEdit
     behavior: Behavior | None
@@ -27,9 +27,9 @@ class _Outcome:
 
 
 def edited(performance: Performance, edits: Sequence[BehaviorEdit], character: Character) -> Performance:
-    """The performance as the author has it; its notices tell what could not be had. Without edits it is the same.
+    """The performance with the edits applied; its notices say what could not be applied. Without edits it is unchanged.
 
-    The kept behaviours still do not overlap on a channel or hand, and their sync points are in order.
+    As before, the kept behaviours do not overlap on a channel or hand, and their sync points are in order.
     """
     if not edits:
         return performance
@@ -58,7 +58,7 @@ def edited(performance: Performance, edits: Sequence[BehaviorEdit], character: C
 def _outcome(
     number: int, edit: BehaviorEdit, behavior: Behavior | None, utterance: Utterance, character: Character
 ) -> _Outcome:
-    """What one edit makes of the behaviour that it is of, or anew."""
+    """The behaviour that one edit changes or adds."""
     words = utterance.words
     if edit.omit is not None and behavior is not None:
         return _Outcome(edit, replace(behavior, kept=False, reason=f"{edit.omit} by the author", edit=number))
@@ -84,7 +84,7 @@ def _formed(
 def _moved(
     number: int, edit: BehaviorEdit, behavior: Behavior, words: Sequence[Word], end_s: float
 ) -> tuple[Behavior, tuple[Notice, ...]]:
-    """The behaviour with its marks where the author put them, as far as they can be there."""
+    """The behaviour with its sync points where the author put them, or as near as possible."""
     marks = dict(edit.marks.in_order())
     places = {name: place_s(place, words) for name, place in marks.items()}
     gone = [place for name, place in marks.items() if places[name] is None]
@@ -100,21 +100,21 @@ def _moved(
 
 
 def _left(behavior: Behavior, sync: SyncPoints) -> SyncPoints:
-    """A posture that is left takes an instant for that: BML has one that ends where it relaxes last."""
+    """Leaving a posture takes an instant, because a BML posture whose end equals its relax point is held for good."""
     if behavior.kind is not Channel.POSTURE or _is_lasting(behavior) or sync.relax is None:
         return sync
     return replace(sync, end=max(sync.end, round(sync.relax + INSTANT_S, 3)))
 
 
 def _is_lasting(behavior: Behavior) -> bool:
-    """Whether it ends when a state is reached, which then lasts."""
+    """Whether the behaviour changes a state that lasts after it."""
     sync = behavior.sync
     lasts = behavior.lexeme == SHIFT if behavior.kind is Channel.GAZE else behavior.kind is Channel.POSTURE
     return lasts and sync.ready is not None and sync.ready >= sync.end
 
 
 def _lets_go(edit: BehaviorEdit, behavior: Behavior) -> bool:
-    """Whether nobody asked when it ends."""
+    """Whether the author left its end open, so that its retraction may be shortened."""
     return edit.marks.relax is None and edit.marks.end is None and not _is_lasting(behavior)
 
 
@@ -124,7 +124,7 @@ def _refused(number: int, name: str, at_s: float, behavior: Behavior) -> Notice:
 
 
 def _crowded_out(settled: Iterable[Behavior]) -> Iterator[Notice]:
-    """A notice for each edit whose behaviour has no room beside that of another."""
+    """A notice for each edit whose behaviour is in the way of another edit's."""
     for behavior in settled:
         if behavior.edit is not None and not behavior.kept:
             yield unplayed(behavior.edit, f"{behavior.lexeme} is {behavior.reason}")

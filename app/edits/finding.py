@@ -1,8 +1,8 @@
-"""Which of a line's behaviours an edit is of, after rules, words or the recording may have changed.
+"""Finds the behaviours that edits refer to, although rules, words or the recording may have changed since.
 
-One is meant if it is on the same channel, goes with the word, and shows the same function, is meant to be read as the
-same, or is the same movement. The more of these it has in common, and the nearer to its word it begins as it did, the
-rather.
+A behaviour matches a reference if it is on the same channel, spans the word, and has the same function, gesture family
+or lexeme. Of several, the one with most in common is taken; between equals, the one whose start after the word is
+nearest to what it was.
 """
 
 from collections.abc import Collection, Mapping, Sequence
@@ -20,14 +20,14 @@ _SAME_LEXEME = 2
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The behaviours that edits are of, by the number of the edit, and what is no longer there."""
+    """The behaviours found, by the number of their edit, and notices about those that no longer exist."""
 
     behaviors: Mapping[int, Behavior]
     notices: tuple[Notice, ...]
 
 
 def find_behaviors(performance: Performance, edits: Sequence[BehaviorEdit]) -> Found:
-    """Each behaviour that is made in the performance is found for one edit at most, the first of several."""
+    """Finds the behaviour of each edit. A behaviour belongs to the first edit that matches it."""
     words, found, notices = performance.utterance.words, dict[int, Behavior](), list[Notice]()
     for number, edit in enumerate(edits):
         if edit.of is None:
@@ -47,7 +47,7 @@ def find_behaviors(performance: Performance, edits: Sequence[BehaviorEdit]) -> F
 def _most_alike(
     reference: BehaviorReference, word: Word, performance: Performance, taken: Collection[str]
 ) -> Behavior | None:
-    """The behaviour that is meant, of those that are not taken."""
+    """The best match that no earlier edit has taken."""
     classes = {function.id: function.class_name for function in performance.functions}
     families = {moment.id: moment.families[0] for moment in performance.moments if moment.families}
     ranked = [
@@ -66,7 +66,7 @@ def _likeness(
     classes: Mapping[str, str],
     families: Mapping[str, str],
 ) -> int:
-    """How much a behaviour has in common with the one that is meant; 0 if it is another."""
+    """How much a behaviour has in common with the reference; 0 if it does not match."""
     if not behavior.first <= word <= behavior.last:
         return 0
     function = classes.get(behavior.function or "")
@@ -80,7 +80,7 @@ def _likeness(
 
 
 def _apart_s(reference: BehaviorReference, behavior: Behavior, word: Word) -> float:
-    """How far from where it began after its word a behaviour begins."""
+    """How far a behaviour begins from its former place relative to the word."""
     if reference.offset_s is None or word.interval is None:
         return behavior.sync.start
     return abs(behavior.sync.start - word.interval.start_s - reference.offset_s)

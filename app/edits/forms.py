@@ -1,7 +1,7 @@
-"""What an author has a behaviour be: another movement, by another hand, of another size; or one that nobody chose.
+"""Replaces the movement, hand or size of a behaviour, and adds behaviours that were not chosen.
 
-Every movement of the behaviour table can be asked for. A replaced one strikes when the old one did, its phases as long
-as they are in the table and the gesture library.
+Every movement of the behaviour table is allowed. A replacement has its stroke where the replaced one had it; its phases
+are as long as the table and the gesture library have them.
 """
 
 from collections.abc import Iterator, Sequence
@@ -18,12 +18,12 @@ from ..yaml_files import did_you_mean
 from .values import BehaviorEdit
 
 PRIORITY = 10.0
-"""What an author wants matters as much as the surest moment of a plan."""
+"""As high as that of the most important moment of a plan."""
 
 
 @dataclass(frozen=True, slots=True)
 class Formed:
-    """A behaviour as the author wants it, None where it cannot be made, and what is not as he wants it."""
+    """The changed behaviour, None if it cannot be made, and notices about what could not be changed."""
 
     behavior: Behavior | None
     notices: tuple[Notice, ...] = ()
@@ -45,7 +45,7 @@ def added(edit: BehaviorEdit, number: int, word: int, words: Sequence[Word], cha
 
 
 def formed(edit: BehaviorEdit, number: int, behavior: Behavior, character: Character) -> Formed:
-    """The behaviour as the edit has it; what cannot be had leaves it as it is."""
+    """The behaviour with the edit applied; what cannot be applied leaves it unchanged."""
     lexeme = edit.lexeme or (edit.of.lexeme if edit.of and edit.lock else None) or behavior.lexeme
     direction = edit.direction or (None if lexeme != behavior.lexeme else behavior.direction)
     hand_asked = edit.hand or behavior.hand
@@ -63,7 +63,7 @@ def formed(edit: BehaviorEdit, number: int, behavior: Behavior, character: Chara
 def entry_of(
     character: Character, channel: Channel, lexeme: str, *, direction: str | None = None, hand: Hand | None = None
 ) -> BehaviorEntry | None:
-    """The line of the table that has the lexeme, and if there is one the direction and the hand."""
+    """The entry of the table with this lexeme, preferably also with this direction and hand."""
     entries = [each for each in character.entries.values() if (each.channel, each.lexeme) == (channel, lexeme)]
 
     def unlikeness(entry: BehaviorEntry) -> tuple[bool, bool]:
@@ -73,7 +73,7 @@ def entry_of(
 
 
 def forms_of(behavior: Behavior, character: Character) -> Forms:
-    """The forms of a gesture by the hand that makes it; none of all else."""
+    """The forms of a gesture for the hand that makes it; other behaviours have none."""
     if behavior.kind is not Channel.GESTURE:
         return ()
     entry = entry_of(character, behavior.kind, behavior.lexeme, hand=behavior.hand)
@@ -81,7 +81,7 @@ def forms_of(behavior: Behavior, character: Character) -> Forms:
 
 
 def unplayed(number: int, reason: str) -> Notice:
-    """That a behaviour of an edit is not made."""
+    """The notice that the behaviour of an edit is not made."""
     return Notice("edit_unplayed", f"behaviors[{number}]: not made: {reason}")
 
 
@@ -107,7 +107,7 @@ def _replaced(behavior: Behavior, entry: BehaviorEntry, hand: Hand | None) -> Be
 
 
 def _timed(placing: Placing, channel: Channel) -> SyncPoints:
-    """The phases, begun with the performance where there is no time for them."""
+    """The phases; those for which there is no time before the stroke begin with the performance."""
     sync = placed(placing, Window())
     if sync is None:
         sync = placed(underway(placing) if channel is Channel.GESTURE else soonest(placing), Window())
@@ -118,7 +118,7 @@ def _timed(placing: Placing, channel: Channel) -> SyncPoints:
 def _hand(
     wanted: Hand | None, entry: BehaviorEntry, behavior: Behavior, character: Character, number: int
 ) -> tuple[Hand | None, tuple[Notice, ...]]:
-    """The hand that makes it: the wanted, else that of the table, the one that made it, or the character's own."""
+    """The hand that makes it: the wanted one, else the table's, the former one or the one the character prefers."""
     if entry.channel is not Channel.GESTURE:
         return behavior.hand, ()
     usual = entry.hand or behavior.hand or character.handedness

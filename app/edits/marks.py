@@ -1,8 +1,8 @@
-"""Sync points moved by an author: the others follow, and the order stays.
+"""Moves sync points as an author asked; the others follow and keep their order.
 
-As in BML that was edited by hand (`understudy.bml.reading.moved_points`), strokes are never stretched: with `stroke`,
-`stroke_end`, `stroke_start` or `ready` the whole behaviour moves. `start` and `relax` move alone, which makes a
-preparation or hold longer or shorter, and `end` goes with `relax`. A behaviour without a stroke moves with `ready`.
+As in BML edited by hand (`understudy.bml.reading.moved_points`), strokes are never stretched: moving `stroke`,
+`stroke_end`, `stroke_start` or `ready` moves the whole behaviour. `start` and `relax` move alone, which lengthens or
+shortens the preparation or the hold, and `end` moves with `relax`. A behaviour without a stroke moves with `ready`.
 Nothing begins before 0, no stroke ends after `end_s`. Times are seconds, whole milliseconds.
 """
 
@@ -23,14 +23,14 @@ _TOLERANCE_S = 0.0015
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """The points as they are now, and those that could not be where they were put, with where that was."""
+    """The sync points after the move, and those that could not be moved all the way, with the time asked for."""
 
     sync: SyncPoints
     refused: tuple[tuple[str, float], ...] = ()
 
 
 def place_s(place: MarkPlace, words: Sequence[Word]) -> float | None:
-    """When a moment is, on the clock of the words; None if its word is gone or not spoken."""
+    """The time of a place, on the clock of the words; None if its word is gone or not spoken."""
     index = find_word(place.at, words)
     interval = None if index is None else words[index].interval
     if interval is None:
@@ -39,9 +39,9 @@ def place_s(place: MarkPlace, words: Sequence[Word]) -> float | None:
 
 
 def moved(sync: SyncPoints, wanted_s: Mapping[str, float], *, end_s: float, lasting: bool = False) -> Moved:
-    """The points with those of `wanted_s`, by name, where they were put; names that it does not have count for nothing.
+    """The sync points with those named in `wanted_s` moved there; names the behaviour does not have are ignored.
 
-    A `lasting` behaviour has no end: it is over when it is reached, so that its last three points are one.
+    A `lasting` behaviour changes a state and is over once that is reached, so its last three points coincide.
     """
     points = dict(sync.in_order())
     wanted_s = {name: round(at_s, 3) for name, at_s in wanted_s.items() if name in points}
@@ -71,14 +71,14 @@ def _with_leading(points: dict[str, float], wanted_s: Mapping[str, float]) -> di
 
 
 def _within(points: dict[str, float], end_s: float) -> dict[str, float]:
-    """The points moved together so far that the stroke, or what is reached, lies in the line."""
+    """The points shifted together so that the stroke, or else the ready point, lies within the line."""
     held = [points[name] for name in (*_STROKE, "ready") if name in points] or [points["start"]]
     later_s = max(0.0, -min(held)) or min(0.0, end_s - max(held))
     return {name: max(0.0, at_s + later_s) for name, at_s in points.items()}
 
 
 def _in_order(points: dict[str, float]) -> dict[str, float]:
-    """The points in their order: around the stroke, or what is reached, which stay."""
+    """The points in their order; the stroke, or else the ready point, stays where it is."""
     fixed = [name for name in (*_STROKE, "ready") if name in points]
     names = [name for name in MARKS if name in points]
     first = min((names.index(name) for name in fixed), default=0)

@@ -1,8 +1,8 @@
-"""Room for what an author put somewhere: what is in its way ends earlier, begins later, or goes (paper §3.5).
+"""Makes room for edited behaviours: what overlaps them is shortened, starts later or is dropped (paper §3.5).
 
-What the author changed stays where it is, except that a retraction nobody asked for gives way to what comes next, as in
-the choice (`understudy.bml.choice.timing.conflicts`). Of two edits in each other's way the first stands. Between two
-gestures of a hand the time is left that the way takes.
+Edited behaviours keep their place, except that a retraction the author did not move is cut where the next behaviour
+begins, as in the choice (`understudy.bml.choice.timing.conflicts`). Of two edits that overlap, the first wins. Between
+two gestures of one hand enough time is left for the transition.
 """
 
 from collections.abc import Callable, Iterable
@@ -14,12 +14,12 @@ from ..gesture_limits import Forms, transition_times
 from ..model import Behavior, Channel, SyncPoints
 
 INSTANT_S = 0.001
-"""A posture that is left is left for an instant at least, lest it lasts."""
+"""How long it takes at least to leave a posture: one that ends where it relaxes is held for good."""
 
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A behaviour that has its place; one whose end is `free` lets its retraction go."""
+    """A behaviour with its place. If its end is `free`, its retraction may be cut."""
 
     behavior: Behavior
     free: bool
@@ -28,8 +28,8 @@ class Placed:
 def with_room(
     authored: Iterable[Placed], others: Iterable[Behavior], forms: Callable[[Behavior], Forms]
 ) -> tuple[Behavior, ...]:
-    """All of them, no two of them in each other's way; those that have no room are no longer kept. `others` do not
-    compete among each other."""
+    """All behaviours, without overlaps; those without room are marked as not kept. `others` must not overlap each
+    other."""
     placed: tuple[Placed, ...] = ()
     left: list[Behavior] = []
     for each in authored:
@@ -47,7 +47,7 @@ def with_room(
 def _among(
     newcomer: Placed, placed: tuple[Placed, ...], forms: Callable[[Behavior], Forms]
 ) -> tuple[Behavior, tuple[Placed, ...]]:
-    """The newcomer as it fits among the placed, no longer kept if it does not, and the placed beside it."""
+    """The newcomer as it fits among those placed (not kept if it does not fit), and those placed, shortened for it."""
     behavior, settled = newcomer.behavior, list[Placed]()
     for other in placed:
         if compete(behavior, other.behavior):
@@ -62,7 +62,7 @@ def _among(
 
 
 def _with_the_eyes_alone(behavior: Behavior, head: Behavior) -> Behavior:
-    """A look aside while the author has the head move; everything else as it is."""
+    """A look aside during an edited head movement is done with the eyes alone; other behaviours are unchanged."""
     apart = behavior.sync.end <= head.sync.start or head.sync.end <= behavior.sync.start
     if apart or (behavior.kind, behavior.lexeme, head.kind) != (Channel.GAZE, LOOK, Channel.HEAD):
         return behavior
@@ -70,7 +70,7 @@ def _with_the_eyes_alone(behavior: Behavior, head: Behavior) -> Behavior:
 
 
 def _beside(behavior: Behavior, other: Placed, forms: Callable[[Behavior], Forms]) -> tuple[Behavior, Placed] | None:
-    """A behaviour and one that has its place; None where there is no room for both."""
+    """A behaviour and one already placed, shortened to fit; None where there is no room for both."""
     beside = other.behavior
     if _struck_s(behavior.sync) <= _struck_s(beside.sync):
         limit_s = min(beside.sync.start, _stroke_start_s(beside.sync) - _way_s(behavior, beside, forms))
@@ -87,7 +87,7 @@ def _beside(behavior: Behavior, other: Placed, forms: Callable[[Behavior], Forms
 
 
 def _over_by(behavior: Behavior, limit_s: float, beside: Behavior) -> Behavior | None:
-    """The behaviour over by then, without its retraction and if need be its hold; None where its stroke is later."""
+    """The behaviour ending by then: retraction and if necessary hold are cut; None where its stroke ends later."""
     sync = behavior.sync
     if sync.end <= limit_s:
         return behavior
@@ -115,12 +115,12 @@ def _struck_s(sync: SyncPoints) -> float:
 
 
 def _stroke_start_s(sync: SyncPoints) -> float:
-    """What must not begin before the way there is over; the state that is reached where there is no stroke."""
+    """What must not begin before the transition is over: the stroke, or else the ready point."""
     return next(each for each in (sync.stroke_start, sync.ready, sync.start) if each is not None)
 
 
 def _way_s(first: Behavior, second: Behavior, forms: Callable[[Behavior], Forms]) -> float:
-    """The time from one to the next: none but between gestures."""
+    """How long the transition takes; 0 except between gestures."""
     if first.kind is not Channel.GESTURE or second.kind is not Channel.GESTURE:
         return 0.0
     amounts = first.amount, second.amount

@@ -1,8 +1,8 @@
 """An author's edits of one line: plain values, as docs/edits.md describes them.
 
-Edits name nothing by a running number alone. A word is meant by its number and its text, a behaviour by its channel,
-the word that it begins on and what it is, a moment by an edge of a word: so edits outlive another recording and other
-rules. Offsets are seconds, positive ones later.
+Nothing is identified by a running number alone: a word is identified by its number and its text, a behaviour by its
+channel, the word it begins on and what it shows, a moment by the edge of a word. So edits survive a new recording and
+changed rules. Offsets are seconds, positive ones later.
 """
 
 from collections.abc import Iterator
@@ -23,14 +23,14 @@ class Edge(StrEnum):
 
 
 class WordMark(StrEnum):
-    """What an author says of a word: the hands must mean something on it, or hands and head be at rest."""
+    """How a word is marked: the hands must show something on it, or hands and head must rest."""
 
     IMPORTANT = "important"
     STILL = "still"
 
 
 class Omission(StrEnum):
-    """Why a behaviour is not made: nobody wants it, or nobody wants it now."""
+    """Why a behaviour is not made: removed for good, or switched off for now."""
 
     DELETED = "deleted"
     MUTED = "muted"
@@ -38,7 +38,7 @@ class Omission(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class WordReference:
-    """A word by its number and its text; without the text the number alone counts."""
+    """A word, identified by its number and its text; without a text by its number alone."""
 
     word: int
     text: str | None = None
@@ -55,7 +55,7 @@ class MarkPlace:
 
 @dataclass(frozen=True, slots=True)
 class Marks:
-    """The sync points that were moved, each where it is now; None leaves it to follow the others."""
+    """Where the author moved sync points to; a point that is None follows the others."""
 
     start: MarkPlace | None = None
     ready: MarkPlace | None = None
@@ -73,11 +73,11 @@ class Marks:
 
 @dataclass(frozen=True, slots=True)
 class BehaviorReference:
-    """A behaviour as the line has it without edits.
+    """A behaviour of the unedited line.
 
-    `at` is the first of its words. `function` is the class of the function that it shows, `family` what it is meant to
-    be read as, `lexeme` its BML word: any one of them that is the same will do. Of several such the one that begins
-    nearest to `offset_s` after its word does is meant.
+    `at` is the first of its words, `function` the class of the function it shows, `family` the gesture family it
+    belongs to, `lexeme` its BML lexeme; one of the three has to match. Of several matches the one that begins nearest
+    to `offset_s` after the start of its word is taken.
     """
 
     channel: Channel
@@ -90,9 +90,9 @@ class BehaviorReference:
 
 @dataclass(frozen=True, slots=True)
 class BehaviorEdit:
-    """What is other about one behaviour: `of` names one of the line's, `add` is the channel of a new one, on word `on`.
+    """A change to one behaviour: `of` identifies an existing one, `add` is the channel of a new one on the word `on`.
 
-    A `lock` has the behaviour made even where the choice would no longer make it, as it is described here.
+    A behaviour with `lock` is made as described here even where it would no longer be chosen.
     """
 
     of: BehaviorReference | None = None
@@ -122,7 +122,7 @@ class BehaviorEdit:
 
 @dataclass(frozen=True, slots=True)
 class HeardTime:
-    """When a word was heard that an author corrects, seconds of the recording."""
+    """When the aligner heard a word whose time the author corrected, in seconds of the recording."""
 
     start_s: float
     end_s: float
@@ -130,8 +130,8 @@ class HeardTime:
 
 @dataclass(frozen=True, slots=True)
 class WordEdit:
-    """What is other about one word: its mark, and its time, seconds of the recording. A corrected time holds for the
-    recording in which the word was `heard` then."""
+    """A change to one word: its mark, or its time in seconds of the recording. A corrected time is valid for the
+    recording in which the word was `heard` at that time."""
 
     at: WordReference
     mark: WordMark | None = None
@@ -142,7 +142,7 @@ class WordEdit:
 
 @dataclass(frozen=True, slots=True)
 class LineSettings:
-    """Options that the author set for this line; None leaves them as they are asked for."""
+    """Options the author set for this line; None keeps the value of the request."""
 
     character: str | None = None
     agitation: Level | None = None
@@ -153,7 +153,7 @@ class LineSettings:
 
 @dataclass(frozen=True, slots=True)
 class Edits:
-    """All that an author changed in a line."""
+    """Everything an author changed in a line."""
 
     line: LineSettings = field(default_factory=LineSettings)
     words: tuple[WordEdit, ...] = ()

@@ -1,7 +1,7 @@
-"""When words are spoken, as an author corrected it. Times are seconds from the start of the recording.
+"""Applies corrected word times. Times are seconds from the start of the recording.
 
-A correction holds for the recording in which the word was heard as it was then: in another the aligner's mistake, if it
-makes one, is another.
+A correction is only valid for the recording it was made for, because in another one the aligner makes other mistakes.
+It applies if the word is still heard at the time at which it was heard when it was corrected.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -13,18 +13,18 @@ from .values import WordEdit
 from .words import find_word, word_gone
 
 SAME_TIME_S = 0.05
-"""A word heard within this time of when it was heard before was heard in the same recording."""
+"""How far a word may be from where it was heard before and still count as heard in the same recording."""
 
 SHORTEST_WORD_S = 0.02
-"""What a corrected word and its neighbours keep at least."""
+"""How long corrected words and their neighbours remain at least."""
 
 
 def corrected(
     words: tuple[Word, ...], edits: Sequence[WordEdit], *, duration_s: float
 ) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
-    """The words at the times that the author gave them, and what could not be corrected.
+    """The words at their corrected times, and notices about what could not be corrected.
 
-    Neighbours give way, unless they were corrected too, and keep `SHORTEST_WORD_S`; phones keep their shares.
+    Neighbours are shortened, down to `SHORTEST_WORD_S`, unless they were corrected too; phones are scaled.
     """
     wanted: dict[int, tuple[int, Interval]] = {}
     notices: list[Notice] = []
@@ -47,7 +47,7 @@ def corrected(
 
 
 def _is_heard_otherwise(word: Word, edit: WordEdit) -> bool:
-    """Whether the word is heard elsewhere than when it was corrected."""
+    """Whether the word is heard at another time than when it was corrected."""
     if edit.heard is None:
         return word.interval is None
     if word.interval is None:
@@ -59,7 +59,7 @@ def _is_heard_otherwise(word: Word, edit: WordEdit) -> bool:
 def _timed(
     words: tuple[Word, ...], wanted: Mapping[int, Interval], duration_s: float
 ) -> tuple[tuple[Word, ...], list[int]]:
-    """The words with the wanted times as far as their order allows, and which have other ones after all."""
+    """The words with the wanted times as far as their order allows, and the indices of those that got other times."""
     heard = {word.index: word.interval for word in words if word.interval}
     latest_s = _latest_ends_s(heard, wanted, duration_s)
     intervals: dict[int, Interval] = {}
@@ -78,7 +78,7 @@ def _timed(
 def _latest_ends_s(
     heard: Mapping[int, Interval], wanted: Mapping[int, Interval], duration_s: float
 ) -> Mapping[int, float]:
-    """When each word must be over at the latest, so that those after it keep `SHORTEST_WORD_S`."""
+    """The latest end of each word that leaves those after it `SHORTEST_WORD_S`."""
     latest_s: dict[int, float] = {}
     free_s = duration_s
     for index, old in reversed(list(heard.items())):
@@ -88,7 +88,7 @@ def _latest_ends_s(
 
 
 def _cut(intervals: dict[int, Interval]) -> dict[int, Interval]:
-    """The words each over where the next begins."""
+    """Cuts each word where the next begins."""
     for index, after in pairwise(intervals):
         each = intervals[index]
         intervals[index] = Interval(each.start_s, min(each.end_s, intervals[after].start_s))
@@ -96,7 +96,7 @@ def _cut(intervals: dict[int, Interval]) -> dict[int, Interval]:
 
 
 def _with_interval(word: Word, interval: Interval | None) -> Word:
-    """The word at another time, its phones in the same shares of it."""
+    """The word at another time, its phones scaled with it."""
     old = word.interval
     if interval is None or old is None or interval == old:
         return word

@@ -1,6 +1,6 @@
-"""The words that an author's edits speak of: found again, and those that are marked turned into a director's notes.
+"""Finds the words that edits refer to, and turns marked words into a director's notes.
 
-A word is found by its number and text; where another stands there, the nearest of the same text is meant.
+A word is found by its number and text; if the text at that number is another, the nearest word with that text is taken.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -11,11 +11,11 @@ from ..model import DirectedMoment, Direction, Notice, Word
 from .values import WordEdit, WordMark, WordReference
 
 IMPORTANCE = 3
-"""Of a word marked important, as a director's note has it."""
+"""The importance of a marked word, on the scale of a director's notes."""
 
 
 def find_word(reference: WordReference, words: Sequence[Word]) -> int | None:
-    """The number of the word that is meant; None where it is gone."""
+    """The index of the word; None if it is gone."""
     if reference.text is None:
         return reference.word if reference.word < len(words) else None
     wanted = _spelling(reference.text)
@@ -24,7 +24,7 @@ def find_word(reference: WordReference, words: Sequence[Word]) -> int | None:
 
 
 def word_gone(where: str, reference: WordReference) -> Notice:
-    """That a word of an edit is not in the line."""
+    """The notice that a word is no longer in the line."""
     told = f"word {reference.word}" if reference.text is None else f"the word {reference.text!r}"
     return Notice("edit_word_gone", f"{where}: {told} is no longer in the line; this edit is left out")
 
@@ -35,8 +35,8 @@ def with_marked(
     words: Sequence[Word],
     meanings: Mapping[int, tuple[str, ...]],
 ) -> Direction | None:
-    """The director's notes with one for each word that is marked; `meanings` are the families of gestures that would be
-    right on the words marked important."""
+    """The director's notes with one added for each marked word; `meanings` has the gesture families that suit each word
+    marked important."""
     notes = tuple(_note(mark, index, meanings) for mark, index in marked(edits, words))
     if not notes:
         return direction
@@ -45,7 +45,7 @@ def with_marked(
 
 
 def marked(edits: Iterable[WordEdit], words: Sequence[Word]) -> Iterator[tuple[WordMark, int]]:
-    """The marks, with the words that are still there."""
+    """Each mark with the index of its word, as far as the words still exist."""
     for edit in edits:
         index = find_word(edit.at, words) if edit.mark else None
         if edit.mark is not None and index is not None:
@@ -66,6 +66,6 @@ def _note(mark: WordMark, index: int, meanings: Mapping[int, tuple[str, ...]]) -
 
 
 def _spelling(text: str) -> str:
-    """A word without case and punctuation; as it is where it has nothing else."""
+    """A word without case and punctuation; unchanged if nothing else is left."""
     letters = "".join(character for character in text.casefold() if character.isalnum())
     return letters or text
