@@ -7,10 +7,10 @@
         bml = understudy.write_bml(performance)
         glb = understudy.write_motion(models, understudy.realize(models, performance), "glb")
 
-Here stands the public interface, and nothing else in the package is: the functions of `understudy.library`, the values
-that they take and return, and the errors that they raise. Names are imported when they are first used, so that
-`import understudy` costs nothing. docs/python.md has examples. A newcomer to the code begins with
-`understudy.performance`, which is the whole way of a line in order, and `understudy.model`, the values that travel it.
+This module is the whole public interface: the functions of `understudy.library`, the values that they take and return,
+and the errors that they raise. Names are imported on first use, so that `import understudy` is cheap. docs/python.md
+has examples. To read the code, begin with `understudy.performance`, which runs the stages of a line in order, and
+`understudy.model`, the values that pass between them.
 """
 
 from importlib import import_module
@@ -163,7 +163,7 @@ if TYPE_CHECKING:
     from .settings import Settings
 else:
     _HOMES = ("errors", "model", "library", "realizer.body.motion")
-    """Where the names are found, what costs least to import first."""
+    """The modules searched for a name, the cheapest to import first."""
 
     def __getattr__(name: str) -> object:
         """A public name, imported at its first use (PEP 562)."""

@@ -1,4 +1,5 @@
-"""What a performance is asked for, and what comes of its analysis, before any movement is chosen: values alone."""
+"""The input of a performance, its options, and the result of analysing a line before any movement is chosen: values
+only."""
 
 from dataclasses import dataclass, field, fields, replace
 from typing import Self
@@ -40,8 +41,8 @@ class Timings:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """What is sent in: the audio file's bytes, the transcript, the words' timings when they are known already, the
-    functions that the caller knows, and a director's notes."""
+    """The input: the audio file's bytes, the transcript and, if the caller has them, word timings, communicative
+    functions and a director's notes."""
 
     audio: bytes
     text: str
@@ -52,12 +53,13 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """How the line is to be performed, and who listens; `agitation` overrides what the voice says, `reference` is how
-    it usually sounds. `lead_in_s` is how long before the recording the performance begins,
-    `stillness` (0 to 1) how much less than usual moves, `targets` are where things and listeners are. `played_by` has
-    our characters by the names of listeners that are none of ours. `profile` is whose gestures are made, or the name of
-    one in the lexicon. `contours` is whether f0 and energy are told with the performance, `edits` are what an author
-    changed in it (`with_edits`).
+    """How the line is to be performed, and who listens.
+
+    `agitation` overrides the measured level, `reference` describes how the speaker usually sounds. `lead_in_s` is how
+    long before the recording the performance begins, `stillness` (0 to 1) reduces all movement, `targets` are the
+    positions of things and listeners. `played_by` maps names of listeners that are not characters of ours to characters
+    that play them. `profile` is a gesture profile, or the name of one in the lexicon. `contours` says whether f0 and
+    energy are returned with the performance, `edits` are an author's changes to it (`with_edits`).
 
     Raises InputError `value_wrong` and `target_wrong`.
     """
@@ -88,14 +90,14 @@ class Options:
         check_targets(self.targets)
 
     def with_edits(self, edits: Edits) -> Self:
-        """The options with an author's edits, whose settings of the line stand instead of these."""
+        """The options with an author's edits, whose settings for the line override these."""
         settings = {part.name: getattr(edits.line, part.name) for part in fields(edits.line)}
         return replace(self, edits=edits, **{name: told for name, told in settings.items() if told is not None})
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SignalAnalysis:
-    """What the signal alone says."""
+    """What is measured in the signal alone."""
 
     audio: Audio
     contours: Contours
@@ -105,7 +107,7 @@ class SignalAnalysis:
 
 @dataclass(frozen=True, slots=True)
 class AlignedLine:
-    """The words in time, and the fillers heard between them; `duration_s` is the audio's."""
+    """The words with their times, and the fillers heard between them; `duration_s` is the audio's."""
 
     words: tuple[Word, ...]
     duration_s: float
@@ -115,8 +117,8 @@ class AlignedLine:
 
 @dataclass(frozen=True, slots=True)
 class Analysis:
-    """What a line says and does, before any movement is chosen; `heard` is what its signal says, if it has one, `facts`
-    what the rules know of it."""
+    """The utterance and its communicative functions, before any movement is chosen; `heard` is what was measured in the
+    recording, if there is one, `facts` are the facts that the rules derived."""
 
     utterance: Utterance
     functions: tuple[Function, ...]

@@ -1,15 +1,15 @@
-"""What takes long to make and follows from files alone, kept from one process to the next: compiled rules, filters.
+"""Caches on disk what is slow to compute and depends on files alone (compiled rules, filters), across processes.
 
-A thing is kept in one file under its name, in a folder of the user's own: `UNDERSTUDY_CACHE`, or where the platform
-keeps caches. The file begins with a key over the content of all files that the thing was made from, the code that
-made it and the versions of what it was made with; where the key is another, the thing is made again and the file
-replaced. So files may be deleted at any time, and there are never more of them than names. A process writes to a name
-of its own and renames it, so that another reads the old file or the new.
+Each value is one file under its name, in a folder of the user's own: `UNDERSTUDY_CACHE`, or the platform's cache
+folder. The file begins with a hash of the content of all source files, the code that computed the value and the
+versions used; if that differs, the value is computed again and the file replaced. So files may be deleted at any time,
+and there are never more files than names. A process writes to a temporary name and renames, so that readers see a
+complete file, old or new.
 
-Files are pickles, and to read one is to run what it says. One is read only if it and its folder belong to the user and
-nobody else may write there, and it may name no class but our own and a few of Python's and numpy's. Where that cannot
-be had (a folder that others can write to, a read-only file system, a platform without owners of files) nothing is kept,
-which only takes longer; why is logged at debug level.
+Files are pickles, and unpickling can run code. A file is read only if it and its folder belong to the user and nobody
+else can write to them, and it may name only our own classes and a few of Python's and numpy's. Where that is not
+possible (a folder that others can write to, a read-only file system, a platform without file owners) nothing is cached,
+which only costs time; the reason is logged at debug level.
 """
 
 from __future__ import annotations
@@ -51,30 +51,31 @@ _FOREIGN_CLASSES = frozenset(
         ("pathlib", "PosixPath"),
     }
 )
-"""What a kept thing may be made of beside our own classes, by module and name."""
+"""The classes other than our own that a cached value may contain, by module and name."""
 
 _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
 class Cache:
-    """A folder of kept things; `folder` is None where nothing is kept."""
+    """A folder of cached values; with `folder` None nothing is cached."""
 
     folder: Path | None
 
     @classmethod
     def of_environment(cls) -> Self:
-        """The folder that `UNDERSTUDY_CACHE` names, none where it says "off", the platform's where it says nothing."""
+        """The folder that `UNDERSTUDY_CACHE` names, none if it is "off", the platform's cache folder if it is unset."""
         told = os.environ.get(VARIABLE, "")
         if told.lower() == OFF or not hasattr(os, "geteuid"):
             return cls(None)
         return cls(Path(told) if told else _usual_folder())
 
     def kept(self, name: str, files: Iterable[Path], make: Callable[[], Value], *, made_with: str = "") -> Value:
-        """What `make` makes of the content of `files`: what was kept under `name`, if all is as it was, else made now.
+        """The value that `make` computes from the content of `files`: from the cache if nothing has changed, else
+        computed now.
 
-        The `files` are those that `make` reads; one that cannot be read counts as such, and `make` tells of it.
-        `made_with` is whatever else the result follows from, as text. Raises what `make` raises.
+        `files` are those that `make` reads; one that cannot be read counts as changed content, and `make` reports it.
+        `made_with` is anything else that the result depends on, as text. Raises what `make` raises.
         """
         if self.folder is None:
             return make()
@@ -88,11 +89,13 @@ class Cache:
         return kept
 
     def _path(self, name: str) -> str:
-        """One file for each place where the package is installed, lest two versions replace each other's."""
+        """The file name; it differs for each place of installation, so that two versions do not replace each other's
+        files."""
         return f"{name}-{blake2b(os.fsencode(_PACKAGE), digest_size=6).hexdigest()}.{sys.implementation.cache_tag}"
 
     def _read(self, name: str, key: bytes) -> bytes | None:
-        """The kept pickle; None when there is none that is whole, made of the same, and only ours to write."""
+        """The cached pickle; None if there is none that is complete, has the same key, and can be written by the user
+        alone."""
         try:
             with _own_folder(self.folder) as folder:
                 number = os.open(self._path(name), os.O_RDONLY | os.O_NOFOLLOW | os.O_CLOEXEC, dir_fd=folder)
@@ -120,7 +123,7 @@ def _usual_folder() -> Path:
 
 @contextmanager
 def _own_folder(path: Path | None, *, make: bool = False) -> Iterator[int]:
-    """The folder as a file descriptor, so that it stays the one that was looked at; raises OSError."""
+    """The folder as a file descriptor, so that the folder checked is the one used; raises OSError."""
     if path is None:
         raise FileNotFoundError("there is no cache")
     if make:
@@ -134,7 +137,7 @@ def _own_folder(path: Path | None, *, make: bool = False) -> Iterator[int]:
 
 
 def _require_own(status: os.stat_result) -> None:
-    """Raises PermissionError for what is another user's, or where another can write."""
+    """Raises PermissionError for what belongs to another user or can be written by one."""
     if status.st_uid != os.geteuid() or status.st_mode & _OTHERS_MAY_WRITE:
         raise PermissionError("it is another user's, or others may write to it")
 
@@ -152,7 +155,7 @@ def _replace(folder: int, name: str, content: bytes) -> None:
 
 
 def _key(name: str, files: Iterable[Path], made_with: str) -> bytes:
-    """Over all that the thing follows from: the files' names and content, the code, and what it ran on."""
+    """A hash of all that the value depends on: the files' names and content, the code, and the version of Python."""
     key = blake2b(digest_size=_KEY_BYTES)
     for part in (name, __version__, sys.version, made_with, *_code()):
         key.update(part.encode() + b"\0")
@@ -166,7 +169,8 @@ def _key(name: str, files: Iterable[Path], made_with: str) -> bytes:
 
 
 def _code() -> Iterator[str]:
-    """Every file of the package's code, with its size and when it was written, which is what Python goes by as well."""
+    """Every file of the package's code with its size and modification time, by which Python too decides what is out of
+    date."""
     folders = [str(_PACKAGE)]
     found = []
     while folders:
@@ -203,8 +207,8 @@ def _is_frozen(kind: Any) -> bool:  # noqa: ANN401  # typeshed does not know the
 
 
 class _Pickler(pickle.Pickler):
-    """Pickles read-only mappings too, and frozen dataclasses as the call that makes them of all their fields in order:
-    that is read three times as fast as what dataclasses do by themselves."""
+    """Pickles read-only mappings too, and frozen dataclasses as the constructor call with all their fields in order,
+    which is read three times as fast as the dataclasses' own pickles."""
 
     dispatch_table = MappingProxyType({MappingProxyType: _as_read_only})
 
@@ -215,7 +219,7 @@ class _Pickler(pickle.Pickler):
 
 
 class _Unpickler(pickle.Unpickler):
-    """Finds no class but our own and those that they are made of."""
+    """Loads only our own classes and `_FOREIGN_CLASSES`."""
 
     def find_class(self, module: str, name: str) -> object:
         if (module, name) in _FOREIGN_CLASSES:

@@ -1,7 +1,5 @@
-"""The errors a user can meet. Each has a stable `code` and a message that says what, where and what would be right.
-
-They are raised where the mistake is found and caught only at the doors (`understudy.cli`, `understudy.api`).
-"""
+"""The errors a user can meet. Each has a stable `code` and a message that says what is wrong, where, and what would be
+right. They are raised where the mistake is found and caught only at the doors (`understudy.cli`, `understudy.api`)."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +8,7 @@ LONGEST_SHOWN = 200
 
 
 class UnderstudyError(Exception):
-    """Root of the tree. `code` is stable and machine-readable; the message is one line for people."""
+    """Base class. `code` is stable and machine-readable; the message is one line for people."""
 
     def __init__(self, code: str, message: str) -> None:
         super().__init__(message)
@@ -18,7 +16,7 @@ class UnderstudyError(Exception):
         self.message = message
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Errors cross processes, which exceptions with arguments of their own do not by themselves."""
+        """Makes errors picklable, for other processes: by default, exceptions with arguments of their own are not."""
         return _restored, (type(self), self.args, self.__dict__)
 
 
@@ -43,11 +41,11 @@ class UndecodableError(InputError):
 
 
 class UnsupportedFormatError(InputError):
-    """The format is none of those we read."""
+    """A format that we do not read."""
 
 
 class NotAcceptableError(InputError):
-    """The answer comes in none of the forms that the caller accepts."""
+    """The response is available in no media type that the caller accepts."""
 
 
 class SlowClientError(InputError):
@@ -55,7 +53,7 @@ class SlowClientError(InputError):
 
 
 class TooManyError(InputError):
-    """One client asks too often; `retry_after_s` is when to ask again."""
+    """Too many requests from one client; `retry_after_s` is when to try again."""
 
     def __init__(self, code: str, message: str, *, retry_after_s: float = 1.0) -> None:
         super().__init__(code, message)
@@ -63,16 +61,16 @@ class TooManyError(InputError):
 
 
 class ForbiddenError(InputError):
-    """The caller may not do this here."""
+    """The caller is not allowed to do this."""
 
 
 class TooLargeError(InputError):
-    """The input passes a limit of `understudy.settings`."""
+    """The input exceeds a limit of `understudy.settings`."""
 
 
 class ServiceError(UnderstudyError):
-    """Our own trouble, not the caller's: the aligner died, the deadline passed. `retry_after_s` is when to try
-    again."""
+    """A failure of the service, not a mistake of the caller's: the aligner died, the deadline passed. `retry_after_s`
+    is when to try again."""
 
     def __init__(self, code: str, message: str, *, retry_after_s: float | None = None) -> None:
         super().__init__(code, message)
@@ -80,8 +78,8 @@ class ServiceError(UnderstudyError):
 
 
 def shown(value: object) -> str:
-    """What a caller sent, as a message quotes it: as Python writes it, and no more than `LONGEST_SHOWN` characters of
-    it, so that no message is as long as what was sent."""
+    """The repr of what a caller sent, for quoting in a message: cut after `LONGEST_SHOWN` characters, so that messages
+    stay short."""
     text = value if isinstance(value, str) else str(value)
     return repr(text) if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]!r}…"
 
@@ -104,7 +102,7 @@ class Mistake:
 
 
 class AuthoringError(UnderstudyError):
-    """Files under `app/rules/` or `lexicon/` that do not load: every mistake at once."""
+    """Files under `app/rules/` or `lexicon/` that do not load, with every mistake in them."""
 
     def __init__(self, mistakes: tuple[Mistake, ...]) -> None:
         super().__init__("authoring", "\n".join(str(mistake) for mistake in mistakes))
@@ -112,7 +110,7 @@ class AuthoringError(UnderstudyError):
 
 
 class WrongBmlError(InputError):
-    """A BML file that realizers would refuse: `mistakes` has every one, the message the first few."""
+    """A BML file that realizers would refuse: `mistakes` has all of them, the message the first few."""
 
     def __init__(self, code: str, message: str, *, mistakes: tuple[Mistake, ...] = ()) -> None:
         super().__init__(code, message, field="bml")

@@ -1,8 +1,8 @@
-"""What a character looks like and how it gestures: the values of `body`, `looks` and `gestures` in its file.
+"""The appearance of a character and its manner of gesturing: the values of `body`, `looks` and `gestures` in its file.
 
-They stand beside the data model because the file is read where behaviours are chosen, and used where they are realized.
+They are part of the data model because the file is read where behaviours are chosen, and used where they are realized.
 Conventions: widths, build, space and pace are relative to the average, 1; colours are sRGB, "#rrggbb". The ranges are
-those within which the body was tested (docs/characters.md).
+those for which the body was tested (docs/characters.md).
 """
 
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ AVERAGE_HEIGHT_M = 1.73
 
 
 class Sex(StrEnum):
-    """`NEUTRAL` is between the others, as the mannequin was before characters had bodies."""
+    """The sex of a body; `NEUTRAL` has proportions between the other two."""
 
     FEMALE = "female"
     MALE = "male"
@@ -36,8 +36,8 @@ class Legwear(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Physique:
-    """The proportions of a body. `build` is its girth, `shoulder_width` and `hip_width` are beside the average of that
-    height and sex."""
+    """The proportions of a body. `build` scales its girth; `shoulder_width` and `hip_width` are relative to the average
+    of that height and sex."""
 
     sex: Sex = Sex.NEUTRAL
     age_years: int = 35
@@ -63,10 +63,10 @@ class Looks:
 
 @dataclass(frozen=True, slots=True)
 class Manner:
-    """What a character makes of every gesture of the library.
+    """How a character varies every gesture of the library.
 
     `space` scales gesture space about its centre and `pace` the speed of all phases; `elbow_deg` turns the elbow
-    outwards and up (negative: to the body), `wrist_deg` bends the hand back (negative: lets it hang).
+    outwards and up (negative: towards the body), `wrist_deg` bends the hand back (negative: lets it hang).
     """
 
     space: float = 1.0
@@ -76,7 +76,7 @@ class Manner:
 
 
 PLAIN_MANNER = Manner()
-"""Gestures as the library has them."""
+"""Gestures unchanged from the library."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,4 +90,4 @@ class Figure:
 
 
 PLAIN = Figure()
-"""The figure of whom no file describes: an adult of 1.73 m."""
+"""The figure of a character without a file: an adult of 1.73 m."""

@@ -1,10 +1,10 @@
-"""A speaker's profile on a line: what of the stages' knowledge the generation of gestures takes, and what it gives
-back.
+"""Connects a speaker's profile to a line: gives gesture generation what it needs from the other stages, and turns its
+script into behaviours.
 
 What rules and notes forbid stays forbidden: lexemes that the behaviour table does not offer, hands that it does not
-offer them for, mimes without their words, what a director wants avoided or still, and ways between gestures that are
-too fast. What a director, a caller's functions or a pointing ask for is made by the rules, and the profile's gestures
-leave it its time.
+offer them for, iconic gestures without their words, what a director wants avoided or still, and transitions that are
+too fast. Gestures that a director, a caller's functions or a pointing ask for are made by the rules; the profile's
+gestures leave time for them.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -36,7 +36,7 @@ from .profiles.tags import tag_of, tags_of
 from .transcript import MAX_WORDS
 
 HEAD_MOVEMENTS_PER_MINUTE = 20.0
-"""Of the default character in the lines of the example annotations: the measure of a speaker's own."""
+"""Of the default character in the lines of the example annotations; a speaker's own rate is compared with it."""
 
 Channels = Mapping[str, tuple[Channel, str]]
 """The channel and lexeme of behaviours by name."""
@@ -45,9 +45,9 @@ LEAST_ACTIVITY, MOST_ACTIVITY = 0.3, 2.0
 
 
 def as_speaker(character: Character, profile: Profile) -> Character:
-    """The character with the head, eyes and rests of a profile; the hands are the script's.
+    """The character with the head, eyes and rests of a profile; the script decides about the hands.
 
-    How much the head moves goes with how much the character does at all.
+    The character's overall activity is scaled by how much the speaker's head moves.
     """
     head = profile.head
     activity = sum(head.per_minute.values()) / HEAD_MOVEMENTS_PER_MINUTE if head.per_minute else 1.0
@@ -61,14 +61,14 @@ def as_speaker(character: Character, profile: Profile) -> Character:
 
 
 def without_planned_gestures(moments: Iterable[Moment]) -> tuple[Moment, ...]:
-    """The moments of a plan without its gestures, but for those that a director's notes ask for."""
+    """The moments of a plan without its gestures, except those that a director's notes ask for."""
     return tuple(each for each in moments if each.channel is not Channel.GESTURE or each.note is not None)
 
 
 def without_chosen_gestures(
     candidates: Iterable[BehaviorCandidates], lexemes: Channels
 ) -> Iterator[BehaviorCandidates]:
-    """The candidates without gestures, but for those that are asked for: by a note, by a caller's function."""
+    """The candidates without gestures, except those that a note or a caller's function asks for."""
     for offer in candidates:
         if (offer.moment and offer.moment.note is not None) or (offer.function and offer.function.given):
             yield offer
@@ -81,15 +81,15 @@ def without_chosen_gestures(
 def gesture_script(
     profile: Profile, repertoire: Repertoire, utterance: Utterance, functions: Sequence[Function], *, seed: int
 ) -> GestureScript:
-    """The gesture script of a line by a profile."""
+    """The gesture script that a profile generates for a line."""
     return generate(Speaker(profile, repertoire, seed), utterance, tags_of(functions))
 
 
 def scripted_behaviors(
     script: GestureScript, functions: Iterable[Function], kept: Sequence[Behavior]
 ) -> tuple[Behavior, ...]:
-    """The behaviours of a script, each with the function that it shows, beside those that are kept: a rest in whose
-    time the body takes another posture anyway is given up."""
+    """The behaviours of a script, each with the function that it shows. A rest that overlaps a kept change of posture
+    is dropped."""
     shown = {(tag_of(each), each.first, each.last): each.id for each in functions if each.kept}
     postures = [each for each in kept if each.kept and each.kind is Channel.POSTURE]
     return tuple(_beside(each, postures) for each in behaviors_of(script, shown))
@@ -108,8 +108,8 @@ def _beside(behavior: Behavior, postures: Iterable[Behavior]) -> Behavior:
 def repertoire_of(
     character: Character, families: Families, direction: Direction | None = None, kept: Iterable[Behavior] = ()
 ) -> Repertoire:
-    """What a character may play in a line: its gestures, what a director's notes close, and when its hands do what was
-    asked for, the gestures among the `kept`."""
+    """What a character may play in a line: its gestures, what a director's notes close, and when its hands are taken by
+    the gestures among the `kept`."""
     asked = (each for each in kept if each.kept and each.kind is Channel.GESTURE)
     return Repertoire(
         gestures=dict(_playable(character.entries.values(), _needed_lemmas(families, character))),
@@ -142,7 +142,7 @@ def _playable(
 
 
 def _needed_lemmas(families: Families, character: Character) -> Mapping[str, frozenset[str]]:
-    """The lemmas without which a lexeme says what nobody said: of those that show only families which need one."""
+    """The words, by lexeme, one of which must be spoken for the gesture: of lexemes all of whose families need one."""
     listed = [(family, each) for family, behaviors in families.gesture.items() for each in behaviors]
     free = {merged(family) for family, each in listed if not each.lemmas}
     found: dict[str, frozenset[str]] = {}

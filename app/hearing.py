@@ -1,4 +1,4 @@
-"""What is heard: from a recording and its words to contours, agitation, and words in time (paper §3.1)."""
+"""The acoustic stage: from a recording and its words to contours, agitation, and word times (paper §3.1)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -27,8 +27,8 @@ from .transcript import read_transcript
 
 @dataclass(frozen=True, slots=True)
 class AcousticModels:
-    """What hearing needs (paper §3.1). The aligner is loaded by the first line whose words nobody timed; it runs in a
-    process of its own, ended by `close` (or a `with` block)."""
+    """The models of the acoustic stage (paper §3.1). The aligner is loaded by the first line without word timings; it
+    runs in a process of its own, which `close` (or a `with` block) ends."""
 
     settings: Settings
     when_aligning: OnDemand[Aligner]
@@ -36,7 +36,7 @@ class AcousticModels:
 
     @classmethod
     def load(cls, settings: Settings) -> "AcousticModels":
-        """Raises ServiceError when the agitation model is missing or broken."""
+        """Loads all but the aligner; raises ServiceError when the agitation model is missing or broken."""
         models, lexicon = resource_folder("models"), resource_folder("lexicon")
         return cls(
             settings=settings,
@@ -46,7 +46,7 @@ class AcousticModels:
 
     @property
     def aligner(self) -> Aligner:
-        """Raises ServiceError, when it is first asked for, when a model of its is missing or broken."""
+        """The aligner; on first use raises ServiceError when one of its models is missing or broken."""
         return self.when_aligning.get()
 
     def close(self) -> None:
@@ -69,7 +69,7 @@ def analyze_signal(
     *,
     reference: SpeakerReference | None = None,
 ) -> SignalAnalysis:
-    """What the signal alone says: its contours and the speaker's agitation (paper §3.1.1 to §3.1.4)."""
+    """Measures the signal alone: its contours and the speaker's agitation (paper §3.1.1 to §3.1.4)."""
     progress("decode")
     signal, notices = decode(audio, audio_limits(acoustic.settings))
     progress("contours")
@@ -88,8 +88,8 @@ def align_words(
     *,
     edits: Sequence[WordEdit] = (),
 ) -> tuple[Alignment, StressThresholds]:
-    """The words in time with how they stand out, and the utterance's own thresholds (paper §3.1.5); an author's `edits`
-    correct their times."""
+    """The words with their times and prominence, and the utterance's own thresholds (paper §3.1.5); an author's `edits`
+    correct the times."""
     progress("align")
     timed = _timed(acoustic, heard.audio, transcript, timings)
     words, notices = corrected(timed.words, edits, duration_s=heard.audio.duration_s)
@@ -108,7 +108,7 @@ def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis
 
 
 def align(acoustic: AcousticModels, line: Line) -> AlignedLine:
-    """The words and phones of a line in time."""
+    """The times of the words and phones of a line."""
     transcript = read_transcript(line.text, max_characters=acoustic.settings.max_text_characters)
     signal, notices = decode(line.audio, audio_limits(acoustic.settings))
     timed = _timed(acoustic, signal, transcript, line.timings)
@@ -116,7 +116,7 @@ def align(acoustic: AcousticModels, line: Line) -> AlignedLine:
 
 
 def _timed(acoustic: AcousticModels, audio: Audio, transcript: tuple[Word, ...], timings: Timings | None) -> Alignment:
-    """The words in time: as the caller timed them, else as the aligner hears them."""
+    """The words with the caller's times, else with the aligner's."""
     if timings is None:
         return acoustic.aligner.listen(audio, transcript)
     words = read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s)
@@ -124,7 +124,7 @@ def _timed(acoustic: AcousticModels, audio: Audio, transcript: tuple[Word, ...],
 
 
 def audio_limits(settings: Settings) -> AudioLimits:
-    """What audio the settings accept."""
+    """The limits that the settings put on audio."""
     return AudioLimits(
         max_duration_s=settings.max_audio_s,
         max_bytes=settings.max_audio_bytes,

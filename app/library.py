@@ -1,8 +1,8 @@
-"""Understudy as a library: what `import understudy` hands on, for programs that need neither command line nor service.
+"""The Python interface, which `import understudy` re-exports, for programs that need neither command line nor service.
 
 Models are loaded once (`load`) and shared by threads. Audio, BML and words timed elsewhere are given as the name of a
-file or as its content; every `write_…` returns the content of a file. Times are seconds from the start of the audio.
-What the caller gets wrong raises an `InputError` with a stable code (docs/errors.md), a file that cannot be opened an
+file or as its content; every `write_…` returns the content of a file. Times are seconds from the start of the audio. A
+mistake of the caller's raises an `InputError` with a stable code (docs/errors.md), a file that cannot be opened an
 OSError. docs/python.md has examples.
 """
 
@@ -70,14 +70,14 @@ LevelName = Level | Literal["low", "medium", "high"]
 
 
 class PerformKeywords(TypedDict, total=False):
-    """How a line is to be performed; what is left out is as `Options` has it.
+    """How a line is to be performed; for what is left out, the defaults of `Options` hold.
 
-    `character` names the performer (lexicon/characters), `agitation` overrides what the voice says, `seed` chooses
-    among movements that serve equally, `mode` says where gestures come from, `listener` has the names of those who
-    listen, and `reference` is how the speaker usually sounds (`make_reference`). The performance begins `lead_in_s` (0
-    to 3) before the recording; `stillness` (0 to 1) is how much less than usual moves. `targets` are where things and
-    listeners are, [x, y, z] in metres by name: Y up, the character at the origin facing +Z, its left +X. `profile` is
-    whose gestures are made (docs/profiles.md).
+    `character` names the performer (lexicon/characters), `agitation` overrides the measured level, `seed` chooses among
+    movements that fit equally well, `mode` says where gestures come from, `listener` has the names of the listeners,
+    and `reference` is how the speaker usually sounds (`make_reference`). The performance begins `lead_in_s` (0 to 3)
+    before the recording; `stillness` (0 to 1) reduces all movement. `targets` are the positions of things and
+    listeners, [x, y, z] in metres by name: Y up, the character at the origin facing +Z, its left +X. `profile` names a
+    gesture profile (docs/profiles.md).
     """
 
     character: str
@@ -93,10 +93,10 @@ class PerformKeywords(TypedDict, total=False):
 
 
 class RealizeKeywords(TypedDict, total=False):
-    """How BML is to be played: `agitation` overrides what the voice says, `character` who is named in the file;
-    `fps` is 30 or 60, `seed` varies what the body does by itself, `stillness` (0 to 1) is how much less of it all,
-    `targets` are where things are (as for performances), `tail_s` (0 to 10) is how long the motion goes on after the
-    recording; with `physics` the body has mass."""
+    """How BML is to be played: `agitation` overrides the measured level, `character` the one named in the file; `fps`
+    is 30 or 60, `seed` varies idle movement, `stillness` (0 to 1) reduces all movement, `targets` are the positions of
+    things (as for performances), `tail_s` (0 to 10) is how long the motion goes on after the recording; `physics`
+    simulates a body with mass."""
 
     agitation: LevelName | None
     character: str | None
@@ -109,8 +109,8 @@ class RealizeKeywords(TypedDict, total=False):
 
 
 def load(settings: Settings | None = None) -> Understudy:
-    """Models, rules, words and gestures: seconds to load, then shared by threads. Use it in a `with` block, or `close`
-    it, for the aligner has a process of its own.
+    """Loads models, rules, words and gestures, which takes seconds; threads may share them. Use the result in a `with`
+    block, or `close` it: the aligner has a process of its own.
 
     Without `settings` those of the environment hold (docs/settings.md). Raises InputError `setting_wrong`,
     AuthoringError with every mistake in rules, words and gestures, ServiceError for a model that does not load.
@@ -132,9 +132,9 @@ def perform(
     """The performance of a recorded line, with the reason for each movement (Marsella et al. 2013, §3).
 
     `audio` is a WAV, FLAC or OGG file, `text` what is said in it. `words` are timings made elsewhere (the name of a
-    .json, .TextGrid or .ctm file, or `Timings`); then nothing is aligned. `functions` are communicative functions that
-    the caller knows already, `direction` is a director's notes (docs/directing.md), `edits` are what an author changed
-    (docs/edits.md). Raises InputError for what cannot be used.
+    .json, .TextGrid or .ctm file, or `Timings`), which replace the alignment. `functions` are communicative functions
+    that the caller already knows, `direction` is a director's notes (docs/directing.md), `edits` are an author's
+    changes (docs/edits.md). Raises InputError for input that cannot be used.
     """
     fields: dict[str, Any] = {**options}
     reference = fields.pop("reference", None)
@@ -152,12 +152,13 @@ def analyze(
     functions: Sequence[GivenFunction] = (),
     reference: SpeakerReference | None = None,
 ) -> Analysis:
-    """What is heard, said and meant in a line, before any movement is chosen (§3.1 to §3.3); otherwise as `perform`."""
+    """The analysis of a line before any movement is chosen: prosody, words, communicative functions (§3.1 to §3.3).
+    Arguments and errors are those of `perform`."""
     return _analyze(models, _line(audio, text, words, functions), reference=reference)
 
 
 def align(models: Understudy | AcousticModels, audio: FileSource, text: str) -> AlignedLine:
-    """The words and phones of a line in time, and the fillers ("um") between them (§3.1). `AcousticModels` suffice.
+    """The times of a line's words and phones, and of the fillers ("um") between them (§3.1). `AcousticModels` suffice.
 
     Raises InputError for audio or text that cannot be used.
     """
@@ -166,7 +167,8 @@ def align(models: Understudy | AcousticModels, audio: FileSource, text: str) -> 
 
 
 def find_functions(models: Understudy | LanguageModels, text: str) -> Analysis:
-    """What the words alone do (§3.2, §3.3): nothing is heard, so nothing has a time. `LanguageModels` suffice.
+    """The communicative functions of the words alone (§3.2, §3.3); without a recording, nothing has a time.
+    `LanguageModels` suffice.
 
     Raises InputError for a text that is too long or not well formed.
     """
@@ -174,7 +176,8 @@ def find_functions(models: Understudy | LanguageModels, text: str) -> Analysis:
 
 
 def make_reference(models: Understudy | AcousticModels, recordings: Sequence[FileSource]) -> SpeakerReference:
-    """How the speaker of these recordings, one or more, usually sounds, to judge his agitation by (§3.1.4).
+    """How the speaker of these recordings, one or more, usually sounds: the baseline for the speaker's agitation
+    (§3.1.4).
 
     Raises InputError for audio that cannot be used, and `value_wrong` when there is none.
     """
@@ -193,11 +196,11 @@ def realize(
     tail_s: float = 0.0,
     physics: bool = False,
 ) -> Realized:
-    """The motion of a performance (§3.8), frame by frame, as long as its recording and `tail_s` more, in which the
-    hands come to rest; `seed` is the performance's own unless given. With `physics` the body has mass (ServiceError
+    """The motion of a performance (§3.8), frame by frame, as long as its recording plus `tail_s`, in which the hands
+    come to rest; `seed` is the performance's own unless given. `physics` simulates a body with mass (ServiceError
     `physics_missing` without understudy[physics]). `Realizer` suffices.
 
-    `realized.motion.decisions` tells what could not be played as it was asked for, and why.
+    `realized.motion.decisions` says what could not be played as it was asked for, and why.
     """
     checked = check_realize_options({"fps": fps, "seed": seed, "tail_s": tail_s, "physics": physics})
     prepared = PreparedSchedule.of(performance)
@@ -208,7 +211,7 @@ def realize_bml(
     models: Understudy, bml: FileSource, audio: FileSource | None = None, **options: Unpack[RealizeKeywords]
 ) -> Realized:
     """The motion of BML, ours or others'. With the recording the lips move, and marks of the speech fall where its
-    words are heard; without it `realized.motion.notices` tells what was missing.
+    words are heard; without it `realized.motion.notices` says what was missing.
 
     Raises WrongBmlError with every mistake in the BML, InputError for audio, words and options that cannot be used.
     """
@@ -238,9 +241,9 @@ def write_bml(
 ) -> bytes:
     """The schedule as BML, XML in UTF-8 (docs/bml.md), in BML 1.0 or SmartBody's dialect.
 
-    `timing` "sync" tells times by marks of the speech instead of seconds; `audio_name` is the name of the recording's
-    file, by which SmartBody finds it (`write_speech_file`), and ASAP with `bmlt_audio`. `listener` asks for what that
-    listener does instead. Raises InputError `value_wrong`.
+    With `timing` "sync", times refer to sync points of the speech instead of being seconds; `audio_name` is the name of
+    the recording's file, by which SmartBody (`write_speech_file`) and, with `bmlt_audio`, ASAP find it. With `listener`
+    the result is that listener's behaviour instead. Raises InputError `value_wrong`.
     """
     form = replace(_bml_form(dialect, timing, audio_name), bmlt_audio=bmlt_audio)
     if listener is None:
@@ -258,8 +261,8 @@ def write_speech_file(
     *,
     visemes: VisemeNames | Literal["smartbody", "facefx"] = VisemeNames.SMARTBODY,
 ) -> bytes:
-    """NAME.bml, which SmartBody wants beside NAME.wav: its words and lips in time, the shapes of the mouth by the names
-    of SmartBody's own characters or FaceFX's. `audio_name` is NAME. Raises InputError `value_wrong`."""
+    """NAME.bml, which SmartBody needs beside NAME.wav: the times of words and visemes, the visemes named as in
+    SmartBody's own characters or in FaceFX. `audio_name` is NAME. Raises InputError `value_wrong`."""
     form = check_options({"dialect": DialectName.SMARTBODY, "visemes": visemes}).form
     found = _write_speech_file(performance, replace(form, audio_file=audio_name))
     return found.content if found else b""
@@ -277,26 +280,26 @@ def write_bml_json(
 
 
 def write_json(found: Performance | Analysis | AlignedLine, *, indent: int | None = None) -> bytes:
-    """All of a performance, an analysis or an alignment as JSON, in the shapes of command line and service."""
+    """All of a performance, an analysis or an alignment as JSON, in the schemas of the command line and the service."""
     return _response(found).to_json(indent)
 
 
 def write_textgrid(found: Performance | Analysis | AlignedLine) -> bytes:
-    """The words and phones in time as a Praat TextGrid with the tiers "words" and "phones"."""
+    """The times of words and phones as a Praat TextGrid with the tiers "words" and "phones"."""
     timed = _aligned(found)
     return to_textgrid(timed.words, timed.duration_s).encode()
 
 
 def write_ctm(found: Performance | Analysis | AlignedLine, name: str = "audio") -> bytes:
-    """The words in time as CTM, a line each; `name` is what the recording is called there."""
+    """The times of the words as CTM, one word a line; `name` is the recording's name in it."""
     return to_ctm(_aligned(found).words, name).encode()
 
 
 class MotionFileKeywords(TypedDict, total=False):
-    """How a motion's file is written; what is left out is as `FileOptions` has it.
+    """How a motion's file is written; for what is left out, the defaults of `FileOptions` hold.
 
-    BVH begins with a `t_pose`, and its root has its OFFSET zero with `root_at_origin`; `keys` are those of GLB; `audio`
-    is the recording's file, which USD names or holds (docs/motion-formats.md).
+    With `t_pose` BVH begins with a T-pose, with `root_at_origin` its root has OFFSET zero; `keys` are those of GLB;
+    `audio` is the recording's file, which USD refers to or contains (docs/motion-formats.md).
     """
 
     t_pose: bool
@@ -316,8 +319,8 @@ def write_motion(
 ) -> bytes:
     """The motion as `form`, a `MotionFormat` or the name of a file that ends in one ("line.glb", or "glb" alone).
 
-    `skeleton` names the joints of BVH and JSON as another rig does, `avatar` is a GLB or VRM file that wears the motion
-    in GLB. Raises InputError `motion_format`, `unknown_skeleton`, `unknown_avatar`, UndecodableError
+    `skeleton` names the joints of BVH and JSON as another rig does, `avatar` is a GLB or VRM file to which the motion
+    is applied in GLB. Raises InputError `motion_format`, `unknown_skeleton`, `unknown_avatar`, UndecodableError
     `avatar_undecodable`, ServiceError `usd_missing`, `blender_missing` and `blender_failed`, and ModuleNotFoundError
     for a picture without matplotlib.
     """
@@ -372,7 +375,7 @@ def _realizer(models: Understudy | Realizer) -> Realizer:
 
 
 def _aligned(found: Performance | Analysis | AlignedLine) -> AlignedLine:
-    """The words in the time of the recording; raises InputError `value_wrong` where nothing was heard."""
+    """The words with their times in the recording; raises InputError `value_wrong` if there was no recording."""
     if isinstance(found, AlignedLine):
         return found
     utterance = with_lead_in(found.utterance, 0.0)

@@ -1,7 +1,7 @@
-"""Loads what authors edit and all performances share: rules, words, characters, gestures, as their files say now.
+"""Loads the files that authors edit and all performances share: rules, words, characters, gestures.
 
-Compiled, they are kept from one process to the next (`understudy.cache`). What a file says wrong is never kept, so it
-is told each time. Each function imports what it loads, for no command needs all of it.
+The compiled results are cached between processes (`understudy.cache`). Mistakes in files are not cached, so they are
+reported every time. Each function imports what it loads, because no command needs all of it.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from .resources import RULES, resource_folder
 from .yaml_files import did_you_mean
 
 AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
-"""What the names of the files end in that authors edit."""
+"""The suffixes of files that authors edit."""
 
 if TYPE_CHECKING:
     from .acting.families import Families
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def load_function_rules() -> FunctionRules:
-    """The function rules and words in use; raises AuthoringError with every mistake in them."""
+    """The current function rules and words; raises AuthoringError with every mistake in them."""
     from .rules.derivation import FunctionRules
 
     words = resource_folder("lexicon") / "en"
@@ -39,7 +39,7 @@ def load_function_rules() -> FunctionRules:
 
 
 def load_characters() -> Characters:
-    """The behaviour table and characters in use; raises AuthoringError with every mistake in them."""
+    """The current behaviour table and characters; raises AuthoringError with every mistake in them."""
     from .bml.choice.characters.characters import Characters
 
     lexicon = resource_folder("lexicon")
@@ -48,7 +48,7 @@ def load_characters() -> Characters:
 
 
 def load_families(characters: Characters) -> Families:
-    """What planned moments are shown by; raises AuthoringError with every mistake in it."""
+    """The behaviours that show planned moments, by family; raises AuthoringError with every mistake in them."""
     from .acting.families import load_families as load
     from .bml.choice.characters.characters import DEFAULT_CHARACTER
 
@@ -56,7 +56,7 @@ def load_families(characters: Characters) -> Families:
 
 
 def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:
-    """The mapping rules in use, which may choose `behavior_names`; raises AuthoringError with every mistake in them."""
+    """The current mapping rules, which may choose `behavior_names`; raises AuthoringError with every mistake in them."""
     from .rules.mapping import MappingRules
 
     names = " ".join(sorted(behavior_names))
@@ -67,7 +67,7 @@ def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:
 
 
 def load_gestures() -> Library:
-    """The gesture library in use; raises AuthoringError with every mistake in it."""
+    """The current gesture library; raises AuthoringError with every mistake in it."""
     from .realizer.gestures.library import Library
 
     folder = resource_folder("lexicon") / "gestures"
@@ -75,7 +75,7 @@ def load_gestures() -> Library:
 
 
 def load_gesture_table(lexemes: Collection[str]) -> GestureTable:
-    """What the scheduler needs to know of the gestures in use with these lexemes; raises as `load_gestures` does."""
+    """What the scheduler needs to know of the gestures with these lexemes; raises as `load_gestures` does."""
     from .realizer.scheduling.gesture_table import gesture_table
 
     folder, names = resource_folder("lexicon") / "gestures", " ".join(sorted(lexemes))
@@ -86,12 +86,12 @@ def load_gesture_table(lexemes: Collection[str]) -> GestureTable:
 
 
 def profile_names() -> tuple[str, ...]:
-    """The names of the gesture profiles that are in the lexicon."""
+    """The names of the gesture profiles in the lexicon."""
     return tuple(sorted(path.stem for path in (resource_folder("lexicon") / "profiles").glob("*.yaml")))
 
 
 def load_profile(name: str, lexemes: Collection[str]) -> Profile:
-    """The gesture profile of that name, which may have gestures with these lexemes.
+    """The gesture profile of that name; its gestures must be among `lexemes`.
 
     Raises InputError `unknown_profile`, and AuthoringError with every mistake in its file.
     """
@@ -101,8 +101,8 @@ def load_profile(name: str, lexemes: Collection[str]) -> Profile:
 
 
 def usable_profile(name: str, folder: Path = Path()) -> Profile | str:
-    """What `name` says of a profile: one of the lexicon, which stays its name, or a file in `folder` that ends in
-    .yaml.
+    """Resolves the name of a profile: one in the lexicon is returned as its name, a file in `folder` that ends in .yaml
+    is loaded.
 
     Raises as `load_profile` does, before anything large is loaded.
     """
@@ -121,7 +121,7 @@ def load_profile_file(path: Path, lexemes: Collection[str]) -> Profile:
 
 
 def load_realizer() -> Realizer:
-    """The bodies, gestures, face and rigs in use; raises AuthoringError with the mistakes of the first kind of file
+    """The current bodies, gestures, face and rigs; raises AuthoringError with the mistakes of the first kind of file
     that has any."""
     from .realizer.realizing import Realizer
 
@@ -136,5 +136,5 @@ def _unknown_profile(name: str) -> InputError:
 
 
 def _authored(folder: Path) -> list[Path]:
-    """What authors edit in a folder and its folders, in order."""
+    """The files in a folder and its subfolders that authors edit, sorted."""
     return sorted(path for path in folder.rglob("*.*") if path.suffix in AUTHORED)

@@ -1,4 +1,4 @@
-"""What motion is written as, told by the name of its file, and how."""
+"""The file formats that motion is written in, chosen by file name, and their options."""
 
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -7,7 +7,7 @@ from .errors import InputError
 
 
 class MotionFormat(StrEnum):
-    """What motion is written as, by what the names of its files end in."""
+    """The file formats of motion, by the suffix of their files."""
 
     BVH = ".bvh"
     GLB = ".glb"
@@ -37,7 +37,7 @@ class Keys(StrEnum):
 
 
 class BapVersion(StrEnum):
-    """What the first line of MPEG-4 body parameters says: MPEG-4's version, or what Greta has for the same units."""
+    """The version in the first line of MPEG-4 body parameters: MPEG-4's, or the one Greta writes for the same units."""
 
     MPEG4 = "3.1"
     GRETA = "2.1"
@@ -45,7 +45,7 @@ class BapVersion(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class AudioFile:
-    """The recording as files refer to it: by the name of its file, from where they lie, and its content."""
+    """The recording as motion files refer to it: its file name, relative to theirs, and its content."""
 
     name: str
     content: bytes = field(repr=False)
@@ -53,9 +53,9 @@ class AudioFile:
 
 @dataclass(frozen=True, slots=True)
 class FileOptions:
-    """How files are written: BVH with a T-pose as its first frame, or with its root at the origin; GLB with baked keys
-    or sparse ones; formats that know of sound with the recording; FBX by `blender`, or a Python that has `bpy`; body
-    parameters with the version of their first line."""
+    """How files are written: BVH with a T-pose as its first frame, or with its root at the origin; GLB with baked or
+    sparse keys; formats with sound, with the recording; FBX by `blender`, or a Python that has `bpy`; body parameters
+    with the version in their first line."""
 
     t_pose: bool = False
     root_at_origin: bool = False
@@ -69,7 +69,7 @@ SCENES = frozenset({MotionFormat.USDA, MotionFormat.USDC, MotionFormat.USDZ})
 """Formats that usd-core writes."""
 
 EDITORIAL = frozenset({MotionFormat.OTIO, MotionFormat.TEXTGRID, MotionFormat.EAF, MotionFormat.EVENTS})
-"""Timelines, tiers and tables of what happens, rather than the motion."""
+"""Formats of timelines, tiers and tables of behaviours, rather than of motion."""
 
 PICTURES = frozenset({MotionFormat.SHEET, MotionFormat.SPEEDS})
 """Formats that matplotlib draws."""

@@ -1,5 +1,5 @@
-"""What functions make the body do, in order: the plan, the movements that could show it, the choice, the schedule
-(paper §3.4, §3.5), by the rules alone or in a speaker's way (NGS §3.3)."""
+"""From communicative functions to scheduled behaviours, in order: plan, candidates, choice, schedule (paper §3.4,
+§3.5), by the rules alone or with a speaker's gesture profile (NGS §3.3)."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class BehaviorModels:
-    """What moving needs (paper §3.4, §3.5)."""
+    """The models that choose and schedule behaviours (paper §3.4, §3.5)."""
 
     settings: Settings
     characters: Characters
@@ -104,7 +104,7 @@ class BehaviorModels:
         )
 
     def profile(self, profile: Profile | str | None) -> Profile | None:
-        """The profile, or that of this name in the lexicon; raises InputError `unknown_profile`."""
+        """The profile, loaded from the lexicon if given by name; raises InputError `unknown_profile`."""
         if not isinstance(profile, str):
             return profile
         if profile not in self.profiles:
@@ -113,15 +113,15 @@ class BehaviorModels:
 
 
 QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
-"""How much the body does at each level of agitation (paper §1), beside how much it does by itself."""
+"""How the amount of movement is scaled at each level of agitation (paper §1)."""
 
 PLAIN_EMPHASIS = ("beat",)
-"""What a word means that matters, where nothing else is known of it."""
+"""The gesture families for an important word of which nothing else is known."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Performer:
-    """Who performs, and what the caller asked of him: his character is already that of his profile."""
+    """The performer and what the caller asked for; the character already has the habits of the profile."""
 
     behavior: BehaviorModels
     character: Character
@@ -144,8 +144,8 @@ def move(
     direction: Direction | None = None,
     progress: Progress = no_progress,
 ) -> tuple[Performance, GestureScript | None]:
-    """The performance of a line that was heard and understood, with a director's notes on it, and the gesture script
-    that its hands follow where a profile is named.
+    """The performance of an analysed line, with a director's notes applied, and the gesture script that its hands
+    follow if a profile is named.
 
     Raises InputError `unknown_character`, `unknown_profile`.
     """
@@ -166,10 +166,10 @@ def move(
 def plan_moments(
     behavior: BehaviorModels, analysis: Analysis, character: Character, direction: Direction | None = None
 ) -> tuple[Moment, ...]:
-    """What the line's phrases mean to the body, a director's notes first; nothing but these where functions choose by
-    priority alone, as in the paper.
+    """The plan of the line: what its phrases mean for gestures, with a director's notes first; the notes alone where
+    functions choose by priority, as in the paper.
 
-    How much is done depends on the speaker's agitation (paper §1) and on who performs.
+    How much is planned depends on the speaker's agitation (paper §1) and on the character.
     """
     moments: tuple[Moment, ...] = ()
     if behavior.settings.choice == "terms":
@@ -180,8 +180,8 @@ def plan_moments(
 
 
 def _with_marked(performer: _Performer, analysis: Analysis) -> Direction | None:
-    """The director's notes with one for each word that the author marked; what is important means what the plan would
-    have it mean, and is stressed where nothing is planned."""
+    """The director's notes, and one for each word that the author marked. An important word gets the meaning that the
+    plan would give it; where nothing is planned, it is stressed with a beat."""
     edits, words, behavior = performer.options.edits.words, analysis.utterance.words, performer.behavior
     important = {index for mark, index in marked(edits, words) if mark is WordMark.IMPORTANT}
     meant: Mapping[int, tuple[str, ...]] = dict.fromkeys(important, PLAIN_EMPHASIS)
@@ -198,7 +198,7 @@ def _level(analysis: Analysis) -> Level:
 def _offered(
     performer: _Performer, analysis: Analysis, moments: tuple[Moment, ...]
 ) -> tuple[tuple[BehaviorCandidates, ...], tuple[Moment, ...]]:
-    """What could show the functions or the moments, and what points at the things that the words name."""
+    """The candidates for the functions or the moments, and those that point at things the words name."""
     candidates = _candidates(performer, analysis, moments)
     if performer.profile:
         candidates = tuple(without_chosen_gestures(candidates, performer.character.lexemes))
@@ -211,7 +211,7 @@ def _offered(
 def _candidates(
     performer: _Performer, analysis: Analysis, moments: tuple[Moment, ...]
 ) -> tuple[BehaviorCandidates, ...]:
-    """What could show the functions, or the moments of a line that is planned."""
+    """The candidates for the functions, or for the moments of a line that is planned."""
     behavior, seed = performer.behavior, performer.options.seed
     candidates = offer_movements(
         behavior.rules, analysis.utterance, analysis.functions, seed=seed, facts=analysis.facts
@@ -225,7 +225,7 @@ def _candidates(
 def _scheduled(
     performer: _Performer, analysis: Analysis, candidates: tuple[BehaviorCandidates, ...]
 ) -> tuple[tuple[Behavior, ...], GestureScript | None]:
-    """What is chosen, in time; the gestures of a profile beside it, and their script."""
+    """The chosen behaviours with their times, those of a profile's gesture script among them, and that script."""
     options, script = performer.options, None
     behaviors = schedule(
         candidates,
@@ -250,7 +250,7 @@ def _told(
     moments: tuple[Moment, ...],
     behaviors: tuple[Behavior, ...],
 ) -> Performance:
-    """The performance with its lips, an author's edits, its listeners and its notices."""
+    """The performance with lips, an author's edits, listeners and notices."""
     options, utterance = performer.options, analysis.utterance
     targets = placed_listeners(options.listeners, options.targets)
     behaviors = addressed(behaviors, options.listeners, targets)
@@ -280,8 +280,8 @@ def _told(
 def _heard_by(
     behavior: BehaviorModels, played_by: Mapping[str, str], performance: Performance, name: str
 ) -> Performance:
-    """The performance with one more listener: played by whom the options say, else by the character of that name, else
-    by the default."""
+    """The performance with one more listener: played by the character the options name, else by the character of that
+    name, else by the default."""
     characters, notices = behavior.characters, performance.notices
     played = played_by.get(name, name)
     if played not in characters.by_name:

@@ -1,4 +1,4 @@
-"""What is loaded only when somebody asks for it."""
+"""Values that are loaded on first use."""
 
 from collections.abc import Callable
 from threading import Lock
@@ -8,8 +8,7 @@ Value = TypeVar("Value")
 
 
 class OnDemand(Generic[Value]):
-    """A value that is made when it is first asked for, once, whichever threads ask. If making it raises, the next who
-    asks has it made again."""
+    """A value made on first use, once, whichever threads ask for it. If making it raises, the next call tries again."""
 
     __slots__ = ("_lock", "_made", "_make")
 
@@ -26,5 +25,5 @@ class OnDemand(Generic[Value]):
             return self._made[0]
 
     def made(self) -> Value | None:
-        """The value if it is made already, else None."""
+        """The value if it has been made, else None."""
         return self._made[0] if self._made else None

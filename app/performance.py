@@ -1,8 +1,8 @@
-"""The whole way of a line, in order: read it and you have read the paper's Figure 2, up to the schedule.
+"""Runs all stages of a line in order: the paper's Figure 2, up to the schedule.
 
-Every stage is a pure function over the values of `understudy.model`; what they need besides (models, rules, tables) is
-loaded once into an `Understudy` and never changes. The doors (`understudy.cli`, `understudy.api`) call this module and
-know nothing of the stages; the forms in which results leave (BML, TextGrid, CTM) are passed on from here.
+Every stage is a pure function over the values of `understudy.model`; what stages need besides (models, rules, tables)
+is loaded once into an `Understudy` and never changes. The doors (`understudy.cli`, `understudy.api`) call this module
+and know nothing of the stages; it re-exports the writers of results (BML, TextGrid, CTM).
 """
 
 from __future__ import annotations
@@ -93,9 +93,9 @@ __all__ = [
 
 @dataclass(frozen=True, slots=True)
 class Understudy:
-    """The whole of it, loaded once and shared by threads. `close` (or a `with` block) ends the aligner's process.
+    """All models, loaded once and shared by threads. `close` (or a `with` block) ends the aligner's process.
 
-    The realizer is loaded when it is first asked for: most performances are never realized.
+    The realizer is loaded on first use: most performances are never realized.
     """
 
     acoustic: AcousticModels
@@ -105,9 +105,10 @@ class Understudy:
 
     @classmethod
     def load(cls, settings: Settings) -> Self:
-        """All but the realizer, what may be wrong with authored files first. Raises as the loading of each does.
+        """Loads all but the realizer, authored files first because they may have mistakes. Raises as the loading of
+        each does.
 
-        Products of matrices stay on one processor from then on, in the whole process: a line is too short to share.
+        From then on BLAS uses a single thread in the whole process: a line is too short to gain from more.
         """
         threadpool_limits(limits=1, user_api="blas")
         return cls(
@@ -119,11 +120,11 @@ class Understudy:
 
     @property
     def realizer(self) -> Realizer:
-        """Raises AuthoringError, when it is first asked for, with the mistakes of gestures, face and rigs."""
+        """The realizer; on first use raises AuthoringError with the mistakes of gestures, face and rigs."""
         return self.when_realizing.get()
 
     def with_settings(self, settings: Settings) -> Self:
-        """The same models within other limits; settings of what is loaded stay without effect."""
+        """The same models with other limits; settings of what is already loaded have no effect."""
         return replace(
             self,
             acoustic=replace(self.acoustic, settings=settings),
@@ -132,7 +133,7 @@ class Understudy:
         )
 
     def load_rest(self) -> None:
-        """Loads what is otherwise loaded when it is first asked for; raises as `realizer` and `acoustic.aligner` do."""
+        """Loads what is otherwise loaded on first use; raises as `realizer` and `acoustic.aligner` do."""
         self.when_realizing.get()
         self.acoustic.when_aligning.get()
 
@@ -157,7 +158,7 @@ def perform(understudy: Understudy, line: Line, options: Options, progress: Prog
 def perform_heard(
     understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
 ) -> tuple[Analysis, Performance]:
-    """What was heard and understood in a line, and its performance; raises as `perform` does."""
+    """The analysis of a line and its performance; raises as `perform` does."""
     analysis, direction_notices = _heard(understudy, line, options, progress)
     performance = perform_analysis(understudy, analysis, options, line.direction, progress)
     return analysis, replace(performance, notices=direction_notices + performance.notices)
@@ -170,7 +171,7 @@ def perform_analysis(
     direction: Direction | None = None,
     progress: Progress = no_progress,
 ) -> Performance:
-    """The performance of a line that was heard and understood (paper §3.4, §3.5), with a director's notes on it."""
+    """The performance of an analysed line (paper §3.4, §3.5), with a director's notes applied."""
     return move(understudy.behavior, analysis, options, direction, progress)[0]
 
 
@@ -187,7 +188,7 @@ def write_script(
 def script_analysis(
     understudy: Understudy, analysis: Analysis, options: Options, direction: Direction | None = None
 ) -> tuple[Performance, GestureScript]:
-    """The same for a line that was heard and understood."""
+    """The same for an analysed line."""
     performance, script = move(understudy.behavior, analysis, options, direction)
     if script is None:
         raise InputError("value_wrong", "profile: a gesture script is written by a profile; name one", field="profile")
@@ -197,7 +198,7 @@ def script_analysis(
 def _heard(
     understudy: Understudy, line: Line, options: Options, progress: Progress
 ) -> tuple[Analysis, tuple[Notice, ...]]:
-    """What is heard and understood, and what a director's notes say against each other; names are checked first."""
+    """The analysis, and notices of contradictions in a director's notes; names are checked first."""
     understudy.behavior.characters.named(options.character)
     understudy.behavior.profile(options.profile)
     notices = _checked_direction(understudy, line)
@@ -213,18 +214,19 @@ def _heard(
 
 
 def listener_part(performance: Performance, listening: Listening) -> Performance:
-    """What a listener does as a performance of his own, in which nothing is said."""
+    """A listener's behaviour as a performance of its own, in which nothing is said."""
     silent = replace(performance.utterance, words=(), parse=Parse((), (), ()))
     return Performance(silent, (), listening.behaviors, listening.name, performance.seed)
 
 
 def write_listener(performance: Performance, listening: Listening, form: BmlForm) -> bytes:
-    """A listener's BML. Its times are absolute in either form: he has no speech with marks to tell them by."""
+    """A listener's BML. Its times are always absolute, because a listener has no speech whose sync points they could
+    refer to."""
     return write_bml(listener_part(performance, listening), replace(form, timing=TimeForm.ABSOLUTE, audio_file=None))
 
 
 def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:
-    """What a director's notes say against each other; raises InputError where they do not fit the words."""
+    """Notices of contradictions in a director's notes; raises InputError where the notes do not fit the words."""
     if line.direction is None:
         return ()
     limit = understudy.language.settings.max_text_characters
@@ -241,7 +243,7 @@ def analyze(
     edits: Sequence[WordEdit] = (),
     progress: Progress = no_progress,
 ) -> Analysis:
-    """What is heard, said and meant (paper §3.1 to §3.3); an author's `edits` correct when words are spoken."""
+    """The analysis of a recorded line (paper §3.1 to §3.3); an author's `edits` correct word times."""
     acoustic, language = understudy.acoustic, understudy.language
     transcript = read_transcript(line.text, max_characters=language.settings.max_text_characters)
     heard = analyze_signal(acoustic, line.audio, progress, reference=reference)
@@ -261,5 +263,5 @@ def analyze(
 
 
 def _certain(level: Level) -> Agitation:
-    """The memberships of a level that the caller gave."""
+    """Full membership in the level that the caller gave."""
     return Agitation(**{name.value: float(name is level) for name in Level})

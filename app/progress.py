@@ -1,10 +1,10 @@
-"""How work tells at what stage it is."""
+"""The callback by which work reports its progress."""
 
 from collections.abc import Callable
 
 Progress = Callable[[str], None]
-"""Told the name of each stage as it begins."""
+"""Called with the name of each stage as it begins."""
 
 
 def no_progress(_stage: str) -> None:
-    """The progress of work that nobody watches."""
+    """Ignores progress."""

@@ -1,4 +1,4 @@
-"""Where the files beside the code lie: in the checkout they are the package's neighbours, in a wheel its children."""
+"""Finds the files that belong to the code: in a checkout they are beside the package, in a wheel inside it."""
 
 from pathlib import Path
 
@@ -7,7 +7,7 @@ from .errors import ServiceError
 _PACKAGE = Path(__file__).resolve().parent
 
 RULES = _PACKAGE / "rules"
-"""The rule files, which lie beside the code that runs them."""
+"""The rule files, which are inside the package."""
 
 
 def resource_folder(name: str) -> Path:

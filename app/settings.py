@@ -1,4 +1,4 @@
-"""What an operator may set, from the environment (`UNDERSTUDY_…`); every setting is listed in docs/settings.md."""
+"""The settings of an operator, from the environment (`UNDERSTUDY_…`); docs/settings.md lists them all."""
 
 from pathlib import Path
 from typing import Literal
@@ -15,7 +15,7 @@ PREFIX = "UNDERSTUDY_"
 
 
 class Settings(BaseSettings):
-    """Limits and places. Limits hold for the command line and the service alike."""
+    """Limits and places. The limits hold for the command line and the service alike."""
 
     model_config = SettingsConfigDict(env_prefix=PREFIX, frozen=True, extra="ignore")
 
@@ -135,22 +135,22 @@ class Settings(BaseSettings):
 
     @property
     def worker_count(self) -> int:
-        """How many worker processes there are."""
+        """The number of worker processes."""
         return self.workers or len(psutil.Process().cpu_affinity() or ()) or 1
 
     @property
     def live_stream_count(self) -> int:
-        """How many live streams there may be."""
+        """The most live streams at the same time."""
         return 8 * (len(psutil.Process().cpu_affinity() or ()) or 1) if self.live_streams is None else self.live_streams
 
     @property
     def motion_limits(self) -> MotionLimits:
-        """How much motion one answer of the service may hold."""
+        """The limits on the motion in one response of the service."""
         return MotionLimits(self.max_motion_behaviors, self.max_motion_s, self.max_motion_frames, self.max_motion_bytes)
 
     @property
     def queue_length(self) -> int:
-        """How many requests may wait."""
+        """The most requests that may wait."""
         return (self.worker_count + 1) // 2 if self.queue is None else self.queue
 
 

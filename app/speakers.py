@@ -1,4 +1,4 @@
-"""From annotated recordings to a profile: what the words say is understood where an annotation has no tags."""
+"""Learns a gesture profile from annotated recordings; words that an annotation does not tag are tagged by the rules."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -16,14 +16,14 @@ def learn_profile(
 ) -> Profile:
     """The profile of the one speaker of these annotations.
 
-    The language models are asked for only where an annotation has no tags. Raises InputError `too_few_gestures`.
+    The language models are loaded only if an annotation has no tags. Raises InputError `too_few_gestures`.
     """
     tagged = [each if each.tags is not None else with_tags(language.get(), each) for each in annotations]
     return learn(tagged, name, description)
 
 
 def with_tags(language: LanguageModels, annotation: Annotation) -> Annotation:
-    """The annotation, its words tagged by the communicative functions of each segment."""
+    """The annotation, its words tagged with the communicative functions of each segment."""
     spans = annotation.segments
     segments = [annotation.words[first : last + 1] for first, last in spans]
     renumbered = [tuple(replace(word, index=place) for place, word in enumerate(words)) for words in segments]

@@ -42,8 +42,8 @@ def targets_of(positions: Mapping[str, Sequence[float]]) -> tuple[Target, ...]:
 
 
 def check_targets(targets: Sequence[Target]) -> tuple[Target, ...]:
-    """The targets, as they are. Raises InputError `target_wrong` for a wrong or repeated name, a coordinate that is not
-    finite or too far, and more than `MOST_TARGETS`."""
+    """The targets, unchanged. Raises InputError `target_wrong` for a wrong or repeated name, a coordinate that is not
+    finite or too far away, and more than `MOST_TARGETS`."""
     if len(targets) > MOST_TARGETS:
         raise _wrong(f"{len(targets)} targets; {MOST_TARGETS} at most")
     names: set[str] = set()

@@ -1,6 +1,6 @@
-"""The words of a transcript: what white space separates, numbered from 0, in the transcript's own spelling.
+"""Splits a transcript into words at white space, numbered from 0, in the transcript's own spelling.
 
-A dash or a smiley that stands alone is a word too and keeps its number, though nothing is spoken for it.
+A dash or an emoticon that stands alone is a word too and keeps its number, though nothing is spoken for it.
 """
 
 import re
@@ -10,16 +10,16 @@ from .errors import InputError, TooLargeError
 from .model import Word
 
 MAX_PUNCTUATION_RUN = 8
-"""Longest run of characters that are neither letter nor digit that a parser is given (`with_short_runs`)."""
+"""Longest run of punctuation (neither letter nor digit) that is passed to a parser (`with_short_runs`)."""
 
 MAX_WORD_CHARACTERS = 100
 """Longest word accepted, its punctuation runs shortened; tokenizers take quadratic time over longer ones."""
 
 MAX_WORDS = 2500
-"""Most words of a transcript, a quarter of an hour of speech: some rules compare words with words."""
+"""Most words of a transcript, about a quarter of an hour of speech: some rules compare every word with every other."""
 
 MAX_WRITTEN_CHARACTERS = 1000
-"""Longest word accepted with its punctuation as it is written, which much else reads."""
+"""Longest word accepted including its punctuation as written, for the sake of other code that reads it."""
 
 _ALLOWED_CONTROLS = frozenset("\t\n\v\f\r")
 _UNWRITABLE = frozenset("\ufffe\uffff")
@@ -51,7 +51,7 @@ def read_transcript(text: str, *, max_characters: int) -> tuple[Word, ...]:
 
 
 def with_short_runs(word: str) -> str:
-    """`word` with every run of punctuation cut to `MAX_PUNCTUATION_RUN` characters: what a parser is given."""
+    """`word` with every run of punctuation cut to `MAX_PUNCTUATION_RUN` characters, for the parser."""
     return _LONG_PUNCTUATION_RUN.sub(r"\1", word)
 
 

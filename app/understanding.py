@@ -1,4 +1,4 @@
-"""What words alone say and mean: parsing, then the rules for communicative functions (paper §3.2, §3.3)."""
+"""The language stage: parses words and applies the rules for communicative functions (paper §3.2, §3.3)."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from .transcript import read_transcript
 
 @dataclass(frozen=True, slots=True)
 class LanguageModels:
-    """What understanding needs (paper §3.2, §3.3)."""
+    """The models of the language stage (paper §3.2, §3.3)."""
 
     settings: Settings
     parser: Parser
@@ -32,7 +32,7 @@ class LanguageModels:
 
 
 def find_functions(language: LanguageModels, text: str) -> Analysis:
-    """What the words alone say and mean: nothing is heard, so nothing has a time (paper §3.2, §3.3)."""
+    """The communicative functions of the words alone; without a recording, nothing has a time (paper §3.2, §3.3)."""
     [analysis] = find_functions_in_all(
         language, [read_transcript(text, max_characters=language.settings.max_text_characters)]
     )
@@ -40,7 +40,7 @@ def find_functions(language: LanguageModels, text: str) -> Analysis:
 
 
 def find_functions_in_all(language: LanguageModels, lines: Sequence[tuple[Word, ...]]) -> Iterator[Analysis]:
-    """The same for the words of several lines, which are parsed together: that takes half the time."""
+    """The same for several lines, which are parsed together: that takes half the time."""
     for words, parse in zip(lines, language.parser.parse_all(lines), strict=True):
         utterance = Utterance(words=words, parse=parse)
         known = understand(language.rules, utterance)

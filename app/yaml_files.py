@@ -1,7 +1,8 @@
 """Reads the YAML files that authors write, and finds every mistake in them with its line and column.
 
-Scalars stay the strings the author typed ("no" and "yes" are words, not booleans); the pydantic schema of the file
-turns them into numbers where it wants numbers. No tags, no anchors, no aliases: a file says what it shows.
+Scalars stay strings as the author typed them ("no" and "yes" are words, not booleans); the pydantic schema of the file
+turns them into numbers where it wants numbers. Tags, anchors and aliases are refused, so that the value is what the
+file shows.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
@@ -20,29 +21,29 @@ Value = TypeVar("Value")
 
 
 def did_you_mean(name: str, known: Collection[str]) -> str:
-    """A hint at the nearest known name, or nothing."""
+    """A hint at the nearest known name, or the empty string."""
     close = get_close_matches(name[:LONGEST_SHOWN], sorted(known), n=1)
     return f"; did you mean {close[0]!r}?" if close else ""
 
 
 class _Place(Protocol):
-    """Where YAML found something; counts from 0."""
+    """The position YAML gives for an error or a node; counts from 0."""
 
     line: int
     column: int
 
 
 class Entry(BaseModel):
-    """Base of every schema of authored files: frozen, and nothing unknown passes."""
+    """Base of every schema of authored files: frozen, unknown keys are refused."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
 class Source:
-    """One YAML file: its node tree for places, its plain value for the schema. `text` is what it says, where it is not
-    to be read.
+    """One YAML file: its node tree for positions, its plain value for the schema. If `text` is given it is used as the
+    file's content.
 
-    Raises AuthoringError when the file is no YAML, or uses what we do not allow.
+    Raises AuthoringError when the file is not YAML, or uses what we do not allow.
     """
 
     def __init__(self, path: Path, text: str | None = None) -> None:
@@ -54,7 +55,7 @@ class Source:
         self.value = _plain(self._root)
 
     def validated(self, schema: type[Schema]) -> Schema:
-        """The file as `schema`; raises AuthoringError with every mistake at its place."""
+        """The file as `schema`; raises AuthoringError with every mistake and its position."""
         try:
             return schema.model_validate(self.value)
         except ValidationError as error:
@@ -63,7 +64,8 @@ class Source:
             ) from None
 
     def mistake(self, location: Sequence[str | int], message: str) -> Mistake:
-        """A mistake at `location`, a path of keys and list positions; its deepest part that exists gives the place."""
+        """A mistake at `location`, a path of keys and list positions; the deepest part that exists gives line and
+        column."""
         node = self._root
         for step in location:
             node = _child(node, step) or node
@@ -81,7 +83,7 @@ class Source:
         return node
 
     def _refuse_what_is_not_shown(self) -> None:
-        """Anchors, aliases and tags, and keys that a later one of the same name would hide."""
+        """Refuses anchors, aliases and tags, and keys that a later one of the same name would override."""
         mistakes = [
             self._at(event.start_mark, "anchors, aliases and tags are not allowed")
             for event in yaml.parse(self._text, Loader=yaml.CSafeLoader)
@@ -101,7 +103,7 @@ class Source:
 
 
 def all_or_every_mistake(results: Iterable[Value | AuthoringError]) -> tuple[Value, ...]:
-    """The values, when none is an error; else one AuthoringError with the mistakes of all of them."""
+    """The values if none is an error; else raises one AuthoringError with the mistakes of all."""
     values: list[Value] = []
     mistakes: list[Mistake] = []
     for result in results:
@@ -152,5 +154,5 @@ def _child(node: yaml.Node, step: str | int) -> yaml.Node | None:
 
 
 def _readable(message: str) -> str:
-    """Pydantic's message in the words of somebody who edits a file."""
+    """Pydantic's message in words for somebody who edits a file."""
     return message.replace("Extra inputs are not permitted", "unknown key").replace("Field required", "key is missing")
