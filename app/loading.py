@@ -56,7 +56,7 @@ def load_families(characters: Characters) -> Families:
 
 
 def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:
-    """The current mapping rules, which may choose `behavior_names`; raises AuthoringError with every mistake in them."""
+    """The current mapping rules, choosing among `behavior_names`; raises AuthoringError with all mistakes in them."""
     from .rules.mapping import MappingRules
 
     names = " ".join(sorted(behavior_names))

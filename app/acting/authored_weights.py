@@ -1,7 +1,7 @@
-"""Weights that authors set by hand, on top of the fitted ones: how much a term speaks for or against a family.
+"""Loads weights that authors set by hand, on top of the fitted ones: how much a term speaks for or against a family.
 
-Read from `lexicon/acting/weights.yaml`. A weight is in log-odds: 0.7 doubles the odds, -0.7 halves them; `any` stands
-for every family. Every mistake of the file is reported at once, with its place.
+Read from `lexicon/acting/weights.yaml`. A weight is in log-odds: 0.7 doubles the odds, -0.7 halves them; `any` applies
+to every family. All mistakes in the file are reported at once, with their places.
 """
 
 from collections.abc import Collection, Mapping
@@ -16,7 +16,7 @@ from ..yaml_files import Entry, Source, did_you_mean
 
 ANY = "any"
 HEAVIEST = 10.0
-"""A weight beyond which a term would settle every choice alone."""
+"""The largest absolute weight; beyond it a term would settle every choice alone."""
 
 _Weight = Annotated[float, Field(ge=-HEAVIEST, le=HEAVIEST, allow_inf_nan=False)]
 
@@ -43,6 +43,6 @@ def load_weights(path: Path, families: Collection[str], terms: Collection[str]) 
 
 
 def _of_all(by_family: Mapping[str, float], families: Collection[str]) -> Mapping[str, float]:
-    """The weights of each family: its own where it has one, besides that of all."""
+    """The weights of all families: the weight for `any` plus the family's own."""
     of_any = by_family.get(ANY, 0.0)
     return MappingProxyType({family: of_any + by_family.get(family, 0.0) for family in families})

@@ -1,9 +1,9 @@
-"""The behaviours that could make a moment visible, so that clock, hands and neighbours decide between them (paper
-§3.5).
+"""The candidate behaviours for each moment, among which timing, free hands and neighbours decide (paper §3.5).
 
-A lexeme is worth what its families are worth at the moment: the first that an audience reads in it wholly, the others
-by half. Where a mapping rule offers one of them for a function of these very words, the rule and its function are named
-and it goes before its equals, for it knows the words ("two fingers", "to the left").
+The worth of a lexeme sums the worths that its families have at the moment: in full for the family that an audience
+reads in it first, by half for the others. Where a mapping rule offers a lexeme for a function of the same words, the
+rule and its function are named and the lexeme is preferred, because rules take the words into account ("two fingers",
+"to the left").
 """
 
 import random
@@ -24,7 +24,7 @@ from ..model import (
 from .families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyBehavior, Playable, family_rule, fitting, merged
 
 LATER_CHOICE = 0.4
-"""What each choice of a director's note is worth beside the one before it."""
+"""The worth of each further choice in a director's note, relative to the previous one."""
 
 OFFERED = 1.2
 ASKED_BY_LEMMA = 1.3
@@ -33,7 +33,7 @@ STEEPNESS = 4.0
 """How much the better of two alternatives is preferred: weights are worths to this power."""
 
 LEAST_PRIORITY, PRIORITY_OF_SURE = 2.0, 10.0
-"""Priorities of moments worth 0 and 1, on the scale of functions (rules/functions/priorities.yaml)."""
+"""Priorities of moments with importance 0 and 1, on the scale of functions (rules/functions/priorities.yaml)."""
 
 RULED = frozenset({Channel.GAZE, Channel.EYES, Channel.POSTURE})
 """The channels that mapping rules alone decide; hands, head and face are planned."""
@@ -41,7 +41,7 @@ RULED = frozenset({Channel.GAZE, Channel.EYES, Channel.POSTURE})
 
 @dataclass(frozen=True, slots=True)
 class Stage:
-    """What the choice of behaviours depends on besides the moment: what shows what, the table of behaviours, and the
+    """What the choice of behaviours depends on besides the moment: the families, the table of behaviours, and the
     seed."""
 
     families: Families
@@ -54,7 +54,7 @@ def candidates_of(
 ) -> tuple[BehaviorCandidates, ...]:
     """The candidates for every moment, and what rules offer on the channels that are not planned.
 
-    Functions that the caller knows are shown on all channels: he asked for them.
+    Functions that the caller gave are shown on all channels, because the caller asked for them.
     """
     level = utterance.agitation.level if utterance.agitation else Level.MEDIUM
     by_rank = sorted(offers, key=lambda each: each.rank, reverse=True)
@@ -64,7 +64,8 @@ def candidates_of(
 
 
 def _ruled(stage: Stage, offer: BehaviorCandidates) -> BehaviorCandidates | None:
-    """What a rule offers on the channels that nobody plans; a look that goes with a gesture goes without it as well."""
+    """A rule's offer restricted to the channels that are not planned: alternatives that also move others are left
+    out."""
     if offer.function and offer.function.given:
         return offer
     alternatives = tuple(
@@ -124,7 +125,7 @@ def _listed(families: Families, channel: Channel) -> Mapping[str, tuple[FamilyBe
 
 
 def _shares(moment: Moment) -> Mapping[str, float]:
-    """What each family is worth at the moment."""
+    """The worth of each family at the moment."""
     shares: dict[str, float] = {}
     unsaid = tuple(LATER_CHOICE**place for place in range(len(moment.families)))
     for family, share in zip(moment.families, moment.shares or unsaid, strict=True):
@@ -133,7 +134,7 @@ def _shares(moment: Moment) -> Mapping[str, float]:
 
 
 def _worth(stage: Stage, channel: Channel, shares: Mapping[str, float], name: str) -> float:
-    """What a behaviour is worth by all that it may be read as; a head or face by its own kind alone."""
+    """The worth of a behaviour: for gestures, of all families it may be read as; for others, of its own kind alone."""
     if channel is not Channel.GESTURE:
         kinds = _listed(stage.families, channel)
         return max(
@@ -145,15 +146,15 @@ def _worth(stage: Stage, channel: Channel, shares: Mapping[str, float], name: st
 
 @lru_cache(maxsize=1024)
 def _all_merged(families: tuple[str, ...]) -> tuple[str, ...]:
-    """The families as plans name them, each once."""
+    """The families as named in plans, without duplicates."""
     return tuple(dict.fromkeys(map(merged, families)))
 
 
 def _offered(
     stage: Stage, moment: Moment, offers: Sequence[BehaviorCandidates]
 ) -> Iterator[tuple[str, tuple[str, str | None]]]:
-    """The behaviours that rules offer for functions on the stroke's word: by name, the rule and the function; the last
-    is that of the most important."""
+    """The behaviours that rules offer for functions on the stroke's word: name, rule and function, the most important
+    function last."""
     for offer in offers:
         if offer.function is None or not offer.function.first <= moment.stroke <= offer.function.last:
             continue
@@ -164,7 +165,7 @@ def _offered(
 
 
 def _function_at(moment: Moment, offers: Sequence[BehaviorCandidates]) -> str | None:
-    """The most important function on the stroke's word, which the moment shows with it."""
+    """The most important function on the stroke's word, which the moment shows too."""
     functions: list[Function] = [offer.function for offer in offers if offer.function is not None]
     on_word = [each for each in functions if each.first <= moment.stroke <= each.last]
     return max(on_word, key=lambda each: (each.priority, each.id)).id if on_word else None

@@ -1,10 +1,11 @@
-"""The log-linear choice: how much each gesture family is worth with its stroke on each word, and by which terms.
+"""The log-linear choice: how much each gesture family is worth with its stroke on each word, and because of which
+terms.
 
     log-odds of worth(word, family) = bias(family) + α · reading(word, family) + Σ weight(term, family) over its terms
 
 The reading is the log-odds of the encoder's expected worth. α, biases and weights are fitted to directed lines (`python
--m training.acting.weights`); what authors weigh by hand (lexicon/acting/weights.yaml) is added. Shapes: W words, F
-families.
+-m training.acting.weights`); the weights that authors set by hand (lexicon/acting/weights.yaml) are added. Shapes: W
+words, F families, T terms.
 """
 
 import json
@@ -28,9 +29,10 @@ _LEAST, _MOST = 1e-4, 1 - 1e-4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ChoiceModel:
-    """Fitted weights: `bias` (F,), `reading` the weight of the reading, `weights` (T, F) of the terms by row number.
+    """Fitted weights: `bias` (F,), `reading` the weight of the reading (α), `weights` (T, F) of the terms by row
+    number.
 
-    `price` is what a gesture must be worth, `head` and `face` how likely a movement of each kind must be.
+    `price` is the least gain for which a gesture is made, `head` and `face` are the least probabilities of each kind.
     """
 
     families: tuple[str, ...]
@@ -44,7 +46,7 @@ class ChoiceModel:
 
     @classmethod
     def load(cls, path: Path) -> "ChoiceModel":
-        """Raises ServiceError `model_unreadable` where the file is missing or is none of ours."""
+        """Raises ServiceError `model_unreadable` where the file is missing or not such a model."""
         try:
             stored = json.loads(path.read_text(encoding="utf-8"))
             families = tuple(stored["families"])
@@ -68,7 +70,7 @@ class ChoiceModel:
 
     @property
     def terms(self) -> frozenset[str]:
-        """The terms that can be weighed: the fitted ones, and those of the voice, which directed lines do not have."""
+        """The terms that can be weighted: the fitted ones, and those of the voice, which directed lines do not have."""
         return frozenset(self.rows) | VOICE_TERMS
 
     def with_weights(self, added: Mapping[str, Mapping[str, float]]) -> "ChoiceModel":
@@ -84,7 +86,7 @@ class ChoiceModel:
         return replace(self, rows=MappingProxyType(rows), weights=weights)
 
     def log_odds(self, read: SingleArray, terms: Sequence[Iterable[str]]) -> SingleArray:
-        """The log-odds (W, F) of each family being right there; `read` (W, F) is the reading's expected worth."""
+        """The log-odds (W, F) that each family is right there; `read` (W, F) is the reading's expected worth."""
         scores = self.bias + self.reading * log_odds_of(read)
         for word, names in enumerate(terms):
             known = [self.rows[name] for name in names if name in self.rows]
@@ -93,7 +95,7 @@ class ChoiceModel:
         return np.asarray(scores, np.float32)
 
     def explained(self, read: SingleArray, terms: Iterable[str], family: str) -> tuple[Term, ...]:
-        """What the terms of one word, whose reading (F,) is `read`, weigh for a family, the heaviest first."""
+        """The contributions to a family's log-odds on one word, whose reading (F,) is `read`, the largest first."""
         place = self.families.index(family)
         weighed = [
             Term(f"{READING}: {family}", round(self.reading * float(log_odds_of(read)[place]), 2)),
@@ -107,11 +109,11 @@ class ChoiceModel:
 
 
 def log_odds_of(worth: SingleArray) -> SingleArray:
-    """Of worths that are kept off 0 and 1."""
+    """The log-odds of worths, which are clipped away from 0 and 1."""
     kept_off = np.clip(worth, _LEAST, _MOST)
     return np.asarray(np.log(kept_off / (1 - kept_off)), np.float32)
 
 
 def worth_of(log_odds: SingleArray) -> SingleArray:
-    """The worth in [0, 1] that log-odds stand for."""
+    """The worth in [0, 1] for log-odds."""
     return np.asarray(1 / (1 + np.exp(-log_odds)), np.float32)

@@ -1,8 +1,9 @@
-"""What a line sets against each other gets two places, one to each side, and both are shown or neither (paper §3.4).
+"""Gives the two sides of a contrast a stroke each, one to the left and one to the right; both are shown or neither
+(paper §3.4).
 
 Rules find the places (functions of class `locus`, left and right by order of mention). Where the plan would show one
-side of such a pair as a contrast, the other side belongs to it: each side gets a stroke of its own, to its own side.
-Strokes between that are too near to either give way.
+side of such a pair as a contrast, the other side is shown too, each with a stroke of its own to its own side. Strokes
+that are too close to either are dropped.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -14,12 +15,12 @@ from ..model import Function, SingleArray
 from .decoding import NEAR, STROKES_APART
 
 Locus: TypeAlias = tuple[int, int, str]
-"""First word, last word, and side of what is placed."""
+"""First word, last word, and side of what is assigned a place in gesture space."""
 
 LOCUS, LEFT, RIGHT = "locus", "left", "right"
 CONTRAST = "contrast_sides"
 LEAST_WORTH = 0.25
-"""How likely a director must want a contrast at one of the sides for both to be shown."""
+"""The least worth of a contrast at one of the sides with which both are shown."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +38,7 @@ def placed_strokes(
     """The strokes of each pair of places that is worth showing.
 
     `worth` (W,) is that of a contrast, `gain` (W,) the most that any gesture would gain on a word. Pairs whose strokes
-    would lie less than `STROKES_APART` words apart are left to one gesture that shows both places.
+    would be less than `STROKES_APART` words apart are left to a single gesture that shows both places.
     """
     loci = sorted(
         {(each.first, each.last, each.subtype) for each in functions if each.class_name == LOCUS and each.kept}
@@ -55,14 +56,14 @@ def placed_strokes(
 
 
 def with_placed(taken: Iterable[int], placed: Iterable[PlacedStroke]) -> list[int]:
-    """The strokes of a line in order: those that are placed, and of those taken what is not too near to them."""
+    """The strokes of a line in order: the placed ones, and those of `taken` that are not too close to them."""
     words = {each.word for each in placed}
     return sorted(words | {each for each in taken if all(abs(each - word) >= STROKES_APART for word in words)})
 
 
 def _strokes_of(one: Locus, other: Locus, gain: SingleArray, still: Sequence[int]) -> tuple[int, int] | None:
-    """The words of the two sides, far enough apart, on which strokes gain most: of their mentions, or of what is said
-    of them right after."""
+    """The words of the two sides, far enough apart, on which strokes gain most: within the mentions, or within `NEAR`
+    words after them."""
     firsts = range(one[0], min(one[1] + NEAR, other[0] - 1) + 1)
     seconds = range(other[0], min(other[1] + NEAR, len(gain) - 1) + 1)
     pairs = [pair for pair in product(firsts, seconds) if pair[1] - pair[0] >= STROKES_APART and not {*pair} & {*still}]

@@ -1,4 +1,5 @@
-"""Which moments are taken: the strokes that are worth most together, and the head movements and faces over stretches.
+"""Decides which moments are taken: the strokes with the highest total gain, and the head movements and faces of
+stretches.
 
 Worths are expected values in [0, 1] of shape (W, N): what a director would give for a gesture with its stroke on a
 word, N being families or lexemes. Spacing is counted in words.
@@ -12,22 +13,22 @@ import numpy as np
 from ..model import SingleArray
 
 STROKES_APART = 4
-"""Words from one stroke to the next at least: a hand has time for one idea a phrase (shared/directing/GUIDE.md)."""
+"""Least words from one stroke to the next: a hand has time for one idea a phrase (shared/directing/GUIDE.md)."""
 
 NEAR = 2
-"""Words about a director's stroke within which a stroke still goes with the same idea."""
+"""Words around a director's stroke within which a stroke still belongs to the same idea."""
 
 PLACE = 0.3
-"""What a stroke is worth for lying where directors have some stroke, whatever it means, beside what it means."""
+"""The gain of a stroke where directors have any stroke, whatever its meaning, in addition to its worth."""
 
 PRECISE = 0.15
-"""How much more a stroke on the very word counts than one near it."""
+"""The additional gain of a stroke on the very word, not only near it."""
 
 MOST_KINDS = 2
-"""Movements of the head, or faces, in one stretch."""
+"""The most head movements, or faces, in one stretch."""
 
 MOUTH = frozenset(("smile", "sad", "lips_pressed", "disgust"))
-"""The kinds of face that the mouth makes; the others are made with brows and lids."""
+"""The kinds of face made with the mouth; the others are made with brows and lids."""
 
 _CONTRARY = (
     frozenset(("nod", "shake")),
@@ -37,12 +38,12 @@ _CONTRARY = (
     frozenset(("brows_up", "frown")),
     frozenset(("wide_eyes", "squint")),
 )
-"""What no face shows at once, or a head says in one breath."""
+"""Kinds that a face does not show, or a head does not make, in the same stretch."""
 
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """A kind of movement over words `first` to `last`, and how likely directors want it there."""
+    """A kind of movement over words `first` to `last`, and the probability that directors want it there."""
 
     kind: str
     first: int
@@ -51,13 +52,13 @@ class Span:
 
 
 def gains(worth: SingleArray, at_word: SingleArray, stroke: SingleArray) -> SingleArray:
-    """What taking each of N on each word gains, its price aside: its worth (W, N), more on the very word (W, N), and
-    more where any stroke (W,) is likely."""
+    """The gain of each of N on each word, before its price: its worth (W, N), more if it is wanted on the very word (W,
+    N), and more where any stroke (W,) is likely."""
     return np.asarray(worth + PRECISE * at_word + PLACE * spread(stroke[:, None], 1), np.float32)
 
 
 def strokes(gain: SingleArray, price: float, *, still: Collection[int] = ()) -> list[int]:
-    """The words on which strokes fall, in order, so that their gains (W, N) beyond the price sum to the most.
+    """The words on which strokes fall, in order, such that the sum of their gains (W, N) minus the price is greatest.
 
     No stroke falls on a word of `still`.
     """
@@ -76,10 +77,10 @@ def spread(values: SingleArray, near: int = NEAR) -> SingleArray:
 def spans_of(
     kinds: Sequence[str], likely: SingleArray, stretches: Sequence[tuple[int, int]], thresholds: Mapping[str, float]
 ) -> Iterator[Span]:
-    """The kinds (W, K) that pass their thresholds in each stretch, the clearest first and none contrary to another.
+    """The kinds (W, K) that pass their thresholds in each stretch, the clearest first, without contrary pairs.
 
-    Two in one stretch come one after the other, in the order in which they are likeliest, but for a mouth and brows,
-    which go together.
+    Two in one stretch follow each other in the order of their likeliest words, except that a mouth and brows go
+    together.
     """
     for first, last in stretches:
         part = likely[first : last + 1]
@@ -94,13 +95,13 @@ def spans_of(
 
 
 def stretch_level(likely: SingleArray) -> SingleArray:
-    """How likely each kind is over a stretch (W, K): between the mean and the most of its words."""
+    """The probability of each kind over a stretch (W, K): halfway between the mean and the maximum of its words."""
     return np.asarray(0.5 * (likely.mean(axis=0) + likely.max(axis=0)), np.float32)
 
 
 def stretches_of(texts: Sequence[str]) -> list[tuple[int, int]]:
-    """The stretches of a line over which head and face mean one thing: what stands between punctuation, joined to the
-    next where it has under three words, and halved where it has over eight."""
+    """The stretches of a line over which head and face express one thing: the words between punctuation marks, joined
+    to the next where they are under three, and halved where they are over eight."""
     stretches: list[tuple[int, int]] = []
     first = 0
     for word, text in enumerate(texts):
@@ -136,7 +137,7 @@ def _one_after_another(taken: Sequence[tuple[str, SingleArray]], first: int, las
 
 
 def _best_apart(values: Sequence[float]) -> list[int]:
-    """The places whose values sum to the most while they lie `STROKES_APART`, by dynamic programming."""
+    """The places with the greatest sum of values that are at least `STROKES_APART` apart, by dynamic programming."""
     best = [0.0]
     taken: list[bool] = []
     for place, value in enumerate(values):

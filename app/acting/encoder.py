@@ -1,8 +1,8 @@
-"""Reads a line in context: what each gesture family, head movement and face would be worth at each word to a director.
+"""Reads a line in context: what each gesture family, head movement and face would be worth to a director at each word.
 
 A small transformer encoder (BERT architecture, Devlin et al. 2019), fine-tuned on directed lines (`training/acting`,
 models/acting/README.md) and run by ONNX Runtime in eight-bit integers. The vocabulary and the names of the outputs are
-metadata of the file. Shapes: W words, P pieces, F gesture families, H head movements, K faces.
+in the file's metadata. Shapes: W words, P pieces, F gesture families, H head movements, K faces.
 """
 
 from collections.abc import Mapping, Sequence
@@ -21,14 +21,14 @@ from .wordpieces import FIRST, LAST, pieces_of
 Integers: TypeAlias = NDArray[np.int64]
 
 MOST_PIECES = 126
-"""Pieces between the two marks that frame them; words beyond are worth nothing."""
+"""The most pieces between [CLS] and [SEP]; words beyond have worth 0."""
 
 _ONLY_ERRORS = 3
-"""Of what the runtime would write to standard error: errors, no warnings about the machine."""
+"""The log severity of ONNX Runtime: errors, but no warnings about the machine."""
 
 
 class Session(Protocol):
-    """What we use of ONNX Runtime's `InferenceSession`, which has no types."""
+    """The part of ONNX Runtime's `InferenceSession` that we use; the library has no types."""
 
     def run(
         self, output_names: Sequence[str], input_feed: Mapping[str, "NDArray[np.int64]"]
@@ -38,7 +38,7 @@ class Session(Protocol):
 @dataclass(frozen=True, slots=True, eq=False)
 class Reading:
     """What directors would want, in [0, 1]: the worth of a family with its stroke on a word (W, F) and within two words
-    of it (W, F), how likely any stroke is (W,), and head movements (W, H) and faces (W, K) go with a word."""
+    of it (W, F), the probability of any stroke (W,), and of head movements (W, H) and faces (W, K) on a word."""
 
     at_word: SingleArray
     nearby: SingleArray
@@ -49,7 +49,7 @@ class Reading:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Encoder:
-    """The trained network, its vocabulary of pieces, and the names of its outputs."""
+    """The trained network, its WordPiece vocabulary, and the names of its outputs."""
 
     pieces: Mapping[str, int]
     families: tuple[str, ...]
@@ -59,7 +59,7 @@ class Encoder:
 
     @classmethod
     def load(cls, path: Path) -> "Encoder":
-        """Raises ServiceError `model_unreadable` where the file is missing or is none of ours."""
+        """Raises ServiceError `model_unreadable` where the file is missing or not such a model."""
         import onnxruntime
 
         options = onnxruntime.SessionOptions()
@@ -80,7 +80,7 @@ class Encoder:
             raise ServiceError("model_unreadable", f"{path} is no model for directing lines: {error}") from error
 
     def read(self, words: Sequence[str]) -> Reading:
-        """The words as they are written, with their punctuation."""
+        """The reading of a line; `words` are as written, with their punctuation."""
         numbers, spans = self._numbered(words)
         ends = np.array([span or (0, 0) for span in spans], np.int64).reshape(-1, 2)
         (likely,) = self.session.run(["likely"], {"pieces": np.array(numbers, np.int64), "words": ends})
@@ -88,7 +88,8 @@ class Encoder:
         return self._outputs(likely)
 
     def _numbered(self, words: Sequence[str]) -> tuple[list[int], list[tuple[int, int] | None]]:
-        """The line's pieces between their marks, and each word's first and last; None where there is no more room."""
+        """The line's pieces between [CLS] and [SEP], and each word's first and last piece; None for words that do not
+        fit."""
         numbers, spans = [self.pieces[FIRST]], list[tuple[int, int] | None]()
         for word in words:
             own = pieces_of(word, self.pieces)
@@ -113,7 +114,7 @@ class Encoder:
 
 
 def _load_errors() -> tuple[type[Exception], ...]:
-    """What ONNX Runtime raises for a file that is no model, or one that it cannot run, and we for one not ours."""
+    """The errors for a file that is not a model, that ONNX Runtime cannot run, or that lacks our metadata."""
     from onnxruntime.capi import onnxruntime_pybind11_state as state
 
     return (

@@ -1,9 +1,9 @@
-"""Which behaviours show what a director asks for: families of gestures, kinds of head movement, kinds of face.
+"""Loads which behaviours show what a director asks for: families of gestures, kinds of head movement, kinds of face.
 
 Read from `lexicon/acting/families.yaml`. A family ("self", "size_big", "list_item") is what an audience reads in a
 gesture, whatever its form; `shows` is the converse, what a gesture lexeme may be read as, the likeliest first. A
-behaviour stands under a gesture family only if its lexeme shows that family. Every mistake of the file is reported at
-once, with its place.
+behaviour may be listed under a gesture family only if its lexeme shows that family. All mistakes in the file are
+reported at once, with their places.
 """
 
 from collections.abc import Collection, Iterator, Mapping
@@ -19,15 +19,15 @@ from ..model import Channel, Level
 from ..yaml_files import Entry, Source, did_you_mean
 
 OTHER_FAMILY = 0.5
-"""What a lexeme is worth for a family that it shows beside its first (shared/directing/score.py)."""
+"""The worth of a lexeme for a family that it shows, but not first (shared/directing/score.py)."""
 
 POINT = "point"
 POINTINGS = ("point_there", "point_here", "point_up")
-"""The families that are one in a plan: where a thing is, the scene and the words' lemmas tell, not the reading."""
+"""Families that are one family in a plan: the scene and the words' lemmas decide where a thing is, not the reading."""
 
 
 def merged(family: str) -> str:
-    """The family as plans name it."""
+    """The family as named in plans."""
     return POINT if family in POINTINGS else family
 
 
@@ -44,8 +44,8 @@ class Playable(Protocol):
 class FamilyBehavior:
     """A behaviour that shows a family, `name` in the table.
 
-    With `lemmas` it is for moments that have one of them, and goes before those without; `levels` are those of the
-    speaker's agitation at which it is fit.
+    With `lemmas` it is for moments that have one of them, and is preferred to those without; `levels` are the levels of
+    agitation for which it is suitable.
     """
 
     name: str
@@ -72,7 +72,8 @@ class Families:
 
 
 def family_rule(channel: str, family: str) -> str:
-    """What stands for a rule in the reason of a behaviour that shows a planned family, and that no rule offered."""
+    """The name given in place of a rule in the reason for a behaviour that shows a planned family and that no rule
+    offered."""
     return f"{channel}_family_{family}"
 
 
@@ -99,7 +100,7 @@ def load_families(path: Path, behaviors: Mapping[str, Playable]) -> Families:
 
 
 def _named(value: object) -> object:
-    """A behaviour without conditions is written as its name alone."""
+    """Lets a behaviour without conditions be written as its name alone."""
     return {"behavior": value} if isinstance(value, str) else value
 
 
@@ -115,7 +116,7 @@ class _Line(Entry):
 
 
 _Lines = tuple[Annotated[_Line, BeforeValidator(_named)], ...]
-"""None where a family is shown by not moving, as `still` is."""
+"""Empty for a family that is shown by not moving, such as `still`."""
 
 
 class _FamiliesFile(Entry):
@@ -171,7 +172,7 @@ def _line_mistakes(part: str, line: _Line, behaviors: Mapping[str, Playable]) ->
 
 
 def _unshown(file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterator[tuple[str, int, str]]:
-    """Behaviours that stand under a family which their lexeme is not said to show."""
+    """Behaviours listed under a family that `shows` does not give for their lexeme."""
     for family, lines in file.gesture.items():
         for position, line in enumerate(lines):
             lexeme = behaviors[line.behavior].lexeme if line.behavior in behaviors else None
@@ -181,7 +182,7 @@ def _unshown(file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterator
 
 
 def _unlisted(file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterator[str]:
-    """Gesture lexemes of the table of which `shows` says nothing."""
+    """Gesture lexemes of the table that are missing in `shows`."""
     lexemes = {each.lexeme for each in behaviors.values() if each.channel is Channel.GESTURE}
     for lexeme in sorted(lexemes - file.shows.keys()):
         yield f"{lexeme} is missing: say which families an audience may read in it, the likeliest first"

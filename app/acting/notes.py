@@ -1,8 +1,7 @@
-"""A director's notes on a line: what is wrong with them, and what they leave of a plan (docs/directing.md).
+"""Checks a director's notes on a line and applies them to its plan (docs/directing.md).
 
-A note speaks of the channels that it names kinds for (`understudy.acting.vocabulary`) and leaves the others to the
-rules. Where it speaks it has the last word: its moments stand in place of the planned ones that overlap them on their
-channel. Notes are numbered from 0, as words are.
+A note decides about the channels for which it names kinds (`understudy.acting.vocabulary`) and leaves the others to the
+rules. There its moments replace the planned ones that overlap them. Notes are numbered from 0, as words are.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -17,19 +16,20 @@ from .vocabulary import ANYTHING, AVOIDABLE, HANDS, KINDS, NEUTRAL, STILL
 FIELD = "direction"
 
 WORDS_NEAR = 1
-"""What is wrong on some words is wrong on the words next to them: a stroke is seen that long."""
+"""What is to be avoided on some words is to be avoided on their neighbours too: a stroke is visible that long."""
 
 IMPORTANCE = (1, 3)
 LISTENER = "listener"
 DIRECTOR = "director"
-"""The term that makes a note's moment win."""
+"""The term that explains why a note's moment wins."""
 
 _AT_REST = frozenset({STILL, NEUTRAL})
 
 
 def check_direction(direction: Direction, *, words: int) -> None:
-    """Raises InputError `direction_family` for what is in no vocabulary, `direction_span` for words that are not among
-    the line's `words` and `direction_importance`, each with the note and its key; the first mistake is told."""
+    """Raises InputError `direction_family` for a kind that is not in the vocabulary, `direction_span` for words that
+    are not among the line's `words`, and `direction_importance`, with the note and its key. Only the first mistake is
+    reported."""
     for number, moment in enumerate(direction.moments):
         where = f"moments[{number}]"
         _check_words(where, {"first": moment.first, "stroke": moment.stroke, "last": moment.last}, words)
@@ -45,14 +45,15 @@ def check_direction(direction: Direction, *, words: int) -> None:
 
 
 def conflicts(direction: Direction) -> tuple[Notice, ...]:
-    """What the notes say against each other, and which of them is followed."""
+    """Notices about contradictory notes, which say which of them is followed."""
     return (*_same_strokes(direction), *_stirred(direction), *_avoided_moments(direction))
 
 
 def is_avoided(
     direction: Direction, word: int, families: Collection[str], *, channel: Channel = Channel.GESTURE
 ) -> bool:
-    """Whether all that a movement on `word` may be read as, its `families`, is to be avoided there or beside it."""
+    """Whether everything that a movement on `word` may be read as, its `families`, is to be avoided there or next to
+    it."""
     return any(
         avoidance.first - WORDS_NEAR <= word <= avoidance.last + WORDS_NEAR and _covers(avoidance, families, channel)
         for avoidance in direction.avoid
@@ -60,11 +61,11 @@ def is_avoided(
 
 
 def directed(direction: Direction, moments: Sequence[Moment]) -> tuple[Moment, ...]:
-    """The planned moments as the notes change them, in order of their words.
+    """The planned moments as changed by the notes, in order of their words.
 
-    A note's moment outranks all planned ones and names its note; what it displaced is among its `rejected`. Families to
-    be avoided are taken out of planned moments, and those without any left go. Where a note asks for rest, and for the
-    hands where the notes are `complete`, nothing planned stays.
+    A note's moment outranks all planned ones and names its note; the moments it replaces are among its `rejected`.
+    Families to be avoided are removed from planned moments, and moments without any left are dropped. Planned moments
+    are also dropped where a note asks for rest, and all planned gestures if the notes are `complete`.
     """
     planned = [left for moment in moments if (left := _allowed(direction, moment)) is not None]
     notes = list(_notes(direction))
@@ -77,7 +78,7 @@ def directed(direction: Direction, moments: Sequence[Moment]) -> tuple[Moment, .
 
 
 def unplayed_notes(moments: Iterable[Moment], behaviors: Iterable[Behavior]) -> tuple[Notice, ...]:
-    """Which notes no movement that is kept carries out; a look at one who is looked at already needs none."""
+    """Notices about notes for which no movement was kept; a look at the listener needs none."""
     kept = {behavior.moment for behavior in behaviors if behavior.kept}
     return tuple(
         Notice(
@@ -90,7 +91,7 @@ def unplayed_notes(moments: Iterable[Moment], behaviors: Iterable[Behavior]) -> 
 
 
 def kinds_of(moment: DirectedMoment, channel: Channel) -> tuple[str, ...]:
-    """What a note asks of a channel, the best first."""
+    """The kinds a note asks for on a channel, the best first."""
     by_channel: Mapping[Channel, tuple[str, ...]] = {
         Channel.GESTURE: moment.gesture,
         Channel.HEAD: moment.head,
@@ -102,7 +103,7 @@ def kinds_of(moment: DirectedMoment, channel: Channel) -> tuple[str, ...]:
 
 @dataclass(frozen=True, slots=True)
 class _Note:
-    """What the note `number` says of one channel; a channel whose best is rest is `at_rest`."""
+    """What note `number` says about one channel; it is `at_rest` if its best kind is rest."""
 
     number: int
     moment: DirectedMoment
@@ -119,7 +120,7 @@ class _Note:
 
 
 def _notes(direction: Direction) -> Iterator[_Note]:
-    """All that the notes say, channel by channel; of gestures on the same word only the one that is followed."""
+    """The notes, channel by channel; of gestures on the same word only the one that is followed."""
     outdone = {loser for loser, _winner in _rivals(direction)}
     for number, moment in enumerate(direction.moments):
         for channel in KINDS:
@@ -150,7 +151,7 @@ def _moment(note: _Note, direction: Direction, planned: Iterable[Moment], ranked
 
 
 def _allowed(direction: Direction, moment: Moment) -> Moment | None:
-    """The planned moment without what is to be avoided; None when nothing is left."""
+    """The planned moment without the families to be avoided; None when none is left."""
     kept = [not _wrong(direction, moment.channel, moment, family) for family in moment.families]
     if all(kept):
         return moment
@@ -159,7 +160,7 @@ def _allowed(direction: Direction, moment: Moment) -> Moment | None:
 
 
 def _wrong(direction: Direction, channel: Channel, moment: Moment | DirectedMoment, family: str) -> bool:
-    """Whether a family is to be avoided where the moment is seen: a gesture on its stroke, all else on every word."""
+    """Whether a family is to be avoided at the moment: a gesture at its stroke, all else on all of its words."""
     if channel is Channel.GESTURE:
         return is_avoided(direction, moment.stroke, (family,))
     return any(
@@ -175,7 +176,8 @@ def _covers(avoidance: Avoidance, families: Collection[str], channel: Channel) -
 
 
 def _rivals(direction: Direction) -> Iterator[tuple[int, int]]:
-    """Notes that want another gesture on the same word: the one that loses, less important or later, and the winner."""
+    """Pairs of notes that want different gestures on the same word: the loser (less important, or later) and the
+    winner."""
     gestural = [(number, moment) for number, moment in enumerate(direction.moments) if _gestures(moment)]
     for (first, one), (second, other) in combinations(gestural, 2):
         if one.stroke == other.stroke:
@@ -205,7 +207,7 @@ def _stirred(direction: Direction) -> Iterator[Notice]:
 
 
 def _avoided_moments(direction: Direction) -> Iterator[Notice]:
-    """Moments whose every kind is to be avoided on their very words; their neighbours' avoidances do not count."""
+    """Moments all of whose kinds are to be avoided on their own words; avoidances on neighbouring words do not count."""
     for number, moment in enumerate(direction.moments):
         for channel in KINDS:
             kinds = [kind for kind in kinds_of(moment, channel) if kind not in _AT_REST]

@@ -1,9 +1,9 @@
-"""The plan of a line: its moments, one idea a phrase, each with what it means and why (paper §3.4, and beyond it).
+"""Plans a line: its moments, one idea a phrase, each with its meaning and the reasons (paper §3.4, and beyond it).
 
 People gesture on ideas, not on words: on the new, contrasted or stressed part of a phrase, and on most words not at all
-(shared/directing/GUIDE.md). So the plan weighs every family of gesture with its stroke on every word, takes the strokes
-that are worth more than a gesture costs, a few words apart, and leaves the rest of the line still. Head and face mean
-something over the stretches in which directors would likely want it.
+(shared/directing/GUIDE.md). So the plan computes the worth of every family of gesture with its stroke on every word,
+takes strokes, a few words apart, whose gain exceeds the price of a gesture, and leaves the rest of the line still. Head
+movements and faces are planned for the stretches in which directors would likely want them.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -25,17 +25,17 @@ from .families import OTHER_FAMILY, Families, merged
 from .terms import Fact, TermTable, terms_of
 
 AT_WORD_SHARE = 0.5
-"""How much of the reading's expected worth comes from the words' own worths, the rest from what it says of the words
-nearby: measured by `python -m benchmarks.acting.directing`."""
+"""The share of the words' own worths in the reading's expected worth, the rest coming from the nearby worths: measured
+by `python -m benchmarks.acting.directing`."""
 
 QUANTITY_WEIGHT = 0.5
-"""By how much a gesture's price falls as the quantity doubles, and rises as it halves, over ln 2."""
+"""How much a gesture's price falls as the quantity doubles, and rises as it halves, divided by ln 2."""
 
 OTHER_SHARE = 0.7
-"""Of the worth of a lexeme's other families, what its first does not give already."""
+"""The share of the worth of a lexeme's further families that its first family does not already include."""
 
 FULL_GAIN = 1.6
-"""The gain of a gesture that every director would fight for."""
+"""The gain at which a gesture has importance 1."""
 
 FAMILIES_TOLD = 4
 TERMS_TOLD = 6
@@ -44,8 +44,8 @@ REJECTED_TOLD = 3
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Planner:
-    """What planning needs, loaded once: the reader, the weights, how much each lexeme shows each family (L, F), and the
-    lemmas without which a family cannot be shown (mimes: "drink", "phone")."""
+    """The models of planning, loaded once: the encoder, the weights, how much each lexeme shows each family (L, F), and
+    the lemmas without which a family cannot be shown (mimes: "drink", "phone")."""
 
     encoder: Encoder
     choice: ChoiceModel
@@ -55,7 +55,8 @@ class Planner:
 
     @classmethod
     def load(cls, models: Path, lexicon: Path, families: Families, predicates: Mapping[str, int]) -> "Planner":
-        """From the folders models/acting and lexicon/acting; `predicates` of the rules with their numbers of arguments.
+        """Loads from the folders models/acting and lexicon/acting; `predicates` are those of the rules with their
+        numbers of arguments.
 
         Raises ServiceError `model_unreadable`, and AuthoringError for the weights and terms of authors.
         """
@@ -72,8 +73,8 @@ class Planner:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Weighed:
-    """A line as it was weighed: expected worth of each family with its stroke on each word, by the reading alone and by
-    all terms (W, F), and what each lexeme would gain (W, L)."""
+    """The worths in a line: of each family with its stroke on each word, by the reading alone and with all terms (W,
+    F); and the gain of each lexeme (W, L)."""
 
     read: SingleArray
     worth: SingleArray
@@ -90,9 +91,10 @@ def plan(
     quantity: float = 1.0,
     still: Sequence[int] = (),
 ) -> tuple[Moment, ...]:
-    """The moments of a line, gestures, head and face, in order of their words.
+    """The moments of a line (gestures, head, face) in order of their words.
 
-    `quantity` scales how much is done, 1 being a director's measure, 0 nothing. No stroke falls on the words `still`.
+    `quantity` scales how much is planned: 1 is as much as directors want, 0 nothing. No stroke falls on the words
+    `still`.
     """
     if quantity <= 0 or not utterance.words:
         return ()
@@ -119,20 +121,20 @@ def meanings(
     *,
     words: Collection[int],
 ) -> dict[int, tuple[str, ...]]:
-    """The families of gestures that a stroke on each of these words would be worth most for, the best first, whether
-    it is worth a gesture there or not."""
+    """The families of gestures with the highest worth for a stroke on each of these words, the best first, whether or
+    not a gesture is planned there."""
     reading = planner.encoder.read([word.text for word in utterance.words])
     weighed = _weighed(planner, reading, utterance, terms_of(utterance, functions, planner.terms.of_facts(facts)))
     return {word: tuple(planner.choice.families[place] for place in _best(weighed.worth[word])) for word in words}
 
 
 def expected_worth(at_word: SingleArray, nearby: SingleArray) -> SingleArray:
-    """What a stroke on each word is expected to earn (W, F), by the reading alone."""
+    """The expected worth of a stroke on each word (W, F), by the reading alone."""
     return np.asarray(AT_WORD_SHARE * spread(at_word) + (1 - AT_WORD_SHARE) * nearby, np.float32)
 
 
 def shown_by_lexemes(families: Families, names: Sequence[str]) -> SingleArray:
-    """How much each lexeme shows each family (L, F): its first wholly, the others by half."""
+    """How much each lexeme shows each family (L, F): 1 for its first family, `OTHER_FAMILY` for the others."""
     rows = []
     for shown in families.shows.values():
         row = np.zeros(len(names), np.float32)
@@ -144,7 +146,7 @@ def shown_by_lexemes(families: Families, names: Sequence[str]) -> SingleArray:
 
 
 def lexeme_worth(worth: SingleArray, shown: SingleArray) -> SingleArray:
-    """What each lexeme is worth (W, L): its first family, and of the others what the first leaves to be meant."""
+    """The worth of each lexeme (W, L): that of its first family, and a share of that of its other families."""
     first, others = (shown == 1).astype(np.float32), np.where(shown < 1, shown, 0)
     certain = np.clip(worth @ first.T, 0, 1)
     return np.asarray(certain + OTHER_SHARE * (worth @ others.T), np.float32)
@@ -200,14 +202,14 @@ def _gestures(planner: Planner, weighed: _Weighed, utterance: Utterance, taken: 
 
 
 def _best(worth: SingleArray) -> list[int]:
-    """The families that are worth most, of the worths (F,) on a word."""
+    """The families with the highest worth, given the worths (F,) on a word."""
     return [int(place) for place in np.argsort(-worth, kind="stable")[:FAMILIES_TOLD]]
 
 
 def _placed(
     planner: Planner, weighed: _Weighed, functions: Sequence[Function], taken: Sequence[int], still: Sequence[int]
 ) -> dict[int, PlacedStroke]:
-    """The strokes, by word, that place the two sides of a contrast, where a stroke would fall near either."""
+    """The strokes, by word, for the two sides of a contrast, where a stroke would fall near either."""
     worth = weighed.worth[:, planner.choice.families.index(CONTRAST)]
     near = [word for word in range(len(worth)) if any(abs(word - stroke) <= NEAR for stroke in taken)]
     reached = np.zeros_like(worth)
@@ -217,7 +219,7 @@ def _placed(
 
 
 def _in_place(moment: Moment, placed: Mapping[int, PlacedStroke]) -> Moment:
-    """The moment as the side of a contrast, if it is one."""
+    """The moment changed into a side of a contrast, if its stroke is one."""
     stroke = placed.get(moment.stroke)
     if stroke is None:
         return moment
@@ -237,7 +239,7 @@ def _in_place(moment: Moment, placed: Mapping[int, PlacedStroke]) -> Moment:
 def _rejected(
     families: Sequence[str], weighed: _Weighed, span: tuple[int, int, int], order: Sequence[int]
 ) -> Iterator[Rejected]:
-    """The families that lost on the stroke's word, and the word of the span on which a stroke was worth most beside."""
+    """The families that lost on the stroke's word, and the family and word of the span with the second-best stroke."""
     first, stroke, last = span
     for place in order[1 : 1 + REJECTED_TOLD]:
         worth = round(float(weighed.worth[stroke, place]), 3)
@@ -251,7 +253,7 @@ def _rejected(
 
 
 def _phrase_about(utterance: Utterance, stroke: int, after: int, before: int) -> tuple[int, int]:
-    """The phrase that a stroke's idea fills, between the strokes beside it: the longest that holds its word."""
+    """The phrase that a stroke's idea fills: the longest that contains its word, cut at the neighbouring strokes."""
     phrases = [phrase for phrase in utterance.parse.phrases if phrase.first <= stroke <= phrase.last]
     widest = max(phrases, key=lambda phrase: phrase.last - phrase.first, default=None)
     first, last = (widest.first, widest.last) if widest else (stroke, stroke)
@@ -265,7 +267,7 @@ def _spans(
     kinds: Sequence[str],
     thresholds: Mapping[str, float],
 ) -> Iterator[Moment]:
-    """Head movements or faces; the stroke of each falls where it is likeliest."""
+    """Head movements or faces; the stroke of each falls on its likeliest word."""
     for span in spans_of(kinds, likely, stretches, thresholds):
         column = likely[:, kinds.index(span.kind)]
         weight = float(log_odds_of(np.array([span.likely], np.float32))[0])
@@ -283,6 +285,6 @@ def _spans(
 
 
 def _at_quantity(thresholds: Mapping[str, float], quantity: float) -> dict[str, float]:
-    """The thresholds where more or less is done: their odds fall with the square of the quantity."""
+    """The thresholds for another quantity: their odds fall with the square of the quantity."""
     shift = 2 * log(quantity)
     return {kind: 1 / (1 + exp(-(log(each / (1 - each)) - shift))) for kind, each in thresholds.items()}

@@ -1,8 +1,8 @@
-"""Where words name a target of the scene, the hand points at it and the eyes look there.
+"""Points at targets of the scene where words name them, with hand and eyes.
 
 "The door", "that old door", "my car": a noun with a definite article, demonstrative or possessive before it, whose
 words are those of a target's name (`front_door` is "front door"); or the name of a person ("Anna"). Demonstratives
-point every time, all others the first time in a line: a thing that is known where it is need not be shown again.
+point every time, all others only the first time in a line: a thing whose place is known need not be shown again.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -14,7 +14,7 @@ from ..model import Alternative, BehaviorCandidates, Channel, Function, Moment, 
 DEMONSTRATIVES = frozenset({"this", "that", "these", "those"})
 DEFINITE = DEMONSTRATIVES | {"the", "my", "your", "his", "her", "its", "our", "their"}
 MOST_BETWEEN = 2
-"""Words that may stand between the determiner and the name: "that big old door"."""
+"""The most words between the determiner and the name: "that big old door"."""
 
 ASIDE_DEG = 15.0
 """Beyond this angle the hand of that side points."""
@@ -22,7 +22,7 @@ ASIDE_DEG = 15.0
 LEFT, FRONT, RIGHT, LOOK = "gesture_point_left", "gesture_point_front", "gesture_point_right", "gaze_target"
 RULE = "show_target"
 PRIORITY = 9.5
-"""Nearly what a moment is worth of which every director is sure (`candidates.PRIORITY_OF_SURE`)."""
+"""Just below that of a moment with importance 1 (`candidates.PRIORITY_OF_SURE`)."""
 
 _MARKS = (",", ";", ":", ".", "?", "!")
 DEIXIS = "deixis"
@@ -42,7 +42,7 @@ class Mention:
 
 
 def mentions(utterance: Utterance, targets: Iterable[Target]) -> tuple[Mention, ...]:
-    """The words that name targets and are shown, in order."""
+    """The mentions of targets that are pointed at, in order, without overlaps."""
     found = sorted(
         (mention for target in targets for mention in _of_target(utterance, target)),
         key=lambda mention: (mention.first, -mention.target.name.count("_")),
@@ -57,13 +57,13 @@ def mentions(utterance: Utterance, targets: Iterable[Target]) -> tuple[Mention, 
 def without_overlapped(
     candidates: Iterable[BehaviorCandidates], named: Sequence[Mention]
 ) -> tuple[BehaviorCandidates, ...]:
-    """The candidates but those that would point elsewhere, or gesture, on words that name a target."""
+    """The candidates except those that point elsewhere, or gesture, on words that name a target."""
     return tuple(each for each in candidates if not any(_contradicts(each, mention) for mention in named))
 
 
 def pointing_candidates(named: Iterable[Mention], functions: Sequence[Function] = ()) -> Iterator[BehaviorCandidates]:
-    """A pointing with a look for each mention, as a moment of the line, shown for the most important of the `functions`
-    of its words."""
+    """A pointing gesture with a look for each mention, as a moment of the line, shown for the most important of the
+    `functions` of its words."""
     for mention in named:
         of_words = [each for each in functions if each.kept and mention.overlaps(each.first, each.last)]
         function = max(of_words, key=lambda each: (each.class_name == DEIXIS, each.priority, each.id), default=None)
@@ -102,7 +102,7 @@ def _of_target(utterance: Utterance, target: Target) -> Iterator[Mention]:
 
 
 def _determiner(utterance: Utterance, start: int) -> Token | None:
-    """The determiner before a noun, with at most what describes the noun between them."""
+    """The determiner before a noun, with at most modifiers of the noun between them."""
     for token in reversed(utterance.parse.tokens[max(0, start - MOST_BETWEEN - 1) : start]):
         if token.text.lower() in DEFINITE:
             return token

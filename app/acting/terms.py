@@ -1,7 +1,7 @@
-"""The named terms of each word of a line: what the choice of a gesture is weighed by besides the reading in context.
+"""The named terms of each word of a line: the features of gesture choice besides the reading in context.
 
-A term is a fact about a word that a rule, the parser or the voice has established: which function it carries, in what
-kind of sentence it stands, where in its phrase and line, how it is said. Terms have names that authors can weigh
+A term is a fact about a word that a rule, the parser or the voice has established: its function, the kind of sentence
+it is in, its place in phrase and line, how it is said. Terms have names to which authors can give weights
 (`lexicon/acting/weights.yaml`); their fitted weights are in models/acting/weights.json.
 """
 
@@ -55,15 +55,15 @@ def _mistakes(predicate: str, line: _Line, predicates: Mapping[str, int]) -> Ite
 
 @dataclass(frozen=True, slots=True)
 class TermTable:
-    """Which facts of the rules are terms, by predicate: the term's name, and the arguments that hold the first
-    word and the one after the last, or the only word."""
+    """Which facts of the rules are terms, by predicate: the term's name, and the arguments that hold the first word and
+    the one after the last, or the only word."""
 
     names: Mapping[str, str]
     spans: Mapping[str, tuple[int, ...]]
 
     @classmethod
     def load(cls, path: Path, predicates: Mapping[str, int]) -> "TermTable":
-        """From lexicon/acting/terms.yaml, for rules that have these predicates with so many arguments; raises
+        """Loads lexicon/acting/terms.yaml for rules with these predicates and numbers of arguments; raises
         AuthoringError with every mistake."""
         source = Source(path)
         file = source.validated(_TermsFile)
@@ -80,7 +80,7 @@ class TermTable:
         )
 
     def of_facts(self, facts: Iterable[Fact]) -> Iterator[Term]:
-        """The terms that facts give the words of their spans."""
+        """The terms that follow from facts."""
         for predicate, arguments in facts:
             if predicate in self.names:
                 bounds = [int(arguments[place]) for place in self.spans[predicate]]
@@ -120,7 +120,7 @@ def _of_functions(functions: Iterable[Function]) -> Iterator[Term]:
 
 
 def _of_sentences(utterance: Utterance) -> Iterator[Term]:
-    """The mood of the sentence, as its punctuation tells, and whether the line is one of many sentences."""
+    """The mood of each sentence, judged by its punctuation, and whether the sentence is short."""
     words = utterance.words
     ends = [word.index for word in words if word.text.rstrip("\"'”’)").endswith(_ENDS_SENTENCE)]
     bounds = [-1, *ends] if ends and ends[-1] == len(words) - 1 else [-1, *ends, len(words) - 1]
@@ -146,7 +146,7 @@ def _of_syntax(utterance: Utterance) -> Iterator[Term]:
 
 
 def _of_persons(tokens: tuple[Token, ...]) -> Iterator[Term]:
-    """Whose doing a verb tells, by its subject's person."""
+    """The grammatical person of each verb's subject."""
     for token in tokens:
         if token.dependency.startswith("nsubj"):
             person = next((name for name, words in _PERSONS.items() if token.text.lower() in words), "third")

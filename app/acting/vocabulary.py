@@ -1,4 +1,4 @@
-"""The words in which a director says what the body should mean, with what each asks for (docs/directing.md).
+"""The vocabulary of directors' notes, with what each word asks for (docs/directing.md).
 
 A family of gestures is what an audience reads in the hands, whatever their form; head, face and gaze have kinds of
 their own.
@@ -116,9 +116,9 @@ GAZES: Mapping[str, str] = MappingProxyType(
 KINDS: Mapping[Channel, Mapping[str, str]] = MappingProxyType(
     {Channel.GESTURE: GESTURES, Channel.HEAD: HEADS, Channel.FACE: FACES, Channel.GAZE: GAZES}
 )
-"""What can be asked of each channel that a director's note speaks of."""
+"""What can be asked for on each channel of a director's note."""
 
 HANDS, ANYTHING = "hands", "any"
-"""What can be avoided besides: every gesture; every gesture, movement of the head, face and look."""
+"""What else can be avoided: every gesture; every gesture, movement of the head, face and look."""
 
 AVOIDABLE = frozenset({*GESTURES, *HEADS, *FACES, *GAZES, HANDS, ANYTHING})

@@ -1,4 +1,4 @@
-"""Words as the pieces that a BERT vocabulary has: lower case, without accents, each piece the longest that fits.
+"""Splits words into the pieces of a BERT vocabulary: lower case, without accents, each piece the longest that matches.
 
 Source: Devlin et al. 2019 (uncased WordPiece). A piece that continues a word begins with "##".
 """
@@ -10,11 +10,11 @@ from itertools import groupby
 UNKNOWN, FIRST, LAST = "[UNK]", "[CLS]", "[SEP]"
 
 LONGEST_WORD = 40
-"""Characters of a word between punctuation that are looked at; the rest is as if it were not there."""
+"""The most characters of a word between punctuation that are read; the rest is ignored."""
 
 
 def pieces_of(word: str, numbers: Mapping[str, int]) -> list[int]:
-    """The numbers of a word's pieces, at least one; what the vocabulary cannot spell is `UNKNOWN`."""
+    """The numbers of a word's pieces, at least one; what the vocabulary cannot spell becomes `UNKNOWN`."""
     pieces = [number for part in _parts(word) for number in _longest_matches(part[:LONGEST_WORD], numbers)]
     return pieces or [numbers[UNKNOWN]]
 

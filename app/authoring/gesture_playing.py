@@ -1,4 +1,5 @@
-"""Plays one gesture that is in no library yet, alone and from rest to rest, as the realizer would play it in a line."""
+"""Plays one gesture that is not in the library yet, alone and from rest to rest, as the realizer would play it in a
+line."""
 
 from dataclasses import dataclass, replace
 
@@ -12,7 +13,7 @@ from ..realizer.gestures.library import Library
 from ..realizer.realizing import Realizer
 
 BEFORE_S, AFTER_S = 0.8, 1.2
-"""How long the hands rest before the gesture, and have to come back after it."""
+"""How long the hands rest before the gesture, and how long the motion goes on after it."""
 
 BEHAVIOR = "gesture"
 """The id of the gesture in the motion's events."""
@@ -20,7 +21,7 @@ BEHAVIOR = "gesture"
 
 @dataclass(frozen=True, slots=True)
 class Playing:
-    """How a gesture is to be played; the usual hand is the one that it is for, or the right."""
+    """How a gesture is to be played; by default with the hand it is defined for, or the right."""
 
     level: Level = Level.MEDIUM
     hand: Hand | None = None
@@ -29,7 +30,7 @@ class Playing:
 
 
 def schedule_of_gesture(definition: Definition, playing: Playing) -> PreparedSchedule:
-    """A schedule of nothing but the gesture. Raises InputError `unfit_gesture` for a level that it does not suit."""
+    """A schedule of only this gesture. Raises InputError `unfit_gesture` for a level it is not defined for."""
     if playing.level not in definition.levels:
         known = ", ".join(definition.levels)
         message = f"{definition.name} is not for {playing.level} agitation, but for {known}"
@@ -45,7 +46,7 @@ def schedule_of_gesture(definition: Definition, playing: Playing) -> PreparedSch
 
 
 def with_only(realizer: Realizer, definition: Definition, playing: Playing) -> Realizer:
-    """A realizer that knows no other gesture."""
+    """A realizer whose library has only this gesture."""
     library = Library.of((definition,))
     performer = replace(realizer.performer(playing.character), library=library.in_manner(playing.manner))
     return replace(realizer, average=performer, performers={playing.character: performer}, library=library)

@@ -1,4 +1,4 @@
-"""Checks the text of a gesture as its author writes it (Gesture Engine §4.3): every mistake with its place, and the
+"""Checks the text of a gesture as its author writes it (Gesture Engine §4.3): reports every mistake with its place, and
 poses that the body cannot take."""
 
 from dataclasses import dataclass
@@ -12,12 +12,12 @@ from ..realizer.gestures.library import parse_definitions
 from ..yaml_files import did_you_mean
 
 NAME = Path("gesture")
-"""What a text without a file is called in messages."""
+"""The name in messages of a text without a file."""
 
 
 @dataclass(frozen=True, slots=True)
 class CheckedText:
-    """The gestures that a text defines, if it has no mistakes, and what is doubtful about them."""
+    """The gestures that a text defines, if it has no mistakes, and doubts about them."""
 
     text: str
     definitions: tuple[Definition, ...] = ()

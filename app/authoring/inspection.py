@@ -49,7 +49,7 @@ class Unused:
 
 
 def trace(language: LanguageModels, behavior: BehaviorModels, text: str) -> Trace:
-    """The rules that fired, and those that nearly did. Raises InputError for an unusable text."""
+    """The rules that fired, those that nearly did, and the plan. Raises InputError for an unusable text."""
     utterance, found, mapped = _derived(language, behavior, text)
     analysis = find_functions(language, text)
     return Trace(
@@ -72,7 +72,8 @@ def trace_one(language: LanguageModels, behavior: BehaviorModels, text: str, *, 
 
 
 def find_unused(language: LanguageModels, behavior: BehaviorModels, texts: Iterable[str]) -> Unused:
-    """What none of the texts uses. An entry that only occurs within a longer one of its class counts as unused."""
+    """The rules and words that none of the texts uses. An entry that only occurs within a longer one of its class
+    counts as unused."""
     waiting = (list(language.rules.program.rules), list(behavior.rules.program.rules))
     words = {id(entry): entry for entry in language.rules.lexicon.entries if entry.subtype is not None}
     for text in texts:

@@ -56,7 +56,7 @@ def _check_weights(file: Path) -> None:
 
 
 def _check_column_names(file: Path) -> None:
-    """Its shape alone: which fields there are, batch knows, which is a door above this one."""
+    """Checks its shape alone: the field names are known only to `batch`, which imports this package."""
     Source(file).validated(RootModel[dict[str, list[str]]])
 
 
@@ -120,8 +120,8 @@ def check_files_in_use() -> None:
 
 
 def check_coverage(lexicon: Path, library: Library) -> None:
-    """Raises AuthoringError for every entry of the table or of a character that has no gesture in the library, at each
-    level of agitation and with the entry's hand, or either."""
+    """Raises AuthoringError for every entry of the table or of a character for which the library has no gesture, at
+    each level of agitation and with the entry's hand, or either."""
     table = load_table(lexicon / "behaviors.yaml")
     source = Source(lexicon / "behaviors.yaml")
     mistakes = [found for name in table.lines for found in _unshown(source, table.entry(name), library)]
@@ -222,7 +222,7 @@ def _load_words(folder: Path) -> None:
 
 
 def refuse_unread_words(folder: Path) -> None:
-    """Raises AuthoringError for the files of words that nothing would read."""
+    """Raises AuthoringError for files in a folder of words that nothing would read."""
     files = sorted(folder.glob("*.yaml"))
     unread = [file for file in files if file.name not in NAMED_FILES and "class" not in _keys(file)]
     if unread:

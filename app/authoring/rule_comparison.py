@@ -1,7 +1,7 @@
-"""What edited rules change: functions and offered behaviours of lines, before and after.
+"""Compares the functions and offered behaviours of lines before and after an edit of the rules.
 
-Lines are compared as they are read, for edits are tried far more often than lines are heard: conditions on stress,
-pauses or agitation do not hold, and what is compared is what the mapping rules offer, not what the clock leaves of it.
+Lines are compared without audio, because that is quick enough to try every edit: conditions on stress, pauses or
+agitation do not hold. What is compared is what the mapping rules offer, not what is scheduled.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -21,7 +21,7 @@ from .rule_edits import Edits, rules_wrong, with_edits
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """A behaviour that a rule offers for a function, and how often it wants it."""
+    """A behaviour that a rule offers for a function, and the weight it has there."""
 
     name: str
     rule: str
@@ -36,7 +36,7 @@ Said = TypeVar("Said", Function, Offer)
 
 @dataclass(frozen=True, slots=True)
 class LineChange:
-    """A line of which something changed: what is there no more, and what is new."""
+    """A line for which something changed: the functions and offers that are gone, and the new ones."""
 
     id: str
     words: tuple[Word, ...]
@@ -48,14 +48,14 @@ class LineChange:
 
 @dataclass(frozen=True, slots=True)
 class _Reading:
-    """What rules make of a line; identities of functions, which count them, are left out."""
+    """The functions and offers for a line; the ids of functions, which depend on their count, are left out."""
 
     functions: tuple[Function, ...]
     offers: tuple[Offer, ...]
 
 
 def example_lines(lexicon: Lexicon) -> Mapping[str, str]:
-    """The example of every group of words, with the first of them, and the bundled line, by where they stand."""
+    """The example of every group of words, with the first of its words, and the bundled line, by file and example."""
     found: dict[str, str] = {}
     for entry in lexicon.entries:
         if entry.example:
@@ -108,7 +108,7 @@ def _read(understudy: Understudy, utterance: Utterance) -> _Reading:
 
 
 def _anonymous(function: Function) -> Function:
-    """The function without what counts it and without why: two are one if they say the same of the same words."""
+    """The function without id and reasons, so that two are equal if they say the same of the same words."""
     return replace(function, id="", lost_to=None, because=())
 
 

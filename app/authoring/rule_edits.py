@@ -1,7 +1,7 @@
-"""Rules, words and priorities as somebody edits them, compiled beside those in use and never in their place.
+"""Compiles edited rules, words and priorities beside those in use, which stay as they are.
 
 Files are named as in messages (`catalogue.shown_path`): `app/rules/functions/lists.rules`, `lexicon/en/spatial.yaml` in
-a checkout. Edited texts are compiled in a folder of their own, which is gone when they are.
+a checkout. Edited texts are compiled in a temporary folder.
 """
 
 from collections.abc import Callable, Mapping
@@ -29,10 +29,10 @@ Edits = Mapping[str, str]
 FIELD = "rules"
 
 _IN_MEMORY = Path("/dev/shm")
-"""A folder that can be written to where the file system is read-only."""
+"""A folder that is writable even where the file system is read-only."""
 
 _HEARD = "abbreviations.yaml"
-"""Words that the aligner reads when it starts, and no rule."""
+"""Not editable here, because the aligner reads it when it starts."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,7 +60,8 @@ def file_named(name: str) -> Path:
 
 
 def mistakes_in(edits: Edits, behavior_names: frozenset[str]) -> tuple[Mistake, ...]:
-    """Every mistake in the rules and words with these edits, by the names of their files; InputError `unknown_file`."""
+    """Every mistake in the rules and words with these edits, with the names of their files. Raises InputError
+    `unknown_file`."""
     try:
         compile_edits(edits, behavior_names)
     except AuthoringError as error:
@@ -69,8 +70,8 @@ def mistakes_in(edits: Edits, behavior_names: frozenset[str]) -> tuple[Mistake, 
 
 
 def with_edits(understudy: Understudy, edits: Edits) -> Understudy:
-    """The same models with these texts in the place of their files. Raises InputError `rules_wrong` for texts with
-    mistakes, `unknown_file`."""
+    """The same models with these texts instead of their files. Raises InputError `rules_wrong` for texts with mistakes,
+    `unknown_file`."""
     if not edits:
         return understudy
     try:
@@ -85,7 +86,7 @@ def with_edits(understudy: Understudy, edits: Edits) -> Understudy:
 
 
 def rules_wrong(error: AuthoringError) -> InputError:
-    """The first mistake of edited rules as the mistake of a request."""
+    """The first mistake in edited rules, as an error of the request."""
     first, *others = error.mistakes
     more = f"; and {len(others)} more mistakes" if others else ""
     message = f"{_named(first.path)}:{first.line}:{first.column}: {first.message}{more}"
@@ -93,7 +94,8 @@ def rules_wrong(error: AuthoringError) -> InputError:
 
 
 def compile_edits(edits: Edits, behavior_names: frozenset[str]) -> CompiledRules:
-    """The edited rules. Those compiled last are kept: a line is tried again more often than a rule is changed.
+    """Compiles the edited rules; the last two results are cached, since a line is tried more often than a rule is
+    changed.
 
     Raises AuthoringError with every mistake, InputError `unknown_file`.
     """
@@ -122,7 +124,7 @@ def _compiled(edits: tuple[tuple[str, str], ...], behavior_names: frozenset[str]
 
 
 def _collected(load: Callable[[], Loaded], mistakes: list[Mistake]) -> Loaded | None:
-    """What `load` loads; None when it cannot, and its mistakes with those before."""
+    """The result of `load`; None if it has mistakes, which are appended to `mistakes`."""
     try:
         return load()
     except AuthoringError as error:
@@ -131,10 +133,10 @@ def _collected(load: Callable[[], Loaded], mistakes: list[Mistake]) -> Loaded | 
 
 
 def _renamed(mistake: Mistake, folder: Path) -> Mistake:
-    """The mistake in the words of who edits: without the folder that the texts are compiled in."""
+    """The mistake with paths as the author knows them, without the temporary folder."""
     return replace(mistake, path=mistake.path.relative_to(folder), message=mistake.message.replace(f"{folder}/", ""))
 
 
 def _named(path: Path) -> str:
-    """The name of a file that rules were compiled from, also when that was in a folder that is gone."""
+    """The name of a file that rules were compiled from, even in a temporary folder that no longer exists."""
     return next((name for name in editable_files() if str(path).endswith(f"/{name}")), str(path))

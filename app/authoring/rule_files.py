@@ -1,5 +1,5 @@
-"""The files of rules and words as an author keeps them: read where he saved them, else where they are in use; written
-to a temporary name, then renamed."""
+"""Reads and saves the files of rules and words that an author edits: those saved in the author's folder, else those in
+use. Files are written to a temporary name, then renamed."""
 
 import os
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from .rule_edits import FIELD, editable_files, file_named
 
 @dataclass(frozen=True, slots=True)
 class RuleText:
-    """A file's text, and whether it is the author's own, saved in his folder."""
+    """A file's text, and whether it is the author's own, saved in the author's folder."""
 
     name: str
     text: str
@@ -19,7 +19,7 @@ class RuleText:
 
 
 def read_rule_text(name: str, folder: Path | None = None) -> RuleText:
-    """The text of the file of that name: that in `folder` if there is one. Raises InputError `unknown_file`."""
+    """The text of the file of that name, from `folder` if it is there. Raises InputError `unknown_file`."""
     path = file_named(name)
     own = folder / name if folder is not None else None
     if own is not None and own.is_file():
@@ -28,7 +28,7 @@ def read_rule_text(name: str, folder: Path | None = None) -> RuleText:
 
 
 def saved_names(folder: Path | None) -> tuple[str, ...]:
-    """The names of the files that `folder` has of its own."""
+    """The names of the files that are saved in `folder`."""
     if folder is None:
         return ()
     files = editable_files()

@@ -1,6 +1,6 @@
-"""Notices that authored files were saved; watchfiles tells, by the system's own notifications.
+"""Waits for authored files to be saved, by the operating system's notifications (watchfiles).
 
-Where there are none, as on network folders and in some containers, WATCHFILES_FORCE_POLLING=true has it look instead.
+Where there are none, as on network folders and in some containers, WATCHFILES_FORCE_POLLING=true makes it poll instead.
 """
 
 from collections.abc import Iterable, Iterator
@@ -13,22 +13,22 @@ from ..loading import AUTHORED
 from ..resources import RULES, resource_folder
 
 QUIET_MS = 200
-"""A save is over when nothing has changed for so long: editors write in steps."""
+"""A save is complete when nothing has changed for this long: editors write in steps."""
 
 LONGEST_SAVE_MS = 5_000
 
 
 def files_in_use() -> tuple[Path, ...]:
-    """The folders of what authors edit."""
+    """The folders of authored files."""
     return RULES, resource_folder("lexicon")
 
 
 def saves(paths: Iterable[Path], stop: Event | None = None) -> Iterator[None]:
-    """Yields whenever authored files among or in `paths` have changed, come or gone, and nobody is writing any more,
-    until `stop` is set.
+    """Yields whenever authored files among or in `paths` have been changed, added or removed and writing is over, until
+    `stop` is set.
 
-    A file is watched by way of its folder, for many editors save by putting another in its place; nothing tells of a
-    path whose folder is not there.
+    A file is watched through its folder, because many editors save by replacing it. Paths whose folder does not exist
+    are ignored.
     """
     watched = [path.resolve() for path in paths]
     folders = {path if path.is_dir() else path.parent for path in watched}

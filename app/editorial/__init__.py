@@ -1,2 +1,2 @@
-"""A performance for those who cut, annotate and count: timelines, tiers and tables of its functions and movements, as
-they were realized. Begin with `events.py`."""
+"""Exports a performance for editing, annotation and statistics: timelines, tiers and tables of its functions and
+behaviours, as they were realized. Begin with `events.py`."""

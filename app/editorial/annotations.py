@@ -1,8 +1,8 @@
-"""Exports events for annotation tools: Praat's TextGrid and ELAN's .eaf, in the time of the recording.
+"""Exports events for annotation tools: Praat's TextGrid and ELAN's .eaf, on the clock of the recording.
 
-Tiers: the words, the functions, every channel of movement, and of each its reasons (`gesture.function`, `gesture.rule`,
-…) beside it. Events that overlap lie in rows, `face`, `face_2`. Tools know no times before the recording, so what
-begins in a lead-in is cut there.
+Tiers: the words, the functions, every channel of movement, and beside each its reasons (`gesture.function`,
+`gesture.rule`, …). Events that overlap are split into several tiers, `face`, `face_2`. The tools have no times before
+the recording, so what begins in a lead-in is cut there.
 """
 
 from collections.abc import Sequence
@@ -32,5 +32,5 @@ def _tier(row: Track, end_s: float) -> dict[str, object]:
 
 
 def _apart(spans: Sequence[Span]) -> list[Span]:
-    """Those that last: Praat has no interval without length."""
+    """The spans with a duration: Praat has no intervals of length 0."""
     return [span for span in spans if span.end_s > span.start_s]

@@ -1,7 +1,8 @@
-"""What happens in a performance, when and why, for editorial tools: the functions of its words, and every movement.
+"""The events of a performance for editorial tools: the functions of its words and all movements, with times and
+reasons.
 
-Conventions: seconds of the performance, on whose clock the recording starts at its lead-in. Movements are as the motion
-shows them; what it does not show is no event. A function lasts as long as its words.
+Conventions: seconds of the performance, on whose clock the recording starts at its lead-in. Movements have the times at
+which the motion shows them; those it does not show are left out. A function lasts as long as its words.
 """
 
 from collections.abc import Iterator, Mapping
@@ -36,7 +37,7 @@ class TimelineEvent:
 
     @property
     def reasons(self) -> Mapping[str, str]:
-        """What is said of it beside its label, under the names that files give it."""
+        """The event's attributes besides its label, by their names in files."""
         said = {"id": self.id, "function": self.function, "rule": self.rule, "hand": self.hand, "words": self.text}
         return {name: value for name, value in said.items() if value}
 
@@ -54,10 +55,10 @@ def timeline_events(schedule: Schedule, realized: Mapping[str, SyncPoints]) -> t
 def tracks_of(
     events: tuple[TimelineEvent, ...], *, clock_starts_s: float, words: tuple[Word, ...]
 ) -> tuple[Track, ...]:
-    """The words and the events as tracks of annotation, with function, rule and hand as tracks of their own.
+    """The words and the events as annotation tracks, with function, rule and hand as tracks of their own.
 
-    Times are from `clock_starts_s` on, the start of the recording; annotation has none before, so that what begins
-    earlier is cut there.
+    Times count from `clock_starts_s`, the start of the recording; annotation tools have no earlier times, so what
+    begins earlier is cut there.
     """
     said = tuple(
         Span(*_cut(word.interval.start_s, word.interval.end_s, clock_starts_s), word.text)

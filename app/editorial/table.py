@@ -1,6 +1,6 @@
-"""Exports events as a table (CSV), a row each, in seconds of the recording.
+"""Exports events as a table (CSV), one row each, in seconds of the recording.
 
-A lead-in makes times before the recording negative. Points that a movement does not have are empty.
+With a lead-in, times before the recording are negative. Points that a movement does not have are empty.
 """
 
 import csv

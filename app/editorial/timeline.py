@@ -1,9 +1,9 @@
-"""Exports a timeline of OpenTimelineIO (.otio): the recording, and each movement and function as a clip with markers.
+"""Exports an OpenTimelineIO timeline (.otio): the recording, and each movement and function as a clip with markers.
 
 Conventions: times are frames of the motion, from the performance's start; the recording's clip begins after the
-lead-in. Clips of movements have no media; their metadata `understudy` tells id, words, function and rule, as does that
-of their markers, one at each sync point. Clips of a tier that overlap lie in tracks of their own, `face`, `face 2`. The
-format is a JSON of named schemata (OpenTimelineIO 0.17), which needs no library to write.
+lead-in. Clips of movements have no media; their metadata `understudy`, and that of their markers, one at each sync
+point, has id, words, function and rule. Clips of a tier that overlap go to further tracks, `face`, `face 2`. The format
+is JSON with named schemata (OpenTimelineIO 0.17), so no library is needed to write it.
 """
 
 import json
@@ -59,7 +59,7 @@ class _Clock:
 
 
 def _item(name: str, source_range: Json, metadata: Json = None, markers: Sequence[Json] = ()) -> dict[str, Json]:
-    """What all that lies on a timeline has."""
+    """The fields that everything on a timeline has."""
     return {
         "name": name,
         "source_range": source_range,
@@ -94,7 +94,7 @@ def _recording(at: _Clock, lead_in_s: float, duration_s: float, audio: AudioFile
 
 
 def _rows(events: Sequence[TimelineEvent], at: _Clock) -> Iterator[list[TimelineEvent]]:
-    """The events in rows without overlaps; there is a row at least."""
+    """The events in rows without overlaps; at least one row."""
     rest, first = list(events), True
     while rest or first:
         row: list[TimelineEvent] = []
@@ -107,7 +107,7 @@ def _rows(events: Sequence[TimelineEvent], at: _Clock) -> Iterator[list[Timeline
 
 
 def _end(event: TimelineEvent, at: _Clock) -> int:
-    """Every clip lasts a frame at least."""
+    """The frame after a clip's last; every clip lasts at least one frame."""
     return max(at.frame(event.end_s), at.frame(event.start_s) + 1)
 
 
