@@ -207,7 +207,7 @@ def _stirred(direction: Direction) -> Iterator[Notice]:
 
 
 def _avoided_moments(direction: Direction) -> Iterator[Notice]:
-    """Moments all of whose kinds are to be avoided on their own words; avoidances on neighbouring words do not count."""
+    """Moments all of whose kinds are to be avoided on their own words; avoidances on neighbouring words are ignored."""
     for number, moment in enumerate(direction.moments):
         for channel in KINDS:
             kinds = [kind for kind in kinds_of(moment, channel) if kind not in _AT_REST]
