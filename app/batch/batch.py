@@ -1,7 +1,7 @@
-"""A whole batch, in order: plan, see what is done already, have the rest performed, tell what came of it.
+"""Runs a whole batch: plans it, looks up what is done already, has the rest performed, writes the reports.
 
-The manifest is written as each line ends, after its files; so whatever is killed whenever, the same command goes on
-with what was not finished, and no line counts as done whose files are not there.
+The manifest is updated as each line ends, after its files are written. So if the process is killed at any time, the
+same command continues with what was not finished, and no line counts as done whose files are missing.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -31,7 +31,7 @@ from .work.speaking import ReferenceJob
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """A line that is to be performed: its row of the manifest and its job."""
+    """A line to be performed: its row in the manifest and its job."""
 
     entry: Entry
     job: LineJob
@@ -40,9 +40,10 @@ class Work:
 def run_batch(
     request: BatchRequest, settings: Settings, make_engine: Callable[[], Engine], watcher: Watcher
 ) -> tuple[Entry, ...]:
-    """Performs what is not done; the rows of all lines. `make_engine` is called only when there is something to do.
+    """Performs what is not done and returns the rows of all lines. `make_engine` is called only if there is something
+    to do.
 
-    Raises InputError for what cannot be used at all; what is wrong with single lines is told in their rows.
+    Raises InputError for input that cannot be used at all; problems of single lines are reported in their rows.
     """
     plan = plan_batch(request)
     watcher.planned(plan)
@@ -80,7 +81,7 @@ def entries_before(out: Path) -> dict[str, Entry]:
 
 @dataclass(frozen=True, slots=True)
 class Changed:
-    """What is other than in the manifest: lines to perform, rows to write before that, and ids that are gone."""
+    """The differences from the manifest: lines to perform, rows to write first, and ids that are gone."""
 
     waiting: tuple[Work, ...]
     rows: tuple[Entry, ...]
@@ -102,7 +103,7 @@ def _changed(plan: Plan, work: Sequence[Work], before: Mapping[str, Entry], requ
 def _thumbnails(
     request: BatchRequest, plan: Plan, entries: Sequence[Entry], engine: OnDemand[Engine]
 ) -> dict[str, bytes]:
-    """Contact sheets of the lines that need a look first, drawn where they are not there yet."""
+    """Contact sheets of the lines most in need of a check, drawn where they do not exist yet."""
     paths = thumbnail_paths(entries, request.thumbnails)
     jobs = list(thumbnail_jobs([job for _take, job in plan.jobs], paths, request.out))
     if jobs:
@@ -114,7 +115,7 @@ def _thumbnails(
 
 
 def _work(plan: Plan, settings: Settings, manifest: Manifest) -> list[Work]:
-    """The lines with their hashes; recordings are read only where they changed since."""
+    """The lines with their hashes; recordings are read only if they have changed."""
     known = manifest.known_recordings()
     hashes: dict[str, KnownRecording] = {}
     installation = installation_hash()
@@ -131,7 +132,7 @@ def _work(plan: Plan, settings: Settings, manifest: Manifest) -> list[Work]:
 
 
 def _is_done(before: Entry | None, work: Work, out: Path) -> bool:
-    """Whether a line was performed from the same, and its files are there whole."""
+    """Whether a line was performed from the same input, and its files are all there."""
     return (
         before is not None
         and before.state is State.DONE
@@ -161,7 +162,7 @@ def _begun(work: Sequence[Work], waiting: Sequence[Work], before: Mapping[str, E
 def _voices(
     jobs: Sequence[ReferenceJob], engine: OnDemand[Engine], out: Path, watcher: Watcher
 ) -> dict[str, SpeakerReference]:
-    """How speakers usually sound; what was not learnt before is learnt now. A voice that cannot be heard has none."""
+    """The speakers' references; those not learnt before are learnt now. A voice that cannot be analysed has none."""
     voices = read_learnt(out, jobs)
     unknown = [job for job in jobs if job.speaker not in voices]
     if unknown:
@@ -174,7 +175,7 @@ def _voices(
 
 
 def _performed(waiting: Sequence[Work], engine: OnDemand[Engine], out: Path) -> Iterator[Entry]:
-    """The rows of the lines as they end."""
+    """The rows of the lines, as each line ends."""
     if waiting:
         for done in supervise(waiting, lambda work: engine.get().submit(work.job), places=engine.get().places):
             yield _entry(done, out)
@@ -200,7 +201,7 @@ def _entry(done: Done[Work, LineOutcome], out: Path) -> Entry:
 
 
 def _remove_old(before: Entry | None, entry: Entry, out: Path) -> None:
-    """Files of what the line was before, which are no longer its."""
+    """Removes files of the line's former version that it no longer has."""
     kept = {file.path for file in entry.outputs}
     for file in before.outputs if before else ():
         if file.path not in kept:

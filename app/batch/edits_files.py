@@ -1,5 +1,5 @@
-"""What an author changed in the lines of a batch: as the script says, else as the file `ID.edits.json` beside the
-recording has it, ID being that of the take, of the line or the recording's own name."""
+"""Finds an author's edits for the lines of a batch: those named in the script, else the file `ID.edits.json` beside the
+recording, ID being that of the take, that of the line or the recording's own name."""
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -14,7 +14,7 @@ ENDING = ".edits.json"
 
 
 def edits_of_takes(takes: Iterable[Take]) -> tuple[Mapping[str, Edits], tuple[Problem, ...]]:
-    """The edits by the id of the take, for those that have any, and what is wrong with files of edits."""
+    """The edits by the id of the take, for takes that have any, and the problems with files of edits."""
     found, problems = dict[str, Edits](), list[Problem]()
     for take in takes:
         path = _path(take)

@@ -1,4 +1,4 @@
-"""Where outputs lie: `{character}/{id}.{ext}` from the output folder on, for every line and format."""
+"""The paths of outputs, relative to the output folder: `{character}/{id}.{ext}`, for every line and format."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -14,7 +14,7 @@ from .work.jobs import Target
 PLACES = ("id", "character", "scene", "take", "row", "ext")
 USUAL = "{id}.{ext}"
 OURS = frozenset({"manifest.sqlite", "report.csv", "report.html", "index.json"})
-"""Files of the batch itself."""
+"""The batch's own files."""
 
 _FORBIDDEN = re.compile(r'[\x00-\x1f<>:"/\\|?*]+')
 _LONGEST = 120
@@ -63,13 +63,13 @@ class Layout:
 
 
 def file_name(value: str) -> str:
-    """A value as part of a name that every file system takes."""
+    """A value as part of a file name that is valid on every file system."""
     return _FORBIDDEN.sub("_", value).strip(" .")[:_LONGEST] or "_"
 
 
 def require_apart(targets: Iterable[tuple[str, Target]]) -> None:
     """Raises InputError `layout_wrong` when two lines would be written to the same file, or one to a file of the batch
-    itself; capitals do not count, for they do not on every disk."""
+    itself. Names are compared without case, as some file systems do."""
     owners: dict[str, str] = {}
     for name, target in targets:
         key = target.path.casefold()

@@ -1,7 +1,7 @@
-"""The values that travel through a batch.
+"""The values of a batch.
 
-Rows count as a spreadsheet counts them: from 1, a header included; in a screenplay a row is a line of the file. Times
-are seconds from the start of the recording.
+Rows count as in a spreadsheet: from 1, a header included; in a screenplay a row is a line of the file. Times are
+seconds from the start of the recording.
 """
 
 from dataclasses import dataclass
@@ -15,9 +15,9 @@ from ..model import Direction, Interval, Level, Target
 class ScriptLine:
     """A line of a script.
 
-    `character` is the cue name as the script has it, `comment` what it says of the delivery ("whispers"), for people;
-    `recording` is the file that it names, `interval` where it is spoken in a longer recording. `listeners` are those
-    whom the script names; None leaves it to the cast and the scene. `edits` are those that the script names.
+    `character` is the cue name as in the script, `comment` is a remark on the delivery ("whispers"), for people;
+    `recording` is the file named in the script, `interval` the place of the line in a longer recording. `listeners` are
+    those the script names; None leaves it to cast and scene. `edits` are those the script names.
     """
 
     row: int
@@ -39,8 +39,8 @@ class ScriptLine:
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """Why a row is no line that can be performed. `code` is stable; `column` is as people find it ("C (text)"), empty
-    where it concerns the whole row; `id` is the line's, so far as it is known."""
+    """Why a row is not a line that can be performed. `code` is stable; `column` is as people find it ("C (text)"),
+    empty if it concerns the whole row; `id` is the line's, if known."""
 
     row: int
     column: str
@@ -55,7 +55,7 @@ class Problem:
 
 @dataclass(frozen=True, slots=True)
 class Script:
-    """A script as it was read: the lines that can be used, what is wrong with the others, and what was guessed."""
+    """A script as read: the usable lines, problems with the others, and remarks about what was guessed."""
 
     path: Path
     lines: tuple[ScriptLine, ...]
@@ -65,7 +65,7 @@ class Script:
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """A file of speech and the stretch of it that is meant; None is the whole file."""
+    """A file of speech and the interval in it that is meant; None is the whole file."""
 
     path: Path
     interval: Interval | None = None

@@ -1,4 +1,4 @@
-"""From a script and its recordings to jobs, and to the failures of lines that cannot become one."""
+"""Turns a script and its recordings into jobs, and into failures for lines that cannot become jobs."""
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
@@ -27,8 +27,8 @@ from .work.speaking import ReferenceJob
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What a batch has to do: the script, what was joined, a job for each line that can be performed, and one for each
-    speaker whose voice is to be learnt; `remarks` are what was guessed, or has no effect."""
+    """What a batch has to do: the script, its lines matched with recordings, a job for each line that can be performed,
+    and one for each speaker whose voice is to be learnt; `remarks` say what was guessed, or has no effect."""
 
     script: Script
     joined: Joined
@@ -38,8 +38,8 @@ class Plan:
 
 
 def plan_batch(request: BatchRequest) -> Plan:
-    """Raises InputError for a script, recordings or options that cannot be used at all; what is wrong with single
-    lines is part of the plan."""
+    """Raises InputError for a script, recordings or options that cannot be used at all; problems of single lines are
+    part of the plan."""
     script = read_script(request.script, request.columns)
     characters = load_characters().by_name
     cast = read_cast(request.cast, frozenset(characters)) if request.cast else NOBODY_CAST
@@ -60,7 +60,7 @@ def plan_batch(request: BatchRequest) -> Plan:
 
 
 def with_voices(plan: Plan, learnt: Mapping[str, SpeakerReference]) -> Plan:
-    """The plan with the voices that were learnt, by speaker."""
+    """The plan with the learnt references, by speaker."""
     jobs = tuple((take, _with_voice(job, learnt.get(speaker_of(take.line.character)))) for take, job in plan.jobs)
     return replace(plan, jobs=jobs)
 
@@ -85,8 +85,8 @@ def entry_of(place: int, take: Take, job: LineJob, *, input_hash: str, settings_
 
 
 def hopeless_entries(plan: Plan) -> Iterator[Entry]:
-    """The rows of lines that cannot be performed: what is wrong in the script, then lines without a recording. Their
-    ids tell them from the lines that can."""
+    """The rows of lines that cannot be performed: problems in the script, then lines without a recording. Their ids
+    differ from those of the other lines."""
     used = {job.id for _take, job in plan.jobs}
     place = len(plan.jobs)
     for problem in _one_a_row(plan.script.problems):
@@ -101,13 +101,14 @@ def hopeless_entries(plan: Plan) -> Iterator[Entry]:
 
 
 def without_audio(missing: Missing) -> str:
-    """What is told of a line without a recording."""
+    """The message about a line without a recording."""
     hint = f"; did you mean {missing.near!r}?" if missing.near else ""
     return f"row {missing.line.row}: no recording{hint}"
 
 
 def _joined(request: BatchRequest, script: Script) -> Joined:
-    """Lines that have times are cut out of one recording: the one that is named, or the one called as the script."""
+    """Matches lines and recordings. Lines with times are cut out of one recording: the one given, or the one named like
+    the script."""
     if request.audio.is_file():
         return join_one_recording(script.lines, request.audio)
     files = find_recordings(request.audio, without=request.out)
@@ -142,8 +143,8 @@ def _to_learn(casting: Casting, jobs: Sequence[tuple[Take, LineJob]]) -> Iterato
 
 
 def _require_spared(request: BatchRequest, jobs: Sequence[tuple[Take, LineJob]]) -> None:
-    """Raises InputError `files_same` when an output would be written over the script or a recording."""
-    folders = cache(os.path.realpath)  # one of each folder, for to follow links takes long
+    """Raises InputError `files_same` when an output would overwrite the script or a recording."""
+    folders = cache(os.path.realpath)  # each folder is resolved once, because following links is slow
     spared = {f"{folders(path.parent)}/{path.name}" for path in (request.script, *(job.audio.path for _t, job in jobs))}
     out = folders(request.out)
     for _take, job in jobs:
@@ -154,7 +155,7 @@ def _require_spared(request: BatchRequest, jobs: Sequence[tuple[Take, LineJob]])
 
 
 def _one_a_row(problems: Sequence[Problem]) -> Iterator[Problem]:
-    """The problems of a row in one."""
+    """The problems, those of a row combined into one."""
     by_row: dict[int, Problem] = {}
     for problem in problems:
         known = by_row.get(problem.row)

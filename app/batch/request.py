@@ -1,4 +1,4 @@
-"""What a batch is asked for."""
+"""The request for a batch."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -14,10 +14,10 @@ from .work.jobs import MotionForm
 
 @dataclass(frozen=True, slots=True)
 class BatchRequest:
-    """A script, where its recordings are (a folder, or one recording that lines are cut out of), where to write, and
-    how. `options` are those that all lines have in common, `cast` the file that says who performs whom. `has_partners`
-    makes listeners of those who speak next to a line in its scene, `learns_voices` learns how speakers usually sound;
-    `again` performs what is done as well; `thumbnails` is how many lines of the report are shown."""
+    """A script, its recordings (a folder, or one recording that lines are cut out of), the output folder, and options.
+    `options` apply to all lines, `cast` is the file that says who performs whom. With `has_partners` those who speak
+    next to a line in its scene listen to it, with `learns_voices` the speakers' usual voices are learnt; `again`
+    performs lines that are done too; `thumbnails` is the number of lines pictured in the report."""
 
     script: Path
     audio: Path

@@ -1,6 +1,6 @@
-"""A contact sheet for those lines of a report that need a human eye first.
+"""Draws a contact sheet for the lines of a report that are most urgent to check.
 
-They lie in `OUT/thumbnails`, named by what they were made of, so that a line that is done again gets another.
+They are in `OUT/thumbnails`, named after the hashes of their input, so that a line performed again gets a new one.
 """
 
 import io
@@ -20,7 +20,7 @@ _HASH_LETTERS = 10
 
 
 def thumbnail_paths(entries: Sequence[Entry], count: int) -> dict[str, str]:
-    """Where the sheets of the first `count` lines that are done lie, from the output folder on, by the lines' ids."""
+    """The paths of the sheets for the first `count` lines that are done, relative to the output folder, by line id."""
     done = [entry for entry in in_order_of_attention(entries) if entry.state is State.DONE]
     return {
         entry.id: f"{FOLDER}/{file_name(entry.id)}-{(entry.input_hash + entry.settings_hash)[:_HASH_LETTERS]}.png"
@@ -29,7 +29,7 @@ def thumbnail_paths(entries: Sequence[Entry], count: int) -> dict[str, str]:
 
 
 def thumbnail_jobs(jobs: Sequence[LineJob], paths: dict[str, str], out: Path) -> Iterator[LineJob]:
-    """What is still to be drawn."""
+    """Jobs for the sheets that do not exist yet."""
     for job in jobs:
         path = paths.get(job.id)
         if path is not None and not (out / path).is_file():
@@ -37,7 +37,7 @@ def thumbnail_jobs(jobs: Sequence[LineJob], paths: dict[str, str], out: Path) ->
 
 
 def remove_other_thumbnails(paths: dict[str, str], out: Path) -> None:
-    """Removes sheets that no line of the report has any more."""
+    """Removes sheets of lines that are no longer pictured."""
     kept = {out / path for path in paths.values()}
     for path in (out / FOLDER).glob("*.png"):
         if path not in kept:
@@ -45,7 +45,7 @@ def remove_other_thumbnails(paths: dict[str, str], out: Path) -> None:
 
 
 def read_thumbnails(paths: dict[str, str], out: Path) -> dict[str, bytes]:
-    """The sheets that were drawn, small enough for a report, by the lines' ids."""
+    """The sheets that exist, scaled down for the report, by line id."""
     return {name: _small((out / path).read_bytes()) for name, path in paths.items() if (out / path).is_file()}
 
 

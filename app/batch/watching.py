@@ -1,4 +1,4 @@
-"""Who is told how a batch goes on."""
+"""The interface by which a batch reports its progress."""
 
 from typing import Protocol
 
@@ -7,23 +7,23 @@ from .planning import Plan
 
 
 class Watcher(Protocol):
-    """Who is told how a batch goes on."""
+    """Is notified of a batch's progress."""
 
     def planned(self, plan: Plan) -> None:
-        """The script was read and its lines have their recordings."""
+        """The script has been read and its lines matched with recordings."""
 
     def learning(self, voices: int) -> None:
-        """The voices of so many speakers are learnt first."""
+        """So many voices are about to be learnt."""
 
     def begun(self, entries: int, done: int) -> None:
         """So many lines can be performed, and so many of them are done already."""
 
     def ended(self, entry: Entry) -> None:
-        """A line is done, or failed."""
+        """A line is done, or has failed."""
 
 
 class Nobody:
-    """Nobody is told."""
+    """Ignores all notifications."""
 
     def planned(self, plan: Plan) -> None:
         pass

@@ -1,1 +1,1 @@
-"""Who performs a line, who listens to it, and how its speaker usually sounds. Begin with `casting`."""
+"""Decides who performs a line, who listens to it, and what its speaker usually sounds like. Begin with `casting`."""

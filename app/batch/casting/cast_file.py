@@ -1,4 +1,4 @@
-"""`cast.yaml`: whom the script's characters are performed by. docs/batch.md has an example."""
+"""Reads `cast.yaml`: which of our characters performs each of the script's. docs/batch.md has an example."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -42,9 +42,9 @@ class _Cast(RootModel[dict[str, _Part]]):
 class Part:
     """How a character of the script is performed; None leaves it to the command's options.
 
-    `reference` is how he usually sounds where a file says it, `is_learnt` whether it is to be learnt from the batch.
-    `listeners` are those of the script whom he talks to, None those of the scene; `targets` is where things are,
-    `profile` is whose gestures he makes.
+    `reference` is the speaker's usual voice if a file is given, `is_learnt` says whether it is learnt from the batch.
+    `listeners` are the characters of the script addressed, None those of the scene; `targets` are the positions of
+    things, `profile` is a gesture profile.
     """
 
     character: str | None = None
@@ -60,7 +60,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Cast:
-    """The parts by folded name; `names` are as the file has them."""
+    """The parts by folded name; `names` are spelt as in the file."""
 
     parts: Mapping[str, Part]
     names: tuple[str, ...] = ()
@@ -74,7 +74,7 @@ NOBODY_CAST = Cast(MappingProxyType({}))
 
 
 def read_cast(path: Path, characters: frozenset[str]) -> Cast:
-    """The cast in a file; `characters` are ours. Raises AuthoringError with every mistake at its place."""
+    """The cast in a file; `characters` are ours. Raises AuthoringError with every mistake and its place."""
     source = Source(path)
     told = source.validated(_Cast).root
     mistakes = [*_doubles(source, told)]
@@ -96,7 +96,7 @@ def read_cast(path: Path, characters: frozenset[str]) -> Cast:
 
 
 def folded(name: str) -> str:
-    """A name of the script without what does not count in it."""
+    """A name of the script in lower case and with single spaces, for comparison."""
     return " ".join(name.split()).casefold()
 
 

@@ -1,4 +1,4 @@
-"""The options of each line: those of the command, changed by what cast, scene and row say of it, the row last."""
+"""The options of each line: those of the command, overridden by cast, scene and finally the line's own row."""
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -14,7 +14,8 @@ from .partners import listener_name, neighbours
 
 @dataclass(frozen=True, slots=True)
 class Casting:
-    """Decides each line's options. `characters` are ours; `partners` who speaks next to a row in its scene."""
+    """Decides each line's options. `characters` are ours; `partners` are the neighbouring speakers in the scene, by
+    row."""
 
     cast: Cast
     common: Options
@@ -31,11 +32,11 @@ class Casting:
         *,
         has_partners: bool,
     ) -> "Casting":
-        """`has_partners` makes listeners of those who speak next to a line."""
+        """With `has_partners`, those who speak next to a line become its listeners."""
         return cls(cast, common, characters, neighbours(lines) if has_partners else {})
 
     def options(self, take: Take) -> Options:
-        """How a line is performed, but for its speaker's usual voice where that is learnt."""
+        """How a line is performed, except for the speaker's usual voice if that is learnt."""
         line, part = take.line, self.cast.part(take.line.character)
         listeners = self._listeners(line, part)
         return replace(
@@ -57,20 +58,20 @@ class Casting:
         return bool(name) and self.cast.part(name).is_learnt
 
     def remarks(self, lines: Sequence[ScriptLine]) -> tuple[str, ...]:
-        """What of the cast the script does not have."""
+        """Remarks about names in the cast that the script does not have."""
         known = {folded(line.character): line.character for line in lines}
         unknown = [name for name in self.cast.names if name != "*" and folded(name) not in known]
         told = [f"nobody in the script is called {name!r}{did_you_mean(name, known.values())}" for name in unknown]
         return tuple(told)
 
     def _performer(self, name: str) -> str:
-        """Whom the cast says, else our character of that name, else whom the command says."""
+        """The character named in the cast, else ours of the same name, else the command's."""
         told = self.cast.part(name).character
         ours = folded(name)
         return told or (ours if ours in self.characters else self.common.character)
 
     def _listeners(self, line: ScriptLine, part: Part) -> tuple[str, ...]:
-        """Each once, by the name he is called; whom the line or the cast does not say, the scene does."""
+        """The listeners without duplicates: those of the line, else of the cast, else of the scene."""
         told = next(
             names for names in (line.listeners, part.listeners, self.partners.get(line.row, ())) if names is not None
         )
@@ -80,5 +81,5 @@ class Casting:
 
 
 def _together(*placed: Sequence[Target]) -> tuple[Target, ...]:
-    """Targets of several places, each name where the last says."""
+    """The targets of all sources; for each name the last source wins."""
     return tuple({target.name: target for targets in placed for target in targets}.values())

@@ -1,4 +1,4 @@
-"""To whom a line is said: whom its row names, whom the cast names, or who speaks next to it in the scene."""
+"""Finds those who speak next to a line in its scene, and makes names for listeners."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -11,7 +11,7 @@ _LONGEST = 64
 
 
 def neighbours(lines: Sequence[ScriptLine]) -> dict[int, tuple[str, ...]]:
-    """For each row in a scene, the nearest others who speak before and after it there, the one before first."""
+    """For each row in a scene, the nearest other speakers before and after it, the one before first."""
     partners: dict[int, tuple[str, ...]] = {}
     for scene in _scenes(lines):
         for place, line in enumerate(scene):
@@ -21,7 +21,7 @@ def neighbours(lines: Sequence[ScriptLine]) -> dict[int, tuple[str, ...]]:
 
 
 def listener_name(name: str) -> str:
-    """A name of the script as listeners are called in BML and in names of files."""
+    """A name of the script as a valid listener's name, for BML and file names."""
     plain = _NO_NAME.sub("_", name).strip("_")[: _LONGEST - 2] or "listener"
     return plain if plain[0].isalpha() else f"L_{plain}"
 

@@ -1,7 +1,8 @@
-"""How the batch's speakers usually sound, learnt from their recordings in it.
+"""Learns how the batch's speakers usually sound, from their recordings in it.
 
-What was learnt is kept in `OUT/references/NAME.json`, in the form of `understudy reference`, and not learnt again when
-recordings are added: else every new take would change all lines of its speaker. Delete a file to have it learnt anew.
+The result is kept in `OUT/references/NAME.json`, in the format of `understudy reference`, and not learnt again when
+recordings are added: otherwise every new take would change all lines of its speaker. Delete a file to have it learnt
+again.
 """
 
 from collections.abc import Iterable, Sequence
@@ -17,14 +18,14 @@ from ..work.speaking import ReferenceJob
 FOLDER = "references"
 
 FEWEST_RECORDINGS = 4
-"""With fewer a speaker is judged as anybody: what they have in common may be the mood."""
+"""With fewer recordings a speaker has no reference: what they have in common may be the mood."""
 
 MOST_RECORDINGS = 24
-"""More add little: the speaker's mean counts as 3 recordings of anybody's (`understudy.acoustic.agitation.speaker`)."""
+"""More add little: the average speaker counts as 3 recordings in the mean (`understudy.acoustic.agitation.speaker`)."""
 
 
 def reference_jobs(recordings: Iterable[tuple[str, AudioSource]]) -> tuple[ReferenceJob, ...]:
-    """A job for each speaker with recordings enough; of many, those that lie evenly among them."""
+    """A job for each speaker with enough recordings; of too many, evenly spaced ones are taken."""
     by_speaker: dict[str, list[AudioSource]] = {}
     for speaker, recording in recordings:
         by_speaker.setdefault(speaker_of(speaker), []).append(recording)
@@ -36,18 +37,18 @@ def reference_jobs(recordings: Iterable[tuple[str, AudioSource]]) -> tuple[Refer
 
 
 def speaker_of(character: str) -> str:
-    """A script's character as a speaker whose voice is learnt; also the name of its file."""
+    """The name of the speaker whose voice is learnt for a script's character; also the file name."""
     return file_name(character).casefold()
 
 
 def read_learnt(out: Path, jobs: Sequence[ReferenceJob]) -> dict[str, SpeakerReference]:
-    """What was learnt before, by speaker; raises InputError `reference_unreadable`."""
+    """The references learnt before, by speaker; raises InputError `reference_unreadable`."""
     paths = {job.speaker: _path(out, job.speaker) for job in jobs}
     return {speaker: read_reference(path.read_bytes(), str(path)) for speaker, path in paths.items() if path.is_file()}
 
 
 def keep_learnt(out: Path, speaker: str, reference: SpeakerReference) -> None:
-    """Writes what was learnt; raises OSError."""
+    """Writes a learnt reference; raises OSError."""
     write_whole(out, _path(out, speaker).relative_to(out).as_posix(), to_json(reference))
 
 

@@ -1,1 +1,2 @@
-"""What is done already, and of what: `OUT/manifest.sqlite`, one row a line. Begin with `store`."""
+"""The manifest: which lines are done, and from which input: `OUT/manifest.sqlite`, one row a line. Begin with
+`store`."""

@@ -1,4 +1,4 @@
-"""A row of the manifest as a value, and how it is stored."""
+"""A row of the manifest, and its conversion to and from the database."""
 
 import json
 from dataclasses import asdict, dataclass
@@ -10,7 +10,7 @@ from ..work.jobs import Failure, Measures
 
 
 class State(StrEnum):
-    """What became of a line so far."""
+    """The state of a line."""
 
     WAITING = "waiting"
     DONE = "done"
@@ -19,8 +19,8 @@ class State(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class WrittenFile:
-    """A file that was written for a line: its format, whose it is ("" is the speaker), its path from the output folder
-    on, its bytes."""
+    """A file written for a line: its format, the listener whose it is ("" is the speaker), its path relative to the
+    output folder, its size in bytes."""
 
     form: str
     listener: str
@@ -30,7 +30,7 @@ class WrittenFile:
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A line of the batch: what it is, of what it was made, and what came of it."""
+    """A line of the batch, the hashes of its input, and its result."""
 
     id: str
     place: int
@@ -94,7 +94,7 @@ def to_row(entry: Entry) -> tuple[object, ...]:
 
 
 def of_row(row: tuple[Any, ...]) -> Entry:
-    """What `to_row` stored."""
+    """The entry that `to_row` stored."""
     state, outputs, warnings, measures, error_code, error, seconds = row[12:]
     return Entry(
         **dict(zip(COLUMNS[:12], row[:12], strict=True)),

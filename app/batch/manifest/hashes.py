@@ -1,4 +1,4 @@
-"""Of what a line was made, as hashes: while they stay the same, it need not be performed again."""
+"""Hashes of everything a line is made from: while they are the same, it need not be performed again."""
 
 import hashlib
 import json
@@ -30,12 +30,12 @@ _OF_THE_RESULT = frozenset(
         "max_text_characters",
     }
 )
-"""Settings by which a performance, or whether there is one, changes."""
+"""Settings that affect a performance, or whether there is one."""
 
 
 @dataclass(frozen=True, slots=True)
 class KnownRecording:
-    """The hash of a recording's content, and what the file was like when it was read."""
+    """The hash of a recording's content, with the file's size and modification time when it was read."""
 
     size: int
     modified_ns: int
@@ -43,7 +43,7 @@ class KnownRecording:
 
     @classmethod
     def of(cls, path: Path, known: "KnownRecording | None" = None) -> "KnownRecording":
-        """What is known already, if the file is still like that, else read now; raises OSError."""
+        """The known hash if the file has not changed, else a new one; raises OSError."""
         status = path.stat()
         if known is not None and (known.size, known.modified_ns) == (status.st_size, status.st_mtime_ns):
             return known
@@ -55,7 +55,7 @@ class KnownRecording:
 
 
 def input_hash(job: LineJob, recording: str) -> str:
-    """Over what is a line's own; `recording` is the hash of its recording's file."""
+    """A hash of what is particular to a line; `recording` is the hash of its recording's file."""
     options = job.options
     return _digest(
         recording,
@@ -72,7 +72,7 @@ def input_hash(job: LineJob, recording: str) -> str:
 
 
 def settings_hash(job: LineJob, settings: Settings, installation: str) -> str:
-    """Over what lines have in common; `installation` is `installation_hash()`."""
+    """A hash of what all lines have in common; `installation` is `installation_hash()`."""
     options, motion = job.options, job.motion
     return _digest(
         installation,
@@ -84,7 +84,7 @@ def settings_hash(job: LineJob, settings: Settings, installation: str) -> str:
 
 
 def installation_hash() -> str:
-    """Over the version, the rules, words and characters, and the models."""
+    """A hash of the version, the rules, words and characters, and the models."""
     digest = hashlib.blake2b(__version__.encode(), digest_size=DIGEST_BYTES)
     for folder in (RULES, resource_folder("lexicon"), resource_folder("models")):
         for path in sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix not in {".py", ".pyc"}):

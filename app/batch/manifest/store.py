@@ -1,4 +1,5 @@
-"""The manifest as a file: SQLite, which no killed process leaves half written (WAL). One command at a time has it."""
+"""The manifest's file: SQLite in WAL mode, so that a killed process leaves it consistent. Used by one command at a
+time."""
 
 import sqlite3
 from collections.abc import Iterable
@@ -18,10 +19,10 @@ _SELECT = f"SELECT {', '.join(COLUMNS)} FROM lines ORDER BY place"
 
 
 class Manifest:
-    """The rows of a batch. Every change is kept at once. Use it in a `with` block, or `close` it."""
+    """The rows of a batch. Every change is saved at once. Use it in a `with` block, or `close` it."""
 
     def __init__(self, folder: Path) -> None:
-        """Opens or makes the manifest in `folder`. Raises InputError `out_in_use` while another command has it open,
+        """Opens or creates the manifest in `folder`. Raises InputError `out_in_use` while another command has it open,
         `manifest_unreadable` and `file_unwritable`."""
         self._lock = _locked(folder)
         try:
@@ -40,31 +41,31 @@ class Manifest:
         return {row[0]: of_row(row) for row in self._connection.execute(_SELECT)}
 
     def put(self, entries: Iterable[Entry]) -> None:
-        """Writes rows in one step, in place of those with the same ids."""
+        """Writes rows in one transaction, replacing those with the same ids."""
         with self._connection:
             self._connection.execute("BEGIN")
             self._connection.executemany(_WRITE, map(to_row, entries))
 
     def remove(self, ids: Iterable[str]) -> None:
-        """Removes rows in one step."""
+        """Removes rows in one transaction."""
         with self._connection:
             self._connection.execute("BEGIN")
             self._connection.executemany("DELETE FROM lines WHERE id = ?", ((name,) for name in ids))
 
     def known_recordings(self) -> dict[str, KnownRecording]:
-        """The recordings that were hashed, by path."""
+        """The hashes of recordings, by path."""
         rows = self._connection.execute("SELECT path, size, modified_ns, hash FROM recordings")
         return {path: KnownRecording(size, modified_ns, told) for path, size, modified_ns, told in rows}
 
     def know_recordings(self, known: Iterable[tuple[str, KnownRecording]]) -> None:
-        """Keeps the hashes of recordings."""
+        """Saves the hashes of recordings."""
         rows = ((path, each.size, each.modified_ns, each.hash) for path, each in known)
         with self._connection:
             self._connection.execute("BEGIN")
             self._connection.executemany("INSERT OR REPLACE INTO recordings VALUES (?, ?, ?, ?)", rows)
 
     def close(self) -> None:
-        """The file is whole by itself afterwards, without SQLite's own beside it."""
+        """Closes the file and merges SQLite's journal into it."""
         with suppress(sqlite3.Error):
             self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
         self._connection.close()
@@ -78,8 +79,8 @@ class Manifest:
 
 
 def _locked(folder: Path) -> sqlite3.Connection:
-    """A lock on the folder that ends with this process, however it ends: SQLite's own, for it has one on every
-    platform, on a file beside the manifest, which others may read meanwhile."""
+    """A lock on the folder that ends with this process, however it ends. It is SQLite's own lock, which works on every
+    platform, on a file beside the manifest, so that others may read the manifest meanwhile."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -1,1 +1,1 @@
-"""Joins lines with recordings. Imports the values of a batch and errors. Begin with `joining`."""
+"""Matches lines with recordings. Imports the values of a batch and errors. Begin with `joining`."""

@@ -1,7 +1,7 @@
-"""Which recording is which line's: by the file that the line names, else by a pattern, else by its id.
+"""Matches recordings with lines: by the file that the line names, else by a pattern, else by the line's id.
 
-Capitals do not count. Of several takes the one that the line names is taken, else the last, the first, or each as a
-line of its own.
+Names are compared without case. Of several takes the one that the line names is used, else the last, the first, or each
+as a line of its own.
 """
 
 from collections import defaultdict
@@ -36,8 +36,8 @@ class Missing:
 
 @dataclass(frozen=True, slots=True)
 class Joined:
-    """The lines with their recordings; lines and recordings that found nothing; and what is there more than once:
-    recordings of the same take of a line, and lines of the same recording."""
+    """The lines with their recordings; unmatched lines and recordings; and duplicates: recordings of the same take of a
+    line, and lines with the same recording."""
 
     takes: tuple[Take, ...]
     missing: tuple[Missing, ...] = ()
@@ -52,7 +52,7 @@ def join_recordings(
     pattern: Pattern | None = None,
     choice: Choice = Choice.LAST,
 ) -> Joined:
-    """The lines and the recordings, joined."""
+    """Matches the lines with the recordings."""
     candidates_of = _finder(files, pattern)
     found = [(line, candidates_of(line)) for line in lines]
     chosen = [(line, _chosen(line, candidates, choice)) for line, candidates in found]
@@ -70,13 +70,13 @@ def join_recordings(
 
 
 def join_one_recording(lines: Sequence[ScriptLine], recording: Path) -> Joined:
-    """Lines that are cut out of one recording by their times; a line without times finds nothing."""
+    """Lines cut out of one recording by their times; lines without times are missing."""
     takes = [Take(line.id, line, Recording(recording, line.interval), line.take) for line in lines if line.interval]
     return Joined(tuple(takes), tuple(Missing(line, None) for line in lines if not line.interval))
 
 
 def _finder(files: Sequence[RecordingFile], pattern: Pattern | None) -> Callable[[ScriptLine], Candidates]:
-    """The recordings that may be a line's, in order of their names."""
+    """A function that finds the recordings that may be a line's, in order of their names."""
     by_name: dict[str, Candidates] = defaultdict(list)
     for file in files:
         for name in {file.relative, file.path.name, file.relative.removesuffix(file.path.suffix), file.stem}:
@@ -97,14 +97,15 @@ def _finder(files: Sequence[RecordingFile], pattern: Pattern | None) -> Callable
 
 
 def _named(recording: str, by_name: Mapping[str, Candidates]) -> Candidates:
-    """A file as a sheet names it: with or without its folder and its ending, which is not always that of delivery."""
+    """The file that a sheet names, with or without folder and extension, which may differ from that of the files
+    delivered."""
     path = PurePosixPath(recording.replace("\\", "/"))
     names = (str(path), str(path.with_suffix("")), path.name, path.stem) if path.name else ()
     return next((by_name[name.casefold()] for name in names if name.casefold() in by_name), [])
 
 
 def _chosen(line: ScriptLine, candidates: Candidates, choice: Choice) -> Candidates:
-    """One recording a take, of the takes that are wanted."""
+    """One recording for each wanted take."""
     by_take: dict[int, tuple[RecordingFile, int | None]] = {}
     for file, take in candidates:
         by_take.setdefault(take or 0, (file, take))
@@ -123,7 +124,7 @@ def _takes(line: ScriptLine, candidates: Candidates) -> list[Take]:
 
 
 def _rivals(line: ScriptLine, candidates: Candidates) -> tuple[ScriptLine, tuple[Path, ...]] | None:
-    """The recordings of the first take of which there is more than one."""
+    """The recordings of the first take that has more than one."""
     by_take: dict[int | None, list[Path]] = defaultdict(list)
     for file, take in candidates:
         by_take[take].append(file.path)

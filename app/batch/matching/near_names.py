@@ -1,7 +1,7 @@
-"""The name that was meant: near misses between the ids of lines and the names of recordings.
+"""Finds the name that was probably meant, among ids of lines and names of recordings.
 
-Names of lines are mostly numbers, and the next number is never what was meant. So names are near whose numbers are the
-same but for leading zeros and whose letters are nearly so.
+Such names differ mostly in their numbers, and the next number is never what was meant. So two names are near if their
+numbers are the same except for leading zeros and their letters are similar.
 """
 
 import re
@@ -9,13 +9,13 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable
 
 LEAST_LIKENESS = 0.6
-"""Dice's coefficient of the trigrams of two names, from which one may have been meant for the other."""
+"""The least Dice coefficient of the trigrams of two names that are near."""
 
 _RUNS = re.compile(r"\d+|[^\W\d_]+")
 
 
 class NearNames:
-    """Names in which near ones are found."""
+    """A set of names that is searched for near ones."""
 
     def __init__(self, names: Iterable[str]) -> None:
         self._by_numbers: dict[tuple[int, ...], list[tuple[str, Counter[str]]]] = defaultdict(list)
@@ -23,7 +23,7 @@ class NearNames:
             self._by_numbers[_numbers(name)].append((name, _trigrams(name)))
 
     def nearest(self, name: str) -> str | None:
-        """The nearest name; None if none is near."""
+        """The nearest name, or None."""
         own = _trigrams(name)
         likenesses = [(_likeness(own, theirs), other) for other, theirs in self._by_numbers[_numbers(name)]]
         best = max(likenesses, default=(0.0, ""))
@@ -35,7 +35,7 @@ def _numbers(name: str) -> tuple[int, ...]:
 
 
 def _trigrams(name: str) -> Counter[str]:
-    """Of the letters, marked at both ends; numbers are compared apart."""
+    """The trigrams of the letters, padded at both ends; numbers are compared separately."""
     letters = "".join(run.casefold() for run in _RUNS.findall(name) if not run.isdecimal())
     marked = f"  {letters} "
     return Counter(marked[place : place + 3] for place in range(len(marked) - 2))

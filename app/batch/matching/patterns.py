@@ -1,7 +1,7 @@
-"""Names of recordings by a pattern, such as `{character}/{id}_t{take}.wav`.
+"""Finds recordings by a pattern of their names, such as `{character}/{id}_t{take}.wav`.
 
-Braces stand for what the line says of itself, `*` for anything but a folder. A pattern without a folder finds
-recordings in any. One pass over the files finds what each stands for, so that ten thousand lines cost no more than one.
+Names in braces are fields of the line, `*` matches anything but a folder. A pattern without a folder finds recordings
+in any. One pass over the files indexes them, so that the cost does not grow with the number of lines.
 """
 
 import re
@@ -20,7 +20,7 @@ _PART = re.compile(r"\{(\w*)\}|(\*)|([^{}*]+)|(.)", re.DOTALL)
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """A compiled pattern; `places` are those of its braces that lines must agree with."""
+    """A compiled pattern; `places` are the fields in its braces that must agree with the line."""
 
     expression: re.Pattern[str]
     places: tuple[str, ...]
@@ -50,7 +50,7 @@ class Pattern:
         return cls(re.compile(made, re.IGNORECASE), tuple(name for name in places if name != "take"), "/" in text)
 
     def by_key(self, files: Iterable[RecordingFile]) -> dict[tuple[str, ...], list[tuple[RecordingFile, int | None]]]:
-        """The files that fit, with their take, under what they say of their line."""
+        """The matching files with their takes, by the values of `places`."""
         found: dict[tuple[str, ...], list[tuple[RecordingFile, int | None]]] = {}
         for file in files:
             match = self.expression.fullmatch(file.relative if self.has_folder else file.path.name)
@@ -60,10 +60,10 @@ class Pattern:
         return found
 
     def key(self, line: ScriptLine) -> tuple[str, ...]:
-        """What a file must say to be this line's."""
+        """The values of `places` in a line."""
         return tuple(_plain(str(getattr(line, name))) for name in self.places)
 
 
 def _plain(value: str) -> str:
-    """Without capitals, and numbers without leading zeros."""
+    """In lower case, and numbers without leading zeros."""
     return str(int(value)) if value.isdecimal() else value.casefold()

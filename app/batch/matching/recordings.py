@@ -1,4 +1,4 @@
-"""The recordings in a folder and its folders."""
+"""Finds the recordings in a folder and its subfolders."""
 
 import os
 import re
@@ -16,8 +16,9 @@ _TAKE = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class RecordingFile:
-    """A recording: its path, the same from the folder on with forward slashes, and both parts of its stem: what names
-    the line, and the number of the take where it ends in one (`scene1_07_t2`, `scene1_07 take 2`, `scene1_07 (2)`)."""
+    """A recording: its path, the path relative to the folder with forward slashes, and the two parts of its stem: the
+    name of the line, and the number of the take if it ends in one (`scene1_07_t2`, `scene1_07 take 2`, `scene1_07
+    (2)`)."""
 
     path: Path
     relative: str
@@ -37,7 +38,7 @@ class RecordingFile:
 
 
 def find_recordings(folder: Path, *, without: Path) -> tuple[RecordingFile, ...]:
-    """The recordings under `folder` by name, but hidden ones and those under `without` (where we write).
+    """The recordings under `folder`, sorted by name, except hidden ones and those under `without` (our output folder).
 
     Raises InputError `file_unreadable`.
     """

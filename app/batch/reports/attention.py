@@ -1,14 +1,14 @@
-"""What of a line needs a human eye, and how urgently."""
+"""Which lines somebody should check, why, and how urgently."""
 
 from collections.abc import Iterator
 
 from ..manifest.entries import Entry, State
 
 FLAT_ST = 1.2
-"""A take whose pitch deviates less is hardly acted."""
+"""A take whose pitch deviates less than this, in semitones, is hardly acted."""
 
 SHORTEST_JUDGED_S = 1.0
-"""Shorter lines are too short to be flat."""
+"""Shorter lines are not called flat."""
 
 MANY_DROPPED = 3
 
@@ -21,19 +21,19 @@ _WEIGHTS = {
     "word_unreadable": 10,
     "agitation_unsure": 2,
 }
-"""How urgent a warning is; others weigh 5."""
+"""The urgency of warnings; others weigh 5."""
 
 _OTHER = 5
 _FAILED, _FLAT, _DROPPED, _UNPLAYED, _STILL = 1000, 20, 4, 3, 8
 
 
 def reasons(entry: Entry) -> tuple[tuple[int, str], ...]:
-    """Why somebody should look at the line, the most urgent first, each with its weight."""
+    """Why somebody should check the line, the most urgent reason first, each with its weight."""
     return tuple(sorted(_reasons(entry), reverse=True))
 
 
 def attention(entry: Entry) -> int:
-    """How urgently somebody should look at it; 0 is not at all."""
+    """How urgently somebody should check the line; 0 is not at all."""
     return sum(weight for weight, _reason in _reasons(entry))
 
 

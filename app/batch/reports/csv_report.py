@@ -1,4 +1,4 @@
-"""`report.csv`: a row a line, what needs a human eye first."""
+"""Writes `report.csv`: one row a line, the most urgent to check first."""
 
 import csv
 import io
@@ -32,7 +32,7 @@ COLUMNS = (
 
 
 def to_csv(entries: Iterable[Entry]) -> bytes:
-    """The report, in the order of `entries`; with a byte order mark, by which spreadsheets know UTF-8."""
+    """The report, in the order of `entries`; with a byte order mark, by which spreadsheets recognize UTF-8."""
     stream = io.StringIO()
     writer = csv.DictWriter(stream, COLUMNS, lineterminator="\r\n")
     writer.writeheader()
@@ -71,5 +71,5 @@ def _row(entry: Entry) -> Mapping[str, object]:
 
 
 def _harmless(value: object) -> object:
-    """A text that a spreadsheet would take for a formula is marked as text."""
+    """Marks as text what a spreadsheet would take for a formula."""
     return f"'{value}" if isinstance(value, str) and value.startswith(("=", "+", "-", "@", "\t")) else value

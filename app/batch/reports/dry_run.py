@@ -1,5 +1,5 @@
-"""What a batch would do, as text for people: who speaks how much, what is missing, unused or there twice, how long it
-would take."""
+"""Describes what a batch would do, as text: lines by character, what is missing, unused or duplicate, how long it would
+take."""
 
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
@@ -18,24 +18,24 @@ from ..work.jobs import LineJob
 MOST_TOLD = 40
 
 SECONDS_A_LINE, SECONDS_A_SECOND = 0.03, 0.025
-"""What a line and a second of speech take a worker, without motion (docs/measurements.md, "Batch")."""
+"""Processor time per line and per second of speech, without motion (docs/measurements.md, "Batch")."""
 
 MOTION_SECONDS_A_SECOND = 0.02
-"""What a second of motion takes beside that."""
+"""Additional time per second of motion."""
 
 LOADING_S = 4.0
 
 
 @dataclass(frozen=True, slots=True)
 class DryRun:
-    """What would be done, in lines; `is_whole` tells that every row of the script would be performed."""
+    """The description, in lines of text; `is_whole` says whether every row of the script would be performed."""
 
     lines: tuple[str, ...]
     is_whole: bool
 
 
 def dry_run(plan: Plan, before: Mapping[str, Entry], *, workers: int) -> DryRun:
-    """What would be done, and by how many workers; `before` is the manifest of an earlier run."""
+    """What would be done by so many workers; `before` is the manifest of an earlier run."""
     durations_s = {job.id: _duration_s(job) for _take, job in plan.jobs}
     problems = [str(problem) for problem in plan.script.problems]
     missing = [f"{each.line.id}, {without_audio(each)}" for each in plan.joined.missing]
@@ -122,7 +122,7 @@ def _duration_s(job: LineJob) -> float | None:
 
 
 def _file_duration_s(path: Path) -> float | None:
-    """What the file's header says; None when it cannot be read."""
+    """The duration in the file's header; None when it cannot be read."""
     try:
         return float(soundfile.info(path).duration)
     except (soundfile.LibsndfileError, OSError):

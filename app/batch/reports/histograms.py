@@ -1,4 +1,4 @@
-"""How a batch's lines are distributed, as one picture, by matplotlib (the extra `plot`)."""
+"""Draws the distributions of a batch's lines as one picture, with matplotlib (the extra `plot`)."""
 
 from __future__ import annotations
 

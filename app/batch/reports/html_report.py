@@ -1,4 +1,4 @@
-"""`report.html`: every line in one file that needs nothing else, what needs a human eye first."""
+"""Writes `report.html`: every line in one self-contained file, the most urgent to check first."""
 
 import base64
 from collections import Counter

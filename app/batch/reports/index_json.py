@@ -1,4 +1,4 @@
-"""`index.json`: what was performed and where it lies, for engines."""
+"""Writes `index.json`: the performed lines and the paths of their files, for game engines."""
 
 import json
 from collections.abc import Iterable
@@ -7,7 +7,7 @@ from ..manifest.entries import Entry, State
 
 
 def to_index(script: str, entries: Iterable[Entry]) -> bytes:
-    """The lines that are done, in the script's order; paths are from the output folder on."""
+    """The lines that are done, in the script's order; paths are relative to the output folder."""
     lines = [_line(entry) for entry in sorted(entries, key=lambda one: one.place) if entry.state is State.DONE]
     return json.dumps({"script": script, "lines": lines}, indent=1, ensure_ascii=False).encode() + b"\n"
 

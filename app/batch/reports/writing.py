@@ -14,7 +14,7 @@ REPORTS = ("report.csv", "report.html", "index.json")
 
 
 def in_order_of_attention(entries: Sequence[Entry]) -> list[Entry]:
-    """What needs a human eye first, then as in the script."""
+    """The most urgent to check first, then in the script's order."""
     return sorted(entries, key=lambda entry: (-attention(entry), entry.place))
 
 
@@ -28,11 +28,11 @@ def write_reports(out: Path, script: str, entries: Sequence[Entry], thumbnails: 
 
 
 def reports_are_there(out: Path) -> bool:
-    """Whether all of them were written."""
+    """Whether all reports exist."""
     return all((out / name).is_file() for name in REPORTS)
 
 
 def remove_reports(out: Path) -> None:
-    """Removes what is not true any more; raises OSError."""
+    """Removes reports that are out of date; raises OSError."""
     for name in REPORTS:
         (out / name).unlink(missing_ok=True)

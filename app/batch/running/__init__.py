@@ -1,3 +1,3 @@
-"""Has jobs done: engines (processes here, a dask cluster, the service) and the one supervisor over all of them. An
-engine is handed a job and a `Future` comes back; who died, what is tried again and what goes on the supervisor decides.
-Begin with `supervising`."""
+"""Executes jobs: engines (processes on this machine, a dask cluster, the service) and one supervisor for all of them.
+An engine takes a job and returns a `Future`; the supervisor finds out which job killed a worker and what is tried
+again. Begin with `supervising`."""

@@ -1,8 +1,8 @@
-"""A dask cluster as an engine (the extra `cluster`): recordings are sent and files sent back, or, where workers see the
-same folders, read and written there.
+"""A dask cluster as an engine (the extra `cluster`): recordings are sent and files returned or, where workers share the
+folders, read and written there.
 
-The scheduler itself tries a task again whose worker died, as often as its `allowed-failures` says (3), then gives it up
-together with any that stood beside it in the same worker; the supervisor sorts out the culprit.
+The scheduler itself retries a task whose worker died, as often as its `allowed-failures` says (3), then gives it up
+together with any others in the same worker; the supervisor finds the culprit.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ CONNECTING_S = 15.0
 
 
 class DaskEngine:
-    """The workers of a scheduler, each thread of theirs a place."""
+    """The workers of a scheduler; each of their threads takes one job at a time."""
 
     def __init__(self, address: str, settings: Settings, *, shares_files: bool) -> None:
         """Raises InputError `cluster_unreachable`, `cluster_empty` and `cluster_version`, ServiceError
@@ -60,7 +60,7 @@ class DaskEngine:
     def call(
         self, work: Callable[Arguments, Result], *args: Arguments.args, **kwargs: Arguments.kwargs
     ) -> Future[Result]:
-        """What `work` returns or raises in a worker; `WorkerDiedError` if it dies of it, or beside it."""
+        """The result or error of `work` in a worker; `WorkerDiedError` if the worker dies during it."""
         done: Future[Result] = Future()
         remote = self._client.submit(work, *args, **kwargs, pure=False)
         remote.add_done_callback(lambda ended: _tell(ended, done))
@@ -84,7 +84,7 @@ def _connected(address: str) -> Client:
 
 
 def _require_same_version(client: Client, address: str) -> None:
-    """Other versions perform otherwise; raises InputError `cluster_version`."""
+    """Raises InputError `cluster_version` where workers have another version, whose results may differ."""
     try:
         told = client.run(version_in_worker)
     except (ImportError, AttributeError) as error:

@@ -1,4 +1,4 @@
-"""What every engine can do."""
+"""The interface of engines."""
 
 from concurrent.futures import Future
 from typing import Protocol
@@ -9,22 +9,22 @@ from ..work.speaking import ReferenceJob
 
 
 class WorkerDiedError(Exception):
-    """The worker died of the job, or of one that it had beside it. What a job's future raises besides is the job's own
-    trouble."""
+    """The worker died of the job, or of another that it ran at the same time. Other errors of a job's future are the
+    job's own."""
 
 
 class Engine(Protocol):
-    """Does jobs, some at a time. What its futures raise is an error of the job, or `WorkerDiedError`."""
+    """Executes jobs, several at a time. Its futures raise an error of the job, or `WorkerDiedError`."""
 
     @property
     def places(self) -> int:
-        """How many jobs it may be given at a time."""
+        """How many jobs it takes at a time."""
 
     def submit(self, job: LineJob) -> "Future[LineOutcome]":
-        """Begins a job; there is a place for it."""
+        """Begins a job; called only when one more can be taken."""
 
     def learn(self, job: ReferenceJob) -> "Future[SpeakerReference | None]":
-        """Begins to learn a speaker's voice; there is a place for it."""
+        """Begins to learn a speaker's voice; called only when one more can be taken."""
 
     def close(self) -> None:
-        """Ends at once whatever is under way."""
+        """Aborts whatever is running."""

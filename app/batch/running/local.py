@@ -1,4 +1,4 @@
-"""The engine of one machine: its processes, each with the models loaded once."""
+"""The engine on this machine: processes that each load the models once."""
 
 from concurrent.futures import Future
 

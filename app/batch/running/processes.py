@@ -1,10 +1,10 @@
-"""Processes on this machine, each with one call at a time.
+"""Worker processes on this machine, each with one call at a time.
 
-Every worker is a pool of one process. So it is always known which call a worker died of, none but that is lost, and the
-next call finds a new worker in its place; pools of several processes (concurrent.futures, loky, joblib) lose whatever
-is pending with the one that dies (shared/ecosystem.md: 187 of 200 jobs).
+Every worker is a pool of one process. So it is always known during which call a worker died, only that call is lost,
+and the next one gets a new worker; pools of several processes (concurrent.futures, loky, joblib) lose everything
+pending when one dies (shared/ecosystem.md: 187 of 200 jobs).
 
-A worker ends with the process that started it, however that ends, and leaves Ctrl-C to it.
+A worker ends with the process that started it, however that ends, and ignores Ctrl-C.
 """
 
 import multiprocessing
@@ -24,7 +24,7 @@ Result = TypeVar("Result")
 
 
 class Processes:
-    """So many workers; each is started by its first call."""
+    """A number of workers; each is started by its first call."""
 
     def __init__(self, workers: int) -> None:
         self.workers = workers
@@ -36,7 +36,8 @@ class Processes:
     def call(
         self, work: Callable[Arguments, Result], *args: Arguments.args, **kwargs: Arguments.kwargs
     ) -> "Future[Result]":
-        """What `work` returns or raises in an idle worker, waited for if none is; `WorkerDiedError` if it dies."""
+        """The result or error of `work` in an idle worker, waiting for one if necessary; `WorkerDiedError` if it
+        dies."""
         pool = self._idle.get()
         done: Future[Result] = Future()
         running = pool.submit(work, *args, **kwargs)
@@ -44,12 +45,12 @@ class Processes:
         return done
 
     def close(self) -> None:
-        """Ends at once whatever is under way."""
+        """Aborts whatever is running."""
         for pool in list(self._pools):
             self._end(pool)
 
     def _tell(self, pool: ProcessPoolExecutor, ended: "Future[Result]", done: "Future[Result]") -> None:
-        """Gives the worker's place free before the result is told, so that the next call finds it."""
+        """Frees the worker before the result is set, so that the next call finds it idle."""
         error = WorkerDiedError("closed") if ended.cancelled() else ended.exception()
         if isinstance(error, BrokenProcessPool):
             self._end(pool)
@@ -69,7 +70,9 @@ class Processes:
 
     def _end(self, pool: ProcessPoolExecutor) -> None:
         self._pools.discard(pool)
-        processes = list((pool._processes or {}).values())  # no public way ends what is under way, before Python 3.14
+        processes = list(
+            (pool._processes or {}).values()
+        )  # before Python 3.14 there is no public way to abort running calls
         pool.shutdown(wait=False, cancel_futures=True)
         for process in processes:
             process.kill()

@@ -1,4 +1,4 @@
-"""Jobs for workers that see other files: with the recordings in them, and to be answered with the outputs."""
+"""Prepares jobs for workers on other machines: with the recordings in them, their outputs to be sent back."""
 
 from concurrent.futures import Future
 from dataclasses import replace
@@ -9,12 +9,12 @@ from ..work.speaking import ReferenceJob
 
 
 def sent(job: LineJob) -> LineJob:
-    """Raises InputError when the recording cannot be read."""
+    """The job with its recording. Raises InputError when that cannot be read."""
     return replace(job, audio=job.audio.to_send(), folder=None)
 
 
 def voice_sent(job: ReferenceJob) -> ReferenceJob:
-    """Recordings that cannot be read are left out; their own lines tell why."""
+    """The job with its recordings. Those that cannot be read are left out; their own lines report why."""
     found = []
     for recording in job.recordings:
         try:

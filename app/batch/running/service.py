@@ -1,8 +1,8 @@
-"""Another Understudy's service as an engine: lines are posted to `/perform`, and waited with when it is full.
+"""Another Understudy's service as an engine: posts lines to `/perform`, and waits while the service is full.
 
-It gives the schedule and the whole performance; motion and what else a local worker writes it does not. A gesture
-profile that is a file here is sent, rounded as in `profiles.files.writing`. Who plays a listener it knows by the
-listener's own name only. Voices are learnt here.
+It supports the schedule and the whole performance, not motion and the other formats of a local worker. A gesture
+profile in a local file is sent, rounded as in `profiles.files.writing`. Listeners are played by the character of their
+own name only. Voices are learnt on this machine.
 """
 
 import json
@@ -34,19 +34,19 @@ from .processes import Processes
 SERVED = frozenset({LineFormat.BML, LineFormat.PERFORMANCE, LineFormat.WAV})
 
 ANSWER_S = 300.0
-"""How long an answer is waited for."""
+"""Timeout of a response."""
 
 LONGEST_WAIT_S = 600.0
-"""How long a line is posted again to a service that is full or away."""
+"""How long a line is retried while the service is full or unreachable."""
 
 USUAL_WAIT_S, MOST_WAIT_S = 1.0, 60.0
 
 
 class ServiceEngine:
-    """A service at a URL, to which so many lines are posted at a time."""
+    """A service at a URL, to which `posts` lines are posted at a time."""
 
     def __init__(self, url: str, posts: int, settings: Settings) -> None:
-        """Raises InputError `service_unreachable`, and `key_wrong` where the service wants another API key or one."""
+        """Raises InputError `service_unreachable`, and `key_wrong` where the API key is missing or not accepted."""
         self.places = posts
         self._url = url.rstrip("/")
         self._settings = settings
@@ -87,9 +87,10 @@ class ServiceEngine:
         return LineOutcome(job.id, seconds, failure=failure)
 
     def _posted(self, job: LineJob, audio: bytes) -> requests.Response:
-        """The answer; while the service is full or away, the line is posted again when it says, or a little later.
+        """The response. While the service is full or unreachable, the line is posted again after the time in
+        `Retry-After`, or with growing intervals.
 
-        Raises ServiceError `service_unreachable` when it stays away.
+        Raises ServiceError `service_unreachable` when that takes too long.
         """
         ends_s = time.monotonic() + LONGEST_WAIT_S
         wait_s = USUAL_WAIT_S
@@ -104,7 +105,7 @@ class ServiceEngine:
 
 
 def require_served(formats: tuple[OutputFormat, ...]) -> None:
-    """Raises InputError `format_unknown` for what the service does not write."""
+    """Raises InputError `format_unknown` for formats that the service does not write."""
     others = [extension_of(form) for form in formats if form not in SERVED]
     if others:
         known = ", ".join(sorted(extension_of(form) for form in SERVED))
@@ -130,7 +131,7 @@ def _require_ready(url: str, headers: Mapping[str, str]) -> None:
 
 
 def _post(url: str, job: LineJob, audio: bytes, headers: Mapping[str, str]) -> tuple[requests.Response | None, str]:
-    """The answer, or why there is none."""
+    """The response, or why there is none."""
     files = {"audio": (_audio_name(job), audio)}
     if isinstance(job.options.profile, Profile):
         files["profile"] = (f"{job.options.profile.name}.yaml", profile_yaml(job.options.profile))
@@ -146,14 +147,14 @@ def _post(url: str, job: LineJob, audio: bytes, headers: Mapping[str, str]) -> t
 
 
 def _audio_name(job: LineJob) -> str:
-    """The recording's own, or for SmartBody, what it is called beside the file that it wants there."""
+    """The recording's own name, or for SmartBody its name beside the BML file."""
     written = [target.path for target in job.targets if target.form is LineFormat.BML]
     is_renamed = written and job.options.form.dialect is DialectName.SMARTBODY
     return recording_name(written[0]) if is_renamed else job.audio.path.name
 
 
 def _options(job: LineJob) -> dict[str, Any]:
-    """The options under the names that the service has for them."""
+    """The options under their names in the service's requests."""
     options = job.options
     told: dict[str, Any] = {
         "character": options.character,
@@ -178,7 +179,7 @@ def _options(job: LineJob) -> dict[str, Any]:
 
 
 def _told_wait_s(answer: requests.Response) -> float | None:
-    """`Retry-After`, in seconds or as a date; None where it says nothing that can be read."""
+    """`Retry-After`, in seconds or as a date; None if it is missing or unreadable."""
     told = answer.headers.get("Retry-After", "")
     if told.isdecimal():
         return min(float(told), MOST_WAIT_S)
@@ -189,7 +190,7 @@ def _told_wait_s(answer: requests.Response) -> float | None:
 
 
 def _failure(answer: requests.Response) -> Failure:
-    """What the service's problem says (RFC 9457)."""
+    """The failure in the service's problem response (RFC 9457)."""
     try:
         told = answer.json()
         return Failure(told["code"], told["detail"])
@@ -211,7 +212,7 @@ def _files(job: LineJob, audio: bytes, told: Mapping[str, Any]) -> Iterator[Outp
 
 
 def _bml_files(target: Target, told: Mapping[str, Any]) -> Iterator[OutputFile]:
-    """As `understudy.batch.work.performing` writes them."""
+    """The same files as `understudy.batch.work.performing` writes."""
     if told.get("speech_file"):
         yield _file(target, told["speech_file"]["bml"].encode())
         target = replace(target, path=act_path(target.path))
@@ -225,7 +226,7 @@ def _file(target: Target, content: bytes, listener: str = "") -> OutputFile:
 
 
 def _measures(told: Mapping[str, Any]) -> Measures:
-    """What the performance tells; the pitch it does not."""
+    """The measures in the performance, which does not include pitch."""
     kept = [behavior for behavior in told["behaviors"] if behavior["kept"]]
     gestures = [behavior for behavior in told["behaviors"] if behavior["kind"] == "gesture"]
     functions: dict[str, int] = {}

@@ -1,8 +1,8 @@
-"""Has every job done, whatever happens to workers.
+"""Executes all jobs, even if workers die.
 
-A job whose worker died is a suspect: it may have killed the worker, or stood beside the one that did. Suspects are
-tried a second time when all others are done, each alone, so that only the culprit fails. Trouble of our own, such as
-the aligner's death, has a second try as well.
+A job whose worker died is a suspect: it may have killed the worker, or have run beside the one that did. Suspects are
+retried after all others, one at a time, so that only the culprit fails. Failures of the service, such as the aligner's
+death, are retried too.
 """
 
 from collections import deque
@@ -25,7 +25,7 @@ WORKER_DIED = Failure(
 
 @dataclass(frozen=True, slots=True)
 class Done(Generic[Job, Result]):
-    """A job with its result, or why there is none."""
+    """A job with its result, or with the failure."""
 
     job: Job
     result: Result | None
@@ -35,7 +35,7 @@ class Done(Generic[Job, Result]):
 def supervise(
     jobs: Iterable[Job], submit: Callable[[Job], "Future[Result]"], *, places: int
 ) -> Iterator[Done[Job, Result]]:
-    """The jobs as they are done, in no order; jobs are taken from `jobs` as places become free."""
+    """The jobs as they end, in any order; jobs are taken from `jobs` as the engine has room for them."""
     suspects: deque[Job] = deque()
     for job, future in _completed(jobs, submit, places):
         if _deserves_another_try(future.exception()):
@@ -49,14 +49,14 @@ def supervise(
 def _completed(
     jobs: Iterable[Job], submit: Callable[[Job], "Future[Result]"], places: int
 ) -> Iterator[tuple[Job, "Future[Result]"]]:
-    """The jobs with their ended futures; no more than `places` are under way."""
+    """The jobs with their completed futures; at most `places` run at a time."""
     waiting = iter(jobs)
     running: dict[Future[Result], Job] = {}
     ended: list[tuple[Job, Future[Result]]] = []
     while True:
         while len(running) < places and (job := next(waiting, None)) is not None:
             running[submit(job)] = job
-        yield from ended  # only now, so that no worker waits for what is made of them
+        yield from ended  # only after new jobs are submitted, so that no worker waits for the consumer
         if not running:
             return
         done, _others = wait(running, return_when=FIRST_COMPLETED)

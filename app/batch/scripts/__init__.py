@@ -1,1 +1,1 @@
-"""Reads scripts as they come. Each module knows one kind of file; `reading` chooses by the name."""
+"""Reads scripts in many file formats. Each module knows one; `reading` chooses by file name."""

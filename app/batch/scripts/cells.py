@@ -1,4 +1,4 @@
-"""Turns the cells of a row into the fields of a line; what is wrong is collected, not raised, so that all is told."""
+"""Turns the cells of a row into the fields of a line; problems are collected, not raised, so that all are reported."""
 
 import re
 from collections.abc import Callable, Sequence
@@ -23,7 +23,7 @@ _SEPARATORS = re.compile(r"[;,|/]")
 
 @dataclass(slots=True)
 class Row:
-    """A row while it is read: its cells by field, and the problems found so far."""
+    """A row being read: its cells by field, and the problems found so far."""
 
     number: int
     cells: Sequence[str]
@@ -32,12 +32,12 @@ class Row:
     problems: list[Problem] = field(default_factory=list)
 
     def text(self, name: str) -> str:
-        """The cell without blanks around it; empty where there is none."""
+        """The cell without surrounding white space; empty where there is none."""
         place = self.columns.places.get(name)
         return self.cells[place].strip() if place is not None and place < len(self.cells) else ""
 
     def whole_number(self, name: str) -> int | None:
-        """Spreadsheets write 3 as 3.0."""
+        """A whole number, also as 3.0, which is how spreadsheets write 3."""
         told = self.text(name)
         match = re.fullmatch(r"[^\d-]*(-?\d{1,18})(?:\.0*)?", told)
         if told and match is None:
@@ -52,7 +52,7 @@ class Row:
         return Level(told) if told else None
 
     def interval(self) -> Interval | None:
-        """Seconds or h:mm:ss.ms, both ends or none."""
+        """The times, in seconds or h:mm:ss.ms; both start and end, or None."""
         ends = [self._seconds(name) for name in ("start", "end")]
         if ends == [None, None]:
             return None
@@ -67,7 +67,7 @@ class Row:
         return tuple(name.strip() for name in _SEPARATORS.split(told) if name.strip()) if told else None
 
     def targets(self) -> tuple[Target, ...]:
-        """NAME=X,Y,Z, several separated by semicolons."""
+        """The targets: NAME=X,Y,Z, several separated by semicolons."""
         try:
             return read_targets(part for part in self.text("target").split(";") if part.strip())
         except InputError as error:
@@ -75,18 +75,18 @@ class Row:
             return ()
 
     def direction(self) -> tuple[Direction | None, str]:
-        """A director's notes, in JSON or as the name of a .json file beside the script; anything else is a comment."""
+        """A director's notes, as JSON or the name of a .json file beside the script; anything else is a comment."""
         told = self.text("direction")
         if not told.startswith("{") and not told.casefold().endswith(".json"):
             return None, told
         return self._json("direction", read_direction), ""
 
     def edits(self) -> Edits | None:
-        """What an author changed, in JSON or as the name of a file beside the script."""
+        """An author's edits, as JSON or the name of a file beside the script."""
         return self._json("edits", read_edits) if self.text("edits") else None
 
     def _json(self, name: str, read: Callable[[bytes], Read]) -> Read | None:
-        """What a cell has in JSON, or a file that it names; None if that is wrong."""
+        """What a cell contains as JSON, or what the file named in it contains; None if that is wrong."""
         told = self.text(name)
         try:
             return read(told.encode() if told.startswith("{") else (self.folder / told).read_bytes())

@@ -1,4 +1,4 @@
-"""Which column of a sheet is which: by its usual names (lexicon/batch/columns.yaml), or as the caller says."""
+"""Finds the columns of a sheet: by their usual names (lexicon/batch/columns.yaml), or as the caller says."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -29,7 +29,7 @@ FIELDS = (
     "seed",
     "target",
 )
-"""What a column can be."""
+"""The fields that columns can have."""
 
 _LETTERS = 26
 
@@ -40,7 +40,7 @@ class _UsualNames(RootModel[dict[str, list[str]]]):
 
 @dataclass(frozen=True, slots=True)
 class ColumnNames:
-    """What columns are usually called: the fields by folded name, and how eagerly each name is taken (0 first)."""
+    """The usual names of columns: the field and the rank (0 is preferred) of each folded name."""
 
     fields: Mapping[str, tuple[str, int]]
 
@@ -62,14 +62,14 @@ class ColumnNames:
         return cls(MappingProxyType(fields))
 
     def recognised(self, header: Sequence[str]) -> int:
-        """How many cells of a header are names that we know."""
+        """The number of cells of a header that are known names."""
         return sum(folded(cell) in self.fields for cell in header)
 
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """Where in a row each field stands; a field that no column has is absent. The columns of spreadsheets have letters,
-    the keys of JSON have none."""
+    """The position in a row of each field; fields without a column are absent. Spreadsheet columns have letters, keys
+    of JSON do not."""
 
     header: tuple[str, ...]
     places: Mapping[str, int]
@@ -86,7 +86,7 @@ def find_columns(
 ) -> Columns:
     """The columns of a sheet; `named` are those that the caller named, heading by field.
 
-    Raises InputError `columns_missing` when no column has the words, or a heading that was named is not there.
+    Raises InputError `columns_missing` when no column has the text, or a heading that was named is missing.
     """
     cells = tuple(cell.strip() for cell in header)
     places = {field: _place_of(field, heading, cells, file) for field, heading in named.items()}
@@ -118,7 +118,7 @@ def read_named(options: Sequence[str]) -> dict[str, str]:
 
 
 def folded(name: str) -> str:
-    """A heading without what does not count in it."""
+    """A heading in lower case without punctuation, for comparison."""
     return re.sub(r"[\s_.\-:#/']+", " ", name).strip().casefold()
 
 

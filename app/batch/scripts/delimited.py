@@ -1,7 +1,7 @@
-"""Sheets as text: CSV and TSV, whatever separates their cells.
+"""Reads sheets as text: CSV and TSV, with any of several separators.
 
-The separator is the one by which the headings have most names that we know, else most cells: lines of dialogue have
-more commas than any sheet has columns, so counting them would mislead.
+The separator is the one with which the header has the most known names, then the most cells: lines of dialogue have
+more commas than a sheet has columns, so counting separators would mislead.
 """
 
 import csv
@@ -29,7 +29,7 @@ def read_delimited(content: bytes, path: Path, named: Mapping[str, str]) -> Scri
 
 
 def separator_of(text: str, names: ColumnNames, named: Mapping[str, str]) -> str:
-    """What separates the cells of the first rows."""
+    """The separator of the cells in the first rows."""
     first = [line for line in text.splitlines() if line.strip()][:ROWS_BEFORE_HEADINGS]
 
     def headings(separator: str) -> tuple[int, int]:
@@ -41,7 +41,8 @@ def separator_of(text: str, names: ColumnNames, named: Mapping[str, str]) -> str
 
 
 def read_rows(text: str, separator: str, path: Path) -> Iterator[list[str]]:
-    """The rows of cells. Raises UndecodableError `sheet_undecodable` with the line, as for a quote that never ends."""
+    """The rows of cells. Raises UndecodableError `sheet_undecodable` with the line, for example for a quote that is not
+    closed."""
     csv.field_size_limit(LONGEST_CELL)
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
     last = 0

@@ -1,6 +1,5 @@
-"""Sheets that game engines export, which are known by their headings, for the usual names would mislead: in Ren'Py's
-`dialogue.tab` and Yarn Spinner's string tables the column "file" is the script, not the recording.
-"""
+"""Sheets exported by game engines, recognized by their headings because the usual names would mislead: in Ren'Py's
+`dialogue.tab` and Yarn Spinner's string tables the column "file" is the script, not the recording."""
 
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -19,7 +18,8 @@ _YARN_PREFIX = "line:"
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """An export: the headings that tell it, the headings of its fields, and what its lines mean in ours."""
+    """An export format: the headings by which it is recognized, the headings of its fields, and the conversion of its
+    lines."""
 
     signature: frozenset[str]
     fields: Mapping[str, str]
@@ -32,13 +32,13 @@ class Dialect:
 
 
 def _of_renpy(line: ScriptLine) -> ScriptLine:
-    """Without text tags; an interpolated name is taken for the word that is said."""
+    """The line without text tags; an interpolated name is taken for the word that is spoken."""
     plain = _RENPY_NAME.sub(r"\1", _RENPY_TAG.sub("", line.text)).replace('\\"', '"').replace("\\n", " ")
     return replace(line, text=" ".join(plain.replace("{{", "{").replace("[[", "[").split()))
 
 
 def _of_yarn(line: ScriptLine) -> ScriptLine:
-    """Without markup; its name is what its recordings are called, without "line:"."""
+    """The line without markup; its id without "line:" is the name of its recordings."""
     name, words = with_name(_YARN_MARK.sub("", line.text))
     return replace(line, id=line.id.removeprefix(_YARN_PREFIX), character=name, text=" ".join(words.split()))
 
@@ -58,6 +58,6 @@ DIALECTS = (
 
 
 def dialect_of(header: Sequence[str]) -> Dialect | None:
-    """The export that a header is of; None for a sheet of people's own."""
+    """The export format that a header belongs to; None for any other sheet."""
     names = {folded(cell) for cell in header}
     return next((dialect for dialect in DIALECTS if dialect.signature <= names), None)

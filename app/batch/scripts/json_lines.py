@@ -1,4 +1,4 @@
-"""JSON lines: one object a line of the file, its keys as the columns of a sheet."""
+"""Reads JSON lines: one object per line of the file, its keys as the columns of a sheet."""
 
 import json
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ from .text_files import decode_text
 
 
 def read_json_lines(content: bytes, path: Path, named: Mapping[str, str]) -> Script:
-    """The script in a file of JSON lines; a line that is no object is a problem of its own. Raises UndecodableError
+    """The script in a file of JSON lines; a line that is not an object is a problem of its own. Raises UndecodableError
     `text_not_utf8`, InputError `columns_missing`."""
     file = decode_text(content, str(path))
     objects: dict[int, dict[str, object]] = {}

@@ -1,4 +1,4 @@
-"""Reads a script of any kind, by what its name ends in."""
+"""Reads a script of any supported format, chosen by the file's extension."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -29,14 +29,14 @@ READERS: Mapping[str, Reader] = MappingProxyType(
         ".vtt": read_webvtt,
     }
 )
-"""How each kind of file is read, given its content, its name, and the headings of columns that the caller named."""
+"""The readers by extension; they take content, path, and the headings of columns that the caller named."""
 
 
 def read_script(path: Path, named: Mapping[str, str]) -> Script:
     """The script in a file.
 
-    Raises UnsupportedFormatError `script_format`, InputError `file_unreadable`, `script_empty` and as the reader of its
-    kind does; a problem of a single line is part of the script.
+    Raises UnsupportedFormatError `script_format`, InputError `file_unreadable`, `script_empty` and as the format's
+    reader does; problems of single lines are part of the script.
     """
     reader = READERS.get(path.suffix.lower())
     if reader is None:

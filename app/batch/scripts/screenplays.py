@@ -1,9 +1,9 @@
-"""Screenplays: Fountain by screenplay-tools, Final Draft's FDX by lxml.
+"""Reads screenplays: Fountain with screenplay-tools, Final Draft's FDX with lxml.
 
-A speech is a line: the words under a character's name up to whatever is no speech, parentheticals and what stands
-beside the name ("V.O.") as comments. A speech's id is its scene and its number in it, or what a note in it says
-(`[[id: a12]]`). screenplay-tools reads FDX too, but of each paragraph only the first run of text, so that words after
-an italic one are lost, and no dual dialogue.
+A speech is a line: the words under a character's name up to the next element that is not speech; parentheticals and the
+extension of the name ("V.O.") are comments. The id of a speech is its scene and its number in it, or the one given in a
+note (`[[id: a12]]`). screenplay-tools reads FDX too, but only the first run of text of each paragraph, so that words
+after an italic one are lost, and no dual dialogue.
 """
 
 import re
@@ -65,7 +65,7 @@ def _script(path: Path, parts: Iterable[Part], remarks: Sequence[str]) -> Script
 
 
 def _speeches(parts: Iterable[Part]) -> Iterator[ScriptLine]:
-    """The speeches with words, in order; scenes are numbered from 1 unless they say their numbers."""
+    """The speeches with words, in order; scenes without a number are numbered from 1."""
     numbers = (str(number) for number in count(1))
     scene = ""
     speech: list[Part] = []
@@ -97,7 +97,7 @@ def _line(speech: Sequence[Part], scene: str) -> ScriptLine:
 
 
 class _Rows:
-    """Where in the file a cue stands, for the parser does not tell."""
+    """Finds the row of a cue in the file, which the parser does not report."""
 
     def __init__(self, lines: Sequence[str]) -> None:
         self._lines = lines
@@ -129,12 +129,12 @@ def _part(element: Element, notes: Sequence[str], rows: _Rows) -> Part:
 
 
 def _plain(text: str) -> str:
-    """Without Fountain's marks of emphasis; a backslash keeps one."""
+    """The text without Fountain's emphasis marks; escaped ones are kept."""
     return _EMPHASIS.sub("", text).replace("\\*", "*").replace("\\_", "_")
 
 
 def _fdx_part(paragraph: "etree._Element") -> Part:
-    """Final Draft keeps each stretch of a style apart."""
+    """The part for a paragraph of Final Draft, which has a separate run of text for each style."""
     text = "".join(run.text or "" for run in paragraph.iterfind("Text"))
     row: int = paragraph.sourceline or 0  # type: ignore[assignment]  # lxml-stubs leave it open
     match paragraph.get("Type"):

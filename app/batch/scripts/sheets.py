@@ -1,7 +1,7 @@
-"""A voice-over sheet, wherever its cells come from: one row a line, after a row of headings.
+"""Reads a voice-over sheet from rows of cells: one row a line, after a row of headings.
 
-Rows before the headings (a title, a date) are passed over: the headings are that row, of the first few, which has most
-names that we know.
+Rows before the headings (a title, a date) are skipped: the headings are the row, of the first few, with the most known
+names.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -21,7 +21,7 @@ ROWS_BEFORE_HEADINGS = 10
 def read_sheet(
     rows: Iterable[Cells], path: Path, *, names: ColumnNames, named: Mapping[str, str], remarks: Sequence[str] = ()
 ) -> Script:
-    """The lines of a sheet; empty rows are passed over. Raises InputError `script_empty` and `columns_missing`."""
+    """The lines of a sheet; empty rows are skipped. Raises InputError `script_empty` and `columns_missing`."""
     numbered = [(number, cells) for number, cells in enumerate(rows, start=1) if any(cell.strip() for cell in cells)]
     if not numbered:
         raise InputError("script_empty", f"{path}: nothing in it; give a row of headings and a row a line")
@@ -45,14 +45,14 @@ def read_lines(rows: Iterable[tuple[int, Cells]], columns: Columns, path: Path, 
 
 
 def heading_place(rows: Sequence[Cells], names: ColumnNames, named: Mapping[str, str]) -> int:
-    """Which of the rows has the headings: the one with most that are known, the first of several."""
+    """The position of the row with the headings: the one with the most known names, the first of several."""
     known = [names.recognised(cells) + sum(cell in named.values() for cell in cells) for cells in rows]
     return known.index(max(known))
 
 
 def without_doubles(lines: Sequence[ScriptLine], column: str) -> tuple[tuple[ScriptLine, ...], list[Problem]]:
-    """The lines whose id no line before has (capitals do not count, for they do not in file names), and a problem for
-    each of the others."""
+    """The lines whose id does not repeat an earlier one (without case, as in file names), and a problem for each of the
+    others."""
     first: dict[str, int] = {}
     kept, problems = [], []
     for line in lines:
@@ -93,7 +93,7 @@ def _read_row(row: Row) -> tuple[ScriptLine, list[Problem]]:
 
 
 def _id(row: Row) -> str:
-    """The line's own id, else the stem of the recording that it names, else its row."""
+    """The line's own id, else the stem of the recording that it names, else its row number."""
     if "id" not in row.columns.places:
         return PurePath(row.text("recording").replace("\\", "/")).stem or f"row{row.number:05d}"
     told = row.text("id")

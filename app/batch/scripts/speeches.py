@@ -1,4 +1,4 @@
-"""What kinds of scripts share that are no sheets: names of lines, names before words, what is not spoken."""
+"""What the formats that are not sheets share: ids of lines, names before words, removal of what is not spoken."""
 
 import re
 from collections import Counter
@@ -17,29 +17,29 @@ PLACES_OF_NUMBER = 3
 
 
 def without_tags(text: str) -> str:
-    """Words without the tags of subtitles."""
+    """The text without subtitle tags."""
     return _TAGS.sub("", text)
 
 
 def spoken(text: str) -> str:
-    """Words without what subtitles say of sounds ("[door slams]"), and in one line."""
+    """The text without descriptions of sounds ("[door slams]"), in one line."""
     return " ".join(_NOT_SPOKEN.sub(" ", text).split())
 
 
 def with_name(text: str) -> tuple[str, str]:
-    """A name before the words ("ANNA: No.") and the words; no name where there is none."""
+    """A name before the words ("ANNA: No.") and the words; an empty name where there is none."""
     match = _BEFORE_WORDS.fullmatch(text.strip())
     return (match["name"].strip(), match["words"].strip()) if match else ("", text.strip())
 
 
 def cue_name(cue: str) -> tuple[str, str]:
-    """A character's name without what screenplays add to it, and what they add ("V.O."): that he goes on is nothing."""
+    """A character's name without its extensions in a screenplay, and the extensions ("V.O.") except "continued"."""
     plain = _CONTINUED.sub(" ", cue).strip()
     return _EXTENSION.sub(" ", plain).strip(), "; ".join(_EXTENSION.findall(plain))
 
 
 def numbered(lines: Iterable[ScriptLine]) -> tuple[ScriptLine, ...]:
-    """The lines, with ids by scene and number in the scene (`scene2_014`) for those that have none."""
+    """The lines, those without an id numbered by scene and place in the scene (`scene2_014`)."""
     count: Counter[str] = Counter()
     named = []
     for line in lines:

@@ -1,7 +1,8 @@
-"""Subtitles: SRT by `srt`, WebVTT by `webvtt-py`. Each cue is a line, cut out of one long recording by its times.
+"""Reads subtitles: SRT with `srt`, WebVTT with `webvtt-py`. Each cue is a line, cut out of one long recording by its
+times.
 
-Rows are numbers of cues, from 1. Who speaks stands before the words ("ANNA: No.") or in a voice span (`<v Anna>`).
-Cues without words ("[door slams]", "♪") are passed over.
+Rows are numbers of cues, from 1. The speaker is named before the words ("ANNA: No.") or in a voice span (`<v Anna>`).
+Cues without words ("[door slams]", "♪") are skipped.
 """
 
 from collections.abc import Iterable, Mapping
@@ -22,7 +23,7 @@ from .text_files import decode_text
 
 @dataclass(frozen=True, slots=True)
 class Cue:
-    """A cue, times in seconds; `voice` and `name` are empty where it says none."""
+    """A cue, times in seconds; `voice` and `name` are empty if it has none."""
 
     start_s: float
     end_s: float

@@ -1,6 +1,6 @@
-"""Decodes a text file whatever its encoding: by its byte order mark, else as UTF-8, else as charset-normalizer judges.
+"""Decodes a text file of any encoding: by its byte order mark, else as UTF-8, else as charset-normalizer judges.
 
-The last is a guess, so it is told.
+The last is a guess, so it is reported.
 """
 
 import codecs
@@ -18,7 +18,7 @@ _MARKS = (
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
 MOST_BEYOND_ASCII = 1 / 4
-"""The share of a text's bytes up to which it is taken for Western: statistics of languages mislead on so few."""
+"""The largest share of non-ASCII bytes in text taken for Western: with so few of them language statistics mislead."""
 
 WESTERN = "cp1252"
 """What Windows and older spreadsheets write in the countries whose languages we perform."""
@@ -26,7 +26,7 @@ WESTERN = "cp1252"
 
 @dataclass(frozen=True, slots=True)
 class TextFile:
-    """A file's text; `remark` says what was guessed, empty where nothing was."""
+    """A file's text; `remark` says what was guessed, empty if nothing was."""
 
     text: str
     remark: str = ""
@@ -47,8 +47,7 @@ def decode_text(content: bytes, name: str) -> TextFile:
 
 
 def _guessed(content: bytes) -> str | None:
-    """Western text without a mark is decided by what its few bytes beyond ASCII mean there, anything else by
-    statistics."""
+    """The encoding of text without a mark: Western for text with few non-ASCII bytes, else by statistics."""
     beyond = sum(byte > 0x7F for byte in content)
     if b"\0" not in content and beyond <= MOST_BEYOND_ASCII * len(content) and _is_decodable(content, WESTERN):
         return WESTERN

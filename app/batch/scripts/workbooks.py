@@ -1,4 +1,4 @@
-"""Sheets in Excel workbooks (.xlsx), by openpyxl: the worksheet with most headings that we know."""
+"""Reads sheets in Excel workbooks (.xlsx) with openpyxl: the worksheet with the most known headings."""
 
 import io
 import warnings
@@ -26,9 +26,9 @@ def read_workbook(content: bytes, path: Path, named: Mapping[str, str]) -> Scrip
 
 
 def _worksheets(content: bytes, path: Path) -> dict[str, list[list[str]]]:
-    """The rows of each worksheet, a formula as the value that was stored for it."""
+    """The rows of each worksheet; a formula is the value stored for it."""
     try:
-        with warnings.catch_warnings(action="ignore"):  # of styles and extensions, which are not read
+        with warnings.catch_warnings(action="ignore"):  # about styles and extensions, which are not read
             workbook = load_workbook(io.BytesIO(content), read_only=True, data_only=True)
             return {sheet.title: list(_rows(sheet.iter_rows(values_only=True))) for sheet in workbook.worksheets}
     except (BadZipFile, InvalidFileException, KeyError, ValueError, OSError) as error:
@@ -42,7 +42,7 @@ def _rows(rows: Iterator[tuple[object, ...]]) -> Iterator[list[str]]:
 
 
 def _told(cell: object) -> str:
-    """A whole number as it is shown, for a cell of 3 is kept as 3.0."""
+    """The cell as text; a whole number as shown, because 3 is stored as 3.0."""
     return str(int(cell)) if isinstance(cell, float) and cell.is_integer() else str(cell)
 
 

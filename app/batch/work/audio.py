@@ -1,6 +1,6 @@
-"""Where a line's recording comes from: a file or its content, whole or a stretch of it.
+"""The recording of a line: a file or its content, whole or an interval of it.
 
-A stretch is cut out before anything else, so that the recording it lies in may be longer than a line may be.
+The interval is cut out first, so the whole recording may be longer than a line is allowed to be.
 """
 
 import io
@@ -15,14 +15,14 @@ from ...model import Interval
 
 @dataclass(frozen=True, slots=True)
 class AudioSource:
-    """A recording: its path, its content where the worker does not see the file, and the stretch that is meant."""
+    """A recording: its path, its content if the worker cannot read the file, and the interval that is meant."""
 
     path: Path
     sent: bytes | None = field(default=None, repr=False)
     interval: Interval | None = None
 
     def content(self) -> bytes:
-        """The file's bytes, or those of a WAV file of the stretch.
+        """The file's bytes, or those of a WAV file of the interval.
 
         Raises InputError `file_unreadable` and `cut_outside`, UndecodableError `audio_undecodable`.
         """
@@ -35,12 +35,12 @@ class AudioSource:
             raise InputError("file_unreadable", message, field="audio") from None
 
     def to_send(self) -> "AudioSource":
-        """The same with its content, for a worker that sees other files; raises as `content` does."""
+        """The same with its content, for a worker on another machine; raises as `content` does."""
         return AudioSource(self.path, self.content())
 
 
 def _cut(audio: Path | io.BytesIO, interval: Interval) -> bytes:
-    """The stretch of the recording as a WAV file of the same rate and channels."""
+    """The interval of the recording as a WAV file of the same rate and channels."""
     try:
         with soundfile.SoundFile(audio) as file:
             first, last = (round(time_s * file.samplerate) for time_s in (interval.start_s, interval.end_s))

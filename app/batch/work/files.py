@@ -1,7 +1,6 @@
-"""Writes outputs whole or not at all: to a folder of unfinished files first, then by its real name.
+"""Writes outputs completely or not at all: first to a folder of unfinished files, then renamed.
 
-The folder lies in the output folder, so that renaming is one step of the file system, and what a killed process leaves
-lies nowhere else.
+That folder is inside the output folder, so that renaming is atomic and a killed process leaves nothing elsewhere.
 """
 
 import os
@@ -17,7 +16,7 @@ UNFINISHED = ".unfinished"
 
 
 def write_whole(folder: Path, relative: str, content: bytes) -> None:
-    """Writes `content` under `folder`, its folders made where they lack; raises OSError."""
+    """Writes `content` under `folder`, creating folders as needed; raises OSError."""
     unfinished = folder / UNFINISHED / uuid4().hex
     unfinished.parent.mkdir(parents=True, exist_ok=True)
     target = folder / relative
@@ -30,7 +29,7 @@ def write_whole(folder: Path, relative: str, content: bytes) -> None:
 
 
 def write_files(folder: Path, files: Iterable[OutputFile]) -> tuple[OutputFile, ...]:
-    """Writes every file that has its content, and the files without it."""
+    """Writes every file that has content; returns all files without their content."""
     written = []
     for file in files:
         if file.content is not None:
@@ -40,5 +39,5 @@ def write_files(folder: Path, files: Iterable[OutputFile]) -> tuple[OutputFile, 
 
 
 def clear_unfinished(folder: Path) -> None:
-    """Removes what a killed process left; nobody else may be writing there."""
+    """Removes what a killed process left; no other process may be writing there."""
     shutil.rmtree(folder / UNFINISHED, ignore_errors=True)

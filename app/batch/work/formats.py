@@ -1,4 +1,4 @@
-"""What a line is written as: the schedule in its forms, or the motion in any of its formats."""
+"""The output formats of a line: the schedule in several formats, or the motion in any of its formats."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ...yaml_files import did_you_mean
 
 
 class LineFormat(StrEnum):
-    """What is written without any motion, by what the names of its files end in."""
+    """The formats that need no motion, by file extension."""
 
     BML = "bml"
     BML_JSON = "bml.json"
@@ -28,13 +28,13 @@ OutputFormat = LineFormat | MotionFormat
 
 _ACT = ".xml"
 _CLIP = "clip.json"
-"""The motion's JSON, beside that of the whole performance."""
+"""The motion as JSON, as distinct from the performance as JSON."""
 _TIERS = "tiers.TextGrid"
-"""Functions and movements, beside words and phones alone."""
+"""Functions and behaviours as tiers, as distinct from words and phones alone."""
 
 
 def extension_of(form: OutputFormat) -> str:
-    """What the names of a format's files end in, without the dot; also the format's own name."""
+    """The extension of a format's files, without the dot; also the format's name."""
     if form is MotionFormat.JSON:
         return _CLIP
     if form is MotionFormat.TEXTGRID:
@@ -46,7 +46,7 @@ FORMATS = (*LineFormat, *(form for form in MotionFormat if extension_of(form) no
 
 
 def formats_named(names: Sequence[str]) -> tuple[OutputFormat, ...]:
-    """The formats of `--format`, each once; BML where nothing is named. Raises InputError `format_unknown`."""
+    """The formats of `--format` without duplicates; BML if none is named. Raises InputError `format_unknown`."""
     by_name = {extension_of(form).casefold(): form for form in FORMATS}
     found = []
     for name in names or [LineFormat.BML]:
@@ -68,23 +68,23 @@ def needs_pictures(formats: Sequence[OutputFormat]) -> bool:
 
 
 def require_writers(formats: Sequence[OutputFormat], settings: Settings) -> None:
-    """Raises ServiceError where what a format needs is not there."""
+    """Raises ServiceError where something that a format needs is not installed."""
     for form in formats:
         if isinstance(form, MotionFormat):
             require_writer(form, settings.blender)
 
 
 def act_path(path: str) -> str:
-    """The name of SmartBody's act where `path` is that of the file beside its recording, which has to end in .bml."""
+    """The path of SmartBody's act, given `path`, that of the file beside its recording, which has to end in .bml."""
     return f"{path.removesuffix('.bml')}{_ACT}"
 
 
 def recording_name(path: str) -> str:
-    """What the recording is called for whose words and lips `path` has."""
+    """The name of the recording whose words and visemes are in the file at `path`."""
     return f"{PurePosixPath(path).name.removesuffix('.bml')}.wav"
 
 
 def beside(path: str, listener: str, form: OutputFormat) -> str:
-    """The name of a listener's file: `OUT.NAME.bml` for `OUT.bml`."""
+    """The path of a listener's file: `OUT.NAME.bml` for `OUT.bml`."""
     ending = _ACT if path.endswith(_ACT) else f".{extension_of(form)}"
     return f"{path.removesuffix(ending)}.{listener}{ending}"

@@ -1,4 +1,4 @@
-"""What a worker is given and what it gives back: plain frozen values, small enough to send."""
+"""The input and output of a worker: plain frozen values, small enough to send."""
 
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -12,7 +12,7 @@ from .formats import OutputFormat
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """A file that is to be written: its format and its path from the output folder on, with forward slashes."""
+    """A file to be written: its format and its path relative to the output folder, with forward slashes."""
 
     form: OutputFormat
     path: str
@@ -20,8 +20,8 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class MotionForm:
-    """How motion is made and written: frames a second, whose names joints go by (None: the format's own), and whether
-    bodies have mass."""
+    """How motion is made and written: frames per second, the rig whose joint names are used (None: the format's
+    default), and whether bodies have mass."""
 
     frame_rate_hz: int = 60
     skeleton: str | None = None
@@ -30,9 +30,9 @@ class MotionForm:
 
 @dataclass(frozen=True, slots=True)
 class LineJob:
-    """A line that is to be performed.
+    """A line to be performed.
 
-    The worker writes to `folder`; where that is None it sends the files' content back.
+    The worker writes to `folder`; if that is None it sends the files' content back.
     """
 
     id: str
@@ -47,9 +47,9 @@ class LineJob:
 
 @dataclass(frozen=True, slots=True)
 class Measures:
-    """What a report tells of a performance. `functions` counts the kept ones by class, `gestures_dropped` those that
-    gave way to others, `unplayed` what the realizer changed or left out; `pitch_spread_st` is the deviation of the
-    voice's pitch, in semitones, None where it has none."""
+    """The figures about a performance in a report. `functions` counts the kept ones by class, `gestures_dropped` those
+    that lost conflicts, `unplayed` what the realizer changed or left out; `pitch_spread_st` is the standard deviation
+    of the voice's pitch, in semitones, None if it has none."""
 
     duration_s: float
     words: int
@@ -76,7 +76,7 @@ class OutputFile:
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """Why a line came to nothing, in the terms of docs/errors.md."""
+    """Why a line failed, with a code of docs/errors.md."""
 
     code: str
     message: str
@@ -88,7 +88,7 @@ class Failure:
 
 @dataclass(frozen=True, slots=True)
 class LineOutcome:
-    """What came of a job: files and measures, or a failure; `seconds` is how long it took."""
+    """The result of a job: files and measures, or a failure; `seconds` is how long it took."""
 
     id: str
     seconds: float

@@ -1,6 +1,5 @@
-"""Performs the line of a job and makes its files. A pure function of the job and the models; what the caller got wrong
-is part of the outcome, for one wrong line must not end the others.
-"""
+"""Performs the line of a job and makes its files. A pure function of the job and the models; mistakes of the caller's
+are part of the outcome, because one wrong line must not stop the others."""
 
 from __future__ import annotations
 
@@ -35,8 +34,8 @@ from .jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
 
 
 def perform_job(job: LineJob, models: Understudy) -> LineOutcome:
-    """What comes of a job. Raises ServiceError for trouble of our own, after which another try may do, and OSError
-    when the files cannot be written."""
+    """The outcome of a job. Raises ServiceError for failures of the service, after which a retry may succeed, and
+    OSError when the files cannot be written."""
     start_s = time.perf_counter()
     try:
         audio = job.audio.content()
@@ -53,14 +52,14 @@ def perform_job(job: LineJob, models: Understudy) -> LineOutcome:
 
 
 def _parts(performance: Performance) -> Iterator[tuple[str, Performance]]:
-    """The speaker's part, under no name, then each listener's."""
+    """The speaker's part, with an empty name, then each listener's."""
     yield "", performance
     for listening in performance.listeners:
         yield listening.name, listener_part(performance, listening)
 
 
 def _realized(job: LineJob, models: Understudy, performance: Performance) -> Mapping[str, Realized]:
-    """The motion of each part, where a format asks for it."""
+    """The motion of each part, if a format needs it."""
     if not needs_motion([target.form for target in job.targets]):
         return {}
     found = {}
@@ -95,8 +94,8 @@ def _files(
 
 
 def _bml_files(target: Target, performance: Performance, form: BmlForm) -> Iterator[OutputFile]:
-    """The speaker's BML and each listener's. SmartBody's act lies beside the words and lips of its recording, which
-    go by the line's own name."""
+    """The speaker's BML and each listener's. SmartBody's act is beside the file with words and visemes, which has the
+    line's own name."""
     if form.dialect is DialectName.SMARTBODY:
         form = replace(form, audio_file=recording_name(target.path))
     speech = write_speech_file(performance, form)
@@ -133,7 +132,7 @@ def _measures(analysis: Analysis, performance: Performance, realized: Realized |
 
 
 def _pitch_spread_st(analysis: Analysis) -> float | None:
-    """The deviation of the voice's pitch; None where there is none."""
+    """The standard deviation of the pitch, in semitones; None if there is none."""
     f0_hz = analysis.heard.contours.f0_hz if analysis.heard else np.zeros(0)
     voiced_hz = f0_hz[f0_hz > 0]
     return round(float(np.std(12 * np.log2(voiced_hz))), 2) if len(voiced_hz) > 1 else None

@@ -10,14 +10,14 @@ from .audio import AudioSource
 
 @dataclass(frozen=True, slots=True)
 class ReferenceJob:
-    """A speaker whose usual voice is to be learnt, and recordings of it."""
+    """A speaker whose usual voice is to be learnt, with recordings."""
 
     speaker: str
     recordings: tuple[AudioSource, ...]
 
 
 def learn_reference(job: ReferenceJob, acoustic: AcousticModels) -> SpeakerReference | None:
-    """The reference; recordings that cannot be heard are left out (their own lines tell why), None if none can."""
+    """The reference; recordings that cannot be analysed are left out (their own lines report why), None if none can."""
     heard = list(_heard(job, acoustic))
     return make_reference(acoustic, heard) if heard else None
 

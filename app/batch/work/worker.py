@@ -1,4 +1,4 @@
-"""What runs in a worker, on this machine or another: models are loaded at its first line and kept for all others."""
+"""The functions that run in a worker, on this machine or another: models are loaded for its first line and kept."""
 
 import gc
 from functools import cache
@@ -11,21 +11,21 @@ from .performing import perform_job
 from .speaking import ReferenceJob, learn_reference
 
 FEWEST_NEW_OBJECTS = 50_000
-"""Between two collections of garbage, as in a command: models are many objects, and all stay."""
+"""Garbage collection threshold, as on the command line: models are many objects, and all stay."""
 
 
 def perform_in_worker(job: LineJob, settings: Settings) -> LineOutcome:
-    """What comes of the job; raises as `perform_job` and the loading of models do."""
+    """The outcome of a job; raises as `perform_job` and the loading of models do."""
     return perform_job(job, _models(settings))
 
 
 def learn_in_worker(job: ReferenceJob, settings: Settings) -> SpeakerReference | None:
-    """How the speaker of a job usually sounds; None where none of his recordings can be heard."""
+    """The reference for a job's speaker; None if none of the recordings can be analysed."""
     return learn_reference(job, _models(settings).acoustic)
 
 
 def version_in_worker() -> str:
-    """The version that is installed where workers run."""
+    """The version of Understudy installed on the worker."""
     return __version__
 
 
