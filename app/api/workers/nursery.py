@@ -15,12 +15,18 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Never
 
+import numpy as np
+
+from ...acoustic.signal.decoding import decode
 from ...authoring.catalogue import Catalogue, Kind
 from ...authoring.inspection import read_again
 from ...authoring.rule_edits import editable_files
 from ...authoring.rule_files import read_rule_text
 from ...errors import UnderstudyError
+from ...hearing import audio_limits
 from ...live.models import LiveModels
+from ...live.session import LiveSession
+from ...live.telling import LiveOptions
 from ...performance import Line, Options, Understudy, perform
 from ...realization import realize, schedule_of
 from ...resources import resource_folder
@@ -30,6 +36,9 @@ from ...schemas.rules import RuleFileResponse
 from .live_worker import stream
 from .messages import Failed, Fork, Loaded, Reload, Start, receive, send
 from .worker import work
+
+STEPS = 50
+"""In how many parts each half of the bundled line is heard as live speech: .07 s each."""
 
 
 def main(control: socket.socket) -> None:
@@ -42,7 +51,7 @@ def main(control: socket.socket) -> None:
     try:
         understudy = Understudy.load(start.settings)
         models = LiveModels.load(understudy)
-        _warm(understudy)
+        _warm(models)
     except UnderstudyError as error:
         send(control, Failed(error))
         return
@@ -60,16 +69,27 @@ def main(control: socket.socket) -> None:
             _fork(control, models, message, socket.socket(fileno=descriptors[0]))
 
 
-def _warm(understudy: Understudy) -> None:
-    """Performs and realizes the bundled line, so that no worker loads what only the first line needs; what is loaded
-    then is spared by the collection of garbage, which would write to every page."""
+def _warm(models: LiveModels) -> None:
+    """Performs and realizes the bundled line, and hears it as a live stream, so that no worker loads what only the
+    first line needs; what is loaded then is spared by the collection of garbage, which would write to every page."""
     examples = resource_folder("examples")
-    text = (examples / "example.txt").read_text(encoding="utf-8")
-    performance = perform(understudy, Line((examples / "example.flac").read_bytes(), text), Options())
-    realize(understudy.realizer, schedule_of(performance), frame_rate_hz=30)
-    understudy.close()
+    sound, text = (examples / "example.flac").read_bytes(), (examples / "example.txt").read_text(encoding="utf-8")
+    performance = perform(models.understudy, Line(sound, text), Options())
+    realize(models.understudy.realizer, schedule_of(performance), frame_rate_hz=30)
+    _listen_to(models, sound, text)
+    models.understudy.close()
     gc.collect()
     gc.freeze()
+
+
+def _listen_to(models: LiveModels, sound: bytes, text: str) -> None:
+    """The first half by the voice alone, the second with its words."""
+    samples = decode(sound, audio_limits(models.understudy.acoustic.settings))[0].samples
+    session = LiveSession(models, LiveOptions(frame_rate_hz=30))
+    for half in np.array_split(samples, 2):
+        for part in np.array_split(half, STEPS):
+            session.hear(part)
+        session.text(text)
 
 
 def _fork(control: socket.socket, models: LiveModels, fork: Fork, service: socket.socket) -> None:
