@@ -21,7 +21,7 @@ class GestureRequest:
     """A gesture of the schedule: category, desired stroke and relax time, priority (paper §3.8, eq. 4), and what our
     BML adds: hand, level of agitation, size (1 as defined), the name of a target, the longest that its stroke may take,
     where it says that, and the ends of further strokes, seconds after that of the main one (None: as the emphases of
-    the speech have it)."""
+    the speech have it). A still body makes the whole gesture smaller by the factor `scale`."""
 
     behavior: str
     category: str
@@ -34,6 +34,7 @@ class GestureRequest:
     target: str | None = None
     longest_stroke_s: float = inf
     after_strokes_s: tuple[float, ...] | None = None
+    scale: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,8 +86,9 @@ class PlacedGesture:
 
     @property
     def size(self) -> float:
-        """The requested size, reduced where the stroke would be too fast."""
-        return playable_size(self.request.size, self.clip.stroke_speed_m_s)
+        """The requested size, reduced where the stroke would be too fast, and then scaled: if all gestures are scaled
+        alike, none needs more time to come from another than it did (`understudy.gesture_limits`)."""
+        return self.request.scale * playable_size(self.request.size, self.clip.stroke_speed_m_s)
 
     @property
     def arms(self) -> tuple[Hand, ...]:

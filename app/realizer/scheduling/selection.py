@@ -11,7 +11,7 @@ and may have no hold at all.
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
-from math import inf
+from math import inf, sqrt
 from typing import Protocol
 
 import numpy as np
@@ -37,12 +37,13 @@ class Clips(Protocol):
 def requests_of(schedule: Schedule) -> tuple[GestureRequest, ...]:
     """The requests G_i for a schedule's kept gestures (eq. 4), in order of their strokes."""
     gestures = (each for each in schedule.behaviors if each.kept and each.kind is Channel.GESTURE)
-    requests = (_request(gesture, schedule.agitation) for gesture in gestures)
+    requests = (_request(gesture, schedule.agitation, 1 - schedule.stillness) for gesture in gestures)
     return tuple(sorted(requests, key=lambda request: (request.stroke_s, request.behavior)))
 
 
-def _request(gesture: Behavior, level: Level) -> GestureRequest:
-    """BML sync points are optional: without a stroke it is where the stroke ends, or where the gesture begins."""
+def _request(gesture: Behavior, level: Level, lively: float) -> GestureRequest:
+    """BML sync points are optional: without a stroke it is where the stroke ends, or where the gesture begins. The
+    amount of a still body's gesture is `lively` (0 to 1) times that for which the schedule was made."""
     sync = gesture.sync
     stroke_s = next((point for point in (sync.stroke, sync.stroke_end, sync.stroke_start) if point is not None), None)
     stroke_s = sync.start if stroke_s is None else stroke_s
@@ -55,7 +56,8 @@ def _request(gesture: Behavior, level: Level) -> GestureRequest:
         priority=gesture.priority,
         hand=gesture.hand or Hand.RIGHT,
         level=level,
-        size=size_of(gesture.amount),
+        size=size_of(lively and gesture.amount and gesture.amount / lively),
+        scale=sqrt(lively),
         target=gesture.target,
         longest_stroke_s=_longest_stroke_s(sync),
         after_strokes_s=gesture.after_strokes_s,

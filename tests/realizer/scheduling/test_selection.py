@@ -7,7 +7,14 @@ import pytest
 
 from tests.support.gesture_clips import clip, gesture, library
 from understudy.model import Hand, Level, Schedule, SyncPoints
-from understudy.realizer.scheduling.selection import candidate_clips, fits, fits_without_hold, requests_of, shuffled
+from understudy.realizer.scheduling.selection import (
+    candidate_clips,
+    fits,
+    fits_without_hold,
+    place_clip,
+    requests_of,
+    shuffled,
+)
 
 
 @pytest.mark.parametrize(
@@ -35,6 +42,15 @@ def test_requests_are_those_of_kept_gestures_in_order_of_their_strokes() -> None
 def test_hands_go_as_far_as_the_root_of_the_amount(amount: float | None, size: float) -> None:
     (request,) = requests_of(Schedule((gesture("g1", 2.0, 2.5, amount=amount),), 4.0))
     assert request.size == pytest.approx(size)
+
+
+@pytest.mark.parametrize("amount", [0.5, 0.9])
+def test_all_gestures_of_a_still_body_are_smaller_by_one_factor(amount: float) -> None:
+    """Also those that would be too fast, which are not made as large as they are asked to be."""
+    fast = replace(clip(), stroke_speed_m_s=1.2)
+    (lively,) = requests_of(Schedule((gesture("g1", 2.0, 2.5, amount=amount),), 4.0))
+    (still,) = requests_of(Schedule((gesture("g1", 2.0, 2.5, amount=0.36 * amount),), 4.0, stillness=0.64))
+    assert place_clip(fast, still).size == pytest.approx(0.6 * place_clip(fast, lively).size)
 
 
 @pytest.mark.parametrize(
