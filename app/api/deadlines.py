@@ -32,6 +32,7 @@ class Deadline:
     async def within(self, waiting: Awaitable[Result]) -> Result:
         """What `waiting` brings; raises ServiceError `deadline_passed`."""
         try:
-            return await asyncio.wait_for(waiting, self.remaining_s)
+            async with asyncio.timeout(self.remaining_s):
+                return await waiting
         except TimeoutError:
             raise self.passed() from None

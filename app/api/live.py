@@ -60,14 +60,18 @@ async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None
     finally:
         for task in tasks:
             task.cancel()
-        await asyncio.gather(*tasks, return_exceptions=True)
+        ended, _ = await asyncio.wait(tasks)  # gather would take a cancellation of this for one of theirs
+        for task in ended:
+            if not task.cancelled():
+                task.exception()  # which has been told, or came too late
 
 
 async def _listen(socket: WebSocket, worker: Worker, settings: Settings) -> None:
     """The client's messages to the process. Raises WebSocketDisconnect, SlowClientError `live_idle`."""
     while True:
         try:
-            message = await asyncio.wait_for(socket.receive(), settings.live_idle_s)
+            async with asyncio.timeout(settings.live_idle_s):
+                message = await socket.receive()
         except TimeoutError:
             told = f"nothing was sent for {settings.live_idle_s:g} s; send silence while a microphone is off"
             raise SlowClientError("live_idle", told) from None
@@ -98,7 +102,8 @@ async def _tell(socket: WebSocket, told: Unsent, settings: Settings) -> None:
         output, lines = await told.take()
         for line in lines.split("\n"):
             try:
-                await asyncio.wait_for(socket.send_text(line), settings.idle_s)
+                async with asyncio.timeout(settings.idle_s):
+                    await socket.send_text(line)
             except TimeoutError:
                 raise SlowClientError("live_unread", f"nothing was read for {settings.idle_s:g} s") from None
         if output.ended:
@@ -116,5 +121,6 @@ async def _refuse(socket: WebSocket, error: UnderstudyError) -> None:
     codes = {"service_stopping": GOING_AWAY, "live_idle": IDLE, "live_unread": IDLE}
     with suppress(RuntimeError, WebSocketDisconnect, TimeoutError, ConnectionError):
         if socket.application_state is WebSocketState.CONNECTED and error.code != "live_unread":
-            await asyncio.wait_for(socket.send_text(to_error(error)), 1.0)
+            async with asyncio.timeout(1.0):
+                await socket.send_text(to_error(error))
         await socket.close(codes.get(error.code, TRY_AGAIN))

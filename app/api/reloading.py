@@ -6,7 +6,7 @@ the log says why, and so does `/readyz` until the files are right.
 
 import asyncio
 import logging
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Iterator
 from contextlib import asynccontextmanager
 from threading import Event
 
@@ -19,9 +19,10 @@ _LOGGER = logging.getLogger(__name__)
 
 @asynccontextmanager
 async def reloading(service: Service) -> AsyncIterator[None]:
-    """Keeps the service as the files say."""
+    """Keeps the service as the files say; what is saved once this has begun is noticed."""
     stop = Event()
-    following = asyncio.create_task(_follow(service, stop))
+    saved = await asyncio.to_thread(saves, files_in_use(), stop)
+    following = asyncio.create_task(_follow(service, saved))
     try:
         yield
     finally:
@@ -43,7 +44,6 @@ async def reload(service: Service) -> None:
     _LOGGER.info("rules, words, tables and characters reloaded")
 
 
-async def _follow(service: Service, stop: Event) -> None:
-    saved = saves(files_in_use(), stop)
+async def _follow(service: Service, saved: Iterator[None]) -> None:
     while await asyncio.to_thread(next, saved, False) is None:
         await reload(service)

@@ -76,7 +76,8 @@ class Uploads:
         self._held_bytes += len(content)
 
     async def _chunk(self, receive: Receive) -> _Chunk:
-        message: Message = await asyncio.wait_for(receive(), self._settings.idle_s)
+        async with asyncio.timeout(self._settings.idle_s):
+            message: Message = await receive()
         if message["type"] == "http.disconnect":
             raise ClientDisconnect
         return _Chunk(message.get("body", b""), message.get("more_body", False))

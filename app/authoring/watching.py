@@ -4,6 +4,7 @@ Where there are none, as on network folders and in some containers, WATCHFILES_F
 """
 
 from collections.abc import Iterable, Iterator
+from itertools import chain
 from pathlib import Path
 from threading import Event
 
@@ -25,7 +26,7 @@ def files_in_use() -> tuple[Path, ...]:
 
 def saves(paths: Iterable[Path], stop: Event | None = None) -> Iterator[None]:
     """Yields whenever authored files among or in `paths` have been changed, added or removed and writing is over, until
-    `stop` is set.
+    `stop` is set. Watching begins before this returns.
 
     A file is watched through its folder, because many editors save by replacing it. Paths whose folder does not exist
     are ignored.
@@ -40,6 +41,15 @@ def saves(paths: Iterable[Path], stop: Event | None = None) -> Iterator[None]:
 
     existing = [folder for folder in folders if folder.is_dir()]
     if not existing:
-        return
-    for _ in watch(*existing, watch_filter=is_ours, step=QUIET_MS, debounce=LONGEST_SAVE_MS, stop_event=stop):
-        yield
+        return iter(())
+    changes = watch(
+        *existing,
+        watch_filter=is_ours,
+        step=QUIET_MS,
+        debounce=LONGEST_SAVE_MS,
+        stop_event=stop,
+        rust_timeout=QUIET_MS,
+        yield_on_timeout=True,
+    )
+    first = next(changes, set())  # it watches from when it is first asked
+    return (None for changed in chain([first], changes) if changed)

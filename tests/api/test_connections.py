@@ -5,7 +5,7 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from http.client import HTTPConnection
 
 import pytest
@@ -19,8 +19,10 @@ GET = b"GET / HTTP/1.1\r\nHost: x\r\n\r\n"
 LARGE = 64 << 20
 """Bytes: more than the buffers of two sockets hold."""
 
-LONGEST_S = 20.0
+LONGEST_S = 60.0
 SOON_S = 0.1
+SENT_WITHIN_S = 2.0
+"""In which time a small request is sent, however busy the machine."""
 
 
 async def answer(scope: Scope, _receive: Receive, send: Send) -> None:
@@ -63,7 +65,8 @@ def test_one_connection_more_is_refused_with_a_problem() -> None:
 @pytest.mark.parametrize("begun", [b"", b"POST / HTTP/1.1\r\nHost: x\r\nX-A: "])
 def test_headers_that_take_too_long_end_the_connection(begun: bytes) -> None:
     with served(header_s=SOON_S, idle_s=SOON_S) as (_server, connect), connect() as client:
-        client.sendall(begun)
+        with suppress(ConnectionError):
+            client.sendall(begun)
         assert ended(client)
 
 
@@ -78,12 +81,12 @@ def test_an_answer_that_nobody_reads_ends_the_connection() -> None:
 
 
 def test_a_kept_connection_may_ask_again_after_longer_than_headers_may_take() -> None:
-    with served(header_s=SOON_S, idle_s=SOON_S) as (_server, connect), closing(HTTPConnection("x")) as client:
+    with served(header_s=SENT_WITHIN_S, idle_s=SOON_S) as (_server, connect), closing(HTTPConnection("x")) as client:
         client.sock = kept = connect()
-        for _ in range(2):
+        for wait_s in (1.1 * SENT_WITHIN_S, 0.0):
             client.request("GET", "/")
             assert client.getresponse().read() == b"ok"
-            time.sleep(4 * SOON_S)
+            time.sleep(wait_s)
         assert client.sock is kept
 
 

@@ -54,8 +54,8 @@ def ended(stream: WebSocketTestSession) -> int:
 
 
 def wait_until_left(client: TestClient) -> None:
-    """Until no stream is open, or five seconds."""
-    ends_s = time.monotonic() + 5
+    """Until no stream is open, or a minute."""
+    ends_s = time.monotonic() + 60
     while client.app.state.service.streams.count and time.monotonic() < ends_s:  # type: ignore[attr-defined]
         time.sleep(0.02)
 
@@ -176,17 +176,19 @@ def test_only_so_many_streams_at_once_and_a_place_is_free_again(nursery: Nursery
             assert another.receive_json()["type"] == "ready"
 
 
-def test_a_stream_is_no_longer_than_allowed_and_nobody_waits_for_ever(nursery: Nursery) -> None:
-    with served(nursery, live_s=1, live_idle_s=0.3, live_ahead_s=1000) as client:
-        with client.websocket_connect("/live") as stream:
-            stream.send_json(START)
-            stream.receive_json()
-            stream.send_bytes(PCM[:32000])
-            stream.send_bytes(PCM[:2])
-            assert until(stream, "error")[-1]["code"] == "live_too_long"
-        with client.websocket_connect("/live") as stream:
-            assert stream.receive_json()["code"] == "live_idle"
-            assert ended(stream) == 1008
+def test_a_stream_is_no_longer_than_allowed(nursery: Nursery) -> None:
+    with served(nursery, live_s=1, live_ahead_s=1000) as client, client.websocket_connect("/live") as stream:
+        stream.send_json(START)
+        stream.receive_json()
+        stream.send_bytes(PCM[:32000])
+        stream.send_bytes(PCM[:2])
+        assert until(stream, "error")[-1]["code"] == "live_too_long"
+
+
+def test_nobody_is_waited_for_for_ever(nursery: Nursery) -> None:
+    with served(nursery, live_idle_s=0.1) as client, client.websocket_connect("/live") as stream:
+        assert stream.receive_json()["code"] == "live_idle"
+        assert ended(stream) == 1008
 
 
 def test_keys_and_names_are_asked_for_as_everywhere(nursery: Nursery) -> None:

@@ -64,7 +64,7 @@ def _wait_until_gone(family: list[psutil.Process]) -> None:
 
 
 def test_told_to_stop_it_refuses_finishes_within_the_grace_and_leaves_nothing_behind(tmp_path: Path) -> None:
-    settings = {"GRACE_S": "1", "WORKERS": "1", "QUEUE": "20"}
+    settings = {"GRACE_S": "5", "WORKERS": "1", "QUEUE": "20", "QUEUE_S": "600", "DEADLINE_S": "600"}
     with _serving(tmp_path, **{f"UNDERSTUDY_{name}": value for name, value in settings.items()}) as served:
         family = psutil.Process(served.process.pid).children(recursive=True)
         answers: list[tuple[int, bytes]] = []
@@ -74,10 +74,10 @@ def test_told_to_stop_it_refuses_finishes_within_the_grace_and_leaves_nothing_be
         for each in asking:
             each.start()
         while b"understudy_lines_in_work 1.0" not in served.ask("GET", "/metrics")[1]:
-            pass
+            time.sleep(0.02)
         served.process.send_signal(signal.SIGTERM)
         while served.ask("GET", "/readyz")[0] != 503:
-            pass
+            time.sleep(0.02)
         answers.append(served.ask("POST", "/realize", LONG_BML))
         for each in asking:
             each.join()

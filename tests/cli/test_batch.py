@@ -99,12 +99,13 @@ def test_killed_and_called_again_it_ends_with_the_bytes_of_an_undisturbed_run(
     assert process.stderr is not None
     told = (json.loads(line) for line in process.stderr)
     first = next(event for event in told if event["event"] == "line")
+    os.kill(process.pid, signal.SIGSTOP)
     workers = psutil.Process(process.pid).children(recursive=True)
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
     process.stderr.close()
     assert first["state"] == "done"
-    _gone, alive = psutil.wait_procs(workers, 30)  # they end when they see that their parent is gone
+    _gone, alive = psutil.wait_procs(workers, 120)  # they end when they see that their parent is gone
     assert alive == []
 
     again = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)

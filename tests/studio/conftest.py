@@ -14,7 +14,7 @@ from os import environ
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
+from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 FLAGS = (
@@ -37,6 +37,7 @@ def browser() -> Iterator[Browser]:
     """Closed after each module: while playwright runs, nothing else in its process can run an event loop."""
     if CHROMIUM is None:
         pytest.skip("chromium is not installed")
+    expect.set_options(timeout=PATIENCE_MS)
     with sync_playwright() as started:
         found = started.chromium.launch(executable_path=CHROMIUM, args=list(FLAGS))
         yield found

@@ -13,12 +13,21 @@ SAMPLED = """
   const [canvas, audio] = [document.querySelector("#stage-canvas"), document.querySelector("audio")];
   const found = [];
   const look = () => {
-    found.push([Number(canvas.dataset.time), audio.currentTime]);
-    if (found.length < 30) requestAnimationFrame(look); else resolve(found);
+    found.push([Number(canvas.dataset.time), window.heard_s]);
+    if (found.length < 30 && !audio.ended) requestAnimationFrame(look); else resolve(found);
   };
   requestAnimationFrame(look);
 })
 """
+
+HEARD = """
+() => {
+  const { get, set } = Object.getOwnPropertyDescriptor(HTMLMediaElement.prototype, "currentTime");
+  const told = { get() { return (window.heard_s = get.call(this)); }, set(time_s) { set.call(this, time_s); } };
+  Object.defineProperty(document.querySelector("audio"), "currentTime", told);
+}
+"""
+"""Keeps what the recording says when it is asked where it is."""
 
 
 def _pose(page: Page) -> list[float]:
@@ -36,24 +45,21 @@ def _roles(page: Page, roles: str) -> None:
 
 def test_the_example_is_performed_and_moves_when_it_is_played(opened: Page) -> None:
     assert "7.18 s" in opened.inner_text("#state")
+    before = _pose(opened)
+    assert len(before) == 6
     opened.click("#play")
-    poses = [_pose(opened)]
-    while _seconds(opened) < 1.5:
-        poses.append(_pose(opened))
-    opened.click("#play")
-    assert {len(pose) for pose in poses} == {6}
-    assert max(max(axis) - min(axis) for axis in zip(*poses, strict=True)) > 0.1
-    assert _seconds(opened) < EXAMPLE_S
+    wrist = "document.querySelector('#stage-canvas').dataset.pose.split(' ')"
+    wait_until(opened, f"{wrist}.some((metres, axis) => Math.abs(metres - {before}[axis]) > 0.1)")
+    assert 0 < _seconds(opened) <= EXAMPLE_S
 
 
-def test_what_is_shown_is_what_is_heard_to_the_frame(opened: Page) -> None:
+def test_each_frame_shows_what_was_heard_when_it_began(opened: Page) -> None:
+    opened.evaluate(HEARD)
     opened.click("#play")
-    wait_until(opened, "document.querySelector('audio').currentTime > 0.2")
-    samples = opened.evaluate(SAMPLED)  # how late includes the drawing, which takes SwiftShader more than a frame
-    assert max(heard for _shown, heard in samples) > min(heard for _shown, heard in samples)
-    late_s = [heard - shown for shown, heard in samples]
-    assert -1e-6 <= min(late_s) <= FRAME_S
-    assert max(late_s[-5:]) < max(late_s[:5]) + 5 * FRAME_S
+    wait_until(opened, "window.heard_s > 0.2")
+    samples = [sample for sample in opened.evaluate(SAMPLED) if sample[0] < EXAMPLE_S - FRAME_S]
+    assert len({heard for _shown, heard in samples}) > 1
+    assert max(abs(shown - heard) for shown, heard in samples) < 1e-6
 
 
 def test_frames_are_stepped_by_button_and_key(opened: Page) -> None:

@@ -16,18 +16,23 @@ from ...errors import ServiceError
 from ...settings import Settings
 from ..deadlines import Deadline
 from .limits import too_large
-from .messages import Answer, Content, Job
+from .messages import Answer, Content, Failed, Job
 from .processes import Nursery, Worker, WorkerLostError, wait_until_gone
 from .service_times import ServiceTimes
-from .watch import Seen, look
+from .watch import Seen, is_stopped, look
 
 _LOGGER = logging.getLogger(__name__)
 _WATCH_EVERY_S = 0.5
-_FORK_WITHIN_S = 10.0
+_FORK_WITHIN_S = 60.0
+"""However busy the machine; processes that hang are noticed by the watch."""
+
 _AGAIN_AFTER_S = 0.5
 _RETRIES = 1
 _LOST = frozenset({"aligner_crashed"})
 """Codes of errors that are a worker's trouble, not its job's."""
+
+_SPENT = frozenset({"work_too_large"})
+"""Codes of errors after which a worker may keep so much memory that the next job has too little."""
 
 
 class Pool:
@@ -161,10 +166,11 @@ class Pool:
             self._dismiss(worker)
             raise
         self._times.add(asyncio.get_running_loop().time() - began_s)
-        self._give_back(worker)
+        code = answer.error.code if isinstance(answer, Failed) else None
+        self._give_back(worker, is_spent=code in _SPENT)
         if isinstance(answer, Answer):
             return answer, body
-        if answer.error.code in _LOST:
+        if code in _LOST:
             raise WorkerLostError
         raise answer.error
 
@@ -180,7 +186,8 @@ class Pool:
         place: asyncio.Future[Worker] = asyncio.get_running_loop().create_future()
         self._waiting.append(place)
         try:
-            return await asyncio.wait_for(place, self._settings.queue_s)
+            async with asyncio.timeout(self._settings.queue_s):
+                return await place
         except BaseException as error:
             self._leave_queue(place)
             if isinstance(error, TimeoutError):
@@ -191,11 +198,12 @@ class Pool:
         with suppress(ValueError):
             self._waiting.remove(place)
         if place.done() and not place.cancelled():
+            self._busy.discard(place.result())
             self._offer(place.result())
 
-    def _give_back(self, worker: Worker) -> None:
+    def _give_back(self, worker: Worker, *, is_spent: bool) -> None:
         self._busy.discard(worker)
-        if worker.jobs >= self._settings.worker_jobs or worker.process.pid in self._retired:
+        if is_spent or worker.jobs >= self._settings.worker_jobs or worker.process.pid in self._retired:
             self._dismiss(worker)
         else:
             self._offer(worker)
@@ -205,6 +213,7 @@ class Pool:
         while self._waiting:
             place = self._waiting.popleft()
             if not place.done():
+                self._busy.add(worker)
                 place.set_result(worker)
                 return
         self._idle.append(worker)
@@ -225,10 +234,12 @@ class Pool:
     async def _forked(self) -> None:
         """One more worker, however long that takes."""
         while True:
+            nursery = self.nursery
             try:
-                worker = await asyncio.wait_for(Worker.forked(self.nursery, self._settings), _FORK_WITHIN_S)
+                async with asyncio.timeout(_FORK_WITHIN_S):
+                    worker = await Worker.forked(nursery, self._settings)
             except (OSError, EOFError, TimeoutError):
-                await self._renew_nursery(self.nursery)
+                await self._renew_nursery(nursery)
             else:
                 self._offer(worker)
                 return
@@ -255,11 +266,15 @@ class Pool:
             await self._look()
 
     async def _look(self) -> None:
-        """Ends the workers that are stopped or have taken too much memory, and replaces those that died idle."""
-        workers = tuple(self._workers())
-        self._seen = await asyncio.to_thread(look, workers, self._settings.worker_memory_bytes)
+        """Ends processes that are stopped and workers that have taken too much memory, and replaces workers that
+        died idle."""
+        jobs = {worker: worker.jobs for worker in self._workers()}
+        nursery = self.nursery
+        self._seen = await asyncio.to_thread(look, tuple(jobs), self._settings.worker_memory_bytes)
+        if await asyncio.to_thread(is_stopped, nursery.pid):
+            nursery.kill()
         for seen in self._seen:
-            if seen.is_too_large:
+            if seen.is_too_large and seen.worker.jobs == jobs[seen.worker]:  # else its job is another by now
                 seen.worker.given_up = too_large(self._settings.worker_memory_bytes)
             if seen.trouble and seen.worker in self._idle:
                 self._idle.remove(seen.worker)

@@ -120,10 +120,14 @@ class Nursery:
             raise _ended() from None
         self._wait()
 
+    def kill(self) -> None:
+        """Ends the process alone, which the next call notices."""
+        self._process.kill()
+
     def close(self) -> None:
         """Ends the process; workers go on until their own sockets are closed."""
         self._control.close()
-        self._process.kill()
+        self.kill()
         self._process.wait()
 
     def __enter__(self) -> Self:
@@ -145,7 +149,7 @@ class Nursery:
 
 @dataclass(slots=True, eq=False)
 class Worker:
-    """A worker process. `given_up` says why it was ended, where we ended it while it worked."""
+    """A worker process. `given_up` says why it was ended, where we ended it for the job it has."""
 
     socket: socket.socket
     process: psutil.Process
@@ -174,6 +178,7 @@ class Worker:
     async def answer(self, job: Job, content: Content) -> tuple[Answer | Failed, bytearray]:
         """Its answer; raises WorkerLostError. Whoever cancels this has to `end` the worker."""
         self.jobs += 1
+        self.given_up = None
         try:
             await send_soon(self.socket, job, content)
             answer, body = await receive_soon(self.socket)

@@ -55,9 +55,9 @@ class Streams:
         self._stopping.set()
 
     async def _forked(self) -> Worker:
-        forked = Worker.forked(self._pool.nursery, self._settings, is_live=True)
         try:
-            return await asyncio.wait_for(forked, _FORK_WITHIN_S)
+            async with asyncio.timeout(_FORK_WITHIN_S):
+                return await Worker.forked(self._pool.nursery, self._settings, is_live=True)
         except (OSError, EOFError, TimeoutError):
             message = "no process could be started for this stream; try again"
             raise ServiceError("worker_lost", message, retry_after_s=1.0) from None

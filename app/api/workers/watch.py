@@ -23,6 +23,14 @@ def look(workers: Sequence[Worker], limit_bytes: int) -> tuple[Seen, ...]:
     return tuple(_seen(worker, limit_bytes) for worker in workers)
 
 
+def is_stopped(pid: int) -> bool:
+    """Whether a process is there, but was stopped."""
+    try:
+        return psutil.Process(pid).status() == psutil.STATUS_STOPPED
+    except psutil.NoSuchProcess:
+        return False
+
+
 def _seen(worker: Worker, limit_bytes: int) -> Seen:
     pid = worker.process.pid
     try:

@@ -41,7 +41,8 @@ def _watch(paths: Sequence[Path], log: Log) -> None:
     """Checks now and at each save, until interrupted: mistakes are told, not raised."""
     from ...authoring.watching import files_in_use, saves
 
-    for _ in chain([None], saves(paths or files_in_use())):
+    saved = saves(paths or files_in_use())  # before the first check, so that no save is missed
+    for _ in chain([None], saved):
         try:
             _check_once(paths, log)
         except AuthoringError as error:

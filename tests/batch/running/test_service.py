@@ -110,7 +110,7 @@ def test_a_full_service_is_asked_again_when_it_says() -> None:
         (422, "", b'{"code":"x","detail":"y"}'),
     ]
     with _answering(answers) as server, closing(ServiceEngine(server, 1, Settings())) as engine:
-        outcome = engine.submit(JOB).result(timeout=30)
+        outcome = engine.submit(JOB).result(timeout=120)
     assert answers == []
     assert outcome.failure == Failure("x", "y")
 

@@ -21,8 +21,8 @@ import { ChangeGestures, CHECKED, EDITED, FRAME, gestureOf, LANGUAGE } from "./g
 
 export const PREVIEW = slice(/** @type {Preview} */ ({ level: "medium", playing: false }));
 
-/** The gesture that is edited, and its motion; null until there is one. */
-export const MOTION = slice(/** @type {Readonly<{ gesture: GestureValues, clip: Clip }> | null} */ (null));
+/** The gesture that is edited, and its motion at a level; null until there is one. */
+export const MOTION = slice(/** @type {Readonly<{ gesture: GestureValues, level: string, clip: Clip }> | null} */ (null));
 
 /** The gestures that were checked last: from the text that the author wrote or opened, or by their values. */
 const SOURCE = slice(/** @type {Readonly<{ gestures: readonly GestureValues[], checked: CheckedGestures }> | null} */ (null));
@@ -127,12 +127,12 @@ async function play(store, service) {
   }
   const known = Object.keys(gesture.levels);
   const { level: wanted } = store.get(PREVIEW);
-  const level = known.includes(wanted) ? wanted : known[0];
+  const level = known.includes(wanted) ? wanted : (known[0] ?? wanted);
   const asked = JSON.stringify({ text: checked.text, name: gesture.name, level, fps: 60 });
   if (store.get(PLAYED) !== asked) {
     const answer = await service.fetch("gestures/motion", posted(JSON.parse(asked)));
     store.set(PLAYED, asked);
-    store.set(MOTION, { gesture, clip: clipFromJson(await answer.json()) });
+    store.set(MOTION, { gesture, level, clip: clipFromJson(await answer.json()) });
   }
 }
 

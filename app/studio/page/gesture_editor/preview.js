@@ -1,4 +1,8 @@
-/** The body in the gesture editor: it stands in the pose of the frame that is looked at, or plays the gesture. */
+/**
+ * The body in the gesture editor: it stands in the pose of the frame that is looked at, or plays the gesture.
+ *
+ * The canvas has `data-level` (of the motion that is shown), `data-time` and `data-pose`, as the stage has.
+ */
 
 import { choice, el, labelled } from "../dom.js";
 import { problemOf } from "../service/service.js";
@@ -57,6 +61,7 @@ class Shown {
   #cast;
   #isStale = true;
   #time_s = 0;
+  #level = "";
   #last_ms = 0;
 
   /**
@@ -124,6 +129,7 @@ class Shown {
     } catch (error) {
       this.#store.set(PROBLEM, problemOf(error));
     }
+    this.#level = motion.level;
     if (!this.#store.get(PREVIEW).playing) {
       this.#rewind();
     }
@@ -142,6 +148,7 @@ class Shown {
     const wrists = ["leftHand", "rightHand"].flatMap((joint) => standing?.figure.place(joint)?.toArray() ?? []);
     this.#canvas.dataset["pose"] = wrists.map((metres) => metres.toFixed(4)).join(" ");
     this.#canvas.dataset["time"] = this.#time_s.toFixed(3);
+    this.#canvas.dataset["level"] = this.#level;
   }
 }
 

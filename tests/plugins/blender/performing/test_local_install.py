@@ -1,7 +1,6 @@
 """The local install, by commands that stand in for one: what is told of errors, and that work is ended."""
 
 import os
-import time
 from pathlib import Path
 
 import pytest
@@ -61,10 +60,6 @@ def test_what_is_cancelled_is_ended(tmp_path: Path) -> None:
     process = tmp_path / "process"
     slow = command(tmp_path, f"echo $$ > {process}; exec sleep 60")
     with pytest.raises(CancelledError):
-        slow.realize(Sheet(b"<bml/>"), ignored, process.exists)
-    for _try in range(100):
-        if process.read_text():
-            break
-        time.sleep(0.01)
+        slow.realize(Sheet(b"<bml/>"), ignored, lambda: process.exists() and process.read_text().endswith("\n"))
     with pytest.raises(ProcessLookupError):
         os.kill(int(process.read_text()), 0)
