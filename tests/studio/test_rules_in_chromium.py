@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from tests.studio.accessibility import serious_findings
+from tests.studio.accessibility import choose_theme, in_light_and_dark, serious_findings
 from tests.studio.waiting import wait_until
 
 AFFIRMATION = "lexicon/en/affirmation.yaml"
@@ -107,7 +107,16 @@ def test_a_reason_leads_to_its_rule(opened: Page) -> None:
     assert opened.inner_text("#rule-explained h2 >> nth=0") in name
 
 
-def test_nobody_stumbles_over_the_rules(rules: Page) -> None:
+@in_light_and_dark
+def test_nobody_stumbles_over_the_rules(rules: Page, theme: str) -> None:
+    """A word with what its loss changes in examples, then a rule with a mistake."""
+    choose_theme(rules, theme)
+    _choose(rules, "yes", "word")
+    _edit(rules, "      - yes\n", "")
+    rules.click("#rules-compare")
+    rules.wait_for_selector("#rules-compared .changed-line")
+    assert serious_findings(rules) == []
     _choose(rules, "show_affirmation", "behavior")
-    rules.wait_for_selector("#rule-explained pre")
-    assert serious_findings(rules, "#rules") == []
+    _edit(rules, "big_nod(", "bigger_nod(")
+    rules.wait_for_selector("#rule-mistakes .wrong")
+    assert serious_findings(rules) == []

@@ -50,6 +50,16 @@ export function labelled(label, control) {
 }
 
 /**
+ * A place whose content is read out by screen readers when it changes. Lists need one around them: as one, they would be
+ * none.
+ *
+ * @param {HTMLElement} content
+ */
+export function readOut(content) {
+  return el("div", { role: "status" }, [content]);
+}
+
+/**
  * A selection from values.
  *
  * @param {readonly (readonly [value: string, text: string])[]} options

@@ -29,7 +29,7 @@ import { wordOf } from "./words.js";
  */
 export function mountChanges(element, store, service) {
   const selected = el("div", { id: "selected" });
-  const told = el("div", {});
+  const told = el("div", { role: "status" });
   element.append(el("h2", {}, ["Changes"]), selected, told, fileButtons(store), comparison(store, service));
   keepSelected(store);
   const show = () => showSelected(selected, store, service);

@@ -16,7 +16,7 @@ export function conflicts(store, performance) {
   const told = performance.warnings.filter(({ code }) => code.startsWith("edit_"));
   const items = told.map(({ code, message }) => el("li", { "data-code": code }, [message, leaveOut(store, message)]));
   return items.length > 0
-    ? [el("h3", {}, ["What no longer fits"]), el("ul", { id: "conflicts", role: "status" }, items)]
+    ? [el("h3", {}, ["What no longer fits"]), el("ul", { id: "conflicts" }, items)]
     : [];
 }
 

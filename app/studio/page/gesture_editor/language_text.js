@@ -1,6 +1,6 @@
 /** The gesture in its language: as it will be saved, to be written too; with every mistake at its line and column. */
 
-import { el, labelled } from "../dom.js";
+import { el, labelled, readOut } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
 import { goTo } from "../text_place.js";
@@ -19,7 +19,7 @@ const QUIET_MS = 300;
  */
 export function languageText(store, service) {
   const typed = el("textarea", { id: "gesture-text", rows: 14, spellcheck: false, wrap: "off" });
-  const mistakes = el("ul", { id: "gesture-mistakes", class: "mistakes", role: "status" });
+  const mistakes = el("ul", { id: "gesture-mistakes", class: "mistakes" });
   let timer = 0;
   typed.addEventListener("input", () => {
     clearTimeout(timer);
@@ -31,7 +31,7 @@ export function languageText(store, service) {
     }
     mistakes.replaceChildren(...(checked ? told(checked, typed) : []));
   });
-  return el("section", { class: "gesture-language" }, [files(store, service), labelled("In the gesture language", typed), mistakes]);
+  return el("section", { class: "gesture-language" }, [files(store, service), labelled("In the gesture language", typed), readOut(mistakes)]);
 }
 
 /**

@@ -1,6 +1,6 @@
 /** The file of a rule or word, to be edited: checked while it is written, with every mistake at its line and column. */
 
-import { el } from "../dom.js";
+import { el, readOut } from "../dom.js";
 import { latest } from "../service/latest.js";
 import { goTo } from "../text_place.js";
 import { CHOSEN, DRAFTS, FILES, IN_USE, loadText, MISTAKES, posted, told } from "./rule_book.js";
@@ -19,7 +19,7 @@ const QUIET_MS = 400;
 export function ruleText(store, service) {
   const title = el("h2", { id: "rule-file" }, ["Choose a rule"]);
   const typed = el("textarea", { id: "rule-text", spellcheck: false, wrap: "off", "aria-labelledby": "rule-file", disabled: true });
-  const mistakes = el("ul", { id: "rule-mistakes", class: "mistakes", role: "status" });
+  const mistakes = el("ul", { id: "rule-mistakes", class: "mistakes" });
   store.watch(CHOSEN, (item) => {
     if (item) {
       void show(store, service, { title, typed });
@@ -34,7 +34,7 @@ export function ruleText(store, service) {
     }
   });
   keepChecked(store, service, typed);
-  return el("section", { class: "rule-text", "aria-label": "File" }, [title, typed, mistakes, actions(store, service)]);
+  return el("section", { class: "rule-text", "aria-label": "File" }, [title, typed, readOut(mistakes), actions(store, service)]);
 }
 
 /**
