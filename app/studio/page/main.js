@@ -12,6 +12,7 @@ import { openAsAsked } from "./line/opening.js";
 import { mountProject } from "./line/project_form.js";
 import { mountReasons } from "./reasons/reasons.js";
 import { mountRules } from "./rules/rules.js";
+import { watchPointer } from "./redrawing.js";
 import { keepPerformed } from "./service/performing.js";
 import { Service } from "./service/service.js";
 import { mountStage } from "./stage/stage.js";
@@ -19,6 +20,7 @@ import { Store } from "./state/store.js";
 import { mountTableRead } from "./table_read/table_read.js";
 import { mountTimeline } from "./timeline/timeline.js";
 
+watchPointer();
 const store = new Store();
 const service = new Service();
 const panels = {

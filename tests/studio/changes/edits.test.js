@@ -2,12 +2,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { ChangeEdits, changeEdits, editsOf } from "../../../app/studio/page/changes/change_edits.js";
-import { withMoved } from "../../../app/studio/page/changes/behaviors.js";
 import { editsFile, projectWith } from "../../../app/studio/page/changes/edit_files.js";
 import { withAdded, withBehavior, withoutBehavior, withWord } from "../../../app/studio/page/changes/edits.js";
 import { successor } from "../../../app/studio/page/changes/following.js";
 import { matching } from "../../../app/studio/page/changes/gesture_browser.js";
 import { Lexemes } from "../../../app/studio/page/changes/lexemes.js";
+import { withMoved } from "../../../app/studio/page/changes/moving.js";
 import { placeOf } from "../../../app/studio/page/changes/references.js";
 import { EMPTY, PROJECT } from "../../../app/studio/page/state/project.js";
 import { Store } from "../../../app/studio/page/state/store.js";

@@ -4,6 +4,7 @@
  */
 
 import { el } from "../dom.js";
+import { redraw } from "../redrawing.js";
 import { PERFORMED, SELECTION } from "../state/performed.js";
 import { BADGES } from "../timeline/pointing.js";
 import { madeOf, selectedBehavior } from "./behaviors.js";
@@ -49,36 +50,22 @@ export function mountChanges(element, store, service) {
 }
 
 /**
- * Fills the panel anew, with the focus where it was.
+ * Fills the panel anew.
  *
  * @param {HTMLElement} element
  * @param {Store} store
  * @param {Service} service
  */
 function showSelected(element, store, service) {
-  const focused = nameOf(document.activeElement);
   const line = store.get(PERFORMED);
   const [lexemes, behavior, index] = [store.get(LEXEMES), selectedBehavior(store), wordOf(store.get(SELECTION))];
   if (line && behavior) {
-    element.replaceChildren(...inspector(store, service, lexemes, behavior));
+    redraw(element, inspector(store, service, lexemes, behavior));
   } else if (line && index !== null) {
-    element.replaceChildren(...wordPanel(store, service, lexemes, { performance: line.performance, index }));
+    redraw(element, wordPanel(store, service, lexemes, { performance: line.performance, index }));
   } else {
-    element.replaceChildren(el("p", { class: "quiet" }, ["Select a movement or a word to change it."]));
+    redraw(element, [el("p", { class: "quiet" }, ["Select a movement or a word to change it."])]);
   }
-  const again = [...element.querySelectorAll("input, select, button")].find((each) => nameOf(each) === focused);
-  if (focused && again instanceof HTMLElement) {
-    again.focus();
-  }
-}
-
-/**
- * By what a control is found again.
- *
- * @param {Element | null} control
- */
-function nameOf(control) {
-  return control instanceof HTMLElement && control.closest("#selected") ? control.dataset["mark"] ?? control.id : "";
 }
 
 /**

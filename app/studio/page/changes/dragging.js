@@ -5,8 +5,9 @@
 
 import { BUSY, PERFORMED } from "../state/performed.js";
 import { DRAG } from "../timeline/pointing.js";
-import { behaviorOf, madeOf, withMoved } from "./behaviors.js";
+import { behaviorOf, madeOf } from "./behaviors.js";
 import { changeEdits, editsOf } from "./change_edits.js";
+import { withMoved } from "./moving.js";
 import { withWordMoved, wordOf } from "./words.js";
 
 /** @import { Edits } from "understudy-client" */

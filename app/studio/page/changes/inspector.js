@@ -2,9 +2,10 @@
 
 import { choice, el, labelled } from "../dom.js";
 import { MARKS } from "../timeline/phases.js";
-import { changeBehavior, editOfSelected, lockBehavior, moveBehavior, revertBehavior } from "./behaviors.js";
+import { changeBehavior, editOfSelected, lockBehavior, revertBehavior } from "./behaviors.js";
 import { browseGestures } from "./gesture_browser.js";
 import { changeOmission } from "./keys.js";
+import { putMark } from "./moving.js";
 
 /** @import { Behavior, BehaviorEdit } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
@@ -88,7 +89,11 @@ function marks(store, behavior) {
  */
 function markField(store, behavior, mark, time_s) {
   const field = el("input", { type: "number", step: STEP_S, min: 0, "data-mark": mark, value: time_s.toFixed(3) });
-  field.addEventListener("change", () => moveBehavior(store, behavior, mark, Number(field.value) - time_s));
+  field.addEventListener("change", () => {
+    if (field.value !== "") {
+      putMark(store, behavior, mark, field.valueAsNumber);
+    }
+  });
   return field;
 }
 

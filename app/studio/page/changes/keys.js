@@ -1,9 +1,13 @@
 /**
  * The keyboard's way to change what is selected, while the timeline has the focus: Delete deletes, M mutes, L locks;
- * with Alt the arrows move it by 20 ms, with Shift too by 100 ms. Single marks are moved by their fields in the panel.
+ * with Alt the arrows move it, or the word that is selected, by 20 ms, with Shift too by 100 ms. Single marks and the
+ * edges of words are moved by their fields in the panel.
  */
 
-import { lockBehavior, changeBehavior, editOfSelected, moveBehavior, selectedBehavior } from "./behaviors.js";
+import { SELECTION } from "../state/performed.js";
+import { changeBehavior, editOfSelected, lockBehavior, selectedBehavior } from "./behaviors.js";
+import { moveBehavior } from "./moving.js";
+import { moveWord, wordOf } from "./words.js";
 
 /** @import { Behavior } from "understudy-client" */
 /** @import { Store } from "../state/store.js" */
@@ -24,14 +28,42 @@ const ACTIONS = Object.freeze({
  */
 export function followKeys(timeline, store) {
   timeline.addEventListener("keydown", (event) => {
-    const behavior = selectedBehavior(store);
-    const act = behavior && (movement(event) ?? action(event));
-    if (act) {
+    if (move(store, laterBy_s(event)) || act(store, event)) {
       event.preventDefault();
       event.stopPropagation();
-      act(store, behavior);
     }
   });
+}
+
+/**
+ * Moves what is selected; whether there is something to move.
+ *
+ * @param {Store} store
+ * @param {number} later_s
+ */
+function move(store, later_s) {
+  const [behavior, word] = [selectedBehavior(store), wordOf(store.get(SELECTION))];
+  if (behavior && later_s) {
+    moveBehavior(store, behavior, null, later_s);
+  } else if (word !== null && later_s) {
+    moveWord(store, word, later_s);
+  }
+  return later_s !== 0 && (behavior !== null || word !== null);
+}
+
+/**
+ * Does what a key says with the behaviour that is selected; whether it says something.
+ *
+ * @param {Store} store
+ * @param {KeyboardEvent} event
+ */
+function act(store, { key, altKey, ctrlKey, metaKey }) {
+  const behavior = selectedBehavior(store);
+  const action = altKey || ctrlKey || metaKey ? undefined : ACTIONS[key.length === 1 ? key.toLowerCase() : key];
+  if (behavior && action) {
+    action(store, behavior);
+  }
+  return behavior !== null && action !== undefined;
 }
 
 /**
@@ -49,15 +81,7 @@ export function changeOmission(store, behavior, omission) {
 }
 
 /** @param {KeyboardEvent} event */
-function movement({ key, altKey, shiftKey }) {
+function laterBy_s({ key, altKey, shiftKey }) {
   const way = key === "ArrowLeft" ? -1 : key === "ArrowRight" ? 1 : 0;
-  const later_s = way * (shiftKey ? LARGE_STEP_S : STEP_S);
-  return altKey && way
-    ? (/** @type {Store} */ store, /** @type {Behavior} */ behavior) => moveBehavior(store, behavior, null, later_s)
-    : null;
-}
-
-/** @param {KeyboardEvent} event */
-function action({ key, altKey, ctrlKey, metaKey }) {
-  return altKey || ctrlKey || metaKey ? null : (ACTIONS[key.length === 1 ? key.toLowerCase() : key] ?? null);
+  return altKey ? way * (shiftKey ? LARGE_STEP_S : STEP_S) : 0;
 }

@@ -46,13 +46,14 @@ export function wordPanel(store, service, lexemes, { performance, index }) {
  * @param {number} end_s
  */
 function timeFields(store, index, start_s, end_s) {
-  const [start, end] = [start_s, end_s].map((time_s) => el("input", { type: "number", step: STEP_S, min: 0, value: time_s.toFixed(3) }));
-  if (!start || !end) {
-    return [];
-  }
-  const change = () => timeWord(store, index, Number(start.value), Number(end.value));
-  start.addEventListener("change", change);
-  end.addEventListener("change", change);
+  const field = (/** @type {string} */ id, /** @type {number} */ time_s) =>
+    el("input", { type: "number", id, step: STEP_S, min: 0, value: time_s.toFixed(3), change: () => change() });
+  const [start, end] = [field("word-start", start_s), field("word-end", end_s)];
+  const change = () => {
+    if (start.value !== "" && end.value !== "") {
+      timeWord(store, index, start.valueAsNumber, end.valueAsNumber);
+    }
+  };
   return [labelled("Begins, s", start), labelled("Ends, s", end)];
 }
 

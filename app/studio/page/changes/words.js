@@ -58,6 +58,30 @@ export function timeWord(store, index, start_s, end_s) {
 }
 
 /**
+ * Has a word spoken so much later, counted from where it was put last, be it performed so already or not.
+ *
+ * @param {Store} store
+ * @param {number} index
+ * @param {number} later_s
+ */
+export function moveWord(store, index, later_s) {
+  const performance = store.get(PERFORMED)?.performance;
+  const [lead_in_s, put] = [performance?.lead_in_s ?? 0, wordEditOf(store, index)];
+  const told = isTimed(put) ? { start_s: put.start_s + lead_in_s, end_s: put.end_s + lead_in_s } : performance?.words[index];
+  if (isTimed(told)) {
+    timeWord(store, index, told.start_s + later_s, told.end_s + later_s);
+  }
+}
+
+/**
+ * @param {{ start_s?: number | null, end_s?: number | null } | null | undefined} word
+ * @returns {word is { start_s: number, end_s: number }}
+ */
+function isTimed(word) {
+  return typeof word?.start_s === "number" && typeof word.end_s === "number";
+}
+
+/**
  * The edits with a word, or the edge of it that is called so, spoken so much later.
  *
  * @param {Store} store
@@ -67,10 +91,11 @@ export function timeWord(store, index, start_s, end_s) {
  * @param {{ mark: string | null, later_s: number }} moved
  */
 export function withWordMoved(store, now, performance, index, { mark, later_s }) {
-  const { start_s, end_s } = performance.words[index] ?? {};
-  if (typeof start_s !== "number" || typeof end_s !== "number") {
+  const word = performance.words[index];
+  if (!isTimed(word)) {
     return now;
   }
+  const { start_s, end_s } = word;
   const start = mark === "end" ? start_s : Math.min(start_s + later_s, mark === "start" ? end_s - SHORTEST_S : Infinity);
   const end = mark === "start" ? end_s : Math.max(end_s + later_s, mark === "end" ? start_s + SHORTEST_S : -Infinity);
   return withWord(now, performance, index, timed(store, performance, index, [start, end]));
@@ -88,8 +113,7 @@ export function withWordMoved(store, now, performance, index, { mark, later_s })
 function timed(store, performance, index, spoken_s) {
   const [start_s, end_s] = spoken_s.map((time_s) => Math.max(0, Math.round(1000 * (time_s - performance.lead_in_s)) / 1000));
   const heard = heardWords(store)?.[index];
-  const isHeard = typeof heard?.start_s === "number" && typeof heard.end_s === "number";
-  return { start_s, end_s, heard: isHeard ? { start_s: heard.start_s ?? 0, end_s: heard.end_s ?? 0 } : undefined };
+  return { start_s, end_s, heard: isTimed(heard) ? { start_s: heard.start_s, end_s: heard.end_s } : undefined };
 }
 
 /**

@@ -4,7 +4,7 @@ import { el } from "../dom.js";
 import { possibleWrist, withArm } from "./frames.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
 import { orientationOf, partnersOf } from "./possible.js";
-import { redraw } from "./redrawing.js";
+import { redraw } from "../redrawing.js";
 
 /** @import { GestureLanguage } from "understudy-client" */
 /** @import { Store } from "../state/store.js" */

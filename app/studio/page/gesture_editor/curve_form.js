@@ -3,7 +3,7 @@
 import { el, labelled } from "../dom.js";
 import { withArm, withFrame } from "./frames.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf } from "./gestures.js";
-import { redraw } from "./redrawing.js";
+import { redraw } from "../redrawing.js";
 
 /** @import { Store } from "../state/store.js" */
 

@@ -12,7 +12,6 @@ import { keyTimes } from "./key_times.js";
 import { languageText } from "./language_text.js";
 import { poseForm } from "./pose_form.js";
 import { preview } from "./preview.js";
-import { watchPointer } from "./redrawing.js";
 import { sectorGrid } from "./sector_grid.js";
 
 /** @import { Service } from "../service/service.js" */
@@ -54,7 +53,6 @@ function mount(element, store, service) {
   const left = el("div", { class: "column" }, [headerForm(store), preview(store, service), times]);
   const right = el("div", { class: "column" }, [languageText(store, service)]);
   element.append(left, frame, right);
-  watchPointer();
   void askLanguage(store, service);
   keepChecked(store, service);
 }

@@ -4,7 +4,7 @@ import { choice, el, labelled } from "../dom.js";
 import { possibleHand, withArm } from "./frames.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
 import { thumbsOf } from "./possible.js";
-import { redraw } from "./redrawing.js";
+import { redraw } from "../redrawing.js";
 
 /** @import { GestureArm, GestureLanguage } from "understudy-client" */
 /** @import { Store } from "../state/store.js" */

@@ -3,7 +3,7 @@
 import { choice, el, labelled } from "../dom.js";
 import { EITHER, withArms } from "./arms.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
-import { redraw } from "./redrawing.js";
+import { redraw } from "../redrawing.js";
 
 /** @import { GestureValues } from "understudy-client" */
 /** @import { Store } from "../state/store.js" */

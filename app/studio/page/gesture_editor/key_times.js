@@ -4,7 +4,7 @@ import { choice, el, labelled } from "../dom.js";
 import { canBeWithout, withFrameBehind, withoutFrame, withTime, withType } from "./frames.js";
 import { changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
 import { roomBehind, timesAt, typesAt } from "./possible.js";
-import { redraw } from "./redrawing.js";
+import { redraw } from "../redrawing.js";
 
 /** @import { GestureFrame } from "understudy-client" */
 /** @import { Store } from "../state/store.js" */

@@ -5,7 +5,7 @@ import { body } from "./body_outline.js";
 import { withArm } from "./frames.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
 import { isWithinReach } from "./possible.js";
-import { redraw } from "./redrawing.js";
+import { redraw } from "../redrawing.js";
 import { columns, rows } from "./sector_places.js";
 
 /** @import { GestureLanguage } from "understudy-client" */

@@ -14,6 +14,8 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import { followOrbitKeys } from "./orbit_keys.js";
+
 const GROUND = 0x8a9478;
 const LARGEST_PIXEL_RATIO = 2;
 
@@ -43,6 +45,7 @@ export function makePlace(canvas) {
   scene.add(new HemisphereLight(0xffffff, GROUND, 1.6), sun(), ground());
   const camera = new PerspectiveCamera(32, 1, 0.05, 50);
   const controls = new OrbitControls(camera, canvas);
+  followOrbitKeys(canvas, controls);
   const fit = () => fitted(renderer, camera, canvas);
   return { scene, camera, controls, renderer, fit, draw: () => renderer.render(scene, camera) };
 }

@@ -1,17 +1,17 @@
-/** The controls of the stage: play, step, speed, loop, shot, listener, trail. Space plays, arrows step a frame. */
+/** The controls of the stage: play, step, speed, loop, shot, listener, trail; their keys are in playing_keys.js. */
 
 import { choice, el, labelled } from "../dom.js";
 import { ChangeProject } from "../state/change_project.js";
 import { PERFORMED, PLAYBACK, TIME_S } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { SHOTS } from "./cameras.js";
+import { FRAME_S, followPlayingKeys, pauseWhereUnseen, stepBy, togglePlaying, wholeLine } from "./playing_keys.js";
 import { LISTENER, VIEWING } from "./viewing.js";
 
 /** @import { Store } from "../state/store.js" */
 /** @import { Shot } from "./cameras.js" */
 /** @import { Listening } from "./viewing.js" */
 
-const FRAME_S = 1 / 60;
 const SPEEDS = ["0.25", "0.5", "1", "1.5", "2"];
 
 /**
@@ -20,7 +20,8 @@ const SPEEDS = ["0.25", "0.5", "1", "1.5", "2"];
  */
 export function mountTransport(element, store) {
   element.append(playButton(store), ...stepButtons(store), clockFace(store), loopButton(store), ...choices(store));
-  document.addEventListener("keydown", (event) => onKey(event, store));
+  followPlayingKeys(store);
+  pauseWhereUnseen(store);
 }
 
 /** @param {Store} store */
@@ -33,7 +34,7 @@ function playButton(store) {
 
 /** @param {Store} store */
 function stepButtons(store) {
-  const step = (/** @type {number} */ frames) => () => stepFrames(store, frames);
+  const step = (/** @type {number} */ frames) => () => stepBy(store, frames * FRAME_S);
   return [
     el("button", { type: "button", "aria-label": "One frame back", click: step(-1) }, ["◂"]),
     el("button", { type: "button", "aria-label": "One frame on", click: step(1) }, ["▸"]),
@@ -49,7 +50,7 @@ function clockFace(store) {
 
 /** @param {Store} store */
 function loopButton(store) {
-  const button = el("button", { type: "button", id: "loop", title: "Drag over the words to choose what is repeated" }, ["Loop"]);
+  const button = el("button", { type: "button", id: "loop", title: "Drag over the words to choose what is repeated, or press [ and ] where it begins and ends" }, ["Loop"]);
   button.addEventListener("click", () => store.patch(PLAYBACK, { loop: store.get(PLAYBACK).loop ? null : wholeLine(store) }));
   store.watch(PLAYBACK, ({ loop }) => button.setAttribute("aria-pressed", String(loop !== null)));
   return button;
@@ -83,53 +84,5 @@ function showListener(store, listening) {
   if (String(options.listener ?? []) !== String(wanted)) {
     const changed = { options: { ...options, listener: wanted } };
     store.history.execute(new ChangeProject(store, "Listener", changed));
-  }
-}
-
-/** @param {Store} store */
-function togglePlaying(store) {
-  if (store.get(PERFORMED)) {
-    store.patch(PLAYBACK, { playing: !store.get(PLAYBACK).playing });
-  }
-}
-
-/**
- * @param {Store} store
- * @param {number} frames
- */
-function stepFrames(store, frames) {
-  const [, end_s] = wholeLine(store);
-  store.patch(PLAYBACK, { playing: false });
-  store.set(TIME_S, Math.min(end_s, Math.max(0, store.get(TIME_S) + frames * FRAME_S)));
-}
-
-/**
- * @param {Store} store
- * @returns {[number, number]}
- */
-function wholeLine(store) {
-  const line = store.get(PERFORMED);
-  return [0, line ? line.performance.lead_in_s + line.performance.audio.duration_s : 0];
-}
-
-/** @type {Readonly<Record<string, (store: Store) => void>>} */
-const KEYS = Object.freeze({
-  " ": togglePlaying,
-  ArrowLeft: (store) => stepFrames(store, -1),
-  ArrowRight: (store) => stepFrames(store, 1),
-});
-
-/**
- * Keys play where nothing else takes them.
- *
- * @param {KeyboardEvent} event
- * @param {Store} store
- */
-function onKey(event, store) {
-  const isTaken = event.target instanceof Element && event.target.closest("input, textarea, select, button, [role], a, dialog");
-  const act = KEYS[event.key];
-  if (act && !isTaken && !event.ctrlKey && !event.metaKey && !event.altKey) {
-    event.preventDefault();
-    act(store);
   }
 }

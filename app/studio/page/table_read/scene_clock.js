@@ -42,6 +42,12 @@ export class SceneClock {
     this.seek(this.time_s);
   }
 
+  pause() {
+    if (this.playing) {
+      this.toggle();
+    }
+  }
+
   /** @param {number} time_s */
   seek(time_s) {
     this.time_s = Math.min(this.end_s, Math.max(0, time_s));

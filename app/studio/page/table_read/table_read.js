@@ -47,7 +47,7 @@ export function mountTableRead(element, store, service) {
  * @returns {(files: Promise<SceneFiles>) => void} opens a scene
  */
 function mountRoom(element, store, bodies) {
-  const canvas = el("canvas", { id: "table-read-canvas", role: "img", "aria-label": "The scene" });
+  const canvas = el("canvas", { id: "table-read-canvas", tabindex: 0, role: "img", "aria-label": "The scene" });
   const place = makePlace(canvas);
   const room = /** @type {{ reading: Reading | null }} */ ({ reading: null });
   const script = new Script((time_s) => room.reading?.clock.seek(time_s));
@@ -63,16 +63,27 @@ function mountRoom(element, store, bodies) {
   const { controls, tell } = transport(room);
   element.replaceChildren(chooser(opened), el("div", { class: "scene" }, [canvas, script.element]), controls);
   letBeDropped(element, opened);
+  store.watch(VIEW, (view) => view === "table_read" || room.reading?.clock.pause());
   keepDrawn(place, () => store.get(VIEW) === "table_read", (now_ms) => {
     tell();
-    if (!room.reading?.show(now_ms)) {
-      return false;
-    }
-    script.mark(room.reading.clock.line);
-    Object.assign(canvas.dataset, room.reading.state);
-    return true;
+    return showReading(room.reading, { now_ms, script, canvas });
   });
   return opened;
+}
+
+/**
+ * Shows a scene as it is at a moment; whether that is another picture than before.
+ *
+ * @param {Reading | null} reading
+ * @param {{ now_ms: number, script: Script, canvas: HTMLCanvasElement }} where
+ */
+function showReading(reading, { now_ms, script, canvas }) {
+  if (!reading?.show(now_ms)) {
+    return false;
+  }
+  script.mark(reading.clock.line);
+  Object.assign(canvas.dataset, reading.state);
+  return true;
 }
 
 /**

@@ -5,11 +5,12 @@
 
 /** @type {Map<HTMLElement, readonly Node[]>} */
 const waiting = new Map();
-let isPressed = false;
+/** @type {EventTarget | null} */
+let pressed = null;
 
-/** Begins to know when the pointer is pressed. */
+/** Begins to know what the pointer presses. */
 export function watchPointer() {
-  document.addEventListener("pointerdown", () => (isPressed = true), { capture: true });
+  document.addEventListener("pointerdown", ({ target }) => (pressed = target), { capture: true });
   for (const end of ["pointerup", "pointercancel"]) {
     document.addEventListener(end, () => setTimeout(release), { capture: true });
   }
@@ -22,7 +23,7 @@ export function watchPointer() {
  * @param {readonly Node[]} children
  */
 export function redraw(element, children) {
-  if (isPressed && element.childElementCount > 0) {
+  if (pressed instanceof Node && element.contains(pressed) && element.childElementCount > 0) {
     waiting.set(element, children);
     return;
   }
@@ -37,7 +38,7 @@ export function redraw(element, children) {
 }
 
 function release() {
-  isPressed = false;
+  pressed = null;
   for (const [element, children] of [...waiting]) {
     redraw(element, children);
   }

@@ -1,0 +1,101 @@
+/** Behaviours at other times: one of their marks, or all of it. */
+
+import { slice } from "../state/slice.js";
+import { madeOf } from "./behaviors.js";
+import { changeEdits, editsOf } from "./change_edits.js";
+import { editOf, withBehavior } from "./edits.js";
+import { placeOf } from "./references.js";
+
+/** @import { Behavior, Edits, Marks } from "understudy-client" */
+/** @import { Made } from "./edits.js" */
+/** @import { Store } from "../state/store.js" */
+
+/** Which mark takes the whole behaviour with it, the first that it has. */
+const LEADING = /** @type {const} */ (["stroke", "ready", "start"]);
+
+/**
+ * What was moved last, and how much since the performance that is shown; whoever moves it again before the service has
+ * answered goes on from there.
+ *
+ * @typedef {Readonly<{ performance: object, edits: object, id: string, mark: string | null, later_s: number }>} Moved
+ */
+const MOVED = slice(/** @type {Moved | null} */ (null));
+
+/**
+ * The edits with a mark of a behaviour at another time; without a mark the whole behaviour so much later.
+ *
+ * @param {Edits} now
+ * @param {Made} made what the behaviour was seen in
+ * @param {Behavior} behavior
+ * @param {string | null} mark
+ * @param {number} later_s
+ */
+export function withMoved(now, made, behavior, mark, later_s) {
+  const moved = mark ?? LEADING.find((each) => behavior.sync[each] !== undefined) ?? "start";
+  const time_s = Math.max(0, (behavior.sync[moved] ?? 0) + later_s);
+  const before = mark ? (editOf(made, behavior)?.marks ?? {}) : shifted(made, behavior, later_s);
+  /** @type {Marks} */
+  const marks = { ...before, [moved]: placeOf(made.performance, time_s) };
+  return withBehavior(now, made, behavior, { marks });
+}
+
+/**
+ * The marks that were put somewhere, as much later as the behaviour is moved.
+ *
+ * @param {Made} made
+ * @param {Behavior} behavior
+ * @param {number} later_s
+ * @returns {Marks}
+ */
+function shifted(made, behavior, later_s) {
+  const names = Object.keys(editOf(made, behavior)?.marks ?? {});
+  const places = names.flatMap((name) => {
+    const time_s = behavior.sync[name];
+    return time_s === undefined ? [] : [[name, placeOf(made.performance, Math.max(0, time_s + later_s))]];
+  });
+  return Object.fromEntries(places);
+}
+
+/**
+ * @param {Store} store
+ * @param {Behavior} behavior
+ * @param {string | null} mark
+ * @param {number} later_s
+ */
+export function moveBehavior(store, behavior, mark, later_s) {
+  const made = madeOf(store);
+  if (made) {
+    const { performance } = made;
+    const together_s = later_s + alreadyMoved_s(store, performance, behavior.id, mark);
+    changeEdits(store, `Move ${mark ?? "all"} of ${behavior.id}`, withMoved(editsOf(store), made, behavior, mark, together_s));
+    store.set(MOVED, { performance, edits: editsOf(store), id: behavior.id, mark, later_s: together_s });
+  }
+}
+
+/**
+ * Has a mark of a behaviour at a time.
+ *
+ * @param {Store} store
+ * @param {Behavior} behavior
+ * @param {string} mark
+ * @param {number} time_s
+ */
+export function putMark(store, behavior, mark, time_s) {
+  const made = madeOf(store);
+  if (made) {
+    const later_s = time_s - (behavior.sync[mark] ?? 0);
+    changeEdits(store, `Move ${mark} of ${behavior.id}`, withMoved(editsOf(store), made, behavior, mark, later_s));
+  }
+}
+
+/**
+ * @param {Store} store
+ * @param {object} performance
+ * @param {string} id
+ * @param {string | null} mark
+ */
+function alreadyMoved_s(store, performance, id, mark) {
+  const last = store.get(MOVED);
+  const isSame = last?.performance === performance && last.edits === editsOf(store) && last.id === id && last.mark === mark;
+  return last && isSame ? last.later_s : 0;
+}

@@ -1,0 +1,108 @@
+"""Everything is reached, seen to have the focus, named and worked by the keyboard alone."""
+
+import json
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.studio.waiting import wait_until
+
+SPARE_TABS = 25
+"""The parts of file fields, and the browser's own."""
+
+CONTROLS = """
+() => [...document.querySelectorAll("button, input, select, textarea, summary, canvas[tabindex], [tabindex='0']")]
+  .filter((each) => each.checkVisibility() && !each.disabled)
+  .map((each) => (each.dataset.asked = "yes")).length
+"""
+FOCUSED = """
+() => {
+  const now = document.activeElement;
+  const { outlineStyle, outlineWidth } = getComputedStyle(now);
+  const said = now.getAttribute("aria-label") ?? now.getAttribute("aria-labelledby") ?? now.labels?.[0]?.textContent;
+  const name = (said || now.textContent).trim();
+  now.dataset.asked = "no";
+  return now === document.body ? null : { outline: `${outlineWidth} ${outlineStyle}`, name };
+}
+"""
+UNREACHED = "[...document.querySelectorAll('[data-asked=yes]')].map((each) => each.outerHTML.slice(0, 120))"
+STROKE = "#selected input[data-mark=stroke]"
+
+
+@pytest.mark.parametrize("view", ["Line", "Gesture editor", "Rules", "Table read"])
+def test_tab_leads_to_every_control_of_a_view(opened: Page, view: str) -> None:
+    opened.click("#items li:has-text('gesture NEGATION')")
+    opened.click(f"#views >> text='{view}'")
+    if view == "Gesture editor":
+        opened.wait_for_selector("#gesture-canvas[data-pose*='.']")
+    elif view == "Rules":
+        opened.fill("#rule-filter", "affirmation")
+        opened.wait_for_selector("#rule-list li")
+    for _press in range(opened.evaluate(CONTROLS) + SPARE_TABS):
+        opened.keyboard.press("Tab")
+        if focused := opened.evaluate(FOCUSED):
+            assert focused["name"], "it has no name"
+            assert focused["outline"] == "2px solid"
+    assert opened.evaluate(UNREACHED) == []
+
+
+def test_marks_and_edges_of_words_are_moved_by_arrows_and_keep_the_focus(opened: Page) -> None:
+    """Quick presses add up, though the service has not answered the first when the last comes. The first of a field
+    goes to whole hundredths."""
+    opened.click("#items li:has-text('gesture NEGATION')")
+    before_s = float(opened.input_value(STROKE))
+    opened.focus(STROKE)
+    for _press in range(5):
+        opened.keyboard.press("ArrowUp")
+    wait_until(opened, f"document.querySelector('{STROKE}').value > {before_s + 0.038}")
+    _idle(opened)
+    assert float(opened.input_value(STROKE)) == pytest.approx(before_s + 0.045, abs=0.006)
+    assert opened.evaluate("document.activeElement.dataset.mark") == "stroke"
+    opened.click("#items li:has-text('word lights')")
+    end_s, start_s = (float(opened.input_value(f"#word-{edge}")) for edge in ("end", "start"))
+    opened.focus("#word-end")
+    opened.keyboard.press("ArrowDown")
+    opened.keyboard.press("ArrowDown")
+    wait_until(opened, f"document.querySelector('#word-end').value < {end_s - 0.009}")
+    _idle(opened)
+    end_s = float(opened.input_value("#word-end"))
+    assert opened.evaluate("document.activeElement.id") == "word-end"
+    opened.focus("#items")
+    opened.keyboard.press("Alt+ArrowLeft")
+    opened.keyboard.press("Alt+ArrowLeft")
+    moved = f"{start_s - 0.04:.2f}–{end_s - 0.04:.2f}"
+    expect(opened.locator("#items li", has_text="word lights")).to_contain_text(moved)
+
+
+def test_the_line_is_played_and_looped_where_the_list_has_the_focus(opened: Page) -> None:
+    opened.focus("#stage-canvas")
+    opened.keyboard.press("Shift+ArrowRight")
+    opened.keyboard.press("[")
+    opened.keyboard.press("Shift+ArrowRight")
+    opened.keyboard.press("]")
+    expect(opened.locator("#loop")).to_have_attribute("aria-pressed", "true")
+    opened.keyboard.press("End")
+    assert opened.inner_text("#time") == "7.18 s"
+    opened.focus("#items")
+    opened.keyboard.press(" ")
+    expect(opened.locator("#play")).to_have_text("Pause")
+    wait_until(opened, "document.querySelector('audio').currentTime > 0.6")
+    assert 0.5 <= float(opened.inner_text("#time").removesuffix(" s")) < 1.2
+    opened.click("#views >> text=Rules")
+    assert opened.evaluate("document.querySelector('audio').paused"), "it sounds where nobody sees it"
+
+
+def test_the_camera_orbits_by_keyboard(opened: Page) -> None:
+    picture = "document.querySelector('#stage-canvas').toDataURL()"
+    before = opened.evaluate(picture)
+    opened.focus("#stage-canvas")
+    for key in ("d", "w", "+"):
+        opened.keyboard.press(key)
+        wait_until(opened, f"{picture} !== {json.dumps(before)}")
+        before = opened.evaluate(picture)
+
+
+def _idle(page: Page) -> None:
+    """Waits until the service has answered the last change."""
+    page.wait_for_timeout(50)
+    wait_until(page, "!document.querySelector('#state').textContent.startsWith('Performing')")
