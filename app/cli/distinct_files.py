@@ -1,8 +1,8 @@
-"""No command writes a file over one that it reads, or two results into one file.
+"""Prevents commands from overwriting their input, or writing two results to one file.
 
 Arguments that name files are of the types `InputFile` and `OutputFile`, so that every command is checked alike. Two
 names are the same file if their inode is the same or they resolve to the same path; `-` is whatever the standard stream
-was redirected to. What is no regular file (a terminal, /dev/null) may be named as often as one likes.
+was redirected to. What is not a regular file (a terminal, /dev/null) may be named any number of times.
 """
 
 import argparse
@@ -28,12 +28,13 @@ class OutputFile(str):
 
 
 Identity = tuple[int, int] | Path | str
-"""Device and inode; the resolved path of what does not exist yet; `STANDARD` for standard output that is no file."""
+"""Device and inode; the resolved path if the file does not exist yet; `STANDARD` for standard output that is not a
+file."""
 
 
 def require_distinct(arguments: argparse.Namespace, beside: Iterable[OutputFile] = ()) -> None:
-    """Raises InputError `files_same` where an output is an input, or another output; `beside` are outputs whose names
-    are made of those in `arguments`."""
+    """Raises InputError `files_same` where an output is also an input, or another output; `beside` are outputs whose
+    names are derived from those in `arguments`."""
     named = [*_named(arguments), *(("output", name) for name in beside)]
     taken: dict[Identity, tuple[str, str]] = {
         identity: (field, name)
@@ -63,14 +64,14 @@ def _message(name: str, field: str, other: str) -> str:
 
 
 def _identity(name: str) -> Identity | None:
-    """None for what is no regular file."""
+    """None for what is not a regular file."""
     is_output = isinstance(name, OutputFile)
     try:
         found = os.fstat(int(is_output)) if name == STANDARD else Path(name).stat()
     except FileNotFoundError:
         return Path(name).resolve()
     except (OSError, ValueError):
-        return None  # whoever opens it will tell
+        return None  # reported when it is opened
     if S_ISREG(found.st_mode):
         return found.st_dev, found.st_ino
     return STANDARD if is_output and name == STANDARD else None

@@ -1,4 +1,4 @@
-"""Files and standard streams as the commands use them: read up to a limit, written whole or not at all.
+"""Files and standard streams for the commands: input is read up to a limit, output written completely or not at all.
 
 `-` is standard input or output.
 """
@@ -41,7 +41,7 @@ def read_text(name: str, *, max_characters: int, field: str) -> str:
 
 
 def require_writable(name: str, *, field: str) -> None:
-    """Raises InputError `file_unwritable` when `write` would, so that no work is done in vain."""
+    """Raises InputError `file_unwritable` when `write` would, so that no work is wasted."""
     if name == STANDARD:
         return
     target = Path(name).resolve()
@@ -54,8 +54,8 @@ def require_writable(name: str, *, field: str) -> None:
 
 
 def write(name: str, content: bytes) -> None:
-    """Writes a file by way of a temporary neighbour: readers see the old content or the new, never a part. A file that
-    is replaced keeps its mode.
+    """Writes a file through a temporary file beside it: readers see the old content or the new, never a part. A file
+    that is replaced keeps its mode.
 
     Raises InputError `file_unwritable`.
     """
@@ -73,7 +73,7 @@ def write(name: str, content: bytes) -> None:
 
 
 def write_standard(content: bytes) -> None:
-    """Writes to standard output, at once."""
+    """Writes to standard output and flushes it."""
     sys.stdout.buffer.write(content)
     sys.stdout.buffer.flush()
 

@@ -1,8 +1,8 @@
-"""Where the process begins: Ctrl-C ends it without a traceback whenever it comes, while modules are imported too.
+"""The entry point of the process: Ctrl-C ends it without a traceback at any time, even while modules are imported.
 
-The first Ctrl-C raises KeyboardInterrupt, so that a command can leave nothing half done. An import of a C extension may
-turn that into another error, and a destructor may swallow it; whatever is uncaught after it is its consequence, and
-ends the process as Ctrl-C does by default. A second Ctrl-C ends it at once.
+The first Ctrl-C raises KeyboardInterrupt, so that a command can clean up. An import of a C extension may turn that into
+another error, and a destructor may swallow it; any uncaught error afterwards is taken as its consequence, and ends the
+process as Ctrl-C does by default. A second Ctrl-C ends it at once.
 """
 
 import os

@@ -1,4 +1,4 @@
-"""The address that the service listens on, taken before anything is loaded: a wrong or taken one is told at once."""
+"""Binds the service's address before anything is loaded, so that a wrong or taken one is reported at once."""
 
 import socket
 from collections.abc import Sequence
@@ -11,11 +11,11 @@ from ..errors import InputError
 BACKLOG = 2048
 
 Address = tuple[Any, ...]
-"""As the socket's family has it: host, port and what else."""
+"""The address in the form of the socket's family: host, port and further fields."""
 
 
 def bind(host: str, port: int) -> tuple[socket.socket, ...]:
-    """A socket for every address of `host`, on one port; nobody can connect until they listen.
+    """A socket for every address of `host`, all on one port; nobody can connect before `listen`.
 
     Raises InputError `address_unusable`.
     """
@@ -34,7 +34,8 @@ def bind(host: str, port: int) -> tuple[socket.socket, ...]:
 
 
 def listen(bound: Sequence[socket.socket]) -> None:
-    """Lets clients connect. Raises InputError `address_unusable` where another process began to listen meanwhile."""
+    """Lets clients connect. Raises InputError `address_unusable` if another process has begun to listen in the
+    meantime."""
     for each in bound:
         try:
             each.listen(BACKLOG)
@@ -55,12 +56,12 @@ def _addresses(host: str, port: int) -> list[tuple[socket.AddressFamily, Address
 
 
 def _on_port(address: Address, bound: Sequence[socket.socket]) -> Address:
-    """The address with the port that the first socket got, if the system was to choose one."""
+    """The address with the port of the first socket, if the system was to choose one."""
     return (address[0], bound[0].getsockname()[1], *address[2:]) if bound else address
 
 
 def _bound(family: socket.AddressFamily, address: Address) -> socket.socket | None:
-    """None where the machine has no such address, as ::1 where IPv6 is off. Raises OSError."""
+    """None where the machine has no such address, for example ::1 where IPv6 is off. Raises OSError."""
     try:
         made = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # named, so that asyncio sets TCP_NODELAY
         made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

@@ -1,6 +1,6 @@
-"""What the command line says on standard error, in one of three voices: for people, for machines, or hardly at all.
+"""What the command line writes to standard error, in one of three voices: for people, for machines, or errors only.
 
-`--json-log` gives one JSON object a line, `--quiet` errors alone. Results never come this way.
+`--json-log` gives one JSON object a line, `--quiet` errors alone. Results are never written here.
 """
 
 import json
@@ -18,7 +18,7 @@ from ..study.scoring.mistakes import AnswersError
 
 
 class Voice(StrEnum):
-    """Who listens."""
+    """For whom the log is written."""
 
     PEOPLE = "people"
     MACHINES = "machines"
@@ -27,49 +27,50 @@ class Voice(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Log:
-    """Writes what happens to standard error."""
+    """Writes events to standard error."""
 
     voice: Voice
 
     @classmethod
     def for_arguments(cls, argv: Sequence[str]) -> "Log":
-        """The voice that `argv` asks for, wherever the option stands: mistakes in `argv` itself are told in it too."""
+        """The voice that `argv` asks for, wherever the option is: mistakes in `argv` itself are reported in it too."""
         if "--json-log" in argv:
             return cls(Voice.MACHINES)
         return cls(Voice.QUIET if "--quiet" in argv else Voice.PEOPLE)
 
     def stage(self, name: str) -> None:
-        """A stage of a performance begins."""
+        """Reports that a stage of a performance begins."""
         if self.voice is Voice.MACHINES:
             _write(json.dumps({"event": "stage", "stage": name}))
 
     def warnings(self, notices: Sequence[Notice], *, of: str = "") -> None:
-        """What was degraded, dropped or guessed; `of` is the file it concerns where there are several."""
+        """Reports what was degraded, dropped or guessed; `of` is the file it concerns if there are several."""
         for notice in notices:
             self._say("warning", f"warning: {of + ': ' if of else ''}{notice.message}", code=notice.code)
 
     def note(self, message: str) -> None:
-        """Something a person may want to know."""
+        """Reports something a person may want to know."""
         self._say("note", message)
 
     def problem(self, message: str) -> None:
-        """Something that is wrong with a part of the input, which the rest does not wait for."""
+        """Reports a problem with a part of the input that does not stop the rest."""
         self._say("problem", message)
 
     def event(self, name: str, fields: Mapping[str, object], message: str) -> None:
-        """A step of long work: all of it for machines, `message` for people, where there is one."""
+        """Reports a step of long work: all fields for machines, `message` for people, if there is one."""
         if self.voice is Voice.MACHINES:
             _write(json.dumps({"event": name, **fields}))
         elif message:
             self._say(name, message)
 
     def progress(self, message: str) -> None:
-        """How far long work is, for people; machines have its events."""
+        """Reports the progress of long work to people; machines have its events."""
         if self.voice is Voice.PEOPLE:
             _write(message)
 
     def error(self, error: UnderstudyError) -> None:
-        """Why nothing came of it: one line, or one a mistake with its source line where an author has to look."""
+        """Reports the error that ended the command: on one line, or one line a mistake, with its source line in
+        authored files."""
         if self.voice is Voice.MACHINES:
             field = error.field if isinstance(error, InputError) else None
             _write(json.dumps({"event": "error", "code": error.code, "field": field, "message": error.message}))
@@ -79,7 +80,7 @@ class Log:
             _write(f"understudy: {' '.join(error.message.splitlines())}")
 
     def service_logging(self) -> dict[str, Any]:
-        """How the service logs in this voice, for `logging.config.dictConfig`."""
+        """The logging configuration of the service in this voice, for `logging.config.dictConfig`."""
         form = (
             {"()": JsonLines} if self.voice is Voice.MACHINES else {"format": "%(levelname)s: %(message)s%(request)s"}
         )

@@ -1,8 +1,7 @@
-"""The command `understudy`: reads its arguments, runs one command, and turns every foreseen mistake into one line.
+"""The command `understudy`: reads its arguments, runs one command, and reports every foreseen mistake on one line.
 
-Exit codes: 0 done, 2 the input is wrong, 130 interrupted. A command is the module of its name in
-`understudy.cli.commands` with a function `run(arguments, log) -> int`; it is imported when it is called, so that
-`understudy --help` is quick.
+Exit codes: 0 done, 2 wrong input, 130 interrupted. A command is the module of its name in `understudy.cli.commands`
+with a function `run(arguments, log) -> int`; it is imported when it is called, so that `understudy --help` is quick.
 """
 
 import gc
@@ -21,12 +20,12 @@ WRONG_INPUT = 2
 INTERRUPTED = 130
 
 FEWEST_NEW_OBJECTS = 50_000
-"""Between two collections of garbage. Loading makes many objects, and all stay: to look through them after every 700,
-as Python does, takes a tenth of the time of a short line."""
+"""Garbage collection threshold. Loading makes many objects that all stay; with Python's own threshold of 700,
+collections take a tenth of the time of a short line."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Runs the command that `argv` (default: the process's arguments) names; the exit code."""
+    """Runs the command that `argv` (default: the process's arguments) names; returns the exit code."""
     gc.set_threshold(FEWEST_NEW_OBJECTS)
     argv = sys.argv[1:] if argv is None else argv
     log = Log.for_arguments(argv)
@@ -48,5 +47,6 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _discard_the_rest() -> None:
-    """Whoever read standard output has enough; what is still buffered must not raise again when Python ends."""
+    """Discards buffered output after its reader has closed the pipe, so that Python does not raise again when it
+    ends."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

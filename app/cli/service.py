@@ -1,7 +1,7 @@
-"""Runs the service until it is told to stop.
+"""Runs the service until it is stopped.
 
-Everything is loaded, and the bundled example performed once, before the first request is taken: a mistake in rules or
-settings is told like any other, and no caller waits for what only the first line needs.
+Everything is loaded, and the bundled example performed once, before the first request is accepted: a mistake in rules
+or settings is reported like any other, and no caller waits for what only the first line needs.
 """
 
 import signal
@@ -21,7 +21,7 @@ from .log import Log
 
 
 def _nothing(_address: str) -> None:
-    """What is done with the address when nobody says."""
+    """The default of `when_started`: does nothing."""
 
 
 def run_service(
@@ -33,10 +33,10 @@ def run_service(
     rules_folder: Path | None = None,
     when_started: Callable[[str], None] = _nothing,
 ) -> int:
-    """Listens where the settings say; `when_started` is told the first address, as a URL. Rules that are edited in the
-    page can be saved in `rules_folder`.
+    """Listens on the address in the settings; `when_started` is called with the first address, as a URL. Rules edited
+    in the page can be saved in `rules_folder`.
 
-    Raises KeyboardInterrupt, when all has ended, where that is what stopped it; InputError `address_unusable`,
+    Raises KeyboardInterrupt, after everything has ended, if that is what stopped it; InputError `address_unusable`,
     `key_missing` and `setting_wrong`.
     """
     admission = Admission.of(settings)

@@ -1,12 +1,12 @@
-"""The values that travel through a performance, from the audio to the schedule.
+"""The values that pass between the stages of a performance, from the audio to the schedule.
 
 Conventions: times are seconds from the start of the audio. Words are what white space separates in the transcript,
-numbered from 0; `first` and `last` are word numbers, both included. Everything here is frozen: a stage that changes
-a value returns a changed copy (`dataclasses.replace`).
+numbered from 0; `first` and `last` are word numbers, both included. Everything here is frozen: a stage that changes a
+value returns a changed copy (`dataclasses.replace`).
 
-A module holds the values that belong together: `signal` and `speech` what was heard, `language` and `functions` what
-was understood, `direction` and `choice` what could be shown, `body` and `schedule` what is, `performance` all of it.
-Take them from here.
+`signal` and `speech` have the results of acoustic analysis, `language` and `functions` those of understanding the
+words, `direction` and `choice` the plan and the candidates, `body` and `schedule` the behaviours, `performance` all of
+it. Import the values from here.
 """
 
 from .body import Channel, Hand

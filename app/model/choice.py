@@ -1,4 +1,4 @@
-"""What could be shown, and why it is or is not: moments, and the behaviours that compete for them (paper §3.4)."""
+"""The plan and the candidates: moments, the behaviours that could show them, and why they win or lose (paper §3.4)."""
 
 from dataclasses import dataclass
 from enum import StrEnum
@@ -17,7 +17,7 @@ class Mode(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Term:
-    """One reason for or against a choice: a fact about the words, and what it weighs (log-odds)."""
+    """One reason for or against a choice: a fact about the words, and its weight (log-odds)."""
 
     name: str
     weight: float
@@ -25,7 +25,7 @@ class Term:
 
 @dataclass(frozen=True, slots=True)
 class Rejected:
-    """What a moment might have been and is not: the families that lost, what they would have been worth, and why."""
+    """An alternative that lost at a moment: its families, their expected worth, and the reason."""
 
     families: tuple[str, ...]
     worth: float
@@ -34,12 +34,12 @@ class Rejected:
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """Words `first` to `last`, over which one channel means something; a gesture's stroke falls on word `stroke`.
+    """Words `first` to `last`, during which one channel expresses something; a gesture's stroke falls on word `stroke`.
 
-    `families` are what it may mean, the likeliest first, `shares` how likely each is to be what a director wants there.
-    `importance` ranks the moments of a line. `terms` made the first family win, the heaviest first; `rejected` lost to
-    it. `note` is the number of the director's note it comes from, if any; `set_against` is the word of the stroke that
-    shows the other side of its contrast.
+    `families` are the possible meanings, the likeliest first, `shares` the probability of each that a director wants it
+    there. `importance` ranks the moments of a line. `terms` made the first family win, the heaviest first; `rejected`
+    lost to it. `note` is the number of the director's note it comes from, if any; `set_against` is the word of the
+    stroke that shows the other side of its contrast.
     """
 
     id: str
@@ -58,10 +58,11 @@ class Moment:
 
 @dataclass(frozen=True, slots=True)
 class Movement:
-    """A behaviour class, `name` in its table, that could show a function (paper §3.4), clock and neighbours aside.
+    """A behaviour class, `name` in its table, that could show a function (paper §3.4), regardless of time and
+    neighbours.
 
-    Its stroke falls on word `stroke`; where that is None, on the word of its span that the table says. `moment` is the
-    id of the moment it makes visible, `target` what it is at if not what the table says.
+    Its stroke falls on word `stroke`; if that is None, on the word of its span that the table says. `moment` is the id
+    of the moment it shows, `target` its target if that is not the table's.
     """
 
     name: str
@@ -79,8 +80,8 @@ class Movement:
 class Alternative:
     """Movements that show a function together, or any part of them (paper §3.4).
 
-    `weight` is how often a rule wants them, `lot` the luck they drew (exponential, mean 1). Where nothing else speaks
-    for one of several alternatives the smallest `lot / weight` wins, which takes each in proportion to its weight.
+    `weight` is how often a rule wants them, `lot` a random draw (exponential, mean 1). If nothing else decides between
+    alternatives, the smallest `lot / weight` wins, so that each is chosen in proportion to its weight.
     """
 
     movements: tuple[Movement, ...]
@@ -90,7 +91,7 @@ class Alternative:
 
 @dataclass(frozen=True, slots=True)
 class BehaviorCandidates:
-    """A function or a moment that wants to be shown, and all that could show it; at least one alternative."""
+    """A function or a moment to be shown, and everything that could show it; at least one alternative."""
 
     function: Function | None
     alternatives: tuple[Alternative, ...]
@@ -98,12 +99,12 @@ class BehaviorCandidates:
 
     @property
     def priority(self) -> float:
-        """What is shown first where not all can be: a moment by what it is worth, a function by its priority."""
+        """Decides what is shown where not everything can be: the importance of a moment, the priority of a function."""
         return max(movement.priority for alternative in self.alternatives for movement in alternative.movements)
 
     @property
     def rank(self) -> tuple[float, int, int, str]:
-        """Sorts candidates: the most important first, then by their words."""
+        """Sort key: the most important first, then by position."""
         shown = self.moment or self.function
         assert shown is not None, "candidates show something"
         return -self.priority, shown.first, shown.last, shown.id

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class DirectedMoment:
-    """A director's note: over words `first` to `last` the body should mean something, the hand's stroke on `stroke`.
+    """A director's note: over words `first` to `last` the body should express something, with the hand's stroke on
+    `stroke`.
 
     `gesture` are families of gestures (docs/directing.md), any of which would be right, the best first; `head`, `face`
     and `gaze` likewise. An empty tuple leaves the channel to the rules, ("still",) keeps it still. `importance` is 1
@@ -25,8 +26,8 @@ class DirectedMoment:
 
 @dataclass(frozen=True, slots=True)
 class Avoidance:
-    """A director's note: over words `first` to `last` none of `what` (families of any channel; "hands" and "any" are
-    all of the hands, or of everything)."""
+    """A director's note: over words `first` to `last` nothing of `what` (families of any channel; "hands" is every
+    gesture, "any" everything)."""
 
     first: int
     last: int
@@ -36,7 +37,7 @@ class Avoidance:
 
 @dataclass(frozen=True, slots=True)
 class Direction:
-    """A director's notes on a line. `complete` tells that the hands do nothing but what the notes say."""
+    """A director's notes on a line. If it is `complete`, the hands do only what the notes say."""
 
     moments: tuple[DirectedMoment, ...] = ()
     avoid: tuple[Avoidance, ...] = ()

@@ -1,9 +1,9 @@
-"""What words do: communicative functions (paper §3.3), derived or given, and why we think so."""
+"""Communicative functions of words (paper §3.3), derived or given, with their justification."""
 
 from dataclasses import dataclass
 
 PLAIN = "plain"
-"""The subtype of a function whose class has none; it leaves as the empty string."""
+"""The subtype of a function whose class has none; in output it is the empty string."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,10 +17,10 @@ class Because:
 
 @dataclass(frozen=True, slots=True)
 class Function:
-    """A communicative function (paper §3.3): what words `first` to `last` do, how much it matters, and why we think so.
+    """A communicative function (paper §3.3) of words `first` to `last`, with its priority and justification.
 
-    A function that lost a conflict stays, with `kept` false and the winner's id in `lost_to`. `given` tells that it was
-    not derived but came with the line.
+    A function that lost a conflict stays, with `kept` false and the winner's id in `lost_to`. `given` marks a function
+    that was not derived but came with the line.
     """
 
     id: str
@@ -38,7 +38,7 @@ class Function:
 
 @dataclass(frozen=True, slots=True)
 class GivenFunction:
-    """A function that the caller already knows; `priority` None is above all that rules derive."""
+    """A function that the caller already knows; priority None ranks it above all that rules derive."""
 
     class_name: str
     subtype: str

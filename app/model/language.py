@@ -1,4 +1,4 @@
-"""The syntactic structure of a line (paper §3.2), and all that is known of a line before its meaning is sought."""
+"""The syntactic structure of a line (paper §3.2), and the utterance: all that is known before functions are derived."""
 
 from dataclasses import dataclass
 
@@ -51,10 +51,11 @@ class Parse:
 
 @dataclass(frozen=True, slots=True)
 class Utterance:
-    """All that is known of a line before its meaning is sought; `agitation` is None when nothing was heard. `fillers`
-    are in order of time, each between two words or at an end of the line.
+    """All that is known of a line before functions are derived; `agitation` is None without audio. `fillers` are in
+    order of time, each between two words or at an end of the line.
 
-    Where a performance begins `lead_in_s` before the recording, all times are on its clock and `duration_s` is both.
+    Where a performance begins `lead_in_s` before the recording, all times are on its clock and `duration_s` includes
+    both.
     """
 
     words: tuple[Word, ...]

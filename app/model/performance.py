@@ -1,4 +1,4 @@
-"""A whole performance, with what degraded on the way to it."""
+"""A whole performance, and notices about it."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ from .schedule import Behavior, Listening, Target, Viseme
 
 @dataclass(frozen=True, slots=True)
 class Notice:
-    """Something degraded, dropped or guessed on the way; `code` is stable, `message` is for people."""
+    """Something that was degraded, dropped or guessed; `code` is stable, `message` is for people."""
 
     code: str
     message: str
@@ -18,7 +18,7 @@ class Notice:
 
 @dataclass(frozen=True, slots=True)
 class Performance:
-    """The whole performance of a line: what was heard and understood, what the body does with it, and every reason."""
+    """The whole performance of a line: its analysis, the behaviours, and every reason."""
 
     utterance: Utterance
     functions: tuple[Function, ...]

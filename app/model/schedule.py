@@ -1,4 +1,4 @@
-"""What the body does when: behaviours in time, shapes of the mouth, and the schedule to realize (paper §3.8)."""
+"""The schedule: behaviours with their times, visemes, and the input of the realizer (paper §3.8)."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -10,8 +10,8 @@ from .speech import Interval, Level, Word
 
 @dataclass(frozen=True, slots=True)
 class SyncPoints:
-    """When a behaviour's phases fall (paper §3.8, Table 3). Only gestures and head movements have the inner five;
-    faces and gazes have `ready` (the peak, the target reached) and `relax`."""
+    """The times of a behaviour's phases (paper §3.8, Table 3). Only gestures and head movements have all of the inner
+    five; faces and gazes have `ready` (the peak, the target reached) and `relax`."""
 
     start: float
     end: float
@@ -35,13 +35,12 @@ class SyncPoints:
 
 @dataclass(frozen=True, slots=True)
 class Behavior:
-    """One movement of the schedule. `rule` mapped it, `function` (an id) is what it shows; both are None for what the
-    body does by itself, such as blinks. `moment` (an id) is the moment it belongs to. `lexeme` is the BML word for it,
-    `amount` its size in [0, 1], `target` what a gaze or a pointing is at, `repetitions` how often a nod or shake goes.
-    What lost a conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words.
-
-    `after_strokes_s` are the ends of a gesture's strokes after its main one, seconds after that; None leaves them to
-    the realizer. `edit` is the number of the author's edit that made or changed it."""
+    """One movement of the schedule. `rule` chose it, `function` (an id) is what it shows; both are None for idle
+    behaviour such as blinks. `moment` (an id) is the moment it belongs to. `lexeme` is its name in BML, `amount` its
+    size in [0, 1], `target` the target of a gaze or a pointing, `repetitions` the number of nods or shakes. What lost a
+    conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words. `after_strokes_s` are the
+    ends of a gesture's strokes after its main one, seconds after that; None leaves them to the realizer. `edit` is the
+    number of the author's edit that made or changed it."""
 
     id: str
     kind: Channel
@@ -76,8 +75,8 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class Viseme:
-    """A shape of the mouth, one of fifteen (shared/motion.md). `articulation` says how much of the shape is reached,
-    `opening` how wide the jaw is open, both in [0, 1]."""
+    """A mouth shape, one of fifteen (shared/motion.md). `articulation` says how fully the shape is reached, `opening`
+    how wide the jaw is open, both in [0, 1]."""
 
     label: str
     interval: Interval
@@ -87,7 +86,7 @@ class Viseme:
 
 @dataclass(frozen=True, slots=True)
 class Listening:
-    """What a listener of that name does while the line is spoken (paper §3.6)."""
+    """The behaviours of a listener while the line is spoken (paper §3.6)."""
 
     name: str
     behaviors: tuple[Behavior, ...]
@@ -95,15 +94,13 @@ class Listening:
 
 @dataclass(frozen=True, slots=True)
 class Schedule:
-    """A schedule as the realizer takes it (paper §3.8): behaviours whose times are all known, and the speech they go
-    with, so far as it is known.
+    """The input of the realizer (paper §3.8): behaviours whose times are all known, and what is known of the speech.
 
-    `phrases` are stretches of speech between pauses, `emphases_s` the moments of stress in it, `agitation` the level at
-    which clips are chosen, `character` who moves. The recording starts at `lead_in_s`. `stillness` (0 to 1) is how much
-    less than usual the body does by itself: at 1 it only breathes. `singletons` has the hands go back to rest after
-    every gesture for which they have the time at all, instead of joining near ones to units (NGS §4.1). `targets` are
-    where it looks and points, `functions` what the words do, for those who want to know why: BML has none, and nothing
-    that is played depends on them.
+    `phrases` are the intervals of speech between pauses, `emphases_s` the times of stress, `agitation` is the level at
+    which clips are chosen, `character` who moves. The recording starts at `lead_in_s`. `stillness` (0 to 1) reduces
+    idle movement: at 1 the body only breathes. With `singletons` the hands return to rest after every gesture if there
+    is time, instead of joining close ones into units (NGS §4.1). `targets` are the points it looks and points at,
+    `functions` those of the words, for information: BML has none, and nothing that is played depends on them.
     """
 
     behaviors: tuple[Behavior, ...]

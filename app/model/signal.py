@@ -1,4 +1,4 @@
-"""The recording and what is measured of it frame by frame."""
+"""The recording and what is measured in it frame by frame."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ FloatArray = NDArray[np.floating]
 SingleArray = NDArray[np.float32]
 
 SAMPLE_RATE_HZ = 16_000
-"""The rate at which every signal travels between the stages."""
+"""The sample rate of every signal that passes between the stages."""
 
 FRAME_SHIFT_S = 0.010
 """One analysis frame every 10 ms: frame k is centred on k × 10 ms (paper §3.1.1, §3.1.2)."""

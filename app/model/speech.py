@@ -1,10 +1,10 @@
-"""What is heard of a line: its words and speech sounds in time, how they stand out, how agitated the voice is."""
+"""The speech of a line: words and phones with their times and prominence, and the agitation of the voice."""
 
 from dataclasses import dataclass
 from enum import StrEnum
 
 EMPHASISED = 0.5
-"""A word's emphasis above which it counts as emphasised."""
+"""A word counts as emphasised if its emphasis exceeds this."""
 
 
 class Level(StrEnum):
@@ -17,7 +17,7 @@ class Level(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Interval:
-    """A stretch of time, in seconds from the start of the audio."""
+    """An interval of time, in seconds from the start of the audio."""
 
     start_s: float
     end_s: float
@@ -38,11 +38,11 @@ class Phone:
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A word of the transcript; without audio it has no interval, no phones and nothing of what follows.
+    """A word of the transcript; without audio it has no interval, no phones and none of the measures.
 
-    How it stands out, in [0, 1]: the stressed ratio is the paper's (§3.1.5), prominence is ours and needs phones, and
-    emphasis is whichever of them is set, on a scale of its own (`understudy.acoustic.stress.emphasis`), by which all
-    else goes. `spread` tells that its times were guessed from loudness alone.
+    The measures are in [0, 1]: the stressed ratio is the paper's (§3.1.5), prominence is ours and needs phones, and
+    emphasis is derived from the one that is chosen (`understudy.acoustic.stress.emphasis`); everything else uses
+    emphasis. `spread` marks times that were guessed from loudness alone.
     """
 
     index: int
@@ -61,7 +61,7 @@ class Word:
 
 @dataclass(frozen=True, slots=True)
 class Filler:
-    """A sound of hesitation ("um", "uh") that was heard and is no word of the transcript."""
+    """A hesitation sound ("um", "uh") that was heard and is not a word of the transcript."""
 
     text: str
     interval: Interval

@@ -18,7 +18,7 @@ def add_batch(add: Adding) -> None:
     parser.add_argument(
         "--audio", metavar="DIR", required=True, help="the folder of recordings, or the one recording of all lines"
     )
-    parser.add_argument("--out", metavar="DIR", required=True, help="where everything goes; the same goes on there")
+    parser.add_argument("--out", metavar="DIR", required=True, help="the output folder; a repeated run continues there")
     parser.add_argument("--format", metavar="NAME", action="append", default=[], help=f"repeatable: {FORMATS_HELP}")
     parser.add_argument("--layout", metavar="PATTERN", help='names of outputs (default "{id}.{ext}")')
     _add_joining(parser)
@@ -45,19 +45,22 @@ def _add_joining(parser: argparse.ArgumentParser) -> None:
 
 def _add_casting(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "--cast", metavar="FILE", type=InputFile, help="who performs whom: cast.yaml (docs/batch.md has an example)"
+        "--cast",
+        metavar="FILE",
+        type=InputFile,
+        help="who performs which role: cast.yaml (docs/batch.md has an example)",
     )
     parser.add_argument(
         "--partners",
         choices=("scene", "none"),
         default="scene",
-        help="who listens where nobody says: those who speak next to a line in its scene (default), or nobody",
+        help="the default listeners: those who speak next to a line in its scene (default), or nobody",
     )
     parser.add_argument(
         "--voices",
         choices=("learn", "none"),
         default="learn",
-        help="judge agitation by how each speaker sounds in the batch (default), or as anybody's",
+        help="judge agitation relative to each speaker's voice in the batch (default), or to the average voice",
     )
 
 
@@ -71,6 +74,10 @@ def _add_running(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--dry-run", action="store_true", help="say what would be done and what is missing; do nothing")
     parser.add_argument(
-        "--thumbnails", metavar="N", type=int, default=0, help="show key poses of N lines in report.html, urgent first"
+        "--thumbnails",
+        metavar="N",
+        type=int,
+        default=0,
+        help="show key poses of the N most urgent lines in report.html",
     )
     parser.add_argument("--again", action="store_true", help="perform every line again, done or not")

@@ -11,12 +11,12 @@ Adding = Callable[[str, str], argparse.ArgumentParser]
 
 
 def commands_of(parser: argparse.ArgumentParser) -> Adding:
-    """Adds to the commands of the whole."""
+    """Adds commands to the top-level parser."""
     return partial(_add, parser.add_subparsers(dest="command", metavar="COMMAND", required=True).add_parser)
 
 
 def actions_of(command: argparse.ArgumentParser) -> Adding:
-    """Adds to what a command can be told to do."""
+    """Adds actions to a command."""
     return partial(_add, command.add_subparsers(dest="action", metavar="ACTION", required=True).add_parser)
 
 

@@ -1,4 +1,4 @@
-"""The arguments of the commands that show, check and make what is performed with: `rules`, `gestures`, `characters` and
+"""The arguments of the commands that show, check and make authored resources: `rules`, `gestures`, `characters` and
 `profiles`."""
 
 from ...model import Hand, Level
@@ -10,14 +10,14 @@ from .shared import add_output
 
 def add_rules(add: Adding) -> None:
     add_action = actions_of(add("rules", "the rules, words, mappings and table entries"))
-    check = add_action("check", "tell every mistake in rules, words, characters, gestures and tables")
+    check = add_action("check", "report every mistake in rules, words, characters, gestures and tables")
     check.add_argument("paths", metavar="PATH", nargs="*", help="files or folders (default: those that are in use)")
     check.add_argument("--watch", action="store_true", help="check again whenever they are saved, until interrupted")
     listing = add_action("list", "list them")
     listing.add_argument("--json", action="store_true", help="as JSON")
     explain = add_action("explain", "what one of them does")
     explain.add_argument("name", metavar="NAME", help="a rule, a behaviour, a word or a phrase")
-    trace = add_action("trace", "which rules a text makes fire, and which nearly, for want of what")
+    trace = add_action("trace", "which rules fire on a text, which nearly do, and what they lack")
     trace.add_argument("--text", required=True, help="the words")
     trace.add_argument("--rule", metavar="NAME", help="only this rule: where it fires, or comes nearest")
     unused = add_action("unused", "rules and words that no line of a corpus uses")
@@ -26,7 +26,7 @@ def add_rules(add: Adding) -> None:
 
 def add_gestures(add: Adding) -> None:
     add_action = actions_of(add("gestures", "the library of gestures"))
-    check = add_action("check", "tell every mistake in gestures")
+    check = add_action("check", "report every mistake in gestures")
     check.add_argument("paths", metavar="PATH", nargs="*", help="files or folders (default: the library in use)")
     listing = add_action("list", "list them")
     listing.add_argument("--json", action="store_true", help="as JSON")
@@ -36,7 +36,9 @@ def add_gestures(add: Adding) -> None:
     render.add_argument("name", metavar="NAME", type=InputFile, help="a gesture, a category, or a .gesture file")
     add_output(render, "SHEET.png", "where the picture goes")
     render.add_argument("--level", choices=[level.value for level in Level], default="medium", help="of agitation")
-    render.add_argument("--hand", choices=[hand.value for hand in Hand], help="which makes it (default: as written)")
+    render.add_argument(
+        "--hand", choices=[hand.value for hand in Hand], help="the hand that makes it (default: as written)"
+    )
 
 
 def add_characters(add: Adding) -> None:
@@ -50,7 +52,7 @@ def add_characters(add: Adding) -> None:
 
 
 def add_profiles(add: Adding) -> None:
-    add_action = actions_of(add("profiles", "speakers' ways of gesturing"))
+    add_action = actions_of(add("profiles", "speakers' gesture profiles"))
     learn = add_action("learn", "learn one from annotated recordings of a speaker")
     formats = ".anvil, .eaf, .TextGrid, .csv or .json (docs/profiles.md)"
     learn.add_argument("files", metavar="FILE", nargs="+", type=InputFile, help=formats)
@@ -62,7 +64,7 @@ def add_profiles(add: Adding) -> None:
         "--words", metavar="FILE", type=InputFile, help="an annotation with the words: .TextGrid, .eaf, …"
     )
     add_output(propose, "OUT.eaf", "where the annotation goes: .eaf or .json")
-    mix = add_action("mix", "make one that lies between two")
+    mix = add_action("mix", "mix two profiles")
     profile = "a profile's name, or its .yaml file"
     mix.add_argument("profiles", metavar="PROFILE", nargs=2, type=InputFile, help=profile)
     mix.add_argument("--share", metavar="0…1", type=float, default=0.5, help="of the second (default 0.5)")

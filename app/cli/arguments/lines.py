@@ -24,15 +24,19 @@ def add_perform(add: Adding) -> None:
     add_line(parser)
     add_functions(parser)
     parser.add_argument(
-        "--direction", metavar="FILE", type=InputFile, help="a director's notes: what the body should mean where, JSON"
+        "--direction", metavar="FILE", type=InputFile, help="a director's notes on the line: JSON (docs/directing.md)"
     )
-    told = "what an author changed in the performance, made again: JSON (docs/edits.md)"
+    told = "an author's changes to the performance: JSON (docs/edits.md)"
     parser.add_argument("--edits", metavar="FILE", type=InputFile, help=told)
     add_output(parser, "OUT.bml", "where the BML goes, OUT.json: as JSON (default: standard output)", default=STANDARD)
     add_manner(parser)
     add_reference(parser)
     parser.add_argument(
-        "--listener", metavar="NAME", action="append", default=[], help="who listens; his BML goes to OUT.NAME.bml"
+        "--listener",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="who listens; the listener's BML goes to OUT.NAME.bml",
     )
     add_form(parser)
     parser.add_argument(
@@ -50,7 +54,7 @@ def add_perform(add: Adding) -> None:
 
 
 def add_script(add: Adding) -> None:
-    parser = add("script", "what the hands do in a speaker's way, as a gesture script: JSON that realize plays")
+    parser = add("script", "a line's gestures by a speaker's profile, as a gesture script: JSON that realize plays")
     add_line(parser)
     add_functions(parser)
     parser.add_argument(
@@ -85,7 +89,7 @@ def add_realize(add: Adding) -> None:
         required=True,
         help=f"{MOTION_HELP}; repeatable",
     )
-    parser.add_argument("--character", metavar="NAME", help="who moves (default: whom the BML names)")
+    parser.add_argument("--character", metavar="NAME", help="who moves (default: the character named in the BML)")
     add_agitation(parser)
     parser.add_argument(
         "--seed", type=int, help="another number chooses other variants (default: that of the performance, or 0)"
@@ -96,7 +100,7 @@ def add_realize(add: Adding) -> None:
 
 
 def add_live(add: Adding) -> None:
-    parser = add("live", "speech as it comes, gestures as they are decided, without the words; one JSON object a line")
+    parser = add("live", "gestures for live speech, without a transcript; one JSON object a line")
     heard = parser.add_mutually_exclusive_group(required=True)
     heard.add_argument("audio", metavar="FILE", type=InputFile, nargs="?", help=AUDIO_HELP)
     heard.add_argument("--microphone", action="store_true", help="hear the microphone (needs the extra `microphone`)")
@@ -104,27 +108,30 @@ def add_live(add: Adding) -> None:
         "--rate",
         metavar="HZ",
         type=int,
-        help="FILE is raw: 16-bit little-endian samples, one channel, so many a second; from - as they come",
+        help="FILE is raw 16-bit little-endian mono at this sample rate; standard input is read as it arrives",
     )
-    parser.add_argument("--frames", type=int, choices=(30, 60), help="tell the body's joints too, so often a second")
-    parser.add_argument("--vmc", metavar="HOST:PORT", help="move an avatar there, as the sound is heard (port 39539)")
+    parser.add_argument("--frames", type=int, choices=(30, 60), help="output the body's joints too, at this rate")
+    parser.add_argument("--vmc", metavar="HOST:PORT", help="move an avatar there in real time (port 39539)")
     parser.add_argument(
-        "--vmc-face", choices=("presets", "arkit", "none"), default="presets", help="whose shapes of the face VMC has"
+        "--vmc-face",
+        choices=("presets", "arkit", "none"),
+        default="presets",
+        help="the names of the face's blendshapes in VMC",
     )
-    parser.add_argument("--vmc-without-head", action="store_true", help="leave neck, head and eyes to who tracks them")
+    parser.add_argument("--vmc-without-head", action="store_true", help="leave neck, head and eyes to a tracker")
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
     add_output(parser, "OUT.jsonl", "where the lines go (default: standard output)", default=STANDARD)
 
 
 def add_analyses(add: Adding) -> None:
-    analyze = add("analyze", "what a line says and does, as JSON, before any movement is chosen")
+    analyze = add("analyze", "analyse a line before any movement is chosen: words, voice and functions, as JSON")
     add_line(analyze)
     add_functions(analyze)
     add_agitation(analyze)
     add_reference(analyze)
     analyze.add_argument("--plot", metavar="FILE", type=OutputFile, help="draw it too, as PNG (needs the extra `plot`)")
-    align = add("align", "words and phones in time")
+    align = add("align", "the times of words and phones")
     add_line(align)
     align.add_argument("--format", choices=("json", "textgrid", "ctm"), default="json")
     pitch = add("pitch", "pitch and energy every 10 ms")
@@ -134,8 +141,8 @@ def add_analyses(add: Adding) -> None:
     agitation.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="+", help=AUDIO_HELP)
     add_reference(agitation)
     reference = add("reference", "how a speaker usually sounds, for --reference")
-    spoken = "recordings of one speaker in his various moods"
+    spoken = "recordings of one speaker in various moods"
     reference.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="+", help=spoken)
     add_output(reference, "REF.json", "where it goes (default: standard output)", default=STANDARD)
-    functions = add("functions", "what the words alone do; without --text, JSON lines in and out")
+    functions = add("functions", "communicative functions of the words alone; without --text, JSON lines in and out")
     functions.add_argument("--text", help='the words; without it, lines of {"id", "text"} from standard input')

@@ -1,10 +1,10 @@
-"""Options that are given once: with a second the first would be lost without a word."""
+"""Options that may be given only once: argparse would silently drop the first of two."""
 
 import argparse
 
 
 class Once(argparse.Action):
-    """Keeps the value of an argument, and refuses an option that is there already; for one command line."""
+    """Stores the value of an argument, and refuses an option that was given before on the same command line."""
 
     _is_given = False
 

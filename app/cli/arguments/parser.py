@@ -14,7 +14,8 @@ from .study import add_study
 
 
 class _Parser(argparse.ArgumentParser):
-    """Argparse that tells a mistake as every other mistake is told, and takes no abbreviations."""
+    """An argparse parser that raises InputError, so that usage errors look like all others, and refuses
+    abbreviations."""
 
     def error(self, message: str) -> NoReturn:
         raise InputError("usage", f"{message}; see {self.prog} --help")

@@ -9,14 +9,14 @@ LARGEST_PORT = 65535
 
 
 def add_serve(add: Adding) -> None:
-    parser = add("serve", "answer over HTTP")
+    parser = add("serve", "run the HTTP service")
     parser.add_argument("--host", help="address to listen on (default: UNDERSTUDY_HOST, else 127.0.0.1)")
     parser.add_argument("--port", type=_port, help="port to listen on (default: UNDERSTUDY_PORT, else 8000)")
     parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")
 
 
 def add_studio(add: Adding) -> None:
-    parser = add("studio", "open the studio page: perform a line, look at it, change it, take it away")
+    parser = add("studio", "open the studio page: perform a line, look at it, change it, export it")
     parser.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="?", help="a line to open (WAV, FLAC, OGG)")
     text = parser.add_mutually_exclusive_group()
     text.add_argument("--text", help="the words that are spoken")

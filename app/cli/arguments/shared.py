@@ -34,7 +34,7 @@ def add_manner(parser: argparse.ArgumentParser) -> None:
         metavar="SECONDS",
         type=float,
         default=0.0,
-        help="begin that long before the recording, so that the first words' gestures have time (0 to 3, default 0)",
+        help="begin this long before the recording, so that the first words' gestures have time (0 to 3, default 0)",
     )
     add_stillness(parser)
     add_targets(parser)
@@ -42,15 +42,13 @@ def add_manner(parser: argparse.ArgumentParser) -> None:
 
 def add_motion(parser: argparse.ArgumentParser) -> None:
     add_rate(parser)
-    parser.add_argument(
-        "--avatar", metavar="FILE", type=InputFile, help="your own GLB or VRM, to wear the motion in .glb"
-    )
+    parser.add_argument("--avatar", metavar="FILE", type=InputFile, help="your own GLB or VRM, to be animated in .glb")
     parser.add_argument(
         "--tail",
         metavar="SECONDS",
         type=float,
         default=0.0,
-        help="go on so long after the recording, so that the hands come to rest (0 to 10, default 0)",
+        help="go on this long after the recording, so that the hands come to rest (0 to 10, default 0)",
     )
     parser.add_argument("--t-pose", action="store_true", help="begin .bvh with a frame in the T-pose")
     parser.add_argument(
@@ -68,7 +66,7 @@ def add_rate(parser: argparse.ArgumentParser) -> None:
     rates = FRAME_RATES_HZ
     parser.add_argument("--fps", type=int, choices=rates, default=max(rates), help="frames a second of the motion")
     parser.add_argument(
-        "--skeleton", metavar="NAME", help="whose names joints go by (default: mixamo in BVH, vrm in JSON)"
+        "--skeleton", metavar="NAME", help="the rig whose joint names are used (default: mixamo in BVH, vrm in JSON)"
     )
     told = "move with momentum: arms swing, wrists overshoot (needs understudy[physics])"
     parser.add_argument("--physics", action=argparse.BooleanOptionalAction, help=told)
@@ -91,14 +89,14 @@ def add_stillness(parser: argparse.ArgumentParser) -> None:
         metavar="0…1",
         type=float,
         default=0.0,
-        help="how much less than usual moves; at 1 only breath, blinks and lips (default 0)",
+        help="reduce movement; at 1 only breath, blinks and lips are left (default 0)",
     )
 
 
 def add_form(parser: argparse.ArgumentParser) -> None:
     timings = [timing.value for timing in TimeForm]
     parser.add_argument(
-        "--timing", choices=timings, default="absolute", help="times in seconds, or from the marks of the speech (sync)"
+        "--timing", choices=timings, default="absolute", help="times in seconds, or as sync points of the speech (sync)"
     )
     dialects = [dialect.value for dialect in DialectName]
     parser.add_argument(
@@ -106,12 +104,12 @@ def add_form(parser: argparse.ArgumentParser) -> None:
     )
     names = [name.value for name in VisemeNames]
     parser.add_argument(
-        "--visemes", choices=names, default="smartbody", help="whose names SmartBody's mouth shapes have (its own)"
+        "--visemes", choices=names, default="smartbody", help="the names of visemes for SmartBody (default: its own)"
     )
     parser.add_argument(
         "--bmlt-audio",
         action="store_true",
-        help="also an element by which ASAP plays the recording, in BML 1.0; strict readers refuse it",
+        help="in BML 1.0, add an element with which ASAP plays the recording; strict readers refuse it",
     )
 
 
@@ -132,7 +130,7 @@ def add_line(parser: argparse.ArgumentParser) -> None:
 
 
 def add_functions(parser: argparse.ArgumentParser) -> None:
-    told = "what words do that you know already: a JSON list"
+    told = "communicative functions that you know already: a JSON list"
     parser.add_argument("--functions", metavar="FILE", type=InputFile, help=told)
 
 
@@ -149,6 +147,6 @@ def add_reference(parser: argparse.ArgumentParser) -> None:
 
 
 def add_output(parser: argparse.ArgumentParser, metavar: str, told: str, *, default: str | None = None) -> None:
-    """Where the one result goes, which has to be said where there is no default."""
+    """Adds the option for the output file, which is required if there is no default."""
     needed = default is None
     parser.add_argument("-o", "--output", metavar=metavar, type=OutputFile, required=needed, default=default, help=told)

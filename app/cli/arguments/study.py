@@ -31,7 +31,7 @@ def _add_make(make: argparse.ArgumentParser) -> None:
         "--compare",
         choices=[each.value for each in Comparison],
         default=Comparison.MODES.value,
-        help="gestures from meaning, stress and chance (default), or joined to units and single",
+        help="gestures from meaning, stress and chance (default), or gestures in units and single ones",
     )
     make.add_argument("--profile", metavar="P", help="of units: whose gestures, as in perform (default sweeping)")
     make.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")

@@ -1,4 +1,4 @@
-"""`understudy align`: words and phones in time, as JSON, Praat TextGrid or CTM."""
+"""`understudy align`: the times of words and phones, as JSON, Praat TextGrid or CTM."""
 
 import argparse
 from pathlib import PurePath

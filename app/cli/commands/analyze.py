@@ -1,4 +1,4 @@
-"""`understudy analyze`: what a line says and does, as JSON, and if asked for as a picture."""
+"""`understudy analyze`: the analysis of a line as JSON, and on request as a picture."""
 
 import argparse
 

@@ -1,4 +1,4 @@
-"""`understudy characters`: who can perform, how they move, and what they look like."""
+"""`understudy characters`: lists, shows and draws the characters."""
 
 import argparse
 

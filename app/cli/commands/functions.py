@@ -1,4 +1,4 @@
-"""`understudy functions`: what words alone do, nothing heard; without `--text`, line by line, and the exit code is 2 if
+"""`understudy functions`: communicative functions of words alone; without `--text`, line by line, with exit code 2 if
 one was wrong."""
 
 import argparse
@@ -16,7 +16,7 @@ from ..log import Log
 def run(arguments: argparse.Namespace, _log: Log) -> int:
     settings = read_settings()
     if arguments.text is not None:
-        read_transcript(arguments.text, max_characters=settings.max_text_characters)  # a wrong one is told at once
+        read_transcript(arguments.text, max_characters=settings.max_text_characters)  # before models are loaded
     from ...understanding import LanguageModels, find_functions
 
     language = LanguageModels.load(settings)
@@ -27,6 +27,6 @@ def run(arguments: argparse.Namespace, _log: Log) -> int:
         return 0
     from ..inputs.function_lines import answer_lines
 
-    gc.freeze()  # what is loaded stays; looking through it again and again takes a tenth of the time
+    gc.freeze()  # what is loaded stays; collecting garbage in it takes a tenth of the time
     answer_lines(language, cast(BufferedIOBase, sys.stdin.buffer))
     return 0

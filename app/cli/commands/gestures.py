@@ -28,7 +28,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 
 def _check(arguments: argparse.Namespace, log: Log) -> None:
-    """Every mistake is raised; without one, poses that the body cannot take are told, and what was checked."""
+    """Raises every mistake; if there is none, warns of poses that the body cannot take, and says what was checked."""
     paths = [Path(path) for path in arguments.paths]
     if paths:
         files = check_files(paths)

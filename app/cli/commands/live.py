@@ -1,7 +1,8 @@
-"""`understudy live`: speech as it comes, what the body does as it is decided, one JSON object a line (docs/live.md).
+"""`understudy live`: performs speech as it arrives, and writes behaviours as they are decided, one JSON object a line
+(docs/live.md).
 
-The lines are the messages of `WS /live`: `ready`, then behaviours, shapes of the mouth and, asked for, frames; at last
-`done`. With `--vmc` the frames go to a program that shows an avatar, a recording as fast as it is spoken.
+The lines are the messages of `WS /live`: `ready`, then behaviours, mouth shapes and, on request, frames; finally
+`done`. With `--vmc` the frames go to a program that shows an avatar; a recording is then played in real time.
 """
 
 import argparse
@@ -56,7 +57,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 @dataclass(frozen=True, slots=True)
 class _Sink:
-    """Where what is told goes."""
+    """The destinations of the output."""
 
     out: TextIO
     sender: VmcSender | None
@@ -82,7 +83,7 @@ def _address(text: str) -> tuple[str, int]:
 
 
 def _opened(path: str) -> TextIO:
-    """A file that is written while the stream goes on. Raises InputError `file_unwritable`."""
+    """A file that is written during the stream. Raises InputError `file_unwritable`."""
     try:
         return open(path, "w", encoding="utf-8")
     except OSError as error:
@@ -96,7 +97,7 @@ def _check_rate(rate_hz: int | None, settings: Settings) -> None:
 
 
 def _sound(arguments: argparse.Namespace, settings: Settings, log: Log) -> tuple[int, Iterator[FloatArray]]:
-    """The rate and the chunks of what is to be heard."""
+    """The sample rate and the chunks of the input."""
     rate_hz = arguments.rate
     if arguments.microphone:
         return rate_hz or SAMPLE_RATE_HZ, microphone_chunks(rate_hz or SAMPLE_RATE_HZ, CHUNK_S)
@@ -111,7 +112,7 @@ def _sound(arguments: argparse.Namespace, settings: Settings, log: Log) -> tuple
 
 
 def _perform(models: LiveModels, options: LiveOptions, chunks: Iterator[FloatArray], sink: _Sink) -> None:
-    """Tells everything as soon as it is known."""
+    """Writes everything as soon as it is known."""
     session = LiveSession(models, options)
     joints = models.understudy.realizer.skeleton.names if sink.tells_frames else ()
     sink.line(to_ready(options, tuple(joints)))
@@ -122,7 +123,7 @@ def _perform(models: LiveModels, options: LiveOptions, chunks: Iterator[FloatArr
 
 
 def _paced(chunks: Iterator[FloatArray], rate_hz: int) -> Iterator[FloatArray]:
-    """The chunks, none before its sound would have been heard."""
+    """The chunks in real time: none before its end would have been heard."""
     began_s, heard_s = time.monotonic(), 0.0
     for chunk in chunks:
         heard_s += len(chunk) / rate_hz
@@ -131,7 +132,7 @@ def _paced(chunks: Iterator[FloatArray], rate_hz: int) -> Iterator[FloatArray]:
 
 
 def _chunks_of(stream: BinaryIO, rate_hz: int) -> Iterator[FloatArray]:
-    """16-bit samples as they come; a byte left over at the end is dropped."""
+    """16-bit samples as they arrive; an odd byte at the end is dropped."""
     size = 2 * round(CHUNK_S * rate_hz)
     while len(content := stream.read(size)) > 1:
         yield _samples(content)

@@ -1,4 +1,4 @@
-"""`understudy perform`: one line in, BML out, and what the character does and why."""
+"""`understudy perform`: one line in, BML out, with a summary of what the character does and why."""
 
 import argparse
 from collections.abc import Sequence
@@ -75,7 +75,7 @@ def _performed(
 
 
 def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespace, log: Log) -> None:
-    """The trace, the BML, and what goes beside it."""
+    """Writes the trace, the BML, and the files beside it."""
     from ...performance import write_listener
     from ...schemas.responses import PerformanceResponse
 
@@ -95,7 +95,7 @@ def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespac
 
 
 def _form(arguments: argparse.Namespace) -> BmlForm:
-    """What comes from standard input goes by the name of the output."""
+    """The BML's form; audio from standard input is named after the output."""
     named = [name for name in (arguments.audio, arguments.output) if name != STANDARD]
     return BmlForm(
         DialectName(arguments.dialect),
@@ -112,7 +112,7 @@ def _speech_file_names(arguments: argparse.Namespace) -> list[OutputFile]:
 
 
 def _beside_act(output: str, name: str) -> OutputFile:
-    """The file that SmartBody wants in the folder of the recording goes to that of the act."""
+    """SmartBody's file for the folder of the recording, written to the folder of the act."""
     return OutputFile(PurePath(output).with_name(name))
 
 
@@ -122,7 +122,7 @@ def _beside(output: str, name: str) -> OutputFile:
 
 
 def _check_targets(arguments: argparse.Namespace, settings: Settings) -> None:
-    """Raises InputError before the work when its result could not be written."""
+    """Raises InputError before the work is done if its result could not be written."""
     if arguments.listener and arguments.output == STANDARD:
         raise InputError("usage", "a listener's BML goes beside the speaker's; say where with -o OUT.bml")
     listeners = [_beside(arguments.output, name) for name in listener_names(arguments.listener)]

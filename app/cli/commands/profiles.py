@@ -1,4 +1,4 @@
-"""`understudy profiles`: a speaker's way of gesturing learnt from annotation, mixed, listed and shown."""
+"""`understudy profiles`: learns a speaker's gesture profile from annotation; mixes, lists and shows profiles."""
 
 from __future__ import annotations
 

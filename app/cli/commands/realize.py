@@ -1,4 +1,4 @@
-"""`understudy realize`: BML in, motion out, in the format that each output's name ends in."""
+"""`understudy realize`: BML in, motion out, in the formats given by the outputs' names."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 def _prepared(
     bml: bytes, audio: bytes | None, arguments: argparse.Namespace, settings: Settings, log: Log
 ) -> PreparedSchedule:
-    """The schedule; what hears is loaded only where there is something to hear."""
+    """The schedule; the acoustic models are loaded only if there is a recording."""
     from ...realization import BmlInput, PreparedSchedule, prepare_schedule
 
     if bml.lstrip().startswith(b"{"):

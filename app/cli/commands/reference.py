@@ -1,4 +1,4 @@
-"""`understudy reference`: how a speaker usually sounds, from recordings of his, for `--reference`."""
+"""`understudy reference`: describes how a speaker usually sounds, from recordings, for `--reference`."""
 
 import argparse
 

@@ -1,6 +1,6 @@
-"""`understudy rules`: check, list, explain and trace what authors edit.
+"""`understudy rules`: checks, lists, explains and traces what authors edit.
 
-Each action imports what it needs: to check rules nothing is parsed or heard.
+Each action imports what it needs: checking rules requires no parser and no aligner.
 """
 
 import argparse
@@ -21,7 +21,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 
 def _check(arguments: argparse.Namespace, log: Log) -> None:
-    """Every mistake is raised; without one, one line on standard error says what was checked."""
+    """Raises every mistake; if there is none, a line on standard error says what was checked."""
     paths = [Path(path) for path in arguments.paths]
     if arguments.watch:
         _watch(paths, log)
@@ -38,7 +38,7 @@ def _check_once(paths: Sequence[Path], log: Log) -> None:
 
 
 def _watch(paths: Sequence[Path], log: Log) -> None:
-    """Checks now and at each save, until interrupted: mistakes are told, not raised."""
+    """Checks now and at each save, until interrupted; mistakes are logged, not raised."""
     from ...authoring.watching import files_in_use, saves
 
     saved = saves(paths or files_in_use())  # before the first check, so that no save is missed

@@ -1,4 +1,4 @@
-"""`understudy script`: what the hands do with a line in a speaker's way, as a gesture script."""
+"""`understudy script`: writes the gesture script of a line by a speaker's profile."""
 
 import argparse
 

@@ -1,4 +1,4 @@
-"""`understudy serve`: the service, until it is told to stop."""
+"""`understudy serve`: runs the service until it is stopped."""
 
 import argparse
 
@@ -8,7 +8,7 @@ from ..service import run_service
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
-    """Raises KeyboardInterrupt, when all has ended, where that is what stopped it."""
+    """Raises KeyboardInterrupt, after everything has ended, if that is what stopped it."""
     settings = read_settings()
     chosen = {"host": arguments.host, "port": arguments.port}
     settings = settings.model_copy(update={key: value for key, value in chosen.items() if value is not None})

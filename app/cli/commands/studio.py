@@ -1,5 +1,5 @@
-"""`understudy studio`: the service on this machine alone, and the studio page in the browser, with a line or a
-scene if one is given."""
+"""`understudy studio`: runs the service for this machine alone and opens the studio page in the browser, with a line or
+a scene if one is given."""
 
 import argparse
 import webbrowser
@@ -17,7 +17,7 @@ LOOPBACK = "127.0.0.1"
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
-    """Raises KeyboardInterrupt, when all has ended, where that is what stopped it; InputError for what cannot be
+    """Raises KeyboardInterrupt, after everything has ended, if that is what stopped it; InputError for what cannot be
     read."""
     settings = read_settings().model_copy(update={"host": LOOPBACK, "port": arguments.port, "studio": True})
     scene = _scene(arguments)
@@ -37,7 +37,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 
 def _rules_folder(arguments: argparse.Namespace) -> Path | None:
-    """Where rules may be saved; raises InputError `file_unwritable` for what is no folder."""
+    """The folder where rules may be saved; raises InputError `file_unwritable` if it does not exist."""
     if arguments.rules is None:
         return None
     folder = Path(arguments.rules)
@@ -47,7 +47,7 @@ def _rules_folder(arguments: argparse.Namespace) -> Path | None:
 
 
 def _scene(arguments: argparse.Namespace) -> OpenedScene | None:
-    """The scene to open; raises InputError `usage` for a line beside it."""
+    """The scene to open; raises InputError `usage` if a line is given as well."""
     if arguments.scene is None:
         return None
     if arguments.audio is not None:
@@ -67,7 +67,7 @@ def _line(arguments: argparse.Namespace, settings: Settings) -> OpenedLine | Non
 
 
 def _text(arguments: argparse.Namespace, settings: Settings) -> str:
-    """The words; none where nobody gave them, and the page asks for them."""
+    """The words; empty if none are given, in which case the page asks for them."""
     if arguments.text_file is None:
         return arguments.text or ""
     return read_text(arguments.text_file, max_characters=settings.max_text_characters, field="text").strip()

@@ -1,4 +1,5 @@
-"""`understudy study`: the papers' comparisons, made from one's own lines, and the statistics of the answers."""
+"""`understudy study`: repeats the papers' comparisons with one's own lines, and computes the statistics of the
+answers."""
 
 import argparse
 from collections.abc import Sequence
@@ -48,7 +49,7 @@ def _line_made(log: Log, told: str, notices: Sequence[Notice]) -> None:
 
 
 def _profile(arguments: argparse.Namespace, comparison: Comparison) -> Profile | str | None:
-    """Raises InputError `usage` for a profile where gestures are compared that no profile makes."""
+    """Raises InputError `usage` for a profile in a comparison that does not use one."""
     if comparison is Comparison.UNITS:
         return optional_profile(arguments.profile or USUAL_PROFILE)
     if arguments.profile is not None:

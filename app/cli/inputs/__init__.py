@@ -1,3 +1,2 @@
-"""What commands read: lines with their words and notes, recordings, corpora, and what of it is wrong before anything
-large is loaded. Imports `files` and `log`, and beneath `cli` the stages' readers and `schemas`.
-"""
+"""Reads the input of commands: lines with their words and notes, recordings, corpora; and checks it before anything
+large is loaded. Imports `files` and `log`, and beneath `cli` the stages' readers and `schemas`."""

@@ -1,4 +1,4 @@
-"""Reads a corpus: one utterance a line, as it is or as JSON `{"id", "text"}`; empty lines are passed over."""
+"""Reads a corpus: one utterance a line, as plain text or as JSON `{"id", "text"}`; empty lines are skipped."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,7 +9,7 @@ from ...transcript import read_transcript
 
 
 def read_corpus(name: str, *, max_characters: int) -> Iterator[str]:
-    """The texts of a file. Raises InputError `file_unreadable`, and for a line that is no text an error naming it."""
+    """The texts of a file. Raises InputError `file_unreadable`, and for an unusable line an error that names it."""
     try:
         with Path(name).open("rb") as lines:
             for number, line in enumerate(lines, start=1):

@@ -1,6 +1,6 @@
-"""What the arguments and files of a command have wrong, told before anything large is loaded.
+"""Checks arguments and files before anything large is loaded.
 
-To load spaCy, the aligner and their models takes most of the time of a short line; nothing here needs them.
+Loading spaCy, the aligner and their models takes most of the time of a short line; nothing here needs them.
 """
 
 from ...acoustic.alignment.timings import read_timings
@@ -18,7 +18,7 @@ from ...transcript import read_transcript
 
 
 def require_usable(line: Line, settings: Settings) -> None:
-    """Raises InputError as the line's performance would, for its audio, text, words' times, functions and notes."""
+    """Raises InputError as the performance would, for the line's audio, text, word timings, functions and notes."""
     transcript = read_transcript(line.text, max_characters=settings.max_text_characters)
     audio, _notices = decode(line.audio, audio_limits(settings))
     if line.timings is not None:

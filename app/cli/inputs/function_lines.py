@@ -1,8 +1,8 @@
-"""Lines of `{"id", "text"}` in, lines of functions out: `understudy functions` without `--text`.
+"""Answers lines of `{"id", "text"}` with lines of functions: `understudy functions` without `--text`.
 
-Every line gets one line out, in order and at once; a wrong one gets `{"id", "error": {"code", "message"}}`, and the
-others are answered all the same. Lines that have come already are parsed together, which is faster; no line
-waits for one that has not.
+Every line gets one line of output, in order and at once; a wrong one gets `{"id", "error": {"code", "message"}}`, and
+the others are still answered. Lines that have already arrived are parsed together, which is faster; no line waits for
+one that has not.
 """
 
 from collections.abc import Iterator, Sequence
@@ -40,7 +40,8 @@ def answer_lines(language: LanguageModels, stream: BufferedIOBase) -> None:
 
 
 def waiting_lines(stream: BufferedIOBase) -> Iterator[Sequence[bytes]]:
-    """The lines of a stream, as many together as can be read without waiting for more, `MOST_TOGETHER` at most."""
+    """The lines of a stream, in groups of those that can be read without waiting for more, at most `MOST_TOGETHER`
+    each."""
     begun: list[bytes] = []
     while chunk := stream.read1(READ_BYTES):
         begun.append(chunk)

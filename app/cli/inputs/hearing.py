@@ -1,4 +1,4 @@
-"""Hears files that commands name: those to be judged, and those that tell how their speaker usually sounds."""
+"""Analyses recordings named on the command line: those to be judged, and those of a speaker's usual voice."""
 
 import os
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ LARGEST_REFERENCE_BYTES = 1 << 20
 def hear_file(
     acoustic: AcousticModels, path: str, log: Log, reference: SpeakerReference | None = None
 ) -> SignalAnalysis:
-    """What the file says; warnings are told. Raises InputError as `hear` does, naming the file of several."""
+    """The analysis of a file; warnings are logged. Raises InputError as `analyze_signal` does, with the file's name."""
     name = shown(path)
     audio = read_bytes(path, limit=acoustic.settings.max_audio_bytes, field="audio")
     try:
@@ -31,14 +31,14 @@ def hear_file(
 
 
 def require_reference(paths: Sequence[str] | None, settings: Settings) -> None:
-    """Raises InputError as `speaker_reference` does for files that are missing, too large, or hold no reference."""
+    """Raises InputError as `speaker_reference` does for files that are missing, too large, or not a reference."""
     if paths and _stored(paths) is None:
         require_files(paths, settings)
 
 
 def require_files(paths: Sequence[str], settings: Settings) -> None:
     """Raises InputError `file_unreadable`, TooLargeError `file_too_large` for the first recording that cannot be read;
-    one from standard input is read when its turn comes."""
+    standard input is only read later."""
     for path in paths:
         if path != STANDARD:
             read_bytes(path, limit=settings.max_audio_bytes, field="audio")
@@ -66,5 +66,5 @@ def _stored(paths: Sequence[str]) -> SpeakerReference | None:
 
 
 def shown(path: str) -> str:
-    """The file's name as text, whatever its bytes."""
+    """The file's name as text, even if it is not valid UTF-8."""
     return os.fsencode(path).decode(errors="replace")

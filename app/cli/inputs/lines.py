@@ -1,4 +1,4 @@
-"""Turns the arguments that several commands share into what the performance takes."""
+"""Converts the arguments that several commands share to the input of a performance."""
 
 import argparse
 

@@ -1,4 +1,4 @@
-"""What a microphone hears, as it comes (needs the extra `microphone`, which brings PortAudio on Windows and macOS)."""
+"""Reads the microphone (needs the extra `microphone`, which includes PortAudio on Windows and macOS)."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -13,8 +13,7 @@ _INSTEAD = "or send the sound to standard input: arecord -t raw -f S16_LE -r 160
 
 
 def microphone_chunks(rate_hz: int, chunk_s: float) -> Iterator[FloatArray]:
-    """Mono samples in [-1, 1], `chunk_s` at a time, until it is stopped. Raises InputError `microphone_missing` at
-    once."""
+    """Mono samples in [-1, 1], `chunk_s` at a time, without end. Raises InputError `microphone_missing` at once."""
     try:
         import sounddevice  # an extra, which most do without
     except (ImportError, OSError) as error:

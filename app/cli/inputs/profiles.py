@@ -1,4 +1,4 @@
-"""Gesture profiles as the command line names them: by name in the lexicon, or as a file that ends in .yaml."""
+"""Gesture profiles on the command line: by name in the lexicon, or as a file that ends in .yaml."""
 
 from ...loading import load_characters, load_profile, usable_profile
 from ...profiles.profile import Profile
@@ -14,5 +14,5 @@ def named_profile(name: str) -> Profile:
 
 
 def optional_profile(name: str | None) -> Profile | str | None:
-    """The profile that an option names, if it is given; raises as `named_profile` does."""
+    """The profile named by an option, None if it is not given; raises as `named_profile` does."""
     return None if name is None else usable_profile(name)

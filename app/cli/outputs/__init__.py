@@ -1,3 +1,2 @@
-"""What commands tell people and write beside BML: listings, reasons, pictures of a line, files of motion, the progress
-of a batch. Imports `files` and `log`; what is drawn or realized is imported when it is asked for.
-"""
+"""What commands show people and write beside BML: listings, reasons, pictures of a line, files of motion, the progress
+of a batch. Imports `files` and `log`; drawing and realizing are imported on demand."""

@@ -1,5 +1,5 @@
-"""How a batch goes on, in the voice that was asked for: a bar where there is a terminal, a line now and then where
-there is none, JSON lines for machines."""
+"""Shows the progress of a batch in the chosen voice: a bar on a terminal, otherwise a line from time to time, JSON
+lines for machines."""
 
 import sys
 import time
@@ -13,14 +13,14 @@ from ...batch.planning import Plan, without_audio
 from ..log import Log, Voice
 
 EVERY_S = 10.0
-"""Between two lines of progress where there is no terminal."""
+"""The time between two lines of progress without a terminal."""
 
 MOST_TOLD = 50
-"""Problems of a script that are told one by one; the report has all."""
+"""The most problems of a script that are listed; the report has all."""
 
 
 class BatchProgress:
-    """Tells of a batch; also a context, for a bar has to be taken off the screen."""
+    """Reports a batch's progress; also a context manager, because a bar has to be removed at the end."""
 
     def __init__(self, log: Log) -> None:
         self._log = log
@@ -60,7 +60,7 @@ class BatchProgress:
         self._show()
 
     def _show(self) -> None:
-        """A line of progress, when it is time for one."""
+        """A line of progress, if the time for one has come."""
         now_s = time.monotonic()
         if now_s - self._told_s >= EVERY_S or self._done == self._total:
             self._told_s = now_s

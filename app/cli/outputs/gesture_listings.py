@@ -1,4 +1,4 @@
-"""Gestures in lines for people: one a line, counted by category, or as written with its times at each level."""
+"""Lists gestures for people: one a line, counted by category, or explained."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -30,7 +30,7 @@ def counts(library: Library) -> Iterator[str]:
 
 
 def explanation(definition: Definition) -> Iterator[str]:
-    """A gesture as its file has it, and what comes of it."""
+    """A gesture as in its file, with its expressivity and times at each level."""
     yield f"{definition.name}: {place(definition)}"
     yield from (f"    {line}" for line in _source(definition))
     yield f"  {'':8s}" + "".join(f"{name:>13s}" for name in (*_FACTORS, "stroke m/s"))
@@ -48,12 +48,12 @@ def _numbers(values: Iterable[float]) -> str:
 
 
 def place(definition: Definition) -> str:
-    """Its file and line."""
+    """The gesture's file and line."""
     return f"{shown_path(definition.path)}:{definition.line}" if definition.path else ""
 
 
 def _source(definition: Definition) -> Sequence[str]:
-    """Its lines in its file, and the comment right above them."""
+    """The gesture's lines in its file, with the comment directly above them."""
     lines = _lines(definition.path)
     first = definition.line - 1
     last = next((k for k in range(first + 1, len(lines)) if lines[k].startswith("GESTURECLASS")), len(lines))

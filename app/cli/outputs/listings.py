@@ -1,4 +1,4 @@
-"""What authors edit, in lines for people: one a piece, counted by class and file, or explained."""
+"""Lists authored items for people: one a line, counted by class and file, or explained."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -35,7 +35,7 @@ def counts(items: Sequence[Item]) -> Iterator[str]:
 
 
 def explanation(catalogue: Catalogue, item: Item) -> Iterator[str]:
-    """What an item is, says and takes part in."""
+    """What an item is, its source, and what it is related to."""
     function = f", {item.class_name} ({item.subtype})" if item.class_name else ""
     yield f"{item.name}: {_MEANING[item.kind]}{function}"
     yield f"  {item.file}:{item.line}"
@@ -51,7 +51,7 @@ def _classes(item: Item) -> Sequence[str]:
 
 
 def _related(relation: str, items: Iterable[Item]) -> Iterator[str]:
-    """The names by kind; of many, those that come first."""
+    """The related names by kind, cut after the first `MOST_NAMED`."""
     for kind in Kind:
         names = list(dict.fromkeys(item.name for item in items if item.kind is kind))
         more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""

@@ -1,4 +1,4 @@
-"""Motion as files, in the format that each name ends in."""
+"""Writes motion to files, in the format that each name ends in."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ LARGEST_AVATAR_BYTES = 256 << 20
 
 
 def require_motions(names: Sequence[str], settings: Settings, *, field: str) -> None:
-    """Raises InputError for a name that could not be written, before the work is done; ServiceError where what its
-    format needs is not there: matplotlib for pictures, usd-core, Blender."""
+    """Raises InputError for a name that could not be written, before the work is done; ServiceError where something the
+    format needs is not installed: matplotlib for pictures, usd-core, Blender."""
     for name in names:
         form = format_of(name)
         if form in PICTURES:
@@ -55,8 +55,8 @@ def physics_asked(arguments: argparse.Namespace, settings: Settings) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class MotionOptions:
-    """How motion is made and written: frames a second, how much longer than the recording, with physics or not, the
-    skeleton's name, the content of the avatar's file, and what is special in files."""
+    """How motion is made and written: frames per second, how much longer than the recording, with or without physics,
+    the skeleton's name, the content of the avatar's file, and options of file formats."""
 
     frame_rate_hz: int
     tail_s: float
@@ -86,8 +86,8 @@ class MotionOptions:
 def write_motions(
     names: Sequence[str], staged: PreparedSchedule, options: MotionOptions, audio: AudioFile | None, log: Log
 ) -> None:
-    """Realizes the schedule once and writes it to every name; decisions are told. Files name the recording as it lies
-    from where they are."""
+    """Realizes the schedule once and writes it to every name; decisions are logged. Files refer to the recording by its
+    path relative to them."""
     from ...realization import AvatarOptions, realize_prepared, write_motion
 
     realizer = load_realizer()
@@ -110,16 +110,16 @@ def write_motions(
 
 
 def recording(name: str | None, content: bytes | None) -> AudioFile | None:
-    """The recording; None where it has no name."""
+    """The recording; None if it has no name."""
     return None if name in (None, STANDARD) or content is None else AudioFile(str(name), content)
 
 
 def _from(output: str, audio: AudioFile) -> AudioFile:
-    """The recording by its path from the output's folder, with forward slashes."""
+    """The recording with its path relative to the output's folder, with forward slashes."""
     folder = Path(output).resolve().parent
     try:
         name = os.path.relpath(Path(audio.name).resolve(), folder)
-    except ValueError:  # it lies on another disk of Windows
+    except ValueError:  # on Windows, it is on another drive
         name = str(Path(audio.name).resolve())
     return replace(audio, name=Path(name).as_posix())
 

@@ -1,9 +1,9 @@
-"""A picture of an analysis, to judge by eye: what was measured in the signal, and what was made of it.
+"""Draws an analysis for visual inspection: what was measured in the signal, and what was derived from it.
 
-From top to bottom, over one time axis: the words and phones, the waveform, f0 and energy with the thresholds above
-which a frame is stressed (paper §3.1.5), and each word's stressed ratio, prominence and emphasis; beneath it all, for
-the whole line, the memberships of agitation. Stressed frames are red, words that are emphasised by the measure that is
-set stand on a band. matplotlib draws it; it is an extra, `pip install 'understudy[plot]'`.
+From top to bottom, on one time axis: the words and phones, the waveform, f0 and energy with the thresholds above which
+a frame is stressed (paper §3.1.5), and each word's stressed ratio, prominence and emphasis; at the bottom, for the
+whole line, the memberships of agitation. Stressed frames are red, words that are emphasised by the chosen measure are
+on a band. Needs matplotlib, an extra: `pip install 'understudy[plot]'`.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ HEIGHT_INCHES = 9.0
 DOTS_PER_INCH = 100
 LINE, THRESHOLD, EMPHASIS, FAINT = "#1f4e79", "#c0392b", "#f2c078", "#9aa5b1"
 BAND = "#d68910"
-"""Emphasis as a bar, darker than as a band."""
+"""The colour of emphasis as a bar, darker than as a band."""
 ENERGY_RANGE_DB = 70.0
-"""What is fainter than this under the loudest frame would only flatten the rest."""
+"""The range shown below the loudest frame; with fainter frames the rest would look flat."""
 
 BAR_S = 0.05
 MEMBERSHIP_INCHES = 4.0
@@ -51,7 +51,7 @@ MEMBERSHIPS = {"low": "#7fb3d5", "medium": "#a9cf9e", "high": "#e59866"}
 
 
 def require_plot(name: str) -> None:
-    """Raises InputError `plot_format` and ServiceError `plot_unavailable`, so that no work is done in vain."""
+    """Raises InputError `plot_format` and ServiceError `plot_unavailable`, so that no work is wasted."""
     if Path(name).suffix.lower() != FORMAT:
         raise InputError("plot_format", f"{name}: pictures are PNG; end the name in {FORMAT}", field="plot")
     try:
@@ -63,7 +63,7 @@ def require_plot(name: str) -> None:
 
 
 def plot(analysis: Analysis, heard: SignalAnalysis) -> bytes:
-    """The picture, as PNG; matplotlib must be there (`require_plot`)."""
+    """The picture, as PNG; matplotlib must be installed (`require_plot`)."""
     from matplotlib.figure import Figure
 
     width = float(np.clip(INCHES_PER_S * heard.audio.duration_s, NARROWEST_INCHES, WIDEST_INCHES))
@@ -96,7 +96,8 @@ def _draw(rows: list[Axes], analysis: Analysis, heard: SignalAnalysis) -> None:
 
 
 def _draw_words(row: Axes, words: tuple[Word, ...]) -> None:
-    """A box for each word, and under it one for each phone; neighbours' labels at two heights, lest they touch."""
+    """A box for each word, and below it one for each phone; labels alternate between two heights so that they do not
+    touch."""
     for word in words:
         if word.interval is not None:
             _draw_box(row, word.interval, 1, word.text, raised=word.index % 2 == 0)
@@ -116,7 +117,7 @@ def _draw_box(row: Axes, interval: Interval, floor: int, label: str, *, raised: 
 
 
 def _draw_waveform(row: Axes, samples: FloatArray) -> None:
-    """The range of the samples in each frame: as much as the eye can see, and fast for a long line."""
+    """The range of the samples in each frame: as much as can be seen, and quick for a long line."""
     hop = round(FRAME_SHIFT_S * SAMPLE_RATE_HZ) // 4
     frames = np.resize(np.pad(samples, (0, -len(samples) % hop)), (-(-len(samples) // hop), hop))
     times_s = (np.arange(len(frames)) + 0.5) * hop / SAMPLE_RATE_HZ
@@ -142,14 +143,14 @@ def _draw_energy(row: Axes, contours: Contours, thresholds: StressThresholds | N
 
 
 def _draw_stressed(row: Axes, contour: FloatArray, height: float, label: str) -> None:
-    """The threshold, and what of the contour lies above it."""
+    """The threshold, and the part of the contour above it."""
     row.plot(_times_s(contour), np.where(contour > height, contour, np.nan), color=THRESHOLD, linewidth=2)
     row.axhline(height, color=THRESHOLD, linewidth=1, linestyle="--")
     row.annotate(label, (1, height), xycoords=("axes fraction", "data"), ha="right", va="bottom", color=THRESHOLD)
 
 
 def _draw_measures(row: Axes, words: tuple[Word, ...]) -> None:
-    """Three bars a word, and the emphasis above which it is emphasised."""
+    """Three bars a word, and the threshold of emphasis."""
     measures = (("stressed ratio", THRESHOLD), ("prominence", LINE), ("emphasis", BAND))
     for place, (name, colour) in enumerate(measures):
         pairs = [(word.interval, getattr(word, name.replace(" ", "_"))) for word in words]

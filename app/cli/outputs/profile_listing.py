@@ -1,4 +1,4 @@
-"""A gesture profile in lines for people."""
+"""Summarizes a gesture profile for people."""
 
 from collections.abc import Iterator, Mapping
 
@@ -11,7 +11,7 @@ MOST_OF_A_TAG = 4
 
 
 def profile_lines(profile: Profile) -> Iterator[str]:
-    """What stands out in how somebody gestures; the file has it all."""
+    """The most prominent habits of a profile; the file has all."""
     yield f"{profile.name}: {profile.description}"
     rate, sizes = profile.gestures_per_minute, profile.units.sizes
     yield f"{rate:.1f} gestures a minute, units of {_mean_size(sizes):.1f} gestures on average"

@@ -1,4 +1,4 @@
-"""What the character does and why, in lines for people."""
+"""Summarizes for people what the character does and why."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -9,7 +9,7 @@ WORDS_WIDTH = 28
 
 
 def summary(performance: Performance) -> str:
-    """The line's movements in order of time, each with its words, the function it shows and the rule that chose it."""
+    """The line's behaviours in order of time, each with its words, the function it shows and the rule that chose it."""
     return "\n".join(_lines(performance))
 
 

@@ -1,4 +1,4 @@
-"""What rules made of a text and what a corpus never uses, in lines for people."""
+"""Shows people which rules fired on a text, and what a corpus never uses."""
 
 from collections.abc import Iterator, Sequence
 
@@ -13,8 +13,8 @@ WORDS_COLUMN = 64
 
 
 def trace_lines(trace: Trace) -> Iterator[str]:
-    """What fired, with the facts and words joined, then what nearly did, as much of it as anybody reads; and for each
-    phrase what was chosen, by which terms, and what lost."""
+    """The rules that fired, with the facts and words joined; those that nearly fired, at most `MOST_NEAR_MISSES`; and
+    the plan: for each phrase what was chosen, because of which terms, and what lost."""
     words = trace.utterance.words
     for title, part in (("function rules", trace.functions), ("mapping rules", trace.mappings)):
         if part.firings:
@@ -26,15 +26,15 @@ def trace_lines(trace: Trace) -> Iterator[str]:
         for miss in part.near_misses[:MOST_NEAR_MISSES]:
             yield from _near_miss(miss, words)
         if len(part.near_misses) > MOST_NEAR_MISSES:
-            yield f"  and {len(part.near_misses) - MOST_NEAR_MISSES} that found less (--rule NAME tells of one rule)"
+            yield f"  and {len(part.near_misses) - MOST_NEAR_MISSES} with fewer conditions met (see --rule NAME)"
     if trace.moments:
-        yield "what the body means, phrase by phrase"
+        yield "the plan, phrase by phrase"
     for moment in trace.moments:
         yield from _moment(moment, words)
 
 
 def unused_lines(unused: Unused) -> Iterator[str]:
-    """The rules, then the words that nothing used, with their places."""
+    """The rules, then the words that were never used, with their places."""
     yield f"{len(unused.rules)} rules never fire"
     yield from (f"  {_place(rule)}" for rule in unused.rules)
     yield f"{len(unused.words)} words and phrases are never found"
@@ -75,7 +75,7 @@ def _place(rule: Rule) -> str:
 
 
 def _said(mark: str, said: Said, words: Sequence[Word]) -> str:
-    """A fact, and the words it speaks of."""
+    """A fact, and the words it is about."""
     line = f"    {mark}{said.text}"
     spoken = "" if said.span is None else " ".join(word.text for word in words[slice(*said.span)])
     return f"{line:{WORDS_COLUMN}s} {spoken}".rstrip()
