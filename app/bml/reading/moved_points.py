@@ -1,9 +1,9 @@
-"""Sync points that were moved by hand in a file of ours: the others follow.
+"""Moves the other sync points along with those moved by hand in a file of ours.
 
-The record has the lengths of each behaviour's phases as scheduled (`understudy.bml.writing.record`). Points that no
-longer fit most of the others were moved. With a point up to the end of the stroke the whole behaviour moves by as much,
-for strokes are never stretched; with `relax`, which makes a hold longer or shorter, `end` does; `end` moves alone.
-Points that were moved stay where they were put.
+The record has the durations of each behaviour's phases as scheduled (`understudy.bml.writing.record`). Points that no
+longer agree with most of the others were moved. If that is a point up to the end of the stroke, the whole behaviour
+moves by as much, because strokes are never stretched; if it is `relax`, which lengthens or shortens a hold, `end` moves
+too; `end` moves alone. Points that were moved stay where they were put.
 """
 
 from collections import Counter
@@ -18,15 +18,16 @@ from ..markup.mistakes import kind_of, typed_attributes
 from ..markup.values import text_of
 
 _FIRST_COUNTS = ("stroke", "strokeEnd", "strokeStart", "attackPeak", "ready", "start", "relax")
-"""Of several points that were moved the first of these takes the others with it."""
+"""If several points were moved, the first of these determines how the others move."""
 _BLOCKS = ("bml", "required")
 _FEWEST = 3
-"""Of two points nobody can tell which was moved."""
+"""With only two points it cannot be decided which was moved."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Move:
-    """A behaviour's points, of which `point` was moved by hand, `later_s` later than scheduled, as text by name."""
+    """A behaviour's points, of which `point` was moved by hand, `later_s` later than scheduled; `points` have new
+    values as text, by name."""
 
     behavior: str
     point: str
@@ -41,7 +42,7 @@ class _Move:
 
 
 def with_following_points(root: Element, kind: ElementKind) -> tuple[Element, tuple[Notice, ...]]:
-    """The file with the points that follow those that were moved, and a notice for each behaviour of which one was."""
+    """The file with the other points adjusted, and a notice for each behaviour of which one was moved."""
     moves = {move.behavior: move for move in _moves(root, kind, dict(_phases_s(root)))}
     notices = tuple(move.notice for move in moves.values())
     return _moved(root, moves) if moves else root, notices
@@ -54,7 +55,7 @@ def _moved(element: Element, moves: Mapping[str, _Move]) -> Element:
 
 
 def _phases_s(element: Element) -> Iterator[tuple[str, tuple[float, ...]]]:
-    """The lengths of phases that records in the file have, by behaviour; what is no number is told elsewhere."""
+    """The durations of phases in the records of a file, by behaviour; what is not a number is reported elsewhere."""
     for part in element.children:
         if part.name == f"{{{OURS}}}behavior":
             lengths = str(part.attributes.get("phases", "")).split()
@@ -76,14 +77,14 @@ def _moves(element: Element, kind: ElementKind, phases_s: Mapping[str, tuple[flo
 
 
 def _stated(element: Element, kind: ElementKind) -> dict[str, Time]:
-    """The sync points that the element states, in order."""
+    """The sync points given in the element, in order."""
     values = typed_attributes(element, kind)
     points = ((name, values.get(name)) for name in kind.syncs)
     return {name: time for name, time in points if isinstance(time, float | Reference)}
 
 
 def _move(behavior: str, stated: Mapping[str, Time], phases_s: tuple[float, ...]) -> _Move | None:
-    """The move of a behaviour all of whose points are stated, relative to the same; None if nothing follows."""
+    """The move of a behaviour all of whose points are given, relative to the same point; None if nothing moves."""
     anchors = {replace(time, offset_s=0.0) if isinstance(time, Reference) else None for time in stated.values()}
     if len(stated) != len(phases_s) + 1 or len(stated) < _FEWEST or len(anchors) != 1:
         return None
@@ -101,7 +102,7 @@ def _move(behavior: str, stated: Mapping[str, Time], phases_s: tuple[float, ...]
 
 
 def _late_s(times_s: Mapping[str, float], phases_s: tuple[float, ...]) -> dict[str, float]:
-    """How much later than scheduled each point is, beside most of them."""
+    """How much later than scheduled each point is, relative to most of them."""
     scheduled_s = accumulate(phases_s, initial=0.0)
     apart_s = {name: round(time_s - at_s, 3) for (name, time_s), at_s in zip(times_s.items(), scheduled_s, strict=True)}
     usual_s = Counter(apart_s.values()).most_common(1)[0][0]
@@ -109,6 +110,6 @@ def _late_s(times_s: Mapping[str, float], phases_s: tuple[float, ...]) -> dict[s
 
 
 def _text(time_s: float, anchor: Reference | None) -> str:
-    """The time as files have it; nothing is before the block."""
+    """The time as text; times are not negative if they are absolute."""
     rounded_s = round(time_s, 3) + 0.0
     return text_of(max(0.0, rounded_s) if anchor is None else replace(anchor, offset_s=rounded_s))

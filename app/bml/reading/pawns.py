@@ -1,6 +1,6 @@
-"""Pawns: the targets that BML places, and whether every target it looks or points at is placed.
+"""Pawns: the targets that a BML file places, and the check that every target of its behaviours is placed.
 
-Core BML names targets and leaves it to the scene where they are. Ours says it in elements of our own namespace, which
+Core BML names targets and leaves their positions to the scene. Ours has them in elements of our own namespace, which
 other realizers skip: `<pawn name="door" x="1.2" y="1.4" z="2.0"/>`, metres as in `understudy.targets`, in a description
 of the speech, as we write them, or in the block.
 """
@@ -33,17 +33,17 @@ def pawns_of(root: Element) -> tuple[Target, ...]:
 
 
 def recorded_targets(root: Element) -> dict[str, str]:
-    """What the gestures of these ids are at, as we write it."""
+    """The targets of gestures, by id, from the records that we write."""
     found = ((part.attributes.get("ref"), part.attributes.get("target")) for part in _elements(root, BEHAVIOR))
     return {str(name): str(target) for name, target in found if name and target}
 
 
 def scene_of(behaviors: Iterable[Behavior], given: Sequence[Target], pawns: Sequence[Target]) -> tuple[Target, ...]:
-    """The targets of a scene: those given, and the pawns that these do not place.
+    """The targets of a scene: those given, and the pawns with other names.
 
-    Once a scene says where things are, it must say so of everything that is looked or pointed at but the listener.
-    Raises InputError `unknown_target`. Without any, or with one other person alone, as in BML of others, nothing is
-    known of places and nothing is required.
+    If a scene has any targets, everything that is looked or pointed at must be among them, except the listener. Raises
+    InputError `unknown_target`. Without any targets, or with only one person to look at, as in others' BML, nothing is
+    required.
     """
     names = {target.name for target in given}
     scene = check_targets([*given, *(pawn for pawn in pawns if pawn.name not in names)])

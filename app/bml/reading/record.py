@@ -1,7 +1,7 @@
 """Reads the record that our writer puts into the description of a speech (`understudy.bml.writing.record`).
 
-Behaviours that somebody added have no record, and a record of what somebody deleted is nobody's. Where the words of the
-speech are no longer those of the record, their times are not known.
+Behaviours that were added by hand have no record, and records of deleted behaviours are ignored. If the words of the
+speech have changed since, their times are not known.
 """
 
 from collections.abc import Iterator, Mapping
@@ -16,7 +16,7 @@ from ..markup.speech import behaviors_of, speech_of
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """What a file says of its performance beyond the core; times are seconds from the start of the recording."""
+    """What a file says about its performance beyond the core; times are seconds from the start of the recording."""
 
     words: tuple[Word, ...]
     duration_s: float | None
@@ -27,7 +27,7 @@ class Record:
     behaviors: Mapping[str, Element]
 
     def completed(self, behavior: Behavior) -> Behavior:
-        """The behaviour with what its own element cannot say."""
+        """The behaviour with what its own element cannot express."""
         own = self.behaviors.get(behavior.id)
         if own is None:
             return behavior

@@ -1,9 +1,9 @@
-"""The record of a performance in the description of its speech: what our realizer needs and the core cannot say.
+"""The record of a performance in the description of its speech: what our realizer needs and the core cannot express.
 
-With it `realize` of our own BML is `perform --realize`, byte for byte. It says only what the rest of the file does not,
-so that whoever edits the file finds each thing once: of the speech its words in time, of behaviours what they show, how
-much they matter, how large a gesture is, why it is made, and how long its phases last as scheduled, by which the reader
-knows which of its points was moved by hand. Times are seconds from the start of the recording, exactly as they are.
+With it, `realize` of our own BML gives the same result as `perform --realize`, byte for byte. It contains only what the
+rest of the file does not, so that somebody who edits the file finds everything in one place: the word times, and for
+each behaviour its function, priority, gesture size, reason, and the durations of its phases as scheduled, from which
+the reader detects points moved by hand. Times are seconds from the start of the recording, not rounded.
 """
 
 from collections.abc import Iterator
@@ -18,7 +18,7 @@ from ..markup.values import text_of
 
 
 def record(performance: Performance) -> Element:
-    """The description."""
+    """The description with the record."""
     utterance = performance.utterance
     attributes: dict[str, Value] = {
         "agitation": (utterance.agitation.level if utterance.agitation else Level.MEDIUM).value,

@@ -1,10 +1,10 @@
 """Converts the schedule of a performance to an act of SmartBody (shared/bml.md, "SmartBody dialect").
 
-SmartBody has a smaller vocabulary. Gestures go out as what its shipped gesture map has (`smartbody_tables`), head
-movements as the nearest of three (`HEADS`). Faces are action units, as are blinks; a gaze lasts until the next, so
-one that returns becomes two, and one at nothing that the scene is known to have is left out; a posture is the name of
-one of the character's own. Gestures have only `stroke` and `relax`, all that its scheduler accepts together. The mouth
-moves as the file beside the recording says (`smartbody_speech`): lips in the act are ignored.
+SmartBody has a smaller vocabulary. Gestures are written as the nearest in its shipped gesture map (`smartbody_tables`),
+head movements as the nearest of three (`HEADS`). Faces are action units, as are blinks; a gaze lasts until the next, so
+one that returns becomes two, and gazes at targets that the scene is not known to have are left out; a posture is the
+name of one of the character's own. Gestures have only `stroke` and `relax`, since its scheduler accepts no others
+together. The visemes are in the file beside the recording (`smartbody_speech`): lips in the act are ignored.
 """
 
 from collections.abc import Iterator, Mapping
@@ -78,7 +78,7 @@ def to_smartbody(
 
 
 def left_out(performance: Performance, audio_name: str | None) -> Iterator[Notice]:
-    """What SmartBody would refuse, break off at or not find, and what is written instead."""
+    """Notices about what SmartBody would refuse, fail on or not find, and what is written instead."""
     if performance.utterance.words and audio_name is None:
         message = "SmartBody finds a recording by its name, and this one has none; name it, or write ref in the speech"
         yield Notice("smartbody_unnamed", message)
@@ -98,7 +98,7 @@ def left_out(performance: Performance, audio_name: str | None) -> Iterator[Notic
 
 
 def _playable(performance: Performance) -> Iterator[Behavior]:
-    """The kept behaviours, gazes at the listener being at the one who is named, without gazes at nobody."""
+    """The kept behaviours, without gazes at nothing, and with gazes at the listener directed at the first named one."""
     names = [listening.name for listening in performance.listeners]
     for behavior in performance.behaviors:
         if not behavior.kept or not _has_target(behavior, performance):
@@ -108,8 +108,8 @@ def _playable(performance: Performance) -> Iterator[Behavior]:
 
 
 def _has_target(behavior: Behavior, performance: Performance) -> bool:
-    """Whether a gaze is at somebody or something that the scene has; SmartBody refuses others. One who says nothing is
-    a listener, who looks at the speaker."""
+    """Whether a gaze is at a person or thing in the scene; SmartBody refuses others. A performance without words is a
+    listener's, whose gazes are at the speaker."""
     if behavior.kind is not Channel.GAZE or not performance.utterance.words:
         return True
     names = {listening.name for listening in performance.listeners}

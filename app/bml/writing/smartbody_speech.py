@@ -1,8 +1,8 @@
-"""The recorded speech of SmartBody's dialect: the element in the act, and the file that it wants beside the audio.
+"""The recorded speech in SmartBody's dialect: the element in the act, and the file it requires beside the audio.
 
 SmartBody finds a recording by `ref`, the name of its files without extension: NAME.wav is played, and NAME.bml beside
-it says when the words are spoken (`sync`) and how the mouth moves (`lips`); without visemes there it refuses the
-speech. It copies the element as text without escaping it, so that `&`, `<` and `>` in it break it off.
+it has the word times (`sync`) and visemes (`lips`); without visemes there it refuses the speech. It copies the element
+as text without escaping it, so that `&`, `<` and `>` in it cut it off.
 """
 
 from collections.abc import Iterator, Mapping
@@ -14,7 +14,7 @@ from ..markup.marks import SPEECH, to_milli
 from .smartbody_tables import MouthShape
 
 UNSAFE = "&<>"
-"""What breaks SmartBody's second reading of the speech."""
+"""The characters on which SmartBody's second reading of the speech fails."""
 
 _WITHOUT_UNSAFE = str.maketrans(dict.fromkeys(UNSAFE))
 _WITH_MARKS = "application/ssml+xml"
@@ -22,12 +22,12 @@ _WITH_MARKS = "application/ssml+xml"
 
 
 def safe(text: str) -> str:
-    """The text without what breaks SmartBody."""
+    """The text without the characters on which SmartBody fails."""
     return text.translate(_WITHOUT_UNSAFE)
 
 
 def first_mark(word_index: int) -> str:
-    """The id of the mark before a word; that of the one behind it has the next number."""
+    """The id of the mark before a word; the mark after it has the next number."""
     return f"T{2 * word_index}"
 
 
@@ -43,8 +43,8 @@ def speech_element(performance: Performance, timing: TimeForm, ref: str | None) 
 
 
 def speech_file(performance: Performance, shapes: Mapping[str, MouthShape]) -> Document:
-    """The file beside the recording, in seconds of the recording. A mouth that never moves is said to be shut, since
-    SmartBody wants a viseme."""
+    """The file beside the recording, in seconds of the recording. If the mouth never moves, a closed one is written,
+    because SmartBody requires a viseme."""
     lead_in_s = performance.utterance.lead_in_s
     text = Element("text", content=tuple(_marked(performance.utterance.words, lead_in_s, TimeForm.ABSOLUTE)))
     shown = [shape for shape in performance.visemes if shape.label != SILENCE]

@@ -1,7 +1,7 @@
-"""What SmartBody's shipped characters can play and how our movements are called there, from `lexicon/smartbody.yaml`.
+"""The gestures and visemes of SmartBody's shipped characters and our names for them, from `lexicon/smartbody.yaml`.
 
-SmartBody plays a gesture only if its character's gesture map has an entry with the type, mode and style that are
-written, and a viseme only if the face has a shape of that name.
+SmartBody plays a gesture only if its character's gesture map has an entry with exactly this type, mode and style, and a
+viseme only if the face has a shape of that name.
 """
 
 from collections.abc import Iterator, Mapping
@@ -24,14 +24,14 @@ FILE = "smartbody.yaml"
 
 
 class VisemeNames(StrEnum):
-    """Whose names the shapes of the mouth go by."""
+    """Whose names of mouth shapes are used."""
 
     SMARTBODY = "smartbody"
     FACEFX = "facefx"
 
 
 class MouthShape(Entry):
-    """A shape of the face's own, and how far into it ours goes."""
+    """A mouth shape of the face, and the share of it that corresponds to ours."""
 
     name: Annotated[str, Field(min_length=1)]
     share: Annotated[float, Field(gt=0, le=1)] = 1.0
@@ -41,7 +41,7 @@ Styles = Annotated[list[str], Field(min_length=1)]
 
 
 class SmartBodyFile(Entry):
-    """The file's schema; its comments say what the keys mean."""
+    """The file's schema; its comments explain the keys."""
 
     gesture_map: dict[str, Annotated[dict[Hand, Styles], Field(min_length=1)]]
     lexemes: dict[str, str]
@@ -50,7 +50,7 @@ class SmartBodyFile(Entry):
 
 @dataclass(frozen=True, slots=True)
 class GestureName:
-    """What a gesture is asked for by; `hand` and `style` are None where no entry of the map has them."""
+    """The attributes that select a gesture; `hand` and `style` are None if no entry of the map has them."""
 
     type: str
     hand: Hand | None = None
@@ -59,7 +59,7 @@ class GestureName:
 
 @dataclass(frozen=True, slots=True)
 class SmartBodyTables:
-    """The gesture map as hands and styles of every type, the types of our lexemes, and shapes of the mouth."""
+    """The gesture map as hands and styles of every type, the types of our lexemes, and mouth shapes."""
 
     gesture_map: Mapping[str, Mapping[Hand, frozenset[str]]]
     types: Mapping[str, str]
@@ -83,7 +83,8 @@ class SmartBodyTables:
         )
 
     def gesture(self, lexeme: str, hand: Hand | None, style: str | None) -> GestureName:
-        """The nearest gesture that the map has: of its type at any rate, with hand and style where there is one."""
+        """The nearest gesture in the map: always of the lexeme's type, with hand and style if there is such an
+        entry."""
         name = self.types.get(lexeme, lexeme)
         if name not in self.gesture_map:
             return GestureName(name, hand)
@@ -96,7 +97,7 @@ class SmartBodyTables:
 
 @cache
 def shipped_tables() -> SmartBodyTables:
-    """The tables that come with the package."""
+    """The tables in the package."""
     return SmartBodyTables.load(resource_folder("lexicon") / FILE)
 
 

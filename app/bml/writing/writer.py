@@ -20,9 +20,9 @@ from .smartbody_tables import VisemeNames, shipped_tables
 @dataclass(frozen=True, slots=True)
 class BmlForm:
     """The output format. Absolute times are the default, because realizers do not know the word times of recorded
-    speech. `audio_file` is the name of the recording's file, by which SmartBody finds it, and ASAP where `bmlt_audio`
-    asks for an element that plays it, which strict readers of the core refuse. `visemes` are the names of the shapes of
-    SmartBody's mouths."""
+    speech. `audio_file` is the name of the recording's file, with which SmartBody finds it, and ASAP if `bmlt_audio`
+    adds an element that plays it, which strict readers of the core refuse. `visemes` selects the names of visemes for
+    SmartBody."""
 
     dialect: DialectName = DialectName.BML
     timing: TimeForm = TimeForm.ABSOLUTE
@@ -42,14 +42,14 @@ CORE_FORM = BmlForm()
 
 @dataclass(frozen=True, slots=True)
 class SpeechFile:
-    """The file that SmartBody wants in the folder of the recording."""
+    """The file that SmartBody requires in the folder of the recording."""
 
     name: str
     content: bytes
 
     @property
     def left_out(self) -> Notice:
-        """What to say where there is no place for it."""
+        """The notice if the file cannot be written."""
         message = f"SmartBody wants {self.name} beside the recording; "
         return Notice("speech_file_left_out", message + "write to a file (-o act.xml), or ask the service for JSON")
 
@@ -65,8 +65,8 @@ def write_bml_json(performance: Performance, form: BmlForm = CORE_FORM) -> bytes
 
 
 def write_speech_file(performance: Performance, form: BmlForm) -> SpeechFile | None:
-    """NAME.bml with words and lips in time; None in BML 1.0, where nothing is said, and where the recording has no
-    name."""
+    """NAME.bml with the times of words and visemes; None in BML 1.0, for a performance without words, and if the
+    recording has no name."""
     name = speech_file_name(form)
     if name is None or not performance.utterance.words:
         return None
@@ -74,13 +74,13 @@ def write_speech_file(performance: Performance, form: BmlForm) -> SpeechFile | N
 
 
 def speech_file_name(form: BmlForm) -> str | None:
-    """NAME.bml, where SmartBody's dialect needs it and the recording has a name."""
+    """NAME.bml, if SmartBody's dialect needs it and the recording has a name."""
     named = form.dialect is DialectName.SMARTBODY and form.audio_name
     return f"{safe(named)}.bml" if named else None
 
 
 def losses(performance: Performance, form: BmlForm) -> tuple[Notice, ...]:
-    """What the form cannot say of the performance."""
+    """Notices about what the form cannot express."""
     return tuple(left_out(performance, form.audio_name)) if form.dialect is DialectName.SMARTBODY else ()
 
 

@@ -1,6 +1,6 @@
-"""The words for what the face does: BML 1.0's own, and FACS action units for what it has no word for.
+"""The lexemes of facial behaviours: those of BML 1.0, and FACS action units for what it has no lexeme for.
 
-A blink is action unit 45 and not the core's CLOSE_EYES, which is an eye that is closed and stays so (unit 43); BML
+A blink is action unit 45 and not the core's CLOSE_EYES, which is an eye that closes and stays closed (unit 43); BML
 gives units in `faceFacs`, in its core extensions, which strict parsers read (shared/bml.md).
 """
 
@@ -42,12 +42,12 @@ ACTION_UNITS: Mapping[str, int] = MappingProxyType(
         "BLINK": 45,
     }
 )
-"""Our words for FACS action units (shared/motion.md)."""
+"""Our lexemes for FACS action units (shared/motion.md)."""
 
 LOWER_FACE = frozenset(
     lexeme
     for lexeme in (*CORE_LEXEMES, *ACTION_UNITS)
     if any(part in lexeme for part in ("MOUTH", "LIP", "NOSE", "DIMPLE"))
 )
-"""The lexemes of mouth and nose; the others are of brows, lids and cheeks. FACS parts the face so as well: the halves
-move independently of each other."""
+"""The lexemes of mouth and nose; the others are of brows, lids and cheeks. FACS divides the face in the same way: the
+halves move independently of each other."""

@@ -1,7 +1,7 @@
 """The behaviour-to-BML table (paper §3.5), read from lexicon/behaviors.yaml.
 
-An entry says which channel a behaviour takes, its BML word, and how long its phases last. Times are seconds. Every
-mistake of the file is reported at once, with its place.
+An entry gives the channel of a behaviour, its BML lexeme, and the durations of its phases. Times are seconds. All
+mistakes in the file are reported at once, with their places.
 """
 
 from collections.abc import Iterator, Mapping
@@ -20,16 +20,16 @@ from ....yaml_files import Entry, Source, did_you_mean
 from .faces import ACTION_UNITS, CORE_LEXEMES
 
 STROKED = frozenset({Channel.GESTURE, Channel.HEAD})
-"""The channels whose behaviours have a stroke; the others reach a state, keep it and leave it."""
+"""The channels whose behaviours have a stroke; behaviours on the others reach a state, keep it and leave it."""
 
 DRIFTS = ("drift_left", "drift_right", "drift_turn_left", "drift_turn_right", "drift_up", "drift_down")
 """The entries for the head's constant small movement."""
 
 UNASKED = ("blink", "breath", "gaze_opening", "saccade", "look_aside", *DRIFTS)
-"""The entries for what the body does by itself."""
+"""The entries for idle behaviour."""
 
 EMPHASIS_OF_STROKE = 0.61
-"""Where in the stroke its point of emphasis lies (shared/motion.md, hand-labelled gestures)."""
+"""The position of the point of emphasis within the stroke (shared/motion.md, hand-labelled gestures)."""
 
 LOOK, GLANCE, SHIFT = "LOOK", "GLANCE", "SHIFT"
 GAZE_LEXEMES = frozenset({LOOK, GLANCE, SHIFT})
@@ -44,7 +44,7 @@ class Anchor(StrEnum):
 
 
 class GazeDirection(StrEnum):
-    """Where beside its target a gaze goes (BML 1.0, `offsetDirection`)."""
+    """The offset of a gaze from its target (BML 1.0, `offsetDirection`)."""
 
     LEFT = "LEFT"
     RIGHT = "RIGHT"
@@ -58,7 +58,7 @@ class GazeDirection(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Phase:
-    """How long a phase lasts: at least `shortest_s`, `usual_s` where there is room (a hold: at most `usual_s`)."""
+    """The duration of a phase: at least `shortest_s`, `usual_s` if there is room (a hold: at most `usual_s`)."""
 
     shortest_s: float
     usual_s: float
@@ -66,8 +66,8 @@ class Phase:
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """The phases of a behaviour (paper Table 3); `alignment` is the part of the stroke done at the stressed vowel,
-    `emphasis` the part before its point of emphasis."""
+    """The phases of a behaviour (paper Table 3); `alignment` is the share of the stroke before the stressed vowel,
+    `emphasis` the share before its point of emphasis."""
 
     preparation: Phase
     stroke: Phase
@@ -79,7 +79,7 @@ class Timing:
 
 @dataclass(frozen=True, slots=True)
 class BriefGesture:
-    """A gesture whose stroke is smaller and shorter than usual, for want of time: its forms by hand, and its timing."""
+    """A gesture with a smaller and shorter stroke than usual, for lack of time: its forms by hand, and its timing."""
 
     timing: Timing
     forms: Mapping[Hand, Forms]
@@ -87,8 +87,9 @@ class BriefGesture:
 
 @dataclass(frozen=True, slots=True)
 class BehaviorEntry:
-    """A line of the table. A gesture whose `hand` is None takes the hand in use, or the character's own. `forms` are
-    those of the gesture library by hand, where they are known, and `brief` is the gesture made in less time."""
+    """An entry of the table. A gesture whose `hand` is None takes the hand in use, or the one the character prefers.
+    `forms` are those of the gesture library by hand, where they are known, and `brief` is the gesture with a shortened
+    stroke."""
 
     name: str
     channel: Channel
@@ -171,7 +172,7 @@ class BehaviorTable:
     timings: Mapping[str, TimingEntry]
 
     def entry(self, name: str, change: BehaviorChange | None = None) -> BehaviorEntry:
-        """The entry `name`, changed where `change` says something; `mistakes_of` must have found nothing in it."""
+        """The entry `name` with the values of `change`; `mistakes_of` must have found nothing in it."""
         line = changed(self.lines[name], change)
         return BehaviorEntry(
             name=name,
@@ -206,12 +207,12 @@ def load_table(path: Path) -> BehaviorTable:
 
 
 def changed(line: BehaviorLine, change: BehaviorChange | None) -> BehaviorLine:
-    """The line with what `change` says in place of its own."""
+    """The line with the values that are set in `change`."""
     return line if change is None else line.model_copy(update=change.model_dump(exclude_none=True))
 
 
 def mistakes_of(line: BehaviorLine, timings: Mapping[str, TimingEntry]) -> Iterator[tuple[str, str]]:
-    """What contradicts itself in a line: the key at fault, and the message."""
+    """The contradictions in a line: the key at fault, and the message."""
     channel = line.channel
     if line.timing in timings:
         yield from _stroke_mistakes(channel, timings[line.timing])

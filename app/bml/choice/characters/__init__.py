@@ -1,3 +1,2 @@
-"""Who moves: the characters (lexicon/characters), their entries of the table, and the forms their gestures take at a
-level of agitation. Imports `behavior_table` and `idle`. Begin with `characters.py`.
-"""
+"""The characters (lexicon/characters): who moves, with their own entries of the table, and the forms of their gestures
+at a level of agitation. Imports `behavior_table` and `idle`. Begin with `characters.py`."""

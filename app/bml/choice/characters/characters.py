@@ -1,6 +1,6 @@
-"""Characters: overlays on the one behaviour table, so that what a character does not say stays as the table has it.
+"""Characters: overlays on the one behaviour table, which holds for everything that a character does not override.
 
-`lexicon/characters/NAME.yaml` gives the character NAME. Every mistake in the table and in all characters is reported
+`lexicon/characters/NAME.yaml` defines the character NAME. All mistakes in the table and in all characters are reported
 at once.
 """
 
@@ -25,19 +25,20 @@ from ..idle.saccades import TALKING
 Value = TypeVar("Value")
 
 LIVELY_PER_MINUTE = 21.0
-"""Strokes a minute of a lively talker."""
+"""Strokes per minute of a lively talker."""
 
 DEFAULT_CHARACTER = "default"
-"""Who performs where nobody is named."""
+"""The performer if none is named."""
 
 
 @dataclass(frozen=True, slots=True)
 class Character:
-    """How one character moves: its own entries of the table, the hand it prefers, strokes a minute of speech.
+    """How one character moves: its own entries of the table, the hand it prefers, strokes per minute of speech.
 
-    `strokes_per_unit` is the most before the hands rest, `amplitude` how large its movements are (1 as in the table, in
-    `entries` already), `stillness` how little it moves without need (0 to 1), `eye_contact` the share of time in which
-    it looks at the listener while it talks, `rest_poses` the postures between which it changes, `figure` its body.
+    `strokes_per_unit` is the most before the hands rest, `amplitude` how large its movements are (1 as in the table;
+    already applied to `entries`), `stillness` how little it moves without need (0 to 1), `eye_contact` the share of
+    time in which it looks at the listener while it talks, `rest_poses` the postures between which it changes, `figure`
+    its body.
     """
 
     name: str
@@ -54,7 +55,7 @@ class Character:
 
     @property
     def liveliness(self) -> float:
-        """How much it gestures beside a lively talker, whom the planned choice takes for the measure."""
+        """Its gesture rate relative to a lively talker's, which the plan takes as 1."""
         return self.gestures_per_minute / LIVELY_PER_MINUTE
 
     @property
@@ -173,7 +174,7 @@ class _Sheet:
         return cls(source, source.validated(_CharacterFile))
 
     def overlaid(self, table: BehaviorTable) -> Character:
-        """The character over `table`; raises AuthoringError for changes of what is not there or makes no sense."""
+        """The character over `table`; raises AuthoringError for changes of missing entries and contradictory ones."""
         mistakes = [self.source.mistake(tuple(place), message) for *place, message in self._mistakes(table)]
         if mistakes:
             raise AuthoringError(tuple(mistakes))
@@ -208,11 +209,11 @@ class _Sheet:
 
 
 _USUAL_GESTURE = 0.5
-"""The size of a gesture whose entry does not say it."""
+"""The size of a gesture whose entry has none."""
 
 
 def _sized(entry: BehaviorEntry, amplitude: float) -> BehaviorEntry:
-    """The entry as large as the character makes it; gazes go where they go, and eyes close or do not."""
+    """The entry with the character's amplitude applied, except for gazes and eyes, which have no size."""
     if entry.channel not in (Channel.GESTURE, Channel.HEAD, Channel.FACE):
         return entry
     amount = _USUAL_GESTURE if entry.channel is Channel.GESTURE and entry.amount is None else entry.amount

@@ -1,8 +1,8 @@
-"""Gestures as the library has them: strokes that last as long as they will, and ways that take the time they need.
+"""Applies the gesture library to the table's entries: durations of strokes, and the times needed between gestures.
 
-The table's durations of strokes are what people were measured to take; a gesture that is scheduled has the stroke of
-its clip, which is never time-warped (paper §3.8), or the last part of it where there is no time for the whole. Of
-several forms that a gesture may take the longest counts.
+The durations of strokes in the table are averages measured on people; a scheduled gesture has the stroke of its clip,
+which is never time-warped (paper §3.8), or the last part of it if there is no time for the whole. If a gesture may take
+several forms, the longest counts.
 """
 
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ from .characters import Character, Characters
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FormedCharacters:
-    """All characters with the forms of their gestures at every level of agitation, each made when first asked for."""
+    """All characters with the forms of their gestures at every level of agitation, each computed on first use."""
 
     characters: Characters
     formed: Mapping[tuple[str, Level], OnDemand[Character]]
@@ -64,8 +64,8 @@ def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level, manner:
 
 
 def _briefest_s(forms: Forms) -> float:
-    """The least time in which any of the forms can be made; those that take little more than the brief ones are made
-    whole."""
+    """The least stroke duration in which any of the forms can be made; forms that take little longer than their brief
+    ones are made whole."""
     longest_s = max(form.brief().stroke_s for form in forms)
     while (needed_s := max(form.within(longest_s).stroke_s for form in forms)) > longest_s:
         longest_s = needed_s
@@ -73,7 +73,7 @@ def _briefest_s(forms: Forms) -> float:
 
 
 def _of_hands(forms: Mapping[Hand, Forms], hand: Hand | None) -> Forms:
-    """The forms that are made by the hand; by either hand alone if it is not settled."""
+    """The forms made by the hand; by either single hand if it is not decided."""
     hands = (Hand.LEFT, Hand.RIGHT) if hand is None else (hand,)
     return tuple(chain.from_iterable(forms.get(each, ()) for each in hands))
 
@@ -86,5 +86,5 @@ def stroke_timing(timing: Timing, forms: Forms) -> Timing:
 
 
 def _without_hold(timing: Timing) -> Timing:
-    """The timing where nothing need be held."""
+    """The timing with a hold that may be left out."""
     return replace(timing, hold=Phase(0.0, timing.hold.usual_s))

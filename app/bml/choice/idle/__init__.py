@@ -1,3 +1,2 @@
-"""What eyes, lids, chest and weight do by themselves, asked or not: when, as draws by seed. Imports the table's
-directions. Begin with `idle_behaviors.py`.
-"""
+"""Idle behaviour of eyes, lids, chest and weight: when it happens, drawn at random by seed. Imports the table's
+directions. Begin with `idle_behaviors.py`."""

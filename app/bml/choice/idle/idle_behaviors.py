@@ -1,9 +1,9 @@
-"""What the body does by itself at moments of the speech: blinks, breath, a look at the listener, a change of posture.
+"""Idle behaviour at particular moments of the speech: blinks, breath, a look at the listener, a change of posture.
 
-People blink 15 to 25 times a minute, rather where they pause or a phrase ends; blinks that a function asks for count
-among these. They look at the listener as they begin, breathe in as they pause, and shift their weight as they turn to
-another matter (Cassell et al. 2001): here, where a sentence begins after a pause. These have no rule and no function,
-but a reason.
+People blink 15 to 25 times a minute, preferably in pauses or at ends of phrases; blinks that a function asks for are
+included in that rate. They look at the listener when they begin, breathe in when they pause, and shift their weight
+when they turn to another topic (Cassell et al. 2001): here, where a sentence begins after a pause. These behaviours
+have no rule and no function, but a reason.
 """
 
 import random
@@ -16,23 +16,23 @@ from ....model import Interval, Utterance, Word
 BLINKS_PER_MINUTE = 19.0
 
 _FEWEST_BLINKS_PER_MINUTE = 5.0
-"""However many are asked for, the eyes have some of their own."""
+"""The least rate of spontaneous blinks, however many others are asked for."""
 _SHORTEST_BETWEEN_BLINKS_S = 0.8
 _NEAR_S = 0.8
-"""How far a blink that is due waits for a pause or phrase end, or comes before its time for one."""
+"""How far a blink may be moved from its time to a pause or phrase end."""
 _SHORTEST_PAUSE_S = 0.2
 _SHORTEST_BREATH_S = 0.35
 _SHORTEST_BETWEEN_BREATHS_S = 4.0
 _SHORTEST_BETWEEN_SHIFTS_S = 5.0
 _TURN_S = 0.35
 _TURNING_WAITS_S = (0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5)
-"""How long after its beginning a sentence may be turned to somebody."""
+"""The delays after the beginning of a sentence at which a turn to another listener is tried."""
 _SENTENCE_ENDS = (".", "?", "!", "…")
 
 
 @dataclass(frozen=True, slots=True)
 class IdleBehavior:
-    """A behaviour of the table that no function asks for: when, in which word, why."""
+    """A behaviour of the table that no function asks for: its time, word and reason."""
 
     name: str
     at_s: float
@@ -49,9 +49,10 @@ def idle_behaviors(
     blinks_asked_s: Sequence[float] = (),
     turning_beside: Sequence[Interval] | None = None,
 ) -> Iterator[IdleBehavior]:
-    """All of it until the sound or the last of the `timed` words ends; without `rest_poses` the posture stays, and near
-    the moments `blinks_asked_s` there is a blink already. With `turning_beside` there are several listeners: the
-    speaker turns to the next with each sentence, when none of these other looks is going on."""
+    """The idle behaviour until the sound or the last of the `timed` words ends. Without `rest_poses` the posture stays;
+    near the times `blinks_asked_s` no further blinks are made. `turning_beside` is given if there are several
+    listeners: the speaker then turns to the next one with each sentence, while none of these other looks is going
+    on."""
     yield IdleBehavior("gaze_opening", 0.0, timed[0].index, "looks at the listener as the line begins")
     if turning_beside is not None:
         yield from _turns(timed, turning_beside)
@@ -63,8 +64,8 @@ def idle_behaviors(
 def blinks(
     utterance: Utterance, timed: tuple[Word, ...], seed: str, *, asked_s: Sequence[float] = ()
 ) -> Iterator[IdleBehavior]:
-    """The blinks of a line beside those asked for. Lines of other words blink at other times, the same line always at
-    the same."""
+    """The blinks of a line besides those asked for. Their times depend on the words: the same line always blinks at the
+    same times."""
     intervals = [(word.index, word.interval) for word in timed if word.interval is not None]
     generator = random.Random(f"{seed} blinks {' '.join(word.text for word in utterance.words)}")
     chances = dict(_chances(utterance, timed))
@@ -99,7 +100,7 @@ def _breaths(intervals: list[tuple[int, Interval]]) -> Iterator[IdleBehavior]:
 
 
 def _shifts(timed: tuple[Word, ...], rest_poses: Sequence[str]) -> Iterator[IdleBehavior]:
-    """From one rest pose to the next where a sentence begins after a pause."""
+    """Changes from one rest pose to the next where a sentence begins after a pause."""
     if not rest_poses:
         return
     poses = cycle((*rest_poses[1:], rest_poses[0]))
@@ -119,7 +120,7 @@ def _ends_sentence(text: str) -> bool:
 
 
 def _chances(utterance: Utterance, timed: tuple[Word, ...]) -> Iterator[tuple[float, str]]:
-    """Where a blink is likely, and why: where phrases end, and where the voice pauses."""
+    """Where a blink is likely, and why: at ends of phrases, and in pauses."""
     phrase_ends = {phrase.last for phrase in utterance.parse.phrases}
     for word, following in zip(timed, (*timed[1:], None), strict=True):
         if word.interval is None:
@@ -146,7 +147,7 @@ def _blinks(chances: list[float], asked: list[float], end_s: float, generator: r
 
 
 def _near(chances: list[float], asked: list[float], due_s: float, last_s: float) -> list[float]:
-    """The chances for a blink that is due about `due_s`, the last having been at `last_s`."""
+    """The candidate times for a blink that is due at about `due_s`, the last one having been at `last_s`."""
     return [
         time_s
         for time_s in chances

@@ -1,9 +1,9 @@
-"""How eyes wander off and come back while nothing asks them to.
+"""Idle looks aside: how eyes wander off and come back.
 
-A speaker's eyes are on the listener for a while, go aside for a while, and come back. How long each lasts is what
-Andrist, Mutlu and Gleicher (2013) measured on people who averted their gaze for no other reason than not to stare, how
-far aside and in which direction is from "Eyes Alive" (Lee, Badler & Badler 2002). No idle look lasts `LONGEST_S`: a
-longer one would seem to mean something. Times are seconds, angles degrees.
+A speaker's eyes are on the listener for a while, go aside for a while, and come back. The durations are those that
+Andrist, Mutlu and Gleicher (2013) measured on people who averted their gaze only in order not to stare; angles and
+directions are from "Eyes Alive" (Lee, Badler & Badler 2002). Idle looks are shorter than `LONGEST_S`: a longer one
+would seem to mean something. Times are seconds, angles degrees.
 """
 
 import random
@@ -17,8 +17,7 @@ from ..behavior_table.table import GazeDirection
 
 @dataclass(frozen=True, slots=True)
 class Habit:
-    """Who looks where: the eyes are on the other for a share `eye_contact` of the time, and aside for `aside_s` at a
-    time."""
+    """Where somebody looks: at the other for a share `eye_contact` of the time, and aside for `aside_s` at a time."""
 
     eye_contact: float
     aside_s: float
@@ -26,17 +25,17 @@ class Habit:
 
     @property
     def contact_s(self) -> float:
-        """How long they are on the other between two looks aside."""
+        """How long the eyes are on the other between two looks aside."""
         return self.aside_s * self.eye_contact / (1 - self.eye_contact)
 
 
 TALKING = Habit(eye_contact=0.71, aside_s=1.65, widest_degrees=27.5)
 LISTENING = Habit(eye_contact=0.86, aside_s=1.14, widest_degrees=22.7)
-"""People who talked looked aside for 1.96 s at a time (shorter here, for the longest are left out) and back for 4.75 s;
-who listened, for 1.14 s and 7.21 s."""
+"""Measured: people who talked looked aside for 1.96 s at a time (less here, because the longest looks are left out) and
+back for 4.75 s; people who listened, for 1.14 s and 7.21 s."""
 
 SPREAD = 0.25
-"""The standard deviation of these times in parts of their mean (0.16 to 0.29 there)."""
+"""The standard deviation of these times relative to their mean (0.16 to 0.29 in the measurements)."""
 
 LONGEST_S = 1.9
 
@@ -52,13 +51,13 @@ DIRECTIONS: Mapping[GazeDirection, float] = MappingProxyType(
         GazeDirection.DOWNRIGHT: 7.79,
     }
 )
-"""Of all saccades, percent."""
+"""Percentages of all saccades."""
 
 NARROWEST_DEGREES = 5.0
-"""Nearer than this the eyes are still on the other's face."""
+"""At smaller angles the eyes are still on the other's face."""
 
 MEAN_DEGREES = 6.9
-"""Magnitudes fall off exponentially: -6.9 ln(P / 15.7)."""
+"""Magnitudes are distributed exponentially: -6.9 ln(P / 15.7)."""
 
 SHORTEST_S = 0.25
 
@@ -73,8 +72,8 @@ class Glance:
 
 
 def glances(free: Interval, habit: Habit, generator: random.Random) -> Iterator[Glance]:
-    """The looks aside in a stretch of time in which nothing else moves the eyes; each ends within it."""
-    # The stretch may begin anywhere between two looks aside.
+    """The looks aside in an interval in which nothing else moves the eyes; each ends within it."""
+    # The interval may begin anywhere between two looks aside.
     start_s = free.start_s + SHORTEST_S + generator.random() * _lasting(habit.contact_s, generator)
     while start_s + SHORTEST_S <= free.end_s:
         aside_s = min(_lasting(habit.aside_s, generator), LONGEST_S)
@@ -86,5 +85,5 @@ def glances(free: Interval, habit: Habit, generator: random.Random) -> Iterator[
 
 
 def _lasting(mean_s: float, generator: random.Random) -> float:
-    """A time about as long as the mean."""
+    """A random time around the mean."""
     return max(SHORTEST_S, generator.gauss(mean_s, SPREAD * mean_s))

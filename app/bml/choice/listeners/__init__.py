@@ -1,3 +1,2 @@
-"""Those spoken to: where they stand, whom a movement addresses, and what they do meanwhile. Imports `scheduling` and
-what it imports. Begin with `listening.py`.
-"""
+"""The listeners: their places, which of them a movement addresses, and their own behaviors. Imports `scheduling` and
+what it imports. Begin with `listening.py`."""

@@ -1,8 +1,9 @@
-"""Whom the speaker addresses, and where listeners are, when there are several or the scene says where they are.
+"""Decides which listener the speaker addresses, and where listeners are, if there are several or the scene places one.
 
-Nobody says to whom each sentence goes, so the speaker turns to the next listener as another sentence begins, in the
-order in which they were named. Listeners whom no target places stand in an arc before the speaker, at the height of
-average eyes, each as far as in a conversation of two, or farther where they would touch. Metres, seconds.
+The input does not say to whom each sentence is addressed, so the speaker turns to the next listener when another
+sentence begins, in the order in which they were named. Listeners without a target stand in an arc before the speaker,
+with their eyes at average height, each at the distance of a conversation of two, or farther where they would touch.
+Metres, seconds.
 """
 
 from collections.abc import Sequence
@@ -15,20 +16,20 @@ from ..behavior_table.table import SHIFT
 LISTENER = "listener"
 DISTANCE_M = 1.25
 EYES_M = 1.60
-"""Where the one listener is that nobody placed (`understudy.realizer.head_and_gaze.gaze_targets`)."""
+"""The default height of a single listener's eyes (`understudy.realizer.head_and_gaze.gaze_targets`)."""
 
 BETWEEN_DEG, WIDEST_DEG = 36.0, 120.0
 ELBOW_ROOM_M = 0.70
-"""People who stand side by side are at least this far apart."""
+"""The least distance between people who stand side by side."""
 
 AT_THE_LISTENER = frozenset({"YOU", "OFFER"})
-"""Gestures at the person addressed."""
+"""Gestures towards the person addressed."""
 
 
 def placed_listeners(names: Sequence[str], targets: Sequence[Target]) -> tuple[Target, ...]:
     """The targets, and a place for each listener that has none, if there are several or the scene places one.
 
-    Those that have none share the arc, the first on the speaker's left.
+    Listeners without a place are distributed over the arc, the first on the speaker's left.
     """
     known = {target.name for target in targets}
     if len(names) < 2 and not known.intersection(names):
@@ -50,8 +51,8 @@ def _arc(count: int) -> list[tuple[float, float, float]]:
 def addressed(
     behaviors: Sequence[Behavior], listeners: Sequence[str], targets: Sequence[Target]
 ) -> tuple[Behavior, ...]:
-    """The behaviours, those at the listener being at whom the speaker addresses then; unchanged where no listener has a
-    place."""
+    """The behaviours, those directed at the listener now directed at the addressee of their time; unchanged if no
+    listener has a place."""
     known = {target.name for target in targets}
     placed = [name for name in listeners if name in known]
     if not placed:

@@ -1,7 +1,7 @@
 """How often and when a listener's head moves, as measured on people, read from `lexicon/acting/head_rates.yaml`.
 
-Chances are in [0, 1], times seconds. The file is written by `training/head_rates.py`; every mistake in it is
-reported at once, with its place.
+Probabilities are in [0, 1], times seconds. The file is written by `training/head_rates.py`; all mistakes in it are
+reported at once, with their places.
 """
 
 from dataclasses import dataclass
@@ -14,8 +14,8 @@ from ....yaml_files import Entry, Source
 
 @dataclass(frozen=True, slots=True)
 class HeadRates:
-    """The chances of a nod at a speaker's pause and at punctuation without one, and of a head movement given back; the
-    delay of a nod after the end of the phrase, its mean and spread."""
+    """The probabilities of a nod at a speaker's pause, of one at punctuation without a pause, and of mirroring a head
+    movement; the mean and standard deviation of a nod's delay after the end of the phrase."""
 
     nods_after_pause: float
     nods_after_phrase: float

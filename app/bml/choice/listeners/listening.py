@@ -1,9 +1,9 @@
-"""What a listener does while a line is spoken to him (paper §3.6): generic feedback, driven by the speaker.
+"""The behaviour of a listener while a line is spoken (paper §3.6): generic feedback, driven by the speaker.
 
-The speaker's head movements come back, as in a mirror, after half a second. Beyond the paper the listener nods where
-the speaker pauses or ends a phrase (Yngve's back channels), blinks there, and looks at the speaker by the statistics of
-people who listen (`saccades.py`). How often he does so is measured (`head_rates.py`): people leave most movements
-unanswered and most pauses without a nod. Times are seconds of the speaker's audio.
+The speaker's head movements are mirrored after half a second. Beyond the paper, the listener nods where the speaker
+pauses or ends a phrase (Yngve's back channels), blinks there, and looks at the speaker by the statistics of people who
+listen (`saccades.py`). The frequencies are measured (`head_rates.py`): people leave most movements unanswered and most
+pauses without a nod. Times are seconds of the speaker's audio.
 """
 
 import random
@@ -27,21 +27,21 @@ MIRROR_DELAY_S = 0.5
 """Paper §3.6."""
 
 MIRRORED_SIZE = 0.6
-"""A mirrored movement is smaller than the speaker's."""
+"""The size of a mirrored movement relative to the speaker's."""
 
 NOD = "small_nod"
 SHORTEST_REACTION_S = 0.1
 SHORTEST_BETWEEN_NODS_S = 2.5
 SHORTEST_PAUSE_S = 0.2
 PHRASE_ENDS = (".", ",", "?", "!", ";", ":")
-"""Where a phrase ends without a pause, by what words end in; the rates are of such places."""
+"""Final characters of words that end a phrase without a pause; the rates were measured at such places."""
 
 _SIDES: Mapping[str, str] = MappingProxyType({"LEFT": "RIGHT", "RIGHT": "LEFT"})
 
 
 @dataclass(frozen=True, slots=True)
 class Listener:
-    """Who listens, how often and when his head moves, and the name of whom he looks at."""
+    """The listener's character, the rates of its head movements, and the name of the speaker it looks at."""
 
     character: Character
     rates: HeadRates
@@ -80,12 +80,12 @@ def listen(
 
 
 def _is_mirrored(behavior: Behavior) -> bool:
-    """The head movements that mean something; the speaker's drifting is not answered."""
+    """Whether it is a head movement with a function; the speaker's drifts are not mirrored."""
     return behavior.kept and behavior.kind is Channel.HEAD and behavior.function is not None
 
 
 def _mirrored(behavior: Behavior, listener: Character) -> PlacedBehavior:
-    """The movement as in a mirror: the other's left is opposite one's right."""
+    """The movement as in a mirror: the speaker's left becomes the listener's right."""
     lexeme = "_".join(_SIDES.get(part, part) for part in behavior.lexeme.split("_"))
     amount = None if behavior.amount is None else behavior.amount * MIRRORED_SIZE * listener.amplitude
     sync = behavior.sync.shifted(MIRROR_DELAY_S)
@@ -106,7 +106,8 @@ def _mirrored(behavior: Behavior, listener: Character) -> PlacedBehavior:
 
 
 def _nods(timed: tuple[Word, ...], rates: HeadRates, generator: random.Random) -> Iterator[IdleBehavior]:
-    """Some of the places where the speaker pauses or ends a phrase, by chance and not too close."""
+    """Nods at some of the places where the speaker pauses or ends a phrase, at random and not too close to each
+    other."""
     last_s = -SHORTEST_BETWEEN_NODS_S
     for word, following in pairwise(timed):
         if word.interval is None or following.interval is None:

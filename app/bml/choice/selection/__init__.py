@@ -1,3 +1,2 @@
-"""Which alternative shows each function, in each of the three modes, and what fills the time left over. Imports
-`characters` and `timing`. Begin with `choosing.py`.
-"""
+"""Decides which alternative shows each function, in each of the three modes, and fills the remaining time. Imports
+`characters` and `timing`. Begin with `choosing.py`."""

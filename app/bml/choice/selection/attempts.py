@@ -1,9 +1,10 @@
-"""How an alternative would go beside what is kept: what of it is made, by which hand, and what gives way to what.
+"""Tries an alternative beside what is kept: which parts of it fit, with which hand, and what is shortened for it.
 
-Planned moments, of which many more are thought of than people make, are held to more than what is asked for: none is
-the same gesture again within `PLANNED_REPEAT_S`, none has another hand within `HAND_SWITCH_S`, and there are no more
-than the character makes. What functions ask by their priority alone, or a director, is made if the hands have the time
-(paper §3.5): with the other hand if need be, or with a smaller and shorter stroke.
+Planned moments, of which there are many more candidates than people make gestures, meet stricter conditions than what
+is asked for: the same gesture is not repeated within `PLANNED_REPEAT_S`, the hand is not switched within
+`HAND_SWITCH_S`, and there are no more than the character usually makes. What functions ask for by priority alone, or a
+director, is made if there is time for it (paper §3.5): if necessary with the other hand, or with a smaller and shorter
+stroke.
 """
 
 from collections.abc import Iterable
@@ -26,13 +27,14 @@ from .hands import (
 from .necessity import WEIGHT
 
 PLANNED_REPEAT_S = 1.2
-"""No planned gesture is made again within this time: directors have people deny twice what they deny twice."""
+"""Within this time no planned gesture is repeated. It is short because directors do repeat a denial that is spoken
+twice."""
 
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """What the choice depends on besides the candidates: the timed words, who moves, how many gestures are usual and
-    the most that are planned, and how many functions may ask for by their priority alone."""
+    """What the choice depends on besides the candidates: the timed words, the character, the most gestures (usual and
+    planned), and the most that functions may ask for by their priority alone."""
 
     timed: tuple[Word, ...]
     character: Character
@@ -42,7 +44,8 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """An alternative as it would go: all that is kept with it, its own part of that, and what it lost."""
+    """An alternative as it would be made: everything kept with it, its own part of that, and its behaviours that
+    lost."""
 
     kept: Kept
     own: tuple[Fitted, ...]
@@ -70,8 +73,8 @@ def attempted(offer: BehaviorCandidates, alternative: Alternative, number: int, 
 def _outcome(
     candidate: PlacedBehavior, offer: BehaviorCandidates, kept: Kept, line: Line, *, hand: Hand | None
 ) -> Fitted | Behavior:
-    """The candidate among the kept, or its behaviour as a loser; a director's notes are beyond the character's rate.
-    `hand` is that of the table."""
+    """The candidate among the kept, or its behaviour as a loser; a director's notes are not limited by the character's
+    rate. `hand` is that of the table."""
     planned = is_planned(offer)
     if not candidate.behavior.kept:
         return candidate.behavior
@@ -85,7 +88,8 @@ def _outcome(
 
 
 def count_made(offers: Iterable[BehaviorCandidates], kept: Kept, line: Line) -> int:
-    """How many offers that ask for the hands can be made one after the other, or are made already, beside the kept."""
+    """How many of the offers that need the hands can be made one after the other, or are made already, beside the
+    kept."""
     count = 0
     for offer in offers:
         with_it = next((made for each in offer.alternatives if (made := _with_gesture(each, kept, line))), None)
@@ -95,12 +99,12 @@ def count_made(offers: Iterable[BehaviorCandidates], kept: Kept, line: Line) -> 
 
 
 def is_planned(offer: BehaviorCandidates) -> bool:
-    """Whether it was thought of in planning, not asked for by a function's priority alone or by a director."""
+    """Whether it comes from the plan, rather than from a function's priority alone or a director."""
     return offer.moment is not None and offer.moment.note is None
 
 
 def _is_worth_a_hand(offer: BehaviorCandidates) -> bool:
-    """Whether the other hand is taken for it, and not only for weight."""
+    """Whether the other hand may be used for it: not for functions that only give weight."""
     return offer.function is None or offer.function.class_name not in WEIGHT
 
 
@@ -119,7 +123,7 @@ def _with_gesture(alternative: Alternative, kept: Kept, line: Line) -> Kept | No
 
 
 def _refused(behavior: Behavior, kept: Kept, line: Line, *, planned: bool) -> Behavior | None:
-    """The gesture as a loser where the character would not make it beside those it makes."""
+    """The gesture as a loser, if the character would not make it beside those it makes; else None."""
     if behavior.kind is not Channel.GESTURE:
         return None
     gestures = [other.behavior for other in kept if other.behavior.kind is Channel.GESTURE]

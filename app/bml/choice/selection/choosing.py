@@ -1,9 +1,9 @@
-"""Which alternative shows each function, settled over the whole line (paper §3.4, §3.5).
+"""Chooses which alternative shows each function, over the whole line (paper §3.4, §3.5).
 
-The functions choose in order of priority, so that the most important have the clock, the hands and the character's
-gestures a minute to themselves. Each takes the alternative with the smallest lot / (weight × suitability): luck by the
-rules' weights, bent by how well an alternative suits what is there already (`suitability.py`). A function that has
-other means leaves the hands to those near it that have none. How an alternative would go is in `attempts.py`.
+The functions choose in order of priority, so that time, hands and the character's gesture rate go to the most important
+first. Each takes the alternative with the smallest lot / (weight × suitability): a random draw by the rules' weights,
+modified by how well the alternative suits what is already kept (`suitability.py`). A function with other means leaves
+the hands to nearby functions that need them. How an alternative is tried is in `attempts.py`.
 """
 
 from collections.abc import Iterable, Sequence
@@ -18,17 +18,17 @@ from .attempts import Attempt, Line, attempted, count_made, is_planned
 from .suitability import form, has_idle_hands, most_suitable, suitability
 
 HANDS_WANTED = 0.01
-"""What an alternative is worth of another that leaves the hands to those who have only the hands."""
+"""The factor on the suitability of an alternative that takes the hands from functions that can only use the hands."""
 
 EASILY_S = 1.0
-"""What is said this long after the performance begins leaves time for any gesture."""
+"""Words this long after the performance begins leave time to prepare any gesture."""
 
 NEAR_WORDS = 3
-"""What begins on words this near may want the hands at once."""
+"""Offers that begin within this many words of each other may need the hands at the same time."""
 
 
 def choose(candidates: Iterable[BehaviorCandidates], line: Line) -> tuple[Kept, tuple[Behavior, ...]]:
-    """What is done, and what was asked and is not, with the reasons; each function by one alternative at most."""
+    """What is kept, and what was asked for and is not, with the reasons; at most one alternative for each function."""
     kept: Kept = ()
     lost: list[Behavior] = []
     offers = sorted(candidates, key=partial(_rank, line=line))
@@ -42,7 +42,7 @@ def choose(candidates: Iterable[BehaviorCandidates], line: Line) -> tuple[Kept, 
 
 
 def _is_manual(offer: BehaviorCandidates, line: Line) -> bool:
-    """Whether nothing but the hands can show it."""
+    """Whether only the hands can show it."""
     return all(
         any(line.character.entries[movement.name].channel is Channel.GESTURE for movement in alternative.movements)
         for alternative in offer.alternatives
@@ -50,12 +50,12 @@ def _is_manual(offer: BehaviorCandidates, line: Line) -> bool:
 
 
 def _rank(offer: BehaviorCandidates, line: Line) -> tuple[float, bool, tuple[float, int, int, str]]:
-    """Of equal priority, those choose first for whose gestures there is time."""
+    """Sort key: by priority; of equal ones, those choose first for whose gestures there is time."""
     return -offer.priority, _is_hurried(offer, line), offer.rank
 
 
 def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
-    """Whether a stroke of it would begin with the performance, for want of time."""
+    """Whether one of its strokes would begin at 0 for lack of time."""
     _priority, first, _last, _id = offer.rank
     begun = words_before(line.timed, first + 1)
     if begun and interval_of(line.timed[begun - 1]).start_s >= EASILY_S:
@@ -67,8 +67,8 @@ def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
 
 
 def _best(offer: BehaviorCandidates, kept: Kept, line: Line, waiting: Sequence[BehaviorCandidates]) -> Attempt:
-    """The attempt that wins; what the luckiest alternative lost is told with it. `waiting` are those offers yet to
-    choose for which there are only the hands."""
+    """The attempt that wins; what the luckiest alternative lost is reported with it. `waiting` are the offers yet to
+    choose that can only use the hands."""
     lucky = sorted(offer.alternatives, key=_luck)
     attempt_at = partial(attempted, offer, kept=kept, line=line)
     near = [each for each in waiting if _is_near(each, offer)]
@@ -88,7 +88,7 @@ def _best(offer: BehaviorCandidates, kept: Kept, line: Line, waiting: Sequence[B
     if best is first:
         return best
     told = {form(behavior) for behavior in (*best.lost, *(each.candidate.behavior for each in best.own))}
-    # What lost to a part of the alternative that is not made lost to nothing that anybody could look up.
+    # A loser to a part of the alternative that is not made after all would name a winner that does not exist.
     unmade = {each.candidate.behavior.id for each in first.own}
     missed = (each for each in first.lost if form(each) not in told and each.lost_to not in unmade)
     return replace(best, lost=(*best.lost, *missed))
@@ -106,7 +106,7 @@ def _score(
     waiting: Sequence[BehaviorCandidates],
     possible: int,
 ) -> float:
-    """`possible` of the `waiting` could be made without the attempt."""
+    """The score of an attempt, the smaller the better; `possible` of the `waiting` could be made without it."""
     suits = suitability(attempt, line)
     if suits and count_made(waiting, attempt.kept, line) < possible:
         suits *= HANDS_WANTED
@@ -114,5 +114,5 @@ def _score(
 
 
 def _is_near(offer: BehaviorCandidates, other: BehaviorCandidates) -> bool:
-    """Whether two offers may want the hands at once."""
+    """Whether two offers may need the hands at the same time."""
     return abs(offer.rank[1] - other.rank[1]) <= NEAR_WORDS

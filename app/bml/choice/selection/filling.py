@@ -1,9 +1,9 @@
-"""What head and eyes do where nothing was asked of them: they are never quite still (paper §6).
+"""Fills the time in which nothing is asked of head and eyes: they are never quite still (paper §6).
 
 Between the movements that show something the head drifts by a few degrees and the eyes go aside and come back; where
-they stay aside for a while, and nothing else is asked of the head, it goes with them. These are put where their channel
-is free, so they never compete. A still character drifts less often and less far. No drift is made twice running, and
-the eyes are back on the listener when the last word begins, for then the turn is his (Kendon 1967).
+they stay aside for a while, and nothing else is asked of the head, it goes with them. These movements are placed where
+their channel is free, so they never compete. A still character drifts less often and less far. No drift is repeated
+immediately, and the eyes are back on the listener when the last word begins, to yield the turn (Kendon 1967).
 """
 
 import random
@@ -18,21 +18,21 @@ from ..timing.candidates import PlacedBehavior, filler, interval_of
 from ..timing.conflicts import Kept
 
 DRIFT_S = (2.5, 5.0)
-"""How long a drift takes, from the first movement to rest."""
+"""The duration of a drift, from the first movement to rest."""
 
 SHORTEST_DRIFT_S = 2.0
-"""In less time than this the head rests."""
+"""In shorter gaps the head rests."""
 
 GAZE_RANGE_DEGREES = 60.0
 """The angle of a gaze of amount 1."""
 
 LOOK_S, LOOK_DEGREES = 0.7, 10.0
-"""The head goes with eyes that stay aside at least as long, and then at least as far."""
+"""The head goes with eyes that stay aside at least this long, and then turns at least this far."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rest:
-    """A stretch of the line to be filled, in whose words, for whom and with which luck."""
+    """What the fillers of a line depend on: its words, its end, the character and the random generator."""
 
     words: tuple[Word, ...]
     end_s: float
@@ -54,7 +54,7 @@ def fillers(kept: Kept, rest: Rest, habit: Habit) -> tuple[PlacedBehavior, ...]:
 
 
 def free(kept: Kept, channel: Channel, end_s: float) -> Iterator[Interval]:
-    """The stretches of a line in which nothing is kept on a channel; looks aside take the head as well."""
+    """The intervals of a line in which nothing is kept on a channel; looks aside occupy the head as well."""
     begin_s = 0.0
     taken = (each.behavior.sync for each in kept if each.behavior.kind is channel or _has(each.behavior, channel))
     for sync in sorted(taken, key=lambda sync: sync.start):
@@ -78,7 +78,7 @@ def _drifts(kept: Kept, rest: Rest) -> Iterator[PlacedBehavior]:
 
 
 def _parts(gap: Interval, generator: random.Random) -> Iterator[Interval]:
-    """The whole of a gap in drifts; what would be too short for one of its own belongs to the last."""
+    """A gap divided into drifts; a remainder that would be too short is added to the last."""
     start_s = gap.start_s
     while gap.end_s - start_s >= SHORTEST_DRIFT_S:
         end_s = start_s + generator.uniform(*DRIFT_S)
@@ -89,7 +89,7 @@ def _parts(gap: Interval, generator: random.Random) -> Iterator[Interval]:
 
 
 def _has(behavior: Behavior, channel: Channel) -> bool:
-    """Whether it takes the head to look aside."""
+    """Whether it is a look aside and the channel is the head, which it occupies as well."""
     return channel is Channel.HEAD and behavior.lexeme == LOOK and behavior.direction is not None
 
 
@@ -106,7 +106,7 @@ def _looks_aside(kept: Kept, rest: Rest, habit: Habit) -> Iterator[PlacedBehavio
 
 
 def _longest_within(stretches: Iterable[Interval], whole: Interval) -> Interval:
-    """The longest part of the whole that is in one of the stretches; one without duration where there is none."""
+    """The longest part of the whole that is in one of the stretches; an empty interval if there is none."""
     parts = (Interval(max(each.start_s, whole.start_s), min(each.end_s, whole.end_s)) for each in stretches)
     return max(parts, key=lambda part: part.duration_s, default=Interval(0.0, 0.0))
 

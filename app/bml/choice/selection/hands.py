@@ -1,8 +1,8 @@
-"""Which hand makes a gesture: the one in use, and another where the usual one has no time for it.
+"""Decides which hand makes a gesture: the one in use, or another if that one has no time.
 
 People keep to a hand for a while (paper §3.4: no inordinate switching), but where ideas crowd the other hand makes the
-next gesture, and one hand does what both would. Two hands do not strike at once, each for itself. Times are seconds,
-from stroke to stroke.
+next gesture, and a gesture of both hands is made by one. Two hands do not make separate strokes at the same time. Times
+are seconds, from stroke to stroke.
 """
 
 from collections.abc import Iterator, Mapping
@@ -21,7 +21,7 @@ HAND_SWITCH_S = 2.0
 """The hand in use stays in use for this long."""
 
 AT_ONCE_S = 0.25
-"""What strikes within this time strikes at once: a syllable."""
+"""Strokes within this time of each other, a syllable, are simultaneous."""
 
 _SLACK_S = 1e-6
 
@@ -29,7 +29,8 @@ _OTHER: Mapping[Hand | None, Hand] = MappingProxyType({Hand.LEFT: Hand.RIGHT, Ha
 
 
 def with_hand(candidate: PlacedBehavior, kept: Kept, own_hand: Hand) -> PlacedBehavior:
-    """A gesture that may take either hand takes the one in use about then, else the character's own."""
+    """The candidate with its hand: a gesture that may take either takes the one in use around then, else the
+    character's own."""
     behavior = candidate.behavior
     if behavior.kind is not Channel.GESTURE or behavior.hand is not None:
         return candidate
@@ -45,8 +46,8 @@ def with_hand(candidate: PlacedBehavior, kept: Kept, own_hand: Hand) -> PlacedBe
 def fitted_as_asked(
     candidate: PlacedBehavior, kept: Kept, *, hand: Hand | None, by_either_hand: bool
 ) -> Fitted | Behavior:
-    """What a function or a director asks for among the kept, or its behaviour as a loser; a gesture `by_either_hand` if
-    need be. `hand` is that of the table, None where it may be either."""
+    """What a function or a director asks for among the kept, or its behaviour as a loser; `by_either_hand` allows
+    another hand. `hand` is that of the table, None if it may be either."""
     same = made_already(candidate.behavior, kept)
     if same is not None:
         return lost_to(same, candidate.behavior, f"{same.lexeme} shows it already")
@@ -54,8 +55,8 @@ def fitted_as_asked(
 
 
 def fitted_by_either_hand(candidate: PlacedBehavior, kept: Kept, *, hand: Hand | None) -> Fitted | Behavior:
-    """The candidate among the kept, by the hand it has or else by another, or beside a gesture of both hands that is
-    left to one."""
+    """The candidate among the kept, with its own hand or else the other, or beside a gesture of both hands that is
+    reduced to one."""
     outcome = _fitted_alone(candidate, kept)
     for made, beside in _by_other_hands(candidate, kept, hand):
         if isinstance(outcome, Fitted):
@@ -66,7 +67,7 @@ def fitted_by_either_hand(candidate: PlacedBehavior, kept: Kept, *, hand: Hand |
 
 
 def made_already(gesture: Behavior, kept: Kept) -> Behavior | None:
-    """The same gesture as one that is kept, at the same time."""
+    """A kept gesture that is the same at the same time, or None."""
     return next((each for each in _at_once(gesture, kept) if each.lexeme == gesture.lexeme), None)
 
 
@@ -75,17 +76,17 @@ def lost_to(winner: Behavior, behavior: Behavior, reason: str) -> Behavior:
 
 
 def switches(one: Behavior, other: Behavior) -> bool:
-    """Whether two gestures are made by different hands alone."""
+    """Whether two gestures are made by different single hands."""
     return one.hand is not other.hand and Hand.BOTH not in (one.hand, other.hand)
 
 
 def stroke_s(gesture: Behavior) -> float:
-    """When a gesture strikes."""
+    """The time of a gesture's stroke."""
     return gesture.sync.stroke if gesture.sync.stroke is not None else gesture.sync.start
 
 
 def _fitted_alone(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
-    """The candidate among the kept, unless the other hand strikes at once."""
+    """The candidate among the kept, unless the other hand has a simultaneous stroke."""
     for other in _at_once(candidate.behavior, kept):
         if switches(other, candidate.behavior):
             return lost_to(other, candidate.behavior, f"the other hand is in use for {other.lexeme}")
@@ -99,7 +100,7 @@ def _at_once(gesture: Behavior, kept: Kept) -> Iterator[Behavior]:
 
 
 def _by_other_hands(candidate: PlacedBehavior, kept: Kept, hand: Hand | None) -> Iterator[tuple[PlacedBehavior, Kept]]:
-    """The candidate by the hands that could make it besides, and what is kept beside it then."""
+    """The candidate with the other hands that could make it, and what is then kept beside it."""
     own = candidate.behavior.hand
     if hand is None and own in _OTHER:
         yield _made_by(candidate, _OTHER[own]), kept
@@ -117,7 +118,7 @@ def _made_by(gesture: PlacedBehavior, hand: Hand) -> PlacedBehavior:
 
 
 def _left_to_one_hand(candidate: PlacedBehavior, kept: Kept) -> Iterator[Kept]:
-    """What is kept when a gesture of both hands leaves its hand to the candidate."""
+    """What is kept if a gesture of both hands leaves one hand to the candidate."""
     free = _OTHER[candidate.behavior.hand]
     for rival in kept:
         asked_for = rival.brief is not None and rival.behavior.hand is Hand.BOTH and _makes_it_alone(free, rival)
@@ -135,7 +136,7 @@ def _at_its_usual_length(gesture: PlacedBehavior) -> PlacedBehavior:
 
 
 def _makes_it_alone(hand: Hand, gesture: PlacedBehavior) -> bool:
-    """Whether one hand makes a gesture of both in the same time."""
+    """Whether one hand makes a gesture of both hands in the same time."""
     ways = [(gesture.forms, gesture.placing.timing)]
     if gesture.brief:
         ways.append((gesture.brief.forms, gesture.brief.timing))

@@ -1,7 +1,8 @@
-"""The three performances of the paper's study (§5): gestures from the meaning, from the stress, or from chance.
+"""The three conditions of the paper's study (§5): gestures from the meaning, from the stress, or from chance.
 
-Head, eyes and face are those of the meaning in all three, so that a comparison of them compares the gestures. Neither
-rival is made worse than need be: stressed words all along the line are beaten, and chance draws anew for each text.
+Head, eyes and face are those of the meaning in all three, so that a comparison of them compares the gestures. The two
+rivals are made as good as possible: beats are spread over the stressed words of the whole line, and chance draws anew
+for each text.
 """
 
 import random
@@ -19,7 +20,7 @@ BEAT = "beat_gesture"
 BEAT_PRIORITY = 1.0
 
 DRAWS = 8
-"""How often chance tries for a gesture that fits."""
+"""How many random gestures are tried until one fits."""
 
 
 def in_mode(
@@ -43,7 +44,7 @@ def in_mode(
 
 
 def _beaten_in(kept: Kept, line: Line) -> Kept:
-    """Beats on the stressed words, as many as the character makes, from the line's first to its last."""
+    """The kept with beats on stressed words, as many as the character makes, spread over the line."""
     stressed = [word for word in line.timed if word.is_emphasised]
     for part in _parts(stressed, line.most_gestures):
         kept = _beaten_once(kept, part, line)
@@ -51,15 +52,15 @@ def _beaten_in(kept: Kept, line: Line) -> Kept:
 
 
 def _parts(stressed: Sequence[Word], most: int) -> list[Sequence[Word]]:
-    """The stressed words in order, in as many even parts as there are beats to make; one in each is beaten."""
+    """The stressed words in order, divided evenly into as many parts as there are beats; each part gets one beat."""
     count = min(most, len(stressed))
     bounds = [place * len(stressed) // count for place in range(count + 1)] if count else []
     return [stressed[first:last] for first, last in pairwise(bounds)]
 
 
 def _beaten_once(kept: Kept, part: Sequence[Word], line: Line) -> Kept:
-    """A beat on the most stressed word of a part on which one fits; of equally stressed ones the last, as English has
-    its main stress late."""
+    """The kept with a beat on the most stressed word of a part on which one fits; of equally stressed words the last,
+    because English has its main stress late."""
     for word in sorted(part, key=lambda word: (-(word.emphasis or 0.0), -word.index)):
         movement = Movement(BEAT, word.index, word.index, BEAT_PRIORITY, "", None)
         outcome = _fitted(movement, kept, line, "beats on a stressed word")
@@ -69,7 +70,7 @@ def _beaten_once(kept: Kept, part: Sequence[Word], line: Line) -> Kept:
 
 
 def _drawn(kept: Kept, gestures: list[PlacedBehavior], line: Line, generator: random.Random) -> Kept:
-    """A gesture of the table, whichever, in place of each."""
+    """The kept with a random gesture of the table in place of each gesture."""
     names = [name for name, entry in line.character.entries.items() if entry.channel is Channel.GESTURE]
     for each in gestures:
         behavior = each.behavior

@@ -1,9 +1,9 @@
-"""What need not be done, because it would show nothing: a look at whom one looks at, a blink upon a blink, the same
-movement of the head once more.
+"""Drops behaviours that would show nothing: a look at somebody who is looked at already, a blink right after a blink, a
+repeated head movement.
 
-A gaze is where the last lasting turn put it, and at the listener before any; a look aside comes back by itself. A head
-movement made again soon has a reason where it shows a function of another class; all that only gives weight is one
-class here. What was planned for a moment of the line has its reason. Times are seconds.
+The gaze is where the last lasting shift directed it, initially at the listener; a look aside comes back by itself. A
+head movement may be repeated soon if it shows a function of another class; all classes that only give weight count as
+one. What was planned for a moment of the line is always kept. Times are seconds.
 """
 
 from collections.abc import Iterable, Mapping
@@ -14,15 +14,15 @@ from ..behavior_table.table import SHIFT
 from ..timing.conflicts import Kept
 
 HEAD_REPEAT_S = 3.0
-"""The same head movement begun again within this time of the last needs a reason."""
+"""A head movement is a repetition if the same one began less than this ago."""
 
 SHORTEST_BETWEEN_BLINKS_S = 0.6
 
 JUST_BEFORE_S = 0.1
-"""A look aside that ended no longer ago is not quite over."""
+"""For this long after its end, a look aside is not quite over."""
 
 WEIGHT = frozenset({"emphasis", "intensifier", "initial_noun_phrase", "initial_verb_phrase"})
-"""The classes of functions for which a movement of the head only gives weight."""
+"""The classes of functions for which a head movement only gives weight."""
 
 LISTENER = "listener"
 BLINK = "BLINK"
@@ -30,7 +30,7 @@ BLINK = "BLINK"
 
 @dataclass(frozen=True, slots=True)
 class Needless:
-    """A behaviour that shows nothing, what shows it already, and why."""
+    """A behaviour that shows nothing, the behaviour that already shows it, and the reason."""
 
     behavior: Behavior
     shown_by: str | None
@@ -42,8 +42,8 @@ class Needless:
 
 
 def needed(kept: Kept, candidates: Iterable[BehaviorCandidates]) -> tuple[Kept, tuple[Behavior, ...]]:
-    """Those of the kept that show something, in the order given, and the others as dropped; `candidates` tell of which
-    class each behaviour's function is."""
+    """Those of the kept that show something, in the order given, and the others as dropped; `candidates` give the class
+    of each behaviour's function."""
     functions = (offer.function for offer in candidates if offer.function)
     classes = {each.id: "weight" if each.class_name in WEIGHT else each.class_name for each in functions}
     in_time = sorted((each.behavior for each in kept), key=lambda behavior: (behavior.sync.start, behavior.id))
@@ -57,7 +57,7 @@ def needed(kept: Kept, candidates: Iterable[BehaviorCandidates]) -> tuple[Kept, 
 
 
 def _looks(gazes: Iterable[Behavior]) -> list[Needless]:
-    """The looks at whom the eyes are on. `gazes` are in order of time, as in the functions below."""
+    """The looks at what the eyes are on already. `gazes` are in order of time, as in the functions below."""
     needless: list[Needless] = []
     target, aside_until_s = LISTENER, 0.0
     for gaze in gazes:
@@ -82,7 +82,7 @@ def _blinks(blinks: Iterable[Behavior]) -> list[Needless]:
 
 
 def _heads(movements: Iterable[Behavior], classes: Mapping[str, str]) -> list[Needless]:
-    """The less important of two alike that follow each other for the same class of function."""
+    """The less important of two equal movements that follow each other for the same class of function."""
     needless: list[Needless] = []
     last: Behavior | None = None
     for movement in movements:

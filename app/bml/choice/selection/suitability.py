@@ -1,7 +1,6 @@
-"""How well an attempt suits what is there already (the paper's heuristics, §3.4): wholly rather than in part, at its
-usual length rather than shortened, with a gesture that joins the one before it rather than one that just misses it; not
-again what was made a moment ago, and not with the other hand.
-"""
+"""How well an attempt suits what is already kept (the paper's heuristics, §3.4). It prefers whole alternatives to
+parts, usual length to shortened, gestures that join the one before to gestures that just miss it; it avoids repetition
+and switching hands."""
 
 from collections.abc import Iterator
 
@@ -11,10 +10,10 @@ from .attempts import Attempt, Line
 from .hands import HAND_SWITCH_S, stroke_s, switches
 
 REPEAT_S = 5.0
-"""A gesture made again within this time, from stroke to stroke, is less suitable."""
+"""A gesture repeated within this time, from stroke to stroke, is less suitable."""
 
 HEAD_REPEAT_S = 2.0
-"""A head movement, face or gaze again within this time is less suitable."""
+"""A head movement, face or gaze repeated within this time is less suitable."""
 
 IN_PART = 0.4
 SHORTENED = 0.7
@@ -23,14 +22,14 @@ HAND_SWITCHED = 0.3
 MISSING_THE_UNIT = 0.5
 UNIT_TOO_LONG = 0.3
 HANDS_IDLE = 0.05
-"""What an alternative is worth of a perfect one: see `suitability`."""
+"""Factors on suitability, see `suitability`."""
 
 NEAR_UNIT_S = 1.0
-"""A gesture that begins this soon after another is over could have joined it."""
+"""A gesture that begins this soon after the end of another could have joined it."""
 
 
 def suitability(attempt: Attempt, line: Line) -> float:
-    """How well an alternative suits what is there, in [0, 1]; 0 when nothing of it can be."""
+    """How well an alternative suits what is kept, in [0, 1]; 0 if no part of it fits."""
     suits = 1.0 if not attempt.lost else IN_PART * len(attempt.own) / (len(attempt.own) + len(attempt.lost))
     for each in attempt.own:
         behavior = each.candidate.behavior
@@ -46,14 +45,15 @@ def suitability(attempt: Attempt, line: Line) -> float:
 
 
 def most_suitable(alternative: Alternative, line: Line, *, hands_idle: bool) -> float:
-    """The most that the suitability of an alternative can be where the character usually gestures more, or does not."""
+    """The upper bound of an alternative's suitability, given whether the character usually gestures more
+    (`hands_idle`)."""
     entries = line.character.entries
     by_hand = any(entries[movement.name].channel is Channel.GESTURE for movement in alternative.movements)
     return HANDS_IDLE if hands_idle and not by_hand else 1.0
 
 
 def has_idle_hands(kept: Kept, line: Line) -> bool:
-    """Whether the character usually gestures more."""
+    """Whether the character usually gestures more than is kept."""
     return sum(other.behavior.kind is Channel.GESTURE for other in kept) < line.most_gestures
 
 
@@ -64,8 +64,8 @@ def _repeats(behavior: Behavior, other: Behavior) -> bool:
 
 
 def _habit(gesture: Behavior, kept: Kept) -> float:
-    """How well a gesture goes with what the hands do about then (paper §3.4: against inordinate switching of hands and
-    the same gesture over and over). Planned ones are refused instead (`_refused`)."""
+    """How well a gesture suits the others around it (paper §3.4: against inordinate switching of hands and repeating a
+    gesture). Planned gestures are refused instead (`_refused`)."""
     if gesture.moment:
         return 1.0
     others = [
@@ -78,7 +78,7 @@ def _habit(gesture: Behavior, kept: Kept) -> float:
 
 
 def _unity(gesture: Behavior, kept: Kept, strokes_per_unit: int) -> float:
-    """How well a gesture goes with its neighbours: alone or joined, in no longer a unit than the character's."""
+    """How well a gesture suits its neighbours: single or joined, in units no longer than the character's."""
     others = [other.behavior for other in kept if other.behavior.kind is Channel.GESTURE]
     strokes = 1 + sum(1 for _ in _joined_before(gesture, others)) + sum(1 for _ in _joined_after(gesture, others))
     if strokes > strokes_per_unit:

@@ -1,3 +1,2 @@
-"""What goes with the speech itself: its lead-in, its stresses and phrases as the realizer needs them, its mouth shapes.
-Imports `timing`. Begin with `visemes.py`.
-"""
+"""What accompanies the speech itself: its lead-in, its stresses and phrases for the realizer, its visemes. Imports
+`timing`. Begin with `visemes.py`."""

@@ -1,7 +1,7 @@
-"""How a line is delivered, for a realizer: the phrases between its pauses, and the moments of stress in it.
+"""Describes a line's delivery for a realizer: the phrases between its pauses, and the times of stress.
 
 Phrases stand for intonation units, in which gestures flow into each other (Kipp, Neff et al. 2007, §3.3, take a
-segmentation of the utterance): a pause or the end of a sentence parts them. Times are seconds of the words' intervals.
+segmentation of the utterance): they end at a pause or the end of a sentence. Times are seconds of the words' intervals.
 """
 
 from collections.abc import Iterator
@@ -17,12 +17,12 @@ _CLOSERS = "\"'”’)]"
 
 
 def phrases(words: tuple[Word, ...]) -> tuple[Interval, ...]:
-    """The stretches of speech; words that are not timed are not in any."""
+    """The intervals of speech; words without times are in none."""
     return tuple(_phrases([word for word in words if word.interval]))
 
 
 def emphases_s(words: tuple[Word, ...]) -> tuple[float, ...]:
-    """Where the stressed vowels of the emphasised words begin."""
+    """The times at which the stressed vowels of the emphasised words begin."""
     return tuple(sorted(stressed_vowel_s(word) for word in words if word.interval and word.is_emphasised))
 
 

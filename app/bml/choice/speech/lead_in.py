@@ -1,6 +1,6 @@
-"""The lead-in: a performance may begin before its recording, so that the first word's gesture has time to be prepared.
+"""The lead-in: a performance may begin before its recording, so that there is time to prepare the first word's gesture.
 
-With one, all times are on the clock of the performance (of its BML block), on which the recording starts at
+With a lead-in, all times are on the clock of the performance (of its BML block), on which the recording starts at
 `lead_in_s`. Times are seconds.
 """
 
@@ -11,12 +11,12 @@ from ....model import Interval, Utterance, Word
 LONGEST_LEAD_IN_S = 3.0
 
 _DECIMALS = 6
-"""Keeps times whole milliseconds that were, whatever is added to them."""
+"""Keeps whole milliseconds exact under addition."""
 
 
 def with_lead_in(utterance: Utterance, lead_in_s: float) -> Utterance:
-    """The utterance as it lies on the clock of a performance that begins `lead_in_s` before its recording, whatever
-    lead-in it has; with 0 that is the recording's own. Whole milliseconds, as BML has them."""
+    """The utterance on the clock of a performance that begins `lead_in_s` before its recording, whatever its present
+    lead-in; with 0 the clock is the recording's own. Whole milliseconds, as in BML."""
     lead_in_s = round(lead_in_s, 3)
     delay_s = lead_in_s - utterance.lead_in_s
     if not delay_s:
@@ -31,7 +31,7 @@ def with_lead_in(utterance: Utterance, lead_in_s: float) -> Utterance:
 
 
 def later_word(word: Word, delay_s: float) -> Word:
-    """The word as spoken `delay_s` later."""
+    """The word shifted by `delay_s`."""
     if not delay_s or word.interval is None:
         return word
     phones = tuple(replace(phone, interval=_later(phone.interval, delay_s)) for phone in word.phones)
@@ -39,7 +39,7 @@ def later_word(word: Word, delay_s: float) -> Word:
 
 
 def later_s(time_s: float, delay_s: float) -> float:
-    """The time `delay_s` later; without a delay exactly the same."""
+    """The time shifted by `delay_s`; exactly the same if that is 0."""
     return round(time_s + delay_s, _DECIMALS) if delay_s else time_s
 
 

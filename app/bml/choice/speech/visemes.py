@@ -2,15 +2,15 @@
 
 Departure from §3.8: the paper animates hand-made curves of diphones; its curves are not public, so we give the shapes
 of the single phones, with their times, for the character's own rig to blend. Shapes and phones as in
-`../shared/motion.md`, "Visemes"; HH, which has no shape of its own, takes that of the phone it leads to.
+`../shared/motion.md`, "Visemes"; HH, which has no shape of its own, takes that of the phone after it.
 
-The paper has "the word stress value drive the open-mouth shape" without a figure: here the vowels of a word without
-any emphasis reach `LEAST_ARTICULATION` of their shape, those of one that could have no more all of it. Consonants
-always reach theirs, since lips that do not close are no P.
+The paper has "the word stress value drive the open-mouth shape" without a figure: here the vowels of a word reach
+`LEAST_ARTICULATION` of their shape without emphasis, and all of it with the greatest emphasis. Consonants always reach
+their shape, since lips that do not close are no P.
 
-A P that something follows has its lips shut for its first two thirds: what comes after the burst is breath (58 ms in
-stressed syllables, Lisker & Abramson 1964), in which the mouth has the next sound's shape already. Aligners count it to
-the P; of TIMIT's, whose closures and bursts are labelled apart, a third is burst and breath.
+The lips are shut in the first two thirds of a P before another sound: after the burst comes aspiration (58 ms in
+stressed syllables, Lisker & Abramson 1964), in which the mouth already has the next sound's shape. Aligners include it
+in the P; in TIMIT, whose closures and bursts are labelled separately, a third of the P is burst and aspiration.
 """
 
 from collections.abc import Iterator, Mapping
@@ -20,11 +20,11 @@ from types import MappingProxyType
 from ....model import Interval, Notice, Phone, Viseme, Word
 
 SILENCE = "sil"
-"""The shape of the mouth at rest."""
+"""The mouth shape at rest."""
 
 LEAST_ARTICULATION = 0.6
 ASPIRATION = 1 / 3
-"""The part of a P behind its burst."""
+"""The share of a P after its burst."""
 
 PHONES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -44,7 +44,7 @@ PHONES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "U": ("UH", "UW", "W"),
     }
 )
-"""The shapes besides silence, with their phones."""
+"""The shapes other than silence, with their phones."""
 
 _SHAPES: Mapping[str, str] = MappingProxyType({phone: shape for shape, phones in PHONES.items() for phone in phones})
 
@@ -63,15 +63,15 @@ OPENINGS: Mapping[str, float] = MappingProxyType(
     }
     | {"U": 0.2, "I": 0.3, "O": 0.5, "E": 0.6, "aa": 1.0}
 )
-"""How wide the jaw is open in each shape, of the widest, ordered as the vowels' heights are."""
+"""How wide the jaw is open in each shape, relative to the widest; ordered as the heights of the vowels."""
 
 _VOWELS = frozenset({"aa", "E", "I", "O", "U"})
 
 
 def visemes(words: tuple[Word, ...], duration_s: float) -> tuple[tuple[Viseme, ...], tuple[Notice, ...]]:
-    """The shapes of the mouth from 0 to `duration_s`, one after the other without gaps or overlaps.
+    """The mouth shapes from 0 to `duration_s`, one after the other without gaps or overlaps.
 
-    Words in time whose phones are not known are silent, with a Notice `visemes_missing`.
+    Timed words whose phones are not known are silent, with a Notice `visemes_missing`.
     """
     shapes = _merged([viseme for word in words for viseme in _of_word(word)])
     mute = [word.text for word in words if word.interval and not word.phones]
@@ -87,7 +87,7 @@ def _of_word(word: Word) -> Iterator[Viseme]:
 
 
 def _intervals(phones: tuple[Phone, ...]) -> list[Interval]:
-    """When each phone has its shape; the breath of a P has that of the phone behind it."""
+    """The interval of each phone's shape; the aspiration of a P has the shape of the next phone."""
     intervals = [phone.interval for phone in phones]
     for index, phone in enumerate(phones[:-1]):
         if phone.label == "P":
@@ -102,7 +102,7 @@ def _articulation(emphasis: float) -> float:
 
 
 def _labels(phones: tuple[Phone, ...]) -> list[str]:
-    """The shape of each phone; one without a shape takes that of the next that has, or else of the last."""
+    """The shape of each phone; one without a shape takes that of the next phone that has one, or else of the last."""
     labels = [_SHAPES.get(phone.label) for phone in phones]
     known = [label for label in labels if label]
     following = known[-1] if known else SILENCE
@@ -114,7 +114,7 @@ def _labels(phones: tuple[Phone, ...]) -> list[str]:
 
 
 def _merged(shapes: list[Viseme]) -> list[Viseme]:
-    """Equal shapes that touch become one."""
+    """Merges equal shapes that touch."""
     merged: list[Viseme] = []
     for shape in shapes:
         last = merged[-1] if merged else None
@@ -129,7 +129,7 @@ def _merged(shapes: list[Viseme]) -> list[Viseme]:
 
 
 def _with_silence(shapes: list[Viseme], duration_s: float) -> Iterator[Viseme]:
-    """The shapes, cut where they overlap or pass the end, with silence in the gaps."""
+    """The shapes, cut where they overlap or exceed the end, with silence in the gaps."""
     at_s = 0.0
     for shape in shapes:
         interval = Interval(max(shape.interval.start_s, at_s), min(shape.interval.end_s, duration_s))

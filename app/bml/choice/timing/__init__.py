@@ -1,3 +1,2 @@
-"""When phases fall on the words, and what gives way where two behaviors meet on the clock. Imports `behavior_table` and
-`idle`. Begin with `phases.py`, then `candidates.py`.
-"""
+"""When phases fall on the words, and how conflicts between behaviors are resolved. Imports `behavior_table` and `idle`.
+Begin with `phases.py`, then `candidates.py`."""

@@ -1,9 +1,9 @@
-"""A movement as a behaviour on the clock, before it meets its neighbours (paper §3.5).
+"""Converts a movement to a behaviour with times, before its neighbours are considered (paper §3.5).
 
-It is timed by the word it is anchored to: the stressed vowel of that word, or the word's start where its phones are
-not known. Nothing happens before 0. Where there is no time before the word even for the shortest preparation, a gesture
-begins with the hand raised, and says so; all else comes a little later instead. Retractions may run past the end. Times
-are seconds.
+Its time is that of the word it is anchored to: the stressed vowel of that word, or the word's start where its phones
+are not known. Nothing happens before 0. If there is no time before the word even for the shortest preparation, a
+gesture begins with the hand already raised, and its reason says so; other behaviours come a little later. Retractions
+may run past the end. Times are seconds.
 """
 
 from bisect import bisect_left
@@ -20,7 +20,7 @@ from .phases import Placing, Window, placed, soonest, underway
 
 @dataclass(frozen=True, slots=True)
 class PlacedBehavior:
-    """A behaviour with what it is timed by; a gesture with its forms by hand, and as it is made in less time."""
+    """A behaviour with the basis of its timing; a gesture with its forms by hand, and with its brief variant."""
 
     behavior: Behavior
     placing: Placing
@@ -29,18 +29,18 @@ class PlacedBehavior:
 
     @property
     def own_forms(self) -> Forms:
-        """The forms that the hand of the behaviour makes."""
+        """The forms for the behaviour's hand."""
         return self.forms.get(self.behavior.hand or Hand.RIGHT, ())
 
     @property
     def firm_end_s(self) -> float:
-        """The earliest it can be over without loss of stroke or hold."""
+        """The earliest end without loss of stroke or hold."""
         sync = self.behavior.sync
         return min(sync.end, (sync.relax or sync.end) + self.placing.timing.retraction.shortest_s)
 
     @property
     def stroke_end_s(self) -> float:
-        """The earliest it can be over without loss of stroke: its hold is as short as can be."""
+        """The earliest end without loss of stroke, with the shortest hold."""
         sync, timing = self.behavior.sync, self.placing.timing
         if sync.stroke_end is None:
             return self.firm_end_s
@@ -50,9 +50,9 @@ class PlacedBehavior:
 def asked(
     movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], name: str, *, may_be_brief: bool = False
 ) -> PlacedBehavior:
-    """The movement as `entry` makes it, with `name` for its id; kept is false where it cannot be timed.
+    """The movement as `entry` defines it, with `name` as its id; kept is false where it cannot be timed.
 
-    The stroke of one that `may_be_brief` is so where it would be late otherwise, or if its neighbours take that.
+    With `may_be_brief` its stroke is shortened if it would otherwise be late, or if its neighbours require that.
     """
     brief = entry.brief if may_be_brief else None
     if brief:
@@ -74,14 +74,14 @@ def asked(
 
 
 def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:
-    """What the body does by itself, with the least priority."""
+    """An idle behaviour, with the least priority."""
     placing = _placing(entry, idle.at_s, idle.at_s)
     placing, sync, _hurry = _in_time(placing, entry.channel)
     return PlacedBehavior(_behavior(entry, name, sync, _unasked(entry, idle.word), reason=idle.reason), placing)
 
 
 def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> PlacedBehavior:
-    """What the body does by itself for the whole of a free interval, which must have room for its shortest phases."""
+    """An idle behaviour that fills a free interval, which must have room for its shortest phases."""
     timing = entry.timing
     retraction_s = min(timing.retraction.usual_s, interval.duration_s / 4)
     at_s = interval.start_s + min(timing.preparation.usual_s + timing.stroke.usual_s, interval.duration_s / 2)
@@ -93,10 +93,10 @@ def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> 
 
 
 def stressed_vowel_s(word: Word) -> float:
-    """Where the vowel of a timed word's stressed syllable begins; the word's start where its vowels are not known.
+    """The start of the vowel of a timed word's stressed syllable; the word's start if its vowels are not known.
 
-    The vowel with the primary stress; where phones come without stress digits, the longest that is no AH, for length
-    is the strongest cue of stress and AH is what English weakens to (`../shared/alignment.md`, "Stress").
+    The vowel with the primary stress; for phones without stress digits, the longest other than AH, because length is
+    the strongest cue of stress and AH is what English vowels weaken to (`../shared/alignment.md`, "Stress").
     """
     vowels = [phone for phone in word.phones if phone.label in _VOWELS]
     if not vowels:
@@ -105,7 +105,7 @@ def stressed_vowel_s(word: Word) -> float:
 
 
 def words_before(timed: Sequence[Word], index: int) -> int:
-    """How many of the timed words, which are in order, come before the word of that number."""
+    """How many of the timed words, which are in order, come before the word with this index."""
     return bisect_left(timed, index, key=_index)
 
 
@@ -122,7 +122,7 @@ def interval_of(word: Word) -> Interval:
 _VOWELS = frozenset(["AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"])
 
 _DIGIT_RANKS = {None: 0, 0: 0, 2: 1, 1: 2}
-"""How strong ARPABET's stress digits are: 1 is the primary stress, 2 the secondary."""
+"""The strength of ARPABET's stress digits: 1 is the primary stress, 2 the secondary."""
 
 
 def _strength(vowel: Phone) -> tuple[int, bool, float]:
@@ -149,7 +149,7 @@ def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> Placing:
 
 
 def _in_time(placing: Placing, channel: Channel) -> tuple[Placing, SyncPoints, str | None]:
-    """The placing, or one that begins with the performance, its sync points, and why."""
+    """The placing, or one that begins with the performance; its sync points; and the reason for the change."""
     sync = placed(placing, Window())
     if sync is not None:
         return placing, sync, None
@@ -170,7 +170,7 @@ def _late(late_s: float) -> str:
 
 
 def _unasked(entry: BehaviorEntry, word: int) -> Movement:
-    """What the body does by itself on a word, with the least priority."""
+    """An idle movement on a word, with the least priority."""
     return Movement(entry.name, word, word, 0.0, "", None)
 
 

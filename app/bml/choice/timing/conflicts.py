@@ -1,15 +1,16 @@
-"""Behaviours that overlap on a channel, or are too close to be played: who came first stays (paper §3.5).
+"""Resolves conflicts between behaviours that overlap on a channel, or are too close to be played: the first one stays
+(paper §3.5).
 
 Candidates come in the order of their priority. Gestures compete hand by hand, faces by the half of the face that they
-move, everything else channel by channel, and a look aside, which turns the head, competes with what the head does. One
-that does not fit beside those taken before is shortened to what its phases need at least; a look whose head is taken
-goes to the eyes alone. If that is not enough, the retraction of its predecessor gives way to its preparation, and then
-its hold, which joins the two into one gesture unit (§3.8); a gesture may then come `EARLY_S` before its word, or its
-successor may begin later, or its stroke, and then its successor's, is made smaller in less time; if that is not enough
-either, it loses, with the winner's id and the reason.
+move, everything else channel by channel; a look aside, which turns the head, competes with head movements. A candidate
+that does not fit beside those taken before is shortened to the least durations of its phases; a look whose head is
+taken is made with the eyes alone. If that is not enough, the retraction of its predecessor is cut, and then its hold,
+which joins the two into one gesture unit (§3.8); a gesture may then come `EARLY_S` before its word, or its successor
+may begin later, or its stroke, and then its successor's, is made smaller and shorter. If that is not enough either, the
+candidate loses, with the winner's id and the reason.
 
-Between two gestures of a hand lies at least the time that it takes from the one to the other
-(`understudy.gesture_limits`), by which the realizer judges them too: what is kept is played.
+Between two gestures of a hand there is at least the time for the transition (`understudy.gesture_limits`), by which the
+realizer judges them too: what is kept can be played.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -23,12 +24,12 @@ from .candidates import PlacedBehavior
 from .phases import Window, placed
 
 Kept = tuple[PlacedBehavior, ...]
-"""The candidates taken so far; none overlaps another on a channel or hand."""
+"""The candidates taken so far, without overlaps on a channel or hand."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fitted:
-    """A candidate as it fits, and all that are kept with it."""
+    """A candidate as it fits, and everything kept with it."""
 
     candidate: PlacedBehavior
     kept: Kept
@@ -39,15 +40,15 @@ class Fitted:
 
 
 EARLY_S = 0.1
-"""How much before its word a gesture may be, rather than not at all: a syllable."""
+"""How much earlier than its word a gesture may be made to fit: a syllable."""
 
 BRIEFLY = "smaller and shorter than usual, for want of time"
 
 REACH_S = 5.0
-"""What is this long away does not touch a behaviour, however that is moved: no way of a hand takes half as long."""
+"""Behaviours farther apart than this cannot affect each other: no transition takes half as long."""
 
 NEAR_S = 1.0
-"""Of a gesture that is over this long before another begins, the hand is back in time."""
+"""If a gesture ends this long before another begins, the hand has time to return."""
 
 
 def resolve(candidates: Iterable[PlacedBehavior], kept: Kept = ()) -> tuple[Kept, tuple[Behavior, ...]]:
@@ -63,7 +64,7 @@ def resolve(candidates: Iterable[PlacedBehavior], kept: Kept = ()) -> tuple[Kept
 
 
 def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
-    """The candidate among the kept; its behaviour as a loser where it does not fit."""
+    """The candidate among the kept; its behaviour as a loser if it does not fit."""
     rivals = [other for other in _near(candidate, kept) if compete(other.behavior, candidate.behavior)]
     earlier = [other for other in rivals if other.placing.at_s <= candidate.placing.at_s]
     later = [other for other in rivals if other.placing.at_s > candidate.placing.at_s]
@@ -85,7 +86,7 @@ def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
 
 
 def _near(candidate: PlacedBehavior, kept: Kept) -> Kept:
-    """Those kept that may touch the candidate, with its whole way and time to spare; most of a long line do not."""
+    """Those kept that may affect the candidate, with a margin; in a long line these are few."""
     from_s, to_s = candidate.behavior.sync.start - REACH_S, candidate.behavior.sync.end + REACH_S
     near = tuple(other for other in kept if other.behavior.sync.end > from_s and other.behavior.sync.start < to_s)
     return near or kept
@@ -94,7 +95,7 @@ def _near(candidate: PlacedBehavior, kept: Kept) -> Kept:
 def _ways_to_fit(
     candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
 ) -> Iterator[tuple[PlacedBehavior, Window]]:
-    """The candidate as it might be made, with the windows that its neighbours leave it, the least changed first."""
+    """Variants of the candidate with the windows that its neighbours leave it, the least changed first."""
     yield from _in_windows(candidate, earlier, later, _latest_end_s)
     if candidate.brief is None:
         return
@@ -110,8 +111,8 @@ def _in_windows(
     later: Sequence[PlacedBehavior],
     latest_end_s: Callable[[PlacedBehavior, PlacedBehavior], float],
 ) -> Iterator[tuple[PlacedBehavior, Window]]:
-    """At its word and then, for a stroke cannot be shorter, a little before it: what the neighbours leave as they are,
-    then without the retraction of the one before, then without its hold."""
+    """Windows for the candidate at its word and then a little before it (a stroke cannot be shorter): with the
+    neighbours as they are, then without the predecessor's retraction, then without its hold."""
     for moved in _moved(candidate):
         to_s = min((latest_end_s(moved, each) for each in later), default=Window().to_s)
         yield moved, Window(max((each.behavior.sync.end for each in earlier), default=0.0), to_s)
@@ -128,7 +129,7 @@ def _moved(candidate: PlacedBehavior) -> Iterator[PlacedBehavior]:
 
 
 def _with_way(candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior]) -> PlacedBehavior:
-    """A gesture whose preparation takes at least the time that its hand needs to come from the gesture before it."""
+    """The candidate with a preparation no shorter than its hand's transition from the gesture before it."""
     sync, placing = candidate.behavior.sync, candidate.placing
     near = [each for each in earlier if sync.start - each.behavior.sync.end < NEAR_S]
     shortest_s = max((transition(each, candidate).shortest_s for each in near), default=0.0)
@@ -140,32 +141,32 @@ def _with_way(candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior]) -> P
 
 
 def _latest_end_s(candidate: PlacedBehavior, later: PlacedBehavior) -> float:
-    """When a candidate must be over for the later one to begin, and for its stroke to come in time."""
+    """When a candidate must end for the later one to begin, and for its stroke to be in time."""
     sync = later.behavior.sync
     start_s = sync.start if sync.stroke_start is None else sync.stroke_start
     return min(sync.start, start_s - transition(candidate, later).shortest_s)
 
 
 def _end_before_stroke_s(candidate: PlacedBehavior, later: PlacedBehavior) -> float:
-    """The same where the later one's preparation may begin later."""
+    """The same if the later one's preparation may begin later."""
     sync = later.behavior.sync
     start_s = sync.start if sync.stroke_start is None else sync.stroke_start
     return start_s - transition(candidate, later).shortest_s
 
 
 def _end_before_brief_stroke_s(candidate: PlacedBehavior, later: PlacedBehavior) -> float:
-    """The same where the later one's stroke may be brief as well."""
+    """The same if the later one's stroke may be brief as well."""
     return _end_before_stroke_s(candidate, _made_brief(later))
 
 
 def transition(first: PlacedBehavior, second: PlacedBehavior) -> TransitionTimes:
-    """How long the hands take from a gesture to the next; no time for all else."""
+    """The transition times from a gesture to the next; 0 for other behaviours."""
     amounts = first.behavior.amount, second.behavior.amount
     return transition_times(first.own_forms, second.own_forms, amounts=amounts)
 
 
 def beaten(behavior: Behavior, winner: Behavior) -> Behavior:
-    """The behaviour as the loser against one that leaves it too little time."""
+    """The behaviour as the loser to one that leaves it too little time."""
     standing = "also has" if winner.priority == behavior.priority else "has"
     against = "" if winner.priority == behavior.priority else f", not {behavior.priority:g}"
     reason = f"too close to {winner.lexeme}, which {standing} priority {winner.priority:g}{against}"
@@ -182,7 +183,7 @@ def compete(one: Behavior, other: Behavior) -> bool:
 
 
 def _turns_the_head(gaze: Behavior, head: Behavior) -> bool:
-    """Whether `gaze` has the head look aside while `head` moves it."""
+    """Whether `gaze` is a look aside with the head and `head` a head movement."""
     return gaze.lexeme == LOOK and gaze.direction is not None and head.kind is Channel.HEAD
 
 
@@ -201,7 +202,7 @@ def _rank(candidate: PlacedBehavior) -> tuple[float, float, str]:
 
 
 def _within(candidate: PlacedBehavior, window: Window, neighbour: Behavior) -> PlacedBehavior | None:
-    """The candidate in a window that a neighbour leaves; None when it does not fit."""
+    """The candidate in a window that a neighbour leaves; None if it does not fit."""
     sync = placed(candidate.placing, window)
     if sync is None:
         return None
@@ -210,7 +211,7 @@ def _within(candidate: PlacedBehavior, window: Window, neighbour: Behavior) -> P
 
 
 def _making_way(earlier: PlacedBehavior, later: PlacedBehavior) -> PlacedBehavior:
-    """The earlier one, its retraction, and if need be its hold, over where the later begins."""
+    """The earlier one, ended where the later begins: its retraction and if necessary its hold are cut."""
     start_s = later.behavior.sync.start
     if earlier.behavior.sync.end <= start_s:
         return earlier
@@ -222,7 +223,7 @@ def _making_way(earlier: PlacedBehavior, later: PlacedBehavior) -> PlacedBehavio
 
 
 def _waiting(later: PlacedBehavior, earlier: PlacedBehavior) -> PlacedBehavior:
-    """The later of two, begun when the earlier one is over; its stroke brief where the way there takes that."""
+    """The later one, begun when the earlier one ends; its stroke is brief if the transition requires that."""
     if not compete(later.behavior, earlier.behavior) or later.behavior.sync.start >= earlier.behavior.sync.end:
         return later
     if earlier.behavior.sync.end > _end_before_stroke_s(earlier, later):
@@ -233,7 +234,7 @@ def _waiting(later: PlacedBehavior, earlier: PlacedBehavior) -> PlacedBehavior:
 
 
 def _made_brief(gesture: PlacedBehavior) -> PlacedBehavior:
-    """A gesture in its place with its brief stroke, which ends when the whole would; as it is where it has none."""
+    """A gesture with its brief stroke, which ends when the whole one would; unchanged if it has none."""
     brief, sync = gesture.brief, gesture.behavior.sync
     if brief is None or sync.stroke_end is None:
         return gesture
@@ -252,7 +253,7 @@ def _shortened_beside(neighbour: Behavior) -> str:
 def _neighbour(
     candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior], later: Sequence[PlacedBehavior]
 ) -> Behavior:
-    """The rival that leaves the candidate too little time: the one before it, unless it fits behind that."""
+    """The rival that leaves the candidate too little time: the one before it, unless the candidate fits after that."""
     if earlier:
         before = max(earlier, key=lambda other: other.firm_end_s)
         if not later or placed(candidate.placing, Window(before.firm_end_s)) is None:

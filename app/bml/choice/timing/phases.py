@@ -1,9 +1,9 @@
-"""Puts the phases of a behaviour on the clock (paper §3.8, Table 3).
+"""Computes the times of a behaviour's phases (paper §3.8, Table 3).
 
-A behaviour is timed by two moments of the speech: `at_s`, where the stressed vowel of its word begins, and `until_s`,
-where the last of its words ends. Of a stroke, `alignment` is done at `at_s`; with an alignment of 1 it ends there, as a
-gesture's stroke comes at or before the stressed syllable and never after (McNeill 1992). The hold lasts until
-`until_s`. A behaviour without a stroke reaches its peak at `at_s`. Times are seconds, whole milliseconds.
+They depend on two times of the speech: `at_s`, when the stressed vowel of its word begins, and `until_s`, when the last
+of its words ends. A share `alignment` of the stroke is before `at_s`; with alignment 1 it ends there, since a gesture's
+stroke comes at or before the stressed syllable and never after (McNeill 1992). The hold lasts until `until_s`. A
+behaviour without a stroke reaches its peak at `at_s`. Times are seconds, whole milliseconds.
 """
 
 from dataclasses import dataclass, replace
@@ -13,12 +13,12 @@ from ....model import SyncPoints
 from ..behavior_table.table import Phase, Timing
 
 _SLACK_S = 1e-6
-"""What rounding may take from a phase."""
+"""Tolerance for rounding."""
 
 
 @dataclass(frozen=True, slots=True)
 class Window:
-    """The time a behaviour may take, seconds."""
+    """The time available to a behaviour, seconds."""
 
     from_s: float = 0.0
     to_s: float = inf
@@ -26,7 +26,7 @@ class Window:
 
 @dataclass(frozen=True, slots=True)
 class Placing:
-    """What a behaviour is timed by; only `stroked` behaviours show the inner sync points."""
+    """The basis of a behaviour's timing; only `stroked` behaviours have the inner sync points."""
 
     timing: Timing
     at_s: float
@@ -35,9 +35,9 @@ class Placing:
 
 
 def placed(placing: Placing, window: Window) -> SyncPoints | None:
-    """The phases at their usual length, as far as the window lets them; None when even the shortest do not fit.
+    """The phases at their usual length, as far as the window permits; None if even the shortest do not fit.
 
-    Before the vowel the preparation gives way first, then the stroke; after it the retraction, then the hold.
+    Before the vowel the preparation is shortened first, then the stroke; after it the retraction, then the hold.
     """
     timing, at_s = placing.timing, placing.at_s
     before = _taken(at_s - window.from_s, timing.preparation, timing.stroke, timing.alignment)
@@ -66,21 +66,22 @@ def placed(placing: Placing, window: Window) -> SyncPoints | None:
 
 
 def underway(placing: Placing) -> Placing:
-    """A gesture whose word comes too soon to prepare for it: its hand is raised already when the performance begins.
-    A stroke for which there is no time either ends as soon after the vowel as it can."""
+    """The placing for a gesture whose word comes too soon to prepare for it: its hand is raised already when the
+    performance begins. If there is no time for the stroke either, it ends as soon after the vowel as it can."""
     raised = replace(placing.timing, preparation=Phase(0.0, 0.0))
     return replace(placing, timing=raised, at_s=max(placing.at_s, raised.alignment * raised.stroke.shortest_s))
 
 
 def soonest(placing: Placing) -> Placing:
-    """What comes as soon as it can after the performance begins, a little late for its word."""
+    """The placing as soon as possible after the performance begins, a little late for its word."""
     timing = placing.timing
     earliest_s = timing.preparation.shortest_s + timing.alignment * timing.stroke.shortest_s
     return replace(placing, at_s=max(placing.at_s, earliest_s))
 
 
 def _taken(room_s: float, outer: Phase, inner: Phase, part: float = 1.0) -> tuple[float, float] | None:
-    """How long `outer` and `inner` last when `outer` and `part` of `inner` share a room; the outer gives way first."""
+    """The durations of `outer` and `inner` if `outer` and `part` of `inner` share `room_s`; the outer is shortened
+    first."""
     outer_s = min(outer.usual_s, room_s - part * inner.usual_s)
     if outer_s >= outer.shortest_s - _SLACK_S:
         return outer_s, inner.usual_s

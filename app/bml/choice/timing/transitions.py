@@ -1,8 +1,8 @@
-"""How fast hands go from one gesture to the next (paper §3.8, Figure 4): as fast as the next stroke, if they can.
+"""Adjusts the speed of transitions between gestures (paper §3.8, Figure 4): as fast as the next stroke, if possible.
 
-Where a gesture joins the next and the way would be faster than the stroke, its hold ends earlier, for a fast way looks
-as if it meant more than the stroke. That is our addition: the paper accepts what is faster by no more than v_th. Where
-the way would be slower, the realizer prolongs the hold.
+Where a gesture joins the next and the transition would be faster than the stroke, its hold ends earlier, because a fast
+transition looks as if it meant more than the stroke. That is our addition: the paper accepts transitions that are
+faster by no more than v_th. Where the transition would be slower, the realizer prolongs the hold.
 """
 
 from collections.abc import Iterable
@@ -13,11 +13,11 @@ from .candidates import PlacedBehavior
 from .conflicts import Kept, compete, transition
 
 SHORTEST_HOLD_S = 0.2
-"""What is left of a hold (people's holds last .20 to 1.10 s, shared/motion.md)."""
+"""The least hold that remains (people's holds last .20 to 1.10 s, shared/motion.md)."""
 
 
 def eased(kept: Kept) -> Kept:
-    """The kept behaviours in their order, the ways between joined gestures no faster than need be."""
+    """The kept behaviours in their order, with transitions between joined gestures as slow as their holds permit."""
     gestures = sorted((each for each in kept if each.behavior.kind is Channel.GESTURE), key=_stroke_start_s)
     by_id: dict[str, Behavior] = {each.behavior.id: each.behavior for each in kept}
     for number, second in enumerate(gestures):
@@ -36,7 +36,7 @@ def _stroke_start_s(gesture: PlacedBehavior) -> float:
 
 
 def _eased(second: PlacedBehavior, earlier: Iterable[PlacedBehavior]) -> Iterable[Behavior]:
-    """The second gesture, begun when the first may relax, and those that it joins."""
+    """The second gesture, beginning when the first may relax, and those that it joins."""
     start_s = second.behavior.sync.start
     joined = [each for each in earlier if each.behavior.sync.end == start_s]
     relax_s = max((_relax_s(each, second) for each in joined), default=start_s)
@@ -50,7 +50,8 @@ def _eased(second: PlacedBehavior, earlier: Iterable[PlacedBehavior]) -> Iterabl
 
 
 def _relax_s(first: PlacedBehavior, second: PlacedBehavior) -> float:
-    """When the first gesture should relax for its hand to go as fast as the second strokes, some of its hold left."""
+    """When the first gesture should relax so that its hand moves as fast as the second's stroke, with some of its hold
+    left."""
     sync = first.behavior.sync
     relax_s = sync.end if sync.relax is None else sync.relax
     held_s = relax_s if sync.stroke_end is None else min(relax_s, sync.stroke_end + SHORTEST_HOLD_S)
