@@ -117,7 +117,16 @@ def load_profile_file(path: Path, lexemes: Collection[str]) -> Profile:
     """The gesture profile in a file; raises AuthoringError with every mistake in it."""
     from .profiles.files.reading import read_profile
 
-    return read_profile(path, lexemes)
+    return read_profile(path, lexemes, load_tags())
+
+
+def load_tags() -> frozenset[str]:
+    """The semantic tags that words can have: classes of functions, and `class.subtype`; raises AuthoringError with
+    every mistake in their table."""
+    from .profiles.tags import every_tag
+    from .rules.priorities import Priorities
+
+    return every_tag(Priorities.load(RULES / "functions" / "priorities.yaml").root)
 
 
 def load_realizer() -> Realizer:

@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ from understudy.cli.main import main
 from understudy.loading import load_characters, load_profile_file, profile_names
 from understudy.profiles.annotation.reading import read_tracks
 from understudy.profiles.annotation.tables import write_json_tracks
-from understudy.profiles.annotation.tracks import merged
+from understudy.profiles.annotation.tracks import Track, merged
 
 Captured = pytest.CaptureFixture[bytes]
 
@@ -43,6 +44,20 @@ def test_tags_come_from_the_words_where_nobody_marked_them(capfdbinary: Captured
     profile = load_profile_file(target, load_characters().gesture_lexemes)
     assert {"negation", "deixis.self", "any"} <= profile.tags.keys()
     assert profile.gestures == 110
+
+
+def test_little_annotation_and_tracks_of_other_names_are_told(capfdbinary: Captured, tmp_path: Path) -> None:
+    source = tmp_path / "short.json"
+    every = read_tracks(SWEEPING)
+    end_s = next(track for track in every if track.name == "units").spans[4].end_s
+    tracks = [replace(each, spans=tuple(span for span in each.spans if span.end_s <= end_s)) for each in every]
+    comments = Track("comments", tracks[0].spans)
+    source.write_bytes(write_json_tracks([*merged(tracks), comments]))
+    code, _, err = _run(capfdbinary, "profiles", "learn", str(source), "-o", str(tmp_path / "short.yaml"))
+    assert code == 0
+    warnings = [line for line in err.splitlines() if line.startswith("warning: ")]
+    assert f"{source}: tracks that are not read: comments" in warnings[0]
+    assert "few to know a speaker by" in warnings[1]
 
 
 def test_a_mixed_profile_can_be_mixed_again(capfdbinary: Captured, tmp_path: Path) -> None:

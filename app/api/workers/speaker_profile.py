@@ -4,6 +4,7 @@ from dataclasses import replace
 from pathlib import PurePath
 
 from ...errors import AuthoringError, InputError
+from ...loading import load_tags
 from ...performance import Options, Understudy
 from ...profiles.files.reading import read_profile_text
 from .form import Part
@@ -24,7 +25,7 @@ def with_profile(options: Options, part: Part | None, understudy: Understudy) ->
         raise InputError("field_repeated", message, field=FIELD)
     name = PurePath(part.file_name or FIELD).stem
     try:
-        profile = read_profile_text(part.text, name, understudy.behavior.characters.gesture_lexemes)
+        profile = read_profile_text(part.text, name, understudy.behavior.characters.gesture_lexemes, load_tags())
     except AuthoringError as error:
         told = "; ".join(f"line {each.line}, column {each.column}: {each.message}" for each in error.mistakes)
         raise InputError("profile_wrong", f"{name}.yaml: {told}", field=FIELD) from None

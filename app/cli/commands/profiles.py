@@ -8,13 +8,14 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 from ...errors import InputError
-from ...loading import load_characters, profile_names
+from ...loading import load_characters, load_tags, profile_names
 from ...on_demand import OnDemand
 from ...profiles.annotation.elan import write_elan
 from ...profiles.annotation.reading import LARGEST_BYTES, read_annotations, read_tracks
 from ...profiles.annotation.tables import write_json_tracks
 from ...profiles.annotation.tracks import Track, merged, rows_of, with_attribute_tracks
 from ...profiles.files.writing import profile_yaml
+from ...profiles.learning.doubts import doubts
 from ...profiles.mixing import mix
 from ...profiles.proposing.bvh import read_wrists
 from ...profiles.proposing.phases import proposed_units
@@ -39,11 +40,12 @@ def _learn(arguments: argparse.Namespace, log: Log) -> None:
     from ...speakers import learn_profile
 
     require_writable(arguments.output, field="output")
-    annotations = read_annotations(map(Path, arguments.files), load_characters().gesture_lexemes)
+    annotations = read_annotations(map(Path, arguments.files), load_characters().gesture_lexemes, load_tags())
     name = _name(arguments.output, arguments.files)
     profile = learn_profile(OnDemand(_language), annotations, name, arguments.description)
     write(arguments.output, profile_yaml(profile))
     log.note("\n".join(profile_lines(profile)))
+    log.warnings(tuple(doubts(profile, annotations)))
 
 
 def _language() -> LanguageModels:

@@ -14,6 +14,7 @@ from .mistakes import AnnotationError, AnnotationMistake
 from .tracks import Span, Track, track_of
 from .xml_reading import number_of, xml_root
 
+_UNITS = "milliseconds"
 _TYPE = "marked"
 _SCHEMA = "http://www.mpi.nl/tools/elan/EAFv3.0.xsd"
 _XSI = "http://www.w3.org/2001/XMLSchema-instance"
@@ -22,8 +23,8 @@ _XSI = "http://www.w3.org/2001/XMLSchema-instance"
 def read_elan(content: bytes, path: Path) -> tuple[Track, ...]:
     """The tiers of a file; raises AnnotationError with every annotation that has no time."""
     root = xml_root(content, path, "ANNOTATION_DOCUMENT")
+    wrong = list(_unreadable(root, path))
     slots_s = _slots_s(root)
-    wrong: list[AnnotationMistake] = []
     times = dict(_times(root, slots_s))
     tracks = []
     for tier in root.iter("TIER"):
@@ -40,6 +41,18 @@ def read_elan(content: bytes, path: Path) -> tuple[Track, ...]:
     if wrong:
         raise AnnotationError(wrong)
     return tuple(tracks)
+
+
+def _unreadable(root: etree._Element, path: Path) -> Iterator[AnnotationMistake]:
+    """Units and times that are none of ELAN's."""
+    header = root.find("HEADER")
+    units = _UNITS if header is None else header.get("TIME_UNITS", _UNITS)
+    if units != _UNITS:
+        yield AnnotationMistake(path, f"times in {units}; save it with times in {_UNITS}")
+    for slot in root.iter("TIME_SLOT"):
+        if slot.get("TIME_VALUE") is not None and number_of(slot, "TIME_VALUE") is None:
+            told = f"line {slot.sourceline}: time slot {slot.get('TIME_SLOT_ID')} is at {slot.get('TIME_VALUE')!r}"
+            yield AnnotationMistake(path, f"{told}; give {_UNITS}")
 
 
 def _slots_s(root: etree._Element) -> Mapping[str, float]:
@@ -74,7 +87,7 @@ def write_elan(tracks: Sequence[Track], *, media: str = "") -> bytes:
     for name, value in (("AUTHOR", ""), ("DATE", "1970-01-01T00:00:00+00:00"), ("FORMAT", "3.0"), ("VERSION", "3.0")):
         root.set(name, value)
     root.set(location, _SCHEMA)
-    header = etree.SubElement(root, "HEADER", MEDIA_FILE="", TIME_UNITS="milliseconds")
+    header = etree.SubElement(root, "HEADER", MEDIA_FILE="", TIME_UNITS=_UNITS)
     if media:
         etree.SubElement(header, "MEDIA_DESCRIPTOR", MEDIA_URL=media, MIME_TYPE="audio/x-wav")
     order = etree.SubElement(root, "TIME_ORDER")

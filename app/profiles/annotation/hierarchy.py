@@ -4,9 +4,11 @@ A phrase has a preparation at most first, then holds and strokes, of which there
 hold instead. A retraction is the unit's and its last phase; it may lie in the last phrase or after it.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TypeVar
 
 from ...model import Interval
+from .in_time import InTime
 from .model import Phase, PhaseKind, Phrase, Unit
 from .spans import (
     TOUCHING_S,
@@ -18,25 +20,45 @@ from .spans import (
     path_of,
     phase_kind,
     position_of,
+    rest_of,
+    tag_of,
     unknown_attributes,
 )
 from .tracks import Span, Track
 
+Marked = TypeVar("Marked", Phase, Phrase)
+
 
 def units_of(phases: Track, phrases: Track, units: Track, checking: Checking) -> tuple[Unit, ...]:
     """The units with their phrases and phases."""
-    made = tuple(_phases(phases, checking))
-    retractions = [phase for phase in made if phase.kind is PhaseKind.RETRACTION]
+    every = tuple(_phases(phases, checking))
+    moving = _in_time([phase for phase in every if phase.kind is not PhaseKind.RETRACTION])
+    back = _in_time([phase for phase in every if phase.kind is PhaseKind.RETRACTION])
     wholes = list(checked_times(units, checking))
-    parts = [each for span in checked_times(phrases, checking) if (each := _phrase(span, made, checking)) is not None]
-    _check_inside([phase for phase in made if phase not in retractions], [part.interval for part in parts], checking)
-    for part in parts:
-        if not any(_within(part.interval, _interval(whole)) for whole in wholes):
-            checking.wrong("phrases", part.interval.start_s, f"{part.lexeme} lies in no unit")
-    for retraction in retractions:
-        if not any(_within(retraction.interval, _interval(whole)) for whole in wholes):
-            checking.wrong("phases", retraction.interval.start_s, "the retraction lies in no unit")
-    return tuple(_unit(whole, parts, retractions, checking) for whole in wholes)
+    _check_hands(phrases, checking)
+    made = (_phrase(span, moving, checking) for span in checked_times(phrases, checking))
+    parts = _in_time([phrase for phrase in made if phrase is not None])
+    for phase in _outside(moving.things, [part.interval for part in parts.things]):
+        checking.wrong("phases", phase.interval.start_s, f"the {phase.kind} lies in no phrase that can be used")
+    for part in _outside(parts.things, map(_interval, wholes)):
+        checking.wrong("phrases", part.interval.start_s, f"{part.lexeme} lies in no unit")
+    for retraction in _outside(back.things, map(_interval, wholes)):
+        checking.wrong("phases", retraction.interval.start_s, "the retraction lies in no unit")
+    return tuple(_unit(whole, parts, back, checking) for whole in wholes)
+
+
+def _in_time(things: Iterable[Marked]) -> InTime[Marked]:
+    return InTime.of(things, lambda thing: (thing.interval.start_s, thing.interval.end_s))
+
+
+def _within(parts: InTime[Marked], whole: Span) -> tuple[Marked, ...]:
+    return parts.within(whole.start_s - TOUCHING_S, whole.end_s + TOUCHING_S)
+
+
+def _outside(parts: Iterable[Marked], wholes: Iterable[Interval]) -> Iterator[Marked]:
+    """The parts that lie in no whole."""
+    held = InTime.of(wholes, lambda whole: (whole.start_s - TOUCHING_S, whole.end_s + TOUCHING_S))
+    yield from (part for part in parts if not held.any_holds(part.interval.start_s, part.interval.end_s))
 
 
 def _phases(track: Track, checking: Checking) -> Iterator[Phase]:
@@ -46,10 +68,17 @@ def _phases(track: Track, checking: Checking) -> Iterator[Phase]:
             yield Phase(kind, _interval(span))
 
 
-def _phrase(span: Span, phases: Sequence[Phase], checking: Checking) -> Phrase | None:
-    own = tuple(phase for phase in phases if _within(phase.interval, _interval(span)))
-    moving = tuple(phase for phase in own if phase.kind is not PhaseKind.RETRACTION)
-    message = _contradiction(moving)
+def _check_hands(phrases: Track, checking: Checking) -> None:
+    """Hands that are said nowhere are one mistake, of the track."""
+    checking.hands_said = not phrases.spans or any(span.attributes.get("hand") for span in phrases.spans)
+    if not checking.hands_said:
+        told = "no phrase says its hand: give each the attribute hand, or a track phrases.hand, with RH, LH or 2H"
+        checking.wrong("phrases", None, told)
+
+
+def _phrase(span: Span, phases: InTime[Phase], checking: Checking) -> Phrase | None:
+    own = _within(phases, span)
+    message = _contradiction(own)
     if message:
         checking.wrong("phrases", span.start_s, f"{span.label}: {message}")
         return None
@@ -58,12 +87,12 @@ def _phrase(span: Span, phases: Sequence[Phase], checking: Checking) -> Phrase |
         interval=_interval(span),
         lexeme=lexeme_of(span, checking),
         hand=hand_of(span, checking),
-        phases=moving,
+        phases=own,
         path=path_of(span, checking),
         start=position_of(span, "from", checking),
         end=position_of(span, "to", checking),
         affiliate=affiliate_of(span, checking),
-        tag=span.attributes.get("tag") or None,
+        tag=tag_of(span, checking),
     )
 
 
@@ -80,26 +109,16 @@ def _contradiction(phases: Sequence[Phase]) -> str | None:
     return None
 
 
-def _unit(whole: Span, phrases: Sequence[Phrase], retractions: Sequence[Phase], checking: Checking) -> Unit:
-    own = tuple(phrase for phrase in phrases if _within(phrase.interval, _interval(whole)))
+def _unit(whole: Span, phrases: InTime[Phrase], retractions: InTime[Phase], checking: Checking) -> Unit:
+    own = _within(phrases, whole)
     if not own:
         checking.wrong("units", whole.start_s, "no gesture lies in this unit")
-    back = [each.interval for each in retractions if _within(each.interval, _interval(whole))]
+    back = [each.interval for each in _within(retractions, whole)]
     if len(back) > 1:
         checking.wrong("units", whole.start_s, f"{len(back)} retractions; a unit ends in one")
     elif back and own and back[0].start_s < own[-1].main_s.end_s - TOUCHING_S:
         checking.wrong("units", whole.start_s, "the retraction comes before the last stroke ends")
-    return Unit(_interval(whole), own, back[0] if back else None, whole.label or None)
-
-
-def _check_inside(phases: Sequence[Phase], wholes: Sequence[Interval], checking: Checking) -> None:
-    for phase in phases:
-        if not any(_within(phase.interval, whole) for whole in wholes):
-            checking.wrong("phases", phase.interval.start_s, f"the {phase.kind} lies in no phrase that can be used")
-
-
-def _within(part: Interval, whole: Interval) -> bool:
-    return part.start_s >= whole.start_s - TOUCHING_S and part.end_s <= whole.end_s + TOUCHING_S
+    return Unit(_interval(whole), own, back[0] if back else None, rest_of(whole, checking))
 
 
 def _interval(span: Span) -> Interval:

@@ -120,7 +120,8 @@ class TaggedWords:
 @dataclass(frozen=True, slots=True)
 class Annotation:
     """All that was marked in one recording. `segments` are stretches of speech between pauses, first and last words;
-    `tags` is None where the file has no such track, so that the words must be understood first."""
+    `tags` is None where the file has no such track, so that the words must be understood first. `unread` are the names
+    of tracks that say nothing to us."""
 
     path: Path
     duration_s: float
@@ -131,6 +132,7 @@ class Annotation:
     head: tuple[Labelled, ...] = ()
     gaze: tuple[Labelled, ...] = ()
     posture: tuple[Labelled, ...] = ()
+    unread: tuple[str, ...] = ()
 
     @property
     def phrases(self) -> tuple[Phrase, ...]:

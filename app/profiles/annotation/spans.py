@@ -1,7 +1,7 @@
 """The spans of a track as values: what they say is checked word by word, and every mistake is kept with its time."""
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from enum import StrEnum
@@ -10,6 +10,8 @@ from typing import TypeVar
 
 from ...model import Hand, Interval, Word
 from ...yaml_files import did_you_mean
+from ..segments import time_of
+from .in_time import InTime
 from .mistakes import AnnotationMistake
 from .model import Labelled, PathForm, PhaseKind, Position, Swivel, TaggedWords
 from .tracks import PHRASE_ATTRIBUTES, Span, Track
@@ -37,6 +39,9 @@ PHASES: Mapping[str, PhaseKind] = {
     "post-stroke_hold": PhaseKind.HOLD,
     "pre-stroke_hold": PhaseKind.HOLD,
 }
+RESTS = ("clasped", "at_side", "in_pockets", "folded", "behind_back", "on_hips", "open")
+"""The poses in which hands rest (docs/realizer-arms.md)."""
+
 TOUCHING_S = 0.02
 """By how much spans may overlap or stick out, as half a frame of video does."""
 
@@ -47,11 +52,15 @@ Named = TypeVar("Named", bound=StrEnum)
 
 @dataclass(slots=True)
 class Checking:
-    """A file as it is checked: its mistakes so far, its timed words, and the lexemes that can be played (None: any)."""
+    """A file as it is checked: its mistakes so far, its timed words and where each is said, the lexemes that can be
+    played and the tags that there are (None: any), and whether any phrase says its hand."""
 
     path: Path
     lexemes: Collection[str] | None = None
-    words: tuple[Word, ...] = ()
+    tags: Collection[str] | None = None
+    words: InTime[Word] = field(default_factory=lambda: words_in_time(()))
+    places: Mapping[str, Sequence[int]] = field(default_factory=dict)
+    hands_said: bool = True
     mistakes: list[AnnotationMistake] = field(default_factory=list)
 
     def wrong(self, track: str, time_s: float | None, message: str) -> None:
@@ -60,12 +69,8 @@ class Checking:
 
     def words_in(self, start_s: float, end_s: float) -> tuple[int, int] | None:
         """The first and last word that a stretch of time touches."""
-        inside = [
-            word.index
-            for word in self.words
-            if word.interval and word.interval.start_s < end_s and word.interval.end_s > start_s
-        ]
-        return (inside[0], inside[-1]) if inside else None
+        inside = self.words.touching(start_s, end_s)
+        return (inside[0].index, inside[-1].index) if inside else None
 
 
 def checked_times(track: Track, checking: Checking, *, overlapping: bool = False) -> Iterator[Span]:
@@ -83,6 +88,19 @@ def checked_times(track: Track, checking: Checking, *, overlapping: bool = False
         last = span
 
 
+def words_in_time(words: Iterable[Word]) -> InTime[Word]:
+    """The words, which have times."""
+    return InTime.of(words, lambda word: (time_of(word).start_s, time_of(word).end_s))
+
+
+def places_of(words: Iterable[Word]) -> dict[str, list[int]]:
+    """The numbers of the words that are said alike, by what is said."""
+    places: dict[str, list[int]] = {}
+    for word in words:
+        places.setdefault(_bare(word.text), []).append(word.index)
+    return places
+
+
 def words_of(track: Track, checking: Checking) -> tuple[Word, ...]:
     """The words of a track, numbered; spans without a label are silence."""
     spans = [span for span in checked_times(track, checking) if span.label]
@@ -96,7 +114,23 @@ def tags_of(track: Track, checking: Checking) -> Iterator[TaggedWords]:
         if words is None:
             checking.wrong(track.name, span.start_s, f"no word is said in the time of the tag {span.label!r}")
         elif span.label:
+            _check_tag(span.label, track.name, span, checking)
             yield TaggedWords(span.label, *words)
+
+
+def tag_of(span: Span, checking: Checking) -> str | None:
+    """The tag of a phrase, where it says one."""
+    tag = span.attributes.get("tag")
+    if tag:
+        _check_tag(tag, "phrases", span, checking)
+    return tag or None
+
+
+def _check_tag(tag: str, track: str, span: Span, checking: Checking) -> None:
+    """Notes a tag that is no communicative function, which nothing that is said would ever have."""
+    if checking.tags is not None and tag not in checking.tags:
+        told = f"no function is called {tag!r}{did_you_mean(tag, checking.tags)} (docs/functions.md)"
+        checking.wrong(track, span.start_s, told)
 
 
 def labelled_of(track: Track, checking: Checking) -> tuple[Labelled, ...]:
@@ -110,6 +144,17 @@ def phase_kind(span: Span, checking: Checking) -> PhaseKind | None:
     if name not in PHASES:
         checking.wrong("phases", span.start_s, f"no phase is called {span.label!r}{did_you_mean(name, PHASES)}")
     return PHASES.get(name)
+
+
+def rest_of(span: Span, checking: Checking) -> str | None:
+    """The rest after a unit; None where nothing is said."""
+    rest = span.label.strip().lower().replace(" ", "_")
+    if rest and rest not in RESTS:
+        told = (
+            f"hands do not rest {span.label!r}{did_you_mean(rest, RESTS)}; give one of {', '.join(RESTS)}, or nothing"
+        )
+        checking.wrong("units", span.start_s, told)
+    return rest or None
 
 
 def lexeme_of(span: Span, checking: Checking) -> str:
@@ -132,9 +177,9 @@ def unknown_attributes(span: Span, checking: Checking) -> None:
 
 
 def hand_of(span: Span, checking: Checking) -> Hand:
-    """The hand of a phrase, which must be said."""
+    """The hand of a phrase, which must be said; where no phrase says it, the track is told, not each."""
     said = span.attributes.get("hand", "").strip().lower()
-    if said not in HANDS:
+    if said not in HANDS and (said or checking.hands_said):
         checking.wrong("phrases", span.start_s, f"hand {said!r}; give RH, LH or 2H")
     return HANDS.get(said, Hand.RIGHT)
 
@@ -171,27 +216,22 @@ def affiliate_of(span: Span, checking: Checking) -> tuple[int, int] | None:
     if not said:
         return None
     numbers = _WORDS.fullmatch(said)
-    found = (
-        (int(numbers[1]), int(numbers[2] or numbers[1])) if numbers else _nearest(said.split(), span, checking.words)
-    )
-    if found is None or not found[0] <= found[1] < len(checking.words):
+    found = (int(numbers[1]), int(numbers[2] or numbers[1])) if numbers else _nearest(said.split(), span, checking)
+    if found is None or not found[0] <= found[1] < len(checking.words.things):
         checking.wrong("phrases", span.start_s, f"affiliate {said!r}: there are no such words")
         return None
     return found
 
 
-def _nearest(said: Sequence[str], span: Span, words: Sequence[Word]) -> tuple[int, int] | None:
-    texts = [_bare(word.text) for word in words]
-    wanted = [_bare(each) for each in said]
-    starts = [first for first in range(len(texts)) if texts[first : first + len(wanted)] == wanted]
-    if not starts:
-        return None
-    first = min(starts, key=lambda each: abs(_start_s(words[each]) - span.middle_s))
-    return first, first + len(wanted) - 1
-
-
-def _start_s(word: Word) -> float:
-    return word.interval.start_s if word.interval else 0.0
+def _nearest(said: Sequence[str], span: Span, checking: Checking) -> tuple[int, int] | None:
+    wanted, words = [_bare(each) for each in said], checking.words
+    starts = [
+        first
+        for first in checking.places.get(wanted[0], ())
+        if [_bare(word.text) for word in words.things[first : first + len(wanted)]] == wanted
+    ]
+    first = min(starts, key=lambda each: abs(words.starts[each] - span.middle_s), default=None)
+    return None if first is None else (first, first + len(wanted) - 1)
 
 
 def _bare(text: str) -> str:

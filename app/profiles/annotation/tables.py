@@ -6,41 +6,80 @@ own word (`text`, `tag`, `phase`, `lexeme`, `rest`) or `label`.
 """
 
 import csv
-import io
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from math import isfinite, nan
 from pathlib import Path
 from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from ...yaml_files import did_you_mean
+from .encoding import decoded
 from .mistakes import AnnotationError, AnnotationMistake
 from .tracks import LABELS, PHRASE_ATTRIBUTES, Span, Track, track_name, track_of
 
 COLUMNS = ("track", "start_s", "end_s", "label")
+DELIMITERS = (",", ";", "\t")
+"""What spreadsheets put between cells, by the country."""
 
 
 def read_csv(content: bytes, path: Path) -> tuple[Track, ...]:
-    """The tracks of a table; raises AnnotationError with every row that has no track or time."""
-    rows = csv.DictReader(io.StringIO(_text(content, path)))
-    missing = [name for name in COLUMNS if name not in (rows.fieldnames or ())]
-    if missing:
-        raise AnnotationError([AnnotationMistake(path, f"no column is called {', '.join(missing)}")])
+    """The tracks of a table; raises AnnotationError with every column and row that is none."""
+    lines = decoded(content, path).splitlines(keepends=True)
+    delimiter = max(DELIMITERS, key=(lines or [""])[0].count)
+    rows = csv.reader(lines, delimiter=delimiter, strict=True)
     wrong: list[AnnotationMistake] = []
     by_track: dict[str, list[Span]] = {}
-    for row in rows:
-        try:
-            times = float(row["start_s"]), float(row["end_s"])
-        except (TypeError, ValueError):
-            wrong.append(
-                AnnotationMistake(path, f"line {rows.line_num}: start_s and end_s are seconds", row["track"] or "")
-            )
-            continue
-        attributes = {name: row[name].strip() for name in PHRASE_ATTRIBUTES if row.get(name)}
-        by_track.setdefault(row["track"], []).append(Span(*times, (row["label"] or "").strip(), attributes))
+    try:
+        columns = _columns(next(rows, []), path)
+        for cells in filter(any, rows):
+            try:
+                name, span = _row(columns, cells)
+                by_track.setdefault(name, []).append(span)
+            except ValueError as error:
+                track = dict(zip(columns, cells, strict=False)).get("track", "")
+                wrong.append(AnnotationMistake(path, f"line {rows.line_num}: {error}", track))
+    except csv.Error as error:
+        wrong.append(AnnotationMistake(path, f"line {rows.line_num}: {error}"))
     if wrong:
         raise AnnotationError(wrong)
     return tuple(track_of(name, spans) for name, spans in by_track.items())
+
+
+def _columns(header: Iterable[str], path: Path) -> list[str]:
+    """The names of the columns; raises AnnotationError with those that are missing, unknown or there twice."""
+    columns = [name.strip().lower() for name in header]
+    known = (*COLUMNS, *PHRASE_ATTRIBUTES)
+    wrong = [f"the column {name} is missing" for name in COLUMNS if name not in columns]
+    unknown = sorted({*columns} - {*known})
+    wrong += [f"no column may be called {name!r}{did_you_mean(name, known)}" for name in unknown]
+    wrong += [f"two columns are called {name}" for name in known if columns.count(name) > 1]
+    if wrong:
+        raise AnnotationError(AnnotationMistake(path, f"line 1: {each}") for each in wrong)
+    return columns
+
+
+def _row(columns: Sequence[str], cells: Sequence[str]) -> tuple[str, Span]:
+    """The track and the span of a row; raises ValueError with what is wrong with it."""
+    if len(cells) != len(columns):
+        raise ValueError(f"{len(cells)} cells; the header has {len(columns)}")
+    row = {name: cell.strip() for name, cell in zip(columns, cells, strict=True)}
+    if not row["track"]:
+        raise ValueError("no track")
+    start_s, end_s = (_seconds(row[name], name) for name in ("start_s", "end_s"))
+    attributes = {name: cell for name, cell in row.items() if cell and name not in COLUMNS}
+    return row["track"], Span(start_s, end_s, row["label"], attributes)
+
+
+def _seconds(said: str, name: str) -> float:
+    try:
+        seconds = float(said.replace(",", "."))
+    except ValueError:
+        seconds = nan
+    if not isfinite(seconds):
+        raise ValueError(f"{name} {said!r}; give seconds")
+    return seconds
 
 
 class _SpanForm(BaseModel):
@@ -60,7 +99,7 @@ class _File(BaseModel):
 def read_json(content: bytes, path: Path) -> tuple[Track, ...]:
     """The tracks of an object; raises AnnotationError with every span that is none."""
     try:
-        file = _File.model_validate_json(content)
+        file = _File.model_validate_json(decoded(content, path))
     except ValidationError as error:
         raise AnnotationError(_mistakes(path, error)) from None
     return tuple(
@@ -90,14 +129,9 @@ def _span(track: str, span: _SpanForm) -> Span:
 
 
 def _mistakes(path: Path, error: ValidationError) -> Iterator[AnnotationMistake]:
-    for found in error.errors():
-        _tracks, track, *place = (*map(str, found["loc"]), "", "")[:4]
-        where = f"span {place[0]}: " if place and place[0] else ""
-        yield AnnotationMistake(path, f"{where}{' '.join(place[1:])} {found['msg']}".replace("  ", " "), track)
-
-
-def _text(content: bytes, path: Path) -> str:
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise AnnotationError([AnnotationMistake(path, f"not UTF-8 at byte {error.start}; save it as UTF-8")]) from None
+    """A mistake for each place: a value that could be of several types is one."""
+    by_place = {tuple(map(str, found["loc"][:4])): found["msg"] for found in reversed(error.errors())}
+    for place, message in reversed(by_place.items()):
+        track, number, key = (*place[1:], "", "", "")[:3]
+        where = " ".join(filter(None, (number and f"span {number}:", key or (not track and place and place[0]) or "")))
+        yield AnnotationMistake(path, f"{where} {message}".strip(), track)

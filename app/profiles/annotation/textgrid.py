@@ -1,32 +1,115 @@
-"""Reads Praat's TextGrid: each tier of intervals is a track; intervals without a label are nothing."""
+"""Reads Praat's TextGrid, in its long or its short form: each tier of intervals is a track; intervals without a label
+are nothing, and tiers of points have no time to gesture in.
+
+Of either form Praat itself reads the quoted texts, the numbers that stand alone and `<exists>`; the rest is for people.
+praatio reads the same, but does not say where something is wrong.
+"""
 
 import re
 from collections.abc import Iterator
+from math import isfinite
 from pathlib import Path
 
+from .encoding import decoded
 from .mistakes import AnnotationError, AnnotationMistake
 from .tracks import Span, Track, track_of
 
-_NEGATIVE_TIME = re.compile(r"x(?:min|max)\s*=\s*-[\d.]*[1-9]")
+_TOKEN = re.compile(r'"(?:[^"]|"")*"|[^\s"]+')
+_KINDS = {"IntervalTier": 3, "TextTier": 2}
+"""The classes of tiers, and how many values each of their entries has."""
 
 
 def read_textgrid(content: bytes, path: Path) -> tuple[Track, ...]:
-    """The tiers of a file; raises AnnotationError for what is no TextGrid."""
-    from praatio.utilities import textgrid_io  # type: ignore[import-untyped]
-    from praatio.utilities.errors import PraatioException  # type: ignore[import-untyped]
-
+    """The tiers of a file; raises AnnotationError with every time that is none, and where the file breaks off."""
+    reading = _Reading(decoded(content, path), path)
     try:
-        text = content.decode("utf-16" if content[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
-        if _NEGATIVE_TIME.search(text):  # praatio would drop the sign
-            raise ValueError("it has a time below 0")
-        tiers = textgrid_io.parseTextgridStr(text, includeEmptyIntervals=False)["tiers"]
-        intervals = [tier for tier in tiers if tier["class"] == "IntervalTier"]
-        return tuple(track_of(tier["name"], _spans(tier["entries"])) for tier in intervals)
-    except (PraatioException, ValueError, IndexError, KeyError, TypeError) as error:
-        told = " ".join(str(error).split()) or "its layout is not Praat's"
-        raise AnnotationError([AnnotationMistake(path, f"not a TextGrid that can be read: {told}")]) from None
+        tracks = tuple(reading.tracks())
+    except _BrokenError as error:
+        raise AnnotationError([*reading.mistakes, AnnotationMistake(path, str(error), reading.track)]) from None
+    if reading.mistakes:
+        raise AnnotationError(reading.mistakes)
+    return tracks
 
 
-def _spans(entries: list[tuple[str, str, str]]) -> Iterator[Span]:
-    for start_s, end_s, label in entries:
-        yield Span(float(start_s), float(end_s), label.strip())
+class _BrokenError(ValueError):
+    """What is expected is not there, so that nothing after it can be understood."""
+
+
+class _Reading:
+    """A file's values one after the other; `track` is the tier that is being read."""
+
+    def __init__(self, text: str, path: Path) -> None:
+        self._text, self._path = text, path
+        self._values = self._found()
+        self._line = 1
+        self.track = ""
+        self.mistakes: list[AnnotationMistake] = []
+
+    def tracks(self) -> Iterator[Track]:
+        """The tiers of intervals in their order."""
+        if [next(self._values, ""), next(self._values, "")] != ['"ooTextFile"', '"TextGrid"']:
+            raise _BrokenError('not a TextGrid: it begins with "ooTextFile" and "TextGrid"')
+        self._number(), self._number()
+        if self._next() != "<exists>":
+            return
+        for _tier in range(self._count()):
+            kind, self.track = self._quoted(), self._quoted()
+            if kind not in _KINDS:
+                raise _BrokenError(f"line {self._line}: {kind!r} is no class of tiers; give {' or '.join(_KINDS)}")
+            self._number(), self._number()
+            spans = [self._span(_KINDS[kind]) for _entry in range(self._count())]
+            if kind == "IntervalTier":
+                yield track_of(self.track, (span for span in spans if span is not None and span.label))
+
+    def _span(self, values: int) -> Span | None:
+        """An interval, or a point as one that does not last; None where a time is none."""
+        times = [self._number() for _value in range(values - 1)]
+        label = self._quoted().strip()
+        return None if None in times else Span(float(times[0] or 0.0), float(times[-1] or 0.0), label)
+
+    def _number(self) -> float | None:
+        """A number, or None with a mistake where a word stands for it."""
+        value = self._next()
+        number = _number_of(value)
+        if number is None and value.startswith('"'):
+            raise _BrokenError(f"line {self._line}: a number is expected, and there is {value}")
+        if number is None:
+            told = f"line {self._line}: {value!r} is no number"
+            self.mistakes.append(AnnotationMistake(self._path, told, self.track))
+        return number
+
+    def _count(self) -> int:
+        number = self._number()
+        if number is None or number != int(number) or number < 0:
+            raise _BrokenError(f"line {self._line}: it does not say how many there are")
+        return int(number)
+
+    def _quoted(self) -> str:
+        value = self._next()
+        if not value.startswith('"'):
+            raise _BrokenError(f"line {self._line}: a text in quotes is expected, and there is {value[:40]}")
+        return value[1:-1].replace('""', '"')
+
+    def _next(self) -> str:
+        value = next(self._values, None)
+        if value is None:
+            raise _BrokenError(f"line {self._line}: the file ends before all that it announces")
+        return value
+
+    def _found(self) -> Iterator[str]:
+        """The values, and what stands after `=` where a value should."""
+        before, last = "", 0
+        for match in _TOKEN.finditer(self._text):
+            token = match[0]
+            self._line, last = self._line + self._text.count("\n", last, match.start()), match.start()
+            if token[0] == '"' or token == "<exists>" or before == "=" or _number_of(token) is not None:
+                yield token
+            before = token
+
+
+def _number_of(token: str) -> float | None:
+    try:
+        number = float(token)
+    except ValueError:
+        return None
+    return number if isfinite(number) else None

@@ -10,6 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
+from .in_time import InTime
+
 TRACK_NAMES: Mapping[str, str] = MappingProxyType(
     {
         "word": "words",
@@ -33,7 +35,8 @@ TRACK_NAMES: Mapping[str, str] = MappingProxyType(
 )
 """The names that people give to tracks, by ours."""
 
-KNOWN = frozenset({"words", "tags", "segments", "phases", "phrases", "units", "head", "gaze", "posture"})
+NEEDED = ("phases", "phrases", "units", "words")
+KNOWN = frozenset({*NEEDED, "tags", "segments", "head", "gaze", "posture"})
 PHRASE_ATTRIBUTES = frozenset({"lexeme", "hand", "path", "from", "to", "affiliate", "tag"})
 """What a phrase may say of itself beside its time."""
 _NUMBERED = re.compile(r"_\d+$")
@@ -115,17 +118,31 @@ def with_attributes(tracks: Iterable[Track]) -> Iterator[Track]:
     """The tracks, each span with the attributes that tracks of attributes say in its time."""
     tracks = tuple(merged(tracks))
     for track in tracks:
-        if "." in track.name:
-            continue
-        own = [each for each in tracks if each.name.startswith(f"{track.name}.")]
-        yield replace(track, spans=tuple(_attributed(span, own) for span in track.spans))
+        if "." not in track.name:
+            own = [(name, _by_middle(each)) for name, each in _attribute_tracks(track, tracks)]
+            yield replace(track, spans=tuple(_attributed(span, own) for span in track.spans))
 
 
-def _attributed(span: Span, tracks: Iterable[Track]) -> Span:
-    found = {
-        track.name.rpartition(".")[2]: each.label
-        for track in tracks
-        for each in track.spans
-        if span.start_s <= each.middle_s <= span.end_s and each.label
-    }
+def stray_attributes(tracks: Iterable[Track]) -> Iterator[tuple[Track, Span]]:
+    """The spans of tracks of attributes in whose time there is nothing to have the attribute."""
+    tracks = tuple(merged(tracks))
+    for track in tracks:
+        spans = InTime.of(track.spans, lambda span: (span.start_s, span.end_s))
+        for _name, each in _attribute_tracks(track, tracks):
+            yield from ((each, span) for span in each.spans if not spans.any_holds(span.middle_s, span.middle_s))
+
+
+def _attribute_tracks(track: Track, tracks: Iterable[Track]) -> Iterator[tuple[str, Track]]:
+    """The tracks of a track's attributes, by the name of the attribute."""
+    for each in tracks:
+        if each.name.startswith(f"{track.name}."):
+            yield each.name.rpartition(".")[2], each
+
+
+def _by_middle(track: Track) -> InTime[Span]:
+    return InTime.of((span for span in track.spans if span.label), lambda span: (span.middle_s, span.middle_s))
+
+
+def _attributed(span: Span, tracks: Iterable[tuple[str, InTime[Span]]]) -> Span:
+    found = {name: each.label for name, track in tracks for each in track.within(span.start_s, span.end_s)}
     return replace(span, attributes={**span.attributes, **found}) if found else span

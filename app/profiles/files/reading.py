@@ -6,7 +6,7 @@ from pathlib import Path
 from ...errors import AuthoringError
 from ...yaml_files import Source, did_you_mean
 from ..annotation.model import Position, Swivel
-from ..annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
+from ..annotation.spans import DEPTHS, HEIGHTS, RESTS, SIDEWAYS
 from ..profile import (
     ANY_TAG,
     FormHabit,
@@ -24,29 +24,31 @@ from ..profile import (
 )
 from .schema import LexemeForm, OccurrenceForm, ProfileForm
 
+Known = Collection[str] | None
+"""Names that there are; None for any."""
+
 ROUNDING = 0.02
 """By how much probabilities of three digits may sum to more than 1."""
 
-RESTS = ("clasped", "at_side", "in_pockets", "folded", "behind_back", "on_hips", "open")
-"""The poses in which hands rest (docs/realizer-arms.md)."""
 
-
-def read_profile(path: Path, lexemes: Collection[str] | None = None) -> Profile:
-    """The profile in a file, its name that of the file; `lexemes` are those that can be played (None: any).
+def read_profile(path: Path, lexemes: Known = None, tags: Known = None) -> Profile:
+    """The profile in a file, its name that of the file; `lexemes` are those that can be played and `tags` those that
+    words can have (None: any).
 
     Raises AuthoringError with every mistake at its place.
     """
-    return _read(Source(path), path.stem, lexemes)
+    return _read(Source(path), path.stem, lexemes, tags)
 
 
-def read_profile_text(text: str, name: str, lexemes: Collection[str] | None = None) -> Profile:
+def read_profile_text(text: str, name: str, lexemes: Known = None, tags: Known = None) -> Profile:
     """The profile of that name in a file's text; raises as `read_profile` does."""
-    return _read(Source(Path(f"{name}.yaml"), text), name, lexemes)
+    return _read(Source(Path(f"{name}.yaml"), text), name, lexemes, tags)
 
 
-def _read(source: Source, name: str, lexemes: Collection[str] | None) -> Profile:
+def _read(source: Source, name: str, lexemes: Known, tags: Known) -> Profile:
     form = source.validated(ProfileForm)
-    mistakes = tuple(source.mistake(place, message) for place, message in _mistakes(form, lexemes))
+    wrong = (*_mistakes(form, lexemes), *_unknown_tags(form, tags))
+    mistakes = tuple(source.mistake(place, message) for place, message in wrong)
     if mistakes:
         raise AuthoringError(mistakes)
     return _profile(form, name)
@@ -73,6 +75,12 @@ def _mistakes(form: ProfileForm, lexemes: Collection[str] | None) -> Iterator[tu
         if rest not in RESTS:
             yield ("rests", distance), f"hands do not rest {rest!r}{did_you_mean(rest, RESTS)}"
     yield from _places(form)
+
+
+def _unknown_tags(form: ProfileForm, known: Known) -> Iterator[tuple[_Place, str]]:
+    for tag in form.tags.keys() - {ANY_TAG} if known is not None else ():
+        if tag not in (known or ()):
+            yield ("tags", tag), f"no function is called {tag!r}{did_you_mean(tag, known or ())} (docs/functions.md)"
 
 
 def _gestures(form: ProfileForm) -> Iterator[_Place]:

@@ -1,5 +1,6 @@
 """The habits of a speaker beside the tables: how lexemes are made, units, phases, rests, head and eyes (NGS §3.2)."""
 
+from bisect import bisect_left
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
@@ -112,11 +113,12 @@ def _threshold_s(gaps: Sequence[tuple[float, bool]]) -> float:
     between = [USUAL_MERGE_S, *((one + other) / 2 for one, other in pairwise(ordered))]
     if ordered:
         between += [ordered[0] / 2, ordered[-1] + 0.1]
-    return min(between, key=lambda each: (_mistakes(gaps, each), abs(each - USUAL_MERGE_S)))
+    joined, parted = (sorted(gap_s for gap_s, is_joined in gaps if is_joined is kind) for kind in (True, False))
 
+    def mistakes(threshold_s: float) -> int:
+        return bisect_left(parted, threshold_s) + len(joined) - bisect_left(joined, threshold_s)
 
-def _mistakes(gaps: Sequence[tuple[float, bool]], threshold_s: float) -> int:
-    return sum((gap_s < threshold_s) is not joined for gap_s, joined in gaps)
+    return min(between, key=lambda each: (mistakes(each), abs(each - USUAL_MERGE_S)))
 
 
 def phase_habit(annotations: Iterable[Annotation]) -> PhaseHabit:

@@ -1,16 +1,21 @@
 """What annotations show, as plain observations: each gesture with its words and the gesture before it, and each tag
 with what came of it. Times are seconds."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from ...model import Hand, Interval, Word
+from ...model import Hand, Word
+from ..annotation.in_time import InTime
 from ..annotation.model import Annotation, Phrase, TaggedWords
+from ..annotation.spans import words_in_time
 from ..profile import ANY_TAG, FIRST
 from ..segments import time_of
 
 NONE = ""
 """The lexeme of no gesture."""
+
+HALF = 0.5
+"""Of a word, by which a stretch of words is widened so that it touches those that it names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,19 +43,60 @@ class ObservedTag:
     outcome: Mapping[str, float]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Recording:
+    """An annotation whose words, tags and segments are found by time and by word; tags are known by their place."""
+
+    words: InTime[Word]
+    tags: tuple[TaggedWords, ...]
+    tags_on: InTime[int]
+    segments: InTime[int]
+
+    @classmethod
+    def of(cls, annotation: Annotation) -> "_Recording":
+        tags, segments = annotation.tags or (), annotation.segments
+        return cls(
+            words=words_in_time(word for word in annotation.words if word.interval),
+            tags=tags,
+            tags_on=InTime.of(range(len(tags)), lambda place: (tags[place].first, tags[place].last)),
+            segments=InTime.of(range(len(segments)), lambda place: segments[place]),
+        )
+
+    def meant(self, phrase: Phrase) -> tuple[int, int] | None:
+        """A phrase's affiliate, else the words that co-occur with its stroke."""
+        if phrase.affiliate is not None:
+            return phrase.affiliate
+        inside = self.words.touching(phrase.main_s.start_s, phrase.main_s.end_s)
+        return (inside[0].index, inside[-1].index) if inside else None
+
+    def places_meant(self, phrase: Phrase) -> list[int]:
+        """The places of the tags on the words that a phrase means, of its own tag alone if it has one."""
+        words = self.meant(phrase)
+        on_words = self.tags_on.touching(words[0] - HALF, words[1] + HALF) if words else ()
+        return sorted(place for place in on_words if phrase.tag in (None, self.tags[place].tag))
+
+    def segment(self, phrase: Phrase) -> int:
+        """The segment of speech that a phrase is in; -1 for none."""
+        words = self.meant(phrase)
+        held = self.segments.touching(words[1] - HALF, words[1] + HALF) if words else ()
+        return held[0] if held else -1
+
+
 def observed_gestures(annotation: Annotation) -> Iterator[ObservedGesture]:
     """The gestures of a recording in order of time."""
+    recording = _Recording.of(annotation)
     unit_of = {phrase.interval: number for number, unit in enumerate(annotation.units) for phrase in unit.phrases}
     before: Phrase | None = None
     for phrase in annotation.phrases:
-        words = words_meant(phrase, annotation.words)
+        words = recording.meant(phrase)
+        tags = tuple(recording.tags[place].tag for place in recording.places_meant(phrase))
         yield ObservedGesture(
             phrase=phrase,
-            tags=tuple(each.tag for each in tags_meant(phrase, annotation)) if phrase.tag is None else (phrase.tag,),
+            tags=tags if phrase.tag is None else (phrase.tag,),
             before=before.lexeme if before else FIRST,
             hand_before=before.hand if before else None,
             offset_s=phrase.main_s.end_s - time_of(annotation.words[words[1]]).end_s if words else None,
-            gap_s=_gap_s(before, phrase, annotation),
+            gap_s=_gap_s(before, phrase, recording),
             joined=before is not None and unit_of[before.interval] == unit_of[phrase.interval],
         )
         before = phrase
@@ -58,36 +104,16 @@ def observed_gestures(annotation: Annotation) -> Iterator[ObservedGesture]:
 
 def observed_tags(annotation: Annotation) -> Iterator[ObservedTag]:
     """The tags of a recording, each with what came of it."""
-    said = annotation.tags or ()
-    outcomes: list[dict[str, float]] = [{} for _each in said]
+    recording = _Recording.of(annotation)
+    outcomes: list[dict[str, float]] = [{} for _each in recording.tags]
     for phrase in annotation.phrases:
-        meant = tags_meant(phrase, annotation)
-        places = [place for place, each in enumerate(said) if any(each is other for other in meant)]
+        places = recording.places_meant(phrase)
         for place in places:
             outcomes[place][phrase.lexeme] = outcomes[place].get(phrase.lexeme, 0.0) + 1 / len(places)
-    for number, each in enumerate(said):
-        shown = outcomes[number]
+    for each, shown in zip(recording.tags, outcomes, strict=True):
         scale = 1 / max(1.0, sum(shown.values()))
         outcome = {lexeme: scale * share for lexeme, share in shown.items()}
         yield ObservedTag(each.tag, {**outcome, NONE: 1 - sum(outcome.values())})
-
-
-def words_meant(phrase: Phrase, words: Sequence[Word]) -> tuple[int, int] | None:
-    """A phrase's affiliate, else the words that co-occur with its stroke."""
-    if phrase.affiliate is not None:
-        return phrase.affiliate
-    main = phrase.main_s
-    inside = [word.index for word in words if word.interval and _overlap(word.interval, main)]
-    return (inside[0], inside[-1]) if inside else None
-
-
-def tags_meant(phrase: Phrase, annotation: Annotation) -> tuple[TaggedWords, ...]:
-    """The tags on the words that a phrase means, those of its own tag alone if it has one."""
-    words = words_meant(phrase, annotation.words)
-    if words is None:
-        return ()
-    on_words = [each for each in annotation.tags or () if each.first <= words[1] and words[0] <= each.last]
-    return tuple(each for each in on_words if phrase.tag in (None, each.tag))
 
 
 def level_tags(tag: str) -> tuple[str, ...]:
@@ -102,19 +128,9 @@ def all_of(annotations: Iterable[Annotation]) -> tuple[tuple[ObservedGesture, ..
     return gestures, tuple(each for annotation in recordings for each in observed_tags(annotation))
 
 
-def _gap_s(before: Phrase | None, phrase: Phrase, annotation: Annotation) -> float | None:
+def _gap_s(before: Phrase | None, phrase: Phrase, recording: _Recording) -> float | None:
     """From the last stroke of the gesture before to this one's first; None across segments."""
-    if before is None or _segment(before, annotation) != _segment(phrase, annotation):
+    if before is None or recording.segment(before) != recording.segment(phrase):
         return None
     last = before.strokes[-1] if before.strokes else before.main_s
     return phrase.main_s.start_s - last.end_s
-
-
-def _segment(phrase: Phrase, annotation: Annotation) -> int:
-    words = words_meant(phrase, annotation.words)
-    place = words[1] if words else -1
-    return next((number for number, (first, last) in enumerate(annotation.segments) if first <= place <= last), -1)
-
-
-def _overlap(one: Interval, other: Interval) -> bool:
-    return one.start_s < other.end_s and other.start_s < one.end_s

@@ -101,10 +101,35 @@ def test_anvil_spans_and_links(tmp_path: Path) -> None:
     assert annotation.tags is None
 
 
+def test_anvil_links_are_numbers_of_words_in_their_time(tmp_path: Path) -> None:
+    path = tmp_path / "a.anvil"
+    linked = ANVIL.replace('<el index="0" start="0.5"', '<el index="8" start="0.5"').replace(
+        'ref-index="0"', 'ref-index="8"'
+    )
+    path.write_text(linked.replace("<annotation>", '<annotation xmlns="urn:anvil">'), encoding="utf-8")
+    [annotation] = read_annotations([path])
+    assert annotation.phrases[0].affiliate == (0, 0)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+@pytest.mark.parametrize(("delimiter", "comma"), [(",", "."), (";", ","), ("\t", ",")])
+def test_tables_as_spreadsheets_save_them(tmp_path: Path, encoding: str, delimiter: str, comma: str) -> None:
+    tracks = list(small_tracks().values())
+    rows = [line.split(",") for line in _csv(tracks).splitlines()]
+    text = "\r\n".join(delimiter.join(cell.replace(".", comma) for cell in row) for row in rows)
+    (tmp_path / "a.csv").write_bytes(text.encode(encoding))
+    [found] = read_annotations([tmp_path / "a.csv"])
+    assert [phrase.lexeme for phrase in found.phrases] == ["ME", "NEGATION", "YOU"]
+    assert found.words[-1].text == "lied"
+
+
+TAGS = {"deixis.self", "deixis.addressee", "negation"}
+
+
 def _mistakes(tracks: dict[str, Track], **changed: tuple[Span, ...]) -> list[str]:
     changes = {name: Track(name, spans) for name, spans in changed.items()}
     with pytest.raises(AnnotationError) as raised:
-        annotation_of({**tracks, **changes}.values(), Path("x.eaf"), {"ME", "NEGATION", "YOU"})
+        annotation_of({**tracks, **changes}.values(), Path("x.eaf"), {"ME", "NEGATION", "YOU"}, TAGS)
     return [str(each) for each in raised.value.mistakes]
 
 
@@ -130,10 +155,44 @@ def test_every_mistake_at_once_with_its_place() -> None:
         ({"phrases": (Span(0.2, 0.6, "ME", {"hand": "RH"}),)}, "it has neither a stroke nor an independent hold"),
         ({"words": (Span(1.0, 0.9, "I"),)}, "words at 1.000 s: ends at 0.900 s"),
         ({"words": (Span(0.5, 0.9, "I"), Span(0.8, 1.0, "am"))}, "words at 0.800 s: overlaps 'I'"),
+        (
+            {"units": (Span(0.2, 2.1, "at side"), Span(2.2, 3.0, "claspd"))},
+            "units at 2.200 s: hands do not rest 'claspd'",
+        ),
+        ({"tags": (Span(0.5, 0.9, "negatoin"),)}, "tags at 0.500 s: no function is called 'negatoin'; did you mean"),
+        ({"phrases.hand": (Span(5.0, 5.5, "RH"),)}, "phrases.hand at 5.000 s: 'RH' is said of nothing"),
     ],
 )
 def test_contradictions(changed: dict[str, tuple[Span, ...]], told: str) -> None:
     assert any(told in each for each in _mistakes(small_tracks(), **changed))
+
+
+def test_what_is_missing_everywhere_is_one_mistake() -> None:
+    tracks = small_tracks()
+    handless = tuple(replace(span, attributes={}) for span in tracks["phrases"].spans)
+    [told] = _mistakes(tracks, phrases=handless)
+    assert told.startswith("x.eaf: phrases: no phrase says its hand")
+    tracks.pop("units")
+    assert _mistakes(tracks, words=(Span(0.5, 0.4, "I"),)) == [
+        "x.eaf: units: the track is missing",
+        "x.eaf: words at 0.500 s: ends at 0.400 s; a span starts at 0 or later, ends later",
+    ]
+
+
+def test_tracks_that_say_nothing_to_us_are_named() -> None:
+    tracks = [*small_tracks().values(), Track("comments", (Span(0.0, 1.0, "coughs"),))]
+    assert annotation_of(tracks, Path("x")).unread == ("comments",)
+
+
+def test_the_words_nearest_in_time_are_meant() -> None:
+    tracks = small_tracks()
+    words = [Span(float(place), place + 0.9, text) for place, text in enumerate(["to", "be", "or", "not", "to", "be"])]
+    phrases = [Span(0.2, 1.3, "ME", {"hand": "RH", "affiliate": "to be"})]
+    phrases += [Span(2.2, 2.6, "YOU", {"hand": "RH", "affiliate": "To be!"})]
+    changed = {"words": Track("words", tuple(words)), "phrases": Track("phrases", tuple(phrases))}
+    changed["phases"] = Track("phases", (Span(0.6, 0.9, "stroke"), Span(2.4, 2.6, "stroke")))
+    found = annotation_of({**tracks, **changed, "tags": Track("tags", ())}.values(), Path("x"))
+    assert [phrase.affiliate for phrase in found.phrases] == [(0, 1), (4, 5)]
 
 
 def test_missing_tracks_and_unknown_formats(tmp_path: Path) -> None:
@@ -150,13 +209,28 @@ def test_missing_tracks_and_unknown_formats(tmp_path: Path) -> None:
         ("a.eaf", "<x", "not XML"),
         ("a.eaf", "<annotation/>", "<ANNOTATION_DOCUMENT> is expected"),
         ("a.TextGrid", "hello", "not a TextGrid"),
-        ("a.csv", "track,start\n", "no column is called start_s, end_s, label"),
-        ("a.csv", "track,start_s,end_s,label\nwords,x,1,I\n", "words: line 2: start_s and end_s are seconds"),
+        ("a.csv", "track,start\n", "line 1: the column end_s is missing"),
+        ("a.csv", "track,start_s,end_s,label,hands\n", "line 1: no column may be called 'hands'; did you mean 'hand'?"),
+        ("a.csv", "track;start_s;end_s;label\n;0,5;1;I\n", "line 2: no track"),
+        ("a.csv", "track,start_s,end_s,label\nwords,nan,1,I\n", "words: line 2: start_s 'nan'; give seconds"),
+        ("a.csv", "track,start_s,end_s,label\nwords,0,1\n", "words: line 2: 3 cells; the header has 4"),
+        ("a.csv", 'track,start_s,end_s,label\nwords,0,1,"I\n', "line 2: unexpected end"),
+        ("a.csv", "track,start_s,end_s,label\nwords,0,1,\xe4\n".encode("latin-1"), "line 2: byte 36 is not UTF-8"),
+        (
+            "a.eaf",
+            "<ANNOTATION_DOCUMENT><HEADER TIME_UNITS='PAL-frames'/></ANNOTATION_DOCUMENT>",
+            "times in PAL-frames",
+        ),
+        ("a.eaf", "<ANNOTATION_DOCUMENT><TIME_SLOT TIME_VALUE='x'/></ANNOTATION_DOCUMENT>", "line 1: time slot"),
+        ("a.anvil", ANVIL.replace('start="0.5"', 'start="inf"'), "speech.words: line 4: element 0 has no time"),
+        ("a.anvil", ANVIL.replace('ref-index="0"', 'ref-index="7"'), "0.300 s: affiliate names elements 7 to 7"),
+        ("a.anvil", ANVIL.replace('ref="gesture.phase"', 'ref="phase"'), "refers to the track 'phase', which is not"),
+        ("a.csv", "track,start_s,end_s,label\nwords,x,1,I\n", "words: line 2: start_s 'x'; give seconds"),
         ("a.json", '{"tracks": {"words": [{"start_s": "x"}]}}', "words: span 0: start_s"),
     ],
 )
-def test_what_cannot_be_read(tmp_path: Path, name: str, content: str, told: str) -> None:
-    (tmp_path / name).write_text(content, encoding="utf-8")
+def test_what_cannot_be_read(tmp_path: Path, name: str, content: str | bytes, told: str) -> None:
+    (tmp_path / name).write_bytes(content.encode() if isinstance(content, str) else content)
     with pytest.raises(AnnotationError) as raised:
         read_annotations([tmp_path / name])
     assert told in str(raised.value)

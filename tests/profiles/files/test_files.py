@@ -7,8 +7,8 @@ import pytest
 from tests.support.annotations import SWEEPING
 from understudy.errors import AuthoringError
 from understudy.profiles.annotation.reading import read_annotations
-from understudy.profiles.annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
-from understudy.profiles.files.reading import RESTS, read_profile
+from understudy.profiles.annotation.spans import DEPTHS, HEIGHTS, RESTS, SIDEWAYS
+from understudy.profiles.files.reading import read_profile
 from understudy.profiles.files.writing import profile_yaml
 from understudy.profiles.learning.learning import learn
 from understudy.realizer.arms.rest_poses import RESTS as POSES
@@ -57,6 +57,12 @@ def test_units_go_on_by_one_share_or_by_one_for_each_size(tmp_path: Path, said: 
     [
         ("  BEAT: {share", "  BEET: {share", 4, "the library has no gesture 'BEET'; did you mean 'BEAT'?"),
         ("  any:", "  negation:", 7, "the tag 'any' is missing"),
+        (
+            "  any:",
+            "  negatoin: {occurrences: 1, gestures: {}}\n  any:",
+            7,
+            "no function is called 'negatoin'; did",
+        ),
         ("left: 0.5", "left: 0.7", 5, "the shares sum to 1.200"),
         ("ME: 0.1", "YOU: 0.1", 7, "YOU is not among the lexemes of this profile"),
         ("gestures_per_minute: 12", "gestures_per_minute: -1", 2, "greater than 0"),
@@ -66,7 +72,7 @@ def test_units_go_on_by_one_share_or_by_one_for_each_size(tmp_path: Path, said: 
 )
 def test_mistakes_have_their_place(tmp_path: Path, old: str, new: str, line: int, told: str) -> None:
     with pytest.raises(AuthoringError) as raised:
-        read_profile(_written(tmp_path, SMALL.replace(old, new)), {"BEAT", "ME", "YOU"})
+        read_profile(_written(tmp_path, SMALL.replace(old, new)), {"BEAT", "ME", "YOU"}, {"negation"})
     assert any(each.line == line and told in each.message for each in raised.value.mistakes)
 
 
