@@ -1,4 +1,4 @@
-"""Functions that cannot both be shown: which compete, and which of them stays (paper §3.3)."""
+"""Resolves conflicts between functions: which ones compete, and which of them is kept (paper §3.3)."""
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
@@ -32,14 +32,14 @@ class Conflicts(Entry):
                 yield (other if name == one else one), None
 
     def facts(self) -> Iterator[Fact]:
-        """The classes whose functions compete with each other, for the rules that ask."""
+        """The classes whose functions compete with each other, as facts for rules that test this."""
         return (Fact("competes_within", (class_name,)) for class_name in sorted(self.within_class))
 
 
 def resolved(functions: Sequence[Function], conflicts: Conflicts) -> tuple[Function, ...]:
-    """The same functions, those marked that lose a conflict to one that is kept.
+    """The same functions, those that lose a conflict marked as not kept.
 
-    What was given from outside stays before all else; then the higher priority, the longer, the earlier.
+    Given functions take precedence; then the one with higher priority, the longer one, the earlier one.
     """
     strongest_on: defaultdict[_Kind, dict[int, tuple[int, Function]]] = defaultdict(dict)
     lost_to: dict[str, str] = {}

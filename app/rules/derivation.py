@@ -1,8 +1,8 @@
-"""From an utterance to its communicative functions (paper §3.3): facts, lexicon, rules, then conflicts.
+"""Derives the communicative functions of an utterance (paper §3.3): facts, lexicon, rules, then conflicts.
 
-The rules lie in `functions/*.rules` over the predicates of `vocabulary.rules`, the words in `lexicon/en/`. Which
-functions there are, and with what priority each begins, is in `functions/priorities.yaml`, which of them compete in
-`functions/conflicts.yaml`. Priorities are numbers, the higher matters more.
+The rules are in `functions/*.rules` over the predicates of `vocabulary.rules`, the words in `lexicon/en/`. The existing
+functions and their base priorities are in `functions/priorities.yaml`, those that compete in
+`functions/conflicts.yaml`. A higher priority means more important.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -26,12 +26,13 @@ from .program.program import Program, load_program
 Loaded = TypeVar("Loaded")
 
 _ON_WORDS = frozenset(("lexical", "lemma", "part_of_speech", "tag", "stressed_ratio", "prominence", "emphasis"))
-"""Given facts that speak of the words from their last argument but one to their last."""
+"""Given facts about the words from their last argument but one to their last."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FunctionRules:
-    """All that deriving functions needs, loaded once and never changed; `tables`: priorities and conflicts as facts."""
+    """Everything needed to derive functions, loaded once and immutable; `tables` are priorities and conflicts as
+    facts."""
 
     program: Program
     lexicon: Lexicon
@@ -41,9 +42,9 @@ class FunctionRules:
 
     @classmethod
     def load(cls, rules: Path, lexicon: Path) -> "FunctionRules":
-        """From the folder `rules` (vocabulary.rules, functions/) and the words of the folder `lexicon`.
+        """Loads the folder `rules` (vocabulary.rules, functions/) and the words in the folder `lexicon`.
 
-        Raises AuthoringError with every mistake of every file, and with those between files where each loads.
+        Raises AuthoringError with all mistakes in all files or, if each loads by itself, with those between files.
         """
         functions = rules / "functions"
         paths = (rules / "vocabulary.rules", *sorted(functions.glob("*.rules")))
@@ -65,8 +66,8 @@ class FunctionRules:
 
 @dataclass(frozen=True, slots=True)
 class Understanding:
-    """What a line does, and all that is known of how it does it: `facts` are what was parsed, heard and derived, in the
-    predicates of `vocabulary.rules`, the functions' own among them."""
+    """The functions of a line, and all facts about it, given and derived, in the predicates of `vocabulary.rules`,
+    including the functions' own."""
 
     functions: tuple[Function, ...]
     facts: tuple[Fact, ...]
@@ -78,7 +79,7 @@ def derive_functions(
     *,
     given: Sequence[GivenFunction] = (),
 ) -> tuple[Function, ...]:
-    """The functions of an utterance alone; see `understand`."""
+    """Only the functions of an utterance; see `understand`."""
     return understand(rules, utterance, given=given).functions
 
 
@@ -88,10 +89,11 @@ def understand(
     *,
     given: Sequence[GivenFunction] = (),
 ) -> Understanding:
-    """The functions of an utterance in order of first word, last word and class, those that lost a conflict too, and
-    the facts they rest on.
+    """The functions of an utterance in order of first word, last word and class, including those that lost a conflict,
+    and all facts.
 
-    `given` are functions that the caller knows already. Raises InputError for one that is none, or of no words.
+    `given` are functions that the caller already knows. Raises InputError for an unknown function, or words out of
+    range.
     """
     from_outside = given_facts(given, rules.priorities, words=len(utterance.words))
     derivation = derive_facts(rules, utterance, from_outside=from_outside)
@@ -109,8 +111,8 @@ def derive_facts(
     *,
     from_outside: Mapping[Fact, float] = MappingProxyType({}),
 ) -> Derivation:
-    """All that the rules derive from an utterance, functions being the facts `fcn`; `from_outside` are functions known
-    already, with their priorities."""
+    """All facts that the rules derive from an utterance, with functions as facts `fcn`; `from_outside` are given
+    functions with their priorities."""
     known = utterance_facts(utterance)
     given = (*known, *_lexical_facts(rules.lexicon, utterance), *rules.tables, *from_outside)
     parts = [
@@ -120,7 +122,7 @@ def derive_facts(
 
 
 def _together(parts: Sequence[Derivation]) -> Derivation:
-    """What was derived from each passage; what all of them know is there once."""
+    """The derivations of all passages in one, without duplicates."""
     return Derivation(
         facts=tuple(dict.fromkeys(fact for part in parts for fact in part.facts)),
         choices=tuple(choice for part in parts for choice in part.choices),
@@ -130,7 +132,7 @@ def _together(parts: Sequence[Derivation]) -> Derivation:
 
 
 def _merged(parts: Iterable[Mapping[Fact, Loaded]]) -> dict[Fact, Loaded]:
-    """Every fact with what the first part says of it."""
+    """The mappings in one; of several values of a fact the first is kept."""
     merged: dict[Fact, Loaded] = {}
     for part in parts:
         for fact, value in part.items():
@@ -162,7 +164,7 @@ def _function(derivation: Derivation, fact: Fact, from_outside: Mapping[Fact, fl
 
 
 def _because(derivation: Derivation, fact: Fact) -> Iterator[Because]:
-    """What a derived fact rests on, each support before what it rests on itself, down to the words."""
+    """The supports of a derived fact, each before its own supports, down to the words."""
     waiting = list(reversed(derivation.reasons[fact].supports))
     visited: set[Fact] = set()
     while waiting:
@@ -189,7 +191,7 @@ def _because_given(fact: Fact) -> Iterator[Because]:
 
 
 def _loaded(load: Callable[[], Loaded], mistakes: list[Mistake]) -> Loaded | None:
-    """What `load` loads; None when it cannot, and its mistakes with those of the files before."""
+    """The result of `load`; None if it has mistakes, which are appended to `mistakes`."""
     try:
         return load()
     except AuthoringError as error:

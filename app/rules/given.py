@@ -1,6 +1,6 @@
-"""Functions that the author or an agent gives with a line, beside those the rules derive (paper §3.3).
+"""Functions that the author or an agent gives with a line, in addition to those the rules derive (paper §3.3).
 
-They take part in the derivation as facts, keep the priority they come with, and win every conflict with derived ones.
+They take part in the derivation as facts, keep their own priority, and win every conflict with derived ones.
 """
 
 from collections.abc import Mapping, Sequence
@@ -11,20 +11,20 @@ from .chaining.chainer import Fact
 from .priorities import Priorities
 
 GIVEN_PRIORITY = 10.0
-"""Above all that rules derive, so that the movements for it win as well, unless the caller says otherwise."""
+"""The default priority, above all that rules derive, so that the movements for them win as well."""
 
 GIVEN_RULE = "given"
 GIVEN = Because(fact="given with the line")
-"""What stands where a derived function names its rule, and what it rests on."""
+"""The support of a given function; `GIVEN_RULE` stands in place of its rule."""
 
 FIELD = "functions"
 
 
 def given_facts(given: Sequence[GivenFunction], priorities: Priorities, *, words: int) -> Mapping[Fact, float]:
-    """The functions as facts with their priorities; of the same function given twice the higher priority counts.
+    """The functions as facts with their priorities; if a function is given twice the higher priority counts.
 
-    Raises InputError `functions_class` for a class or subtype that is none, `functions_span` for words that are not
-    among the line's `words`.
+    Raises InputError `functions_class` for an unknown class or subtype, `functions_span` for words that are not among
+    the line's `words`.
     """
     facts: dict[Fact, float] = {}
     for number, function in enumerate(given):

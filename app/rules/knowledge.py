@@ -1,6 +1,6 @@
-"""What is known while rules run: the facts, indexed by the arguments that joins will ask for, and why each is there.
+"""The state of a derivation: the facts, indexed by the arguments that joins look up, and the reason for each.
 
-A `Knowledge` lives for one derivation and is the only thing in the chainer that changes.
+A `Knowledge` lives for one derivation and is the only mutable object in the chainer.
 """
 
 from bisect import bisect_left, bisect_right
@@ -19,13 +19,14 @@ Environment: TypeAlias = list[Any]
 """The slots of a rule while it is matched: its constants, the values of its variables, the facts it joined."""
 
 Beginning: TypeAlias = tuple[str, Argument | None]
-"""A predicate and a first argument, or None for any: by these the facts of the last round are looked up."""
+"""A predicate and a first argument, or None for any: the key by which facts of the last round are looked up."""
 
 Pick: TypeAlias = Callable[[Sequence[Any]], Any]
 
 
 def pick(places: Sequence[int]) -> Pick:
-    """Picks what stands at `places` as a key: one value bare, several as a tuple, none as the empty tuple."""
+    """A function that picks the values at `places` as a key: one value bare, several as a tuple, none as the empty
+    tuple."""
     return itemgetter(*places) if places else _nothing
 
 
@@ -36,7 +37,7 @@ def _nothing(_row: Sequence[Any]) -> tuple[()]:
 class Fact(NamedTuple):
     """`predicate(arguments)`, without the annotation: two facts are one when predicate and arguments are equal.
 
-    A named tuple where the house has frozen dataclasses: a line makes hundreds and hashes them thousands of times.
+    A named tuple, unlike our other values: a line makes hundreds and hashes them thousands of times.
     """
 
     predicate: str
@@ -48,7 +49,7 @@ class Fact(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """A place in a rule file, to blame when a rule goes wrong while it runs."""
+    """A place in a rule file, for errors that occur while the rule runs."""
 
     path: Path
     line: int
@@ -64,7 +65,7 @@ class Origin:
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """What a derivation may grow to before it is stopped; a line of a hundred words needs a hundredth of it."""
+    """The largest size of a derivation; a line of a hundred words needs a hundredth of it."""
 
     facts: int = 200_000
     rounds: int = 10_000
@@ -92,7 +93,7 @@ class Reason:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A behaviour, and what it is asked to span or show."""
+    """A behaviour with its arguments, the words it spans or shows."""
 
     name: str
     arguments: tuple[Argument, ...]
@@ -100,7 +101,7 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class Alternative:
-    """Behaviours to be shown together; how often, is `weight` over the sum of the alternatives' weights."""
+    """Behaviours to be shown together; their probability is `weight` over the sum of the alternatives' weights."""
 
     weight: float
     calls: tuple[Call, ...]
@@ -108,7 +109,7 @@ class Alternative:
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """What a choose-rule offers where it holds: the alternatives whose guard holds, and the facts it joined."""
+    """The offer of a choose-rule that matched: the alternatives whose guards hold, and the facts it joined."""
 
     origin: Origin
     supports: tuple[Fact, ...]
@@ -128,7 +129,8 @@ class Index:
 
 
 class Claim(NamedTuple):
-    """What one match of a rule would make a fact's annotation, from the annotations of the facts in `reads`."""
+    """The annotation that one match of a rule would give a fact, computed from the annotations of the facts in
+    `reads`."""
 
     fact: Fact
     reads: tuple[Fact, ...]
@@ -140,13 +142,14 @@ Filed: TypeAlias = defaultdict[object, list[Fact]]
 
 @dataclass(slots=True)
 class Sorted:
-    """The numbers that facts of a list have as one of their arguments, in order, each with its fact's place there."""
+    """The numbers that the facts in a list have as one of their arguments, sorted, each with its fact's index in the
+    list."""
 
     values: list[tuple[int | float, int]] = field(default_factory=list)
     has_texts: bool = False
 
     def take(self, facts: Sequence[Fact], position: int) -> None:
-        """Takes in what was added to the list since the last time."""
+        """Includes the facts added to the list since the last call."""
         if self.has_texts or len(facts) == len(self.values):
             return
         for number in range(len(self.values), len(facts)):
@@ -184,7 +187,7 @@ class Knowledge:
         self._filing = filing
 
     def give(self, facts: Iterable[Fact]) -> None:
-        """Adds facts that need no reason; joins see them at once."""
+        """Adds facts that need no reason; joins find them at once."""
         for fact in in_canonical_order(facts):
             if fact.arguments not in self.known[fact.predicate]:
                 self.known[fact.predicate][fact.arguments] = fact
@@ -192,8 +195,8 @@ class Knowledge:
         self._file(self.facts)
 
     def between(self, index: int, key: object, position: int, *, least: Argument, most: Argument) -> Sequence[Fact]:
-        """Those filed under the key whose argument at `position` lies between two numbers, both included, in order of
-        derivation; all of them where there are texts among the numbers."""
+        """The facts under the key whose argument at `position` is between two numbers, both included, in order of
+        derivation; all facts under the key if there are texts among these arguments."""
         facts = self.filed[index][key]
         if isinstance(least, str) or isinstance(most, str):
             return facts
@@ -205,7 +208,7 @@ class Knowledge:
         return [facts[number] for number in sorted(number for _, number in ordered.values[begin:end])]
 
     def add(self, predicate: str, arguments: tuple[Argument, ...]) -> tuple[Fact, bool]:
-        """The fact, and whether it is new; a new one is seen by joins from the next round on."""
+        """The fact, and whether it is new; joins find a new one from the next round on."""
         known = self.known[predicate]
         fact = known.get(arguments)
         if fact is not None:
@@ -216,7 +219,8 @@ class Knowledge:
         return fact, True
 
     def end_round(self) -> bool:
-        """Files what this round brought, so that joins see it and `recent` holds it; False when it brought nothing."""
+        """Files the new facts of this round, so that joins find them and `recent` has them; False if there were
+        none."""
         brought, self._pending = self._pending, []
         self._file(brought)
         self.recent.clear()
@@ -227,7 +231,7 @@ class Knowledge:
         return bool(brought)
 
     def claim(self, fact: Fact, annotation: float) -> None:
-        """Raises the fact's annotation to `annotation`, if it is not so high already."""
+        """Raises the fact's annotation to `annotation`, unless it is already as high."""
         if annotation > self.annotations.get(fact, -inf):
             self.annotations[fact] = annotation
 
@@ -242,9 +246,9 @@ class Knowledge:
 
 
 def in_canonical_order(facts: Iterable[Fact]) -> list[Fact]:
-    """Sorted by predicate and arguments, numbers before texts: the same whatever order they came in."""
+    """The facts sorted by predicate and arguments, numbers before texts, regardless of their original order."""
     listed = list(facts)
     try:
         return sorted(listed)
-    except TypeError:  # a predicate has a text where it has a number elsewhere
+    except TypeError:  # an argument is a text in one fact and a number in another
         return sorted(listed, key=lambda fact: (fact.predicate, [(isinstance(a, str), a) for a in fact.arguments]))

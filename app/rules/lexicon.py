@@ -1,11 +1,11 @@
-"""The words and phrases that `lexicon/en/` knows, found in an utterance by one trie (paper §3.3, §3.7).
+"""Finds the words and phrases of `lexicon/en/` in an utterance, with a trie (paper §3.3, §3.7).
 
-A file holds one class in groups: words that share a subtype and conditions. A phrase's words match the transcript's
-words, or the parts the parser tells apart in them ("that" in "that's"); with `match: lemma` their lemmas do as well
-("turn into" finds "turning into"). `...` in a phrase stands for up to three words, or none. A file's exceptions are
-phrases in which its words do not mean its class ("no wonder" is no negation). Neither a phrase nor a
-condition reaches over punctuation. Among overlapping matches of one class the longest counts. Finding costs the same
-however many entries there are.
+A file has one class in groups: words that share a subtype and conditions. A phrase's words match the transcript's
+words, or the parts into which the parser splits them ("that" in "that's"); with `match: lemma` also their lemmas ("turn
+into" finds "turning into"). `...` in a phrase stands for up to three words, or none. A file's exceptions are phrases in
+which its words do not mean its class ("no wonder" is no negation). Neither a phrase nor a condition extends across
+punctuation. Among overlapping matches of one class the longest counts. The cost does not depend on the number of
+entries.
 """
 
 import re
@@ -22,13 +22,13 @@ from ..yaml_files import Entry, Source, all_or_every_mistake
 from .chaining.facts import normalized_word
 
 _HYPHENATED = re.compile(r"\w+(-\w+)+$")
-"""One word in parts, which mean nothing by themselves: "uh-huh" is no "uh"."""
+"""One word of several parts, which mean nothing by themselves: "uh-huh" is no "uh"."""
 
 CLOSING_MARKS = tuple(",.?!;:")
 GAP = "..."
 LONGEST_GAP = 3
 SLOT = "{}"
-"""Where an example takes each word of its group in turn."""
+"""The place in an example where each word of its group is inserted."""
 
 PARTS_OF_SPEECH = frozenset(
     (
@@ -53,8 +53,8 @@ PARTS_OF_SPEECH = frozenset(
 
 
 class Conditions(Entry):
-    """Words and what must hold where they stand. Neighbours are tested by their form; the part of speech is that of
-    the phrase's first word."""
+    """Words and the conditions on their context. Neighbours are tested by their form; the part of speech is that of the
+    phrase's first word."""
 
     words: tuple[str, ...] = Field(min_length=1)
     match: Literal["form", "lemma"] = "form"
@@ -110,7 +110,7 @@ class LexicalEntry:
 
 @dataclass(frozen=True, slots=True)
 class LexicalMatch:
-    """Words `first` to `last`, both included, are `entry` of the lexicon."""
+    """An occurrence of `entry` in the words `first` to `last`, both included."""
 
     class_name: str
     subtype: str
@@ -121,7 +121,7 @@ class LexicalMatch:
 
 @dataclass(slots=True)
 class _Node:
-    """A state of the trie, reached by the words of a phrase so far; written only while the lexicon loads."""
+    """A state of the trie, reached by the words of a phrase so far; mutable only while the lexicon loads."""
 
     forms: dict[str, "_Node"] = field(default_factory=dict)
     lemmas: dict[str, "_Node"] = field(default_factory=dict)
@@ -131,9 +131,8 @@ class _Node:
 
 @dataclass(frozen=True, slots=True)
 class _Spelling:
-    """How a word may be looked up: its text and its parts' texts, its parts' lemmas, with their parts of speech.
-
-    `closes` tells that punctuation ends the phrase with it."""
+    """The keys by which a word can be found: its text and its parts' texts, and its parts' lemmas, with their parts of
+    speech. `closes` says that punctuation after it ends the phrase."""
 
     forms: dict[str, frozenset[str]]
     lemmas: dict[str, frozenset[str]]
@@ -152,7 +151,7 @@ class _Found:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lexicon:
-    """Every entry, and the trie that finds them; shared by threads, never changed."""
+    """All entries, and the trie that finds them; immutable and thread-safe."""
 
     entries: tuple[LexicalEntry, ...]
     root: _Node
@@ -176,7 +175,7 @@ class Lexicon:
 
 
 def _read(path: Path) -> tuple[LexicalEntry, ...] | AuthoringError:
-    """The entries of a file, or its mistakes; a file without `class` is none of ours and has no entries."""
+    """The entries of a file, or its mistakes; a file without `class` is not a file of words and has none."""
     try:
         source = Source(path)
         if not isinstance(source.value, dict) or "class" not in source.value:
@@ -199,7 +198,7 @@ def _entries(source: Source, content: LexiconFile) -> Iterator[LexicalEntry]:
 
 
 def _duplicates(source: Source, entries: Iterable[LexicalEntry]) -> Iterator[Mistake]:
-    """Entries that an earlier one of the file makes useless: the same words under the same conditions."""
+    """Entries that repeat an earlier one of the file: the same words under the same conditions."""
     seen: dict[tuple[str, object], int] = {}
     for entry in entries:
         key = (entry.phrase, entry.conditions.model_copy(update={"words": (), "subtype": "", "example": ""}))
@@ -290,7 +289,7 @@ def _holds(
 
 
 def _neighbours(spellings: tuple[_Spelling, ...], first: int, last: int) -> tuple[Set[str], Set[str]]:
-    """The forms of the words directly before and behind, as far as no punctuation stands between."""
+    """The forms of the words directly before and after, unless there is punctuation between."""
     beginning = first == 0 or spellings[first - 1].closes
     end = last + 1 == len(spellings) or spellings[last].closes
     before = frozenset[str]() if beginning else spellings[first - 1].forms.keys()
@@ -298,7 +297,7 @@ def _neighbours(spellings: tuple[_Spelling, ...], first: int, last: int) -> tupl
 
 
 def _longest(found: list[_Found]) -> list[_Found]:
-    """Per class, no two that share a matched word."""
+    """The longest matches, such that no two of one class share a word."""
     taken: set[tuple[str, int]] = set()
     kept: list[_Found] = []
     for match in sorted(found, key=_rank):
@@ -311,5 +310,5 @@ def _longest(found: list[_Found]) -> list[_Found]:
 
 
 def _rank(match: _Found) -> tuple[int, bool, int, int]:
-    """The longer match first, then exceptions, then what spells more of its words out ("could've" before "could")."""
+    """Sort key: the longer match first, then exceptions, then the longer phrase ("could've" before "could")."""
     return -match.length, match.entry.subtype is not None, -len(match.entry.phrase), match.words[0]

@@ -1,10 +1,10 @@
-"""From communicative functions to the movements that could show them (paper §3.4, Table 2).
+"""Maps communicative functions to the movements that could show them (paper §3.4, Table 2).
 
-The rules in `app/rules/behaviors/` each offer alternatives for a function. Those of all rules that hold for a function
-are one pool, in which every alternative draws a lot. The lots depend on the seed, on the line's text and on what the
-function is (class, subtype, words) alone: lines vary among each other, and a function that comes or goes leaves the
-luck of the others as it was. Which alternative wins is settled over the whole line, where clock, hands and neighbours
-are known (`app/bml/choice/selection/choosing.py`).
+The rules in `app/rules/behaviors/` each offer alternatives for a function. The offers of all rules that match form one
+pool, in which every alternative gets a random draw. The draws depend only on the seed, the line's text, and the
+function's class, subtype and words: lines differ from each other, and adding or removing a function does not change the
+draws of others. Which alternative wins is decided over the whole line, with timing, hands and neighbours taken into
+account (`app/bml/choice/selection/choosing.py`).
 """
 
 import random
@@ -23,16 +23,16 @@ from .program.program import Program, load_program
 
 @dataclass(frozen=True, slots=True)
 class MappingRules:
-    """The mapping rules, and the predicates they ask for."""
+    """The mapping rules, and the predicates they test."""
 
     program: Program
     asked: frozenset[str]
 
     @classmethod
     def load(cls, rules: Path, behavior_names: Collection[str]) -> "MappingRules":
-        """The rules in `rules`/behaviors over `rules`/vocabulary.rules, which may choose `behavior_names`.
+        """Loads the rules in `rules`/behaviors over `rules`/vocabulary.rules, which may choose `behavior_names`.
 
-        Raises AuthoringError with every mistake, also for a rule that speaks of no function.
+        Raises AuthoringError with every mistake, also for a rule that joins no function.
         """
         paths = [rules / "vocabulary.rules", *sorted((rules / "behaviors").glob("*.rules"))]
         program = load_program(paths, behaviors=behavior_names)
@@ -54,11 +54,11 @@ def offer_movements(
     seed: int,
     facts: Sequence[Fact] = (),
 ) -> tuple[BehaviorCandidates, ...]:
-    """What could show each kept function, in order of the functions' words (paper §3.4).
+    """The movements that could show each kept function, in order of the functions' words (paper §3.4).
 
-    `facts` are all that the function rules know of the line (`derivation.understand`), for mapping rules to ask;
-    without them only what was heard and parsed is known. Where nothing was heard the agitation counts as medium.
-    Raises AuthoringError for a rule that calls a behaviour on anything but a span.
+    `facts` are all facts about the line (`derivation.understand`), for conditions of mapping rules; without them only
+    the facts from audio and parse are known. Without audio the agitation counts as medium. Raises AuthoringError for a
+    rule that calls a behaviour with arguments that are not a span.
     """
     kept = {_fact(function): function for function in functions if function.kept}
     pools = _pools(rules, facts or utterance_facts(utterance), kept)
@@ -71,7 +71,7 @@ def offer_movements(
 
 @dataclass(frozen=True, slots=True)
 class _Offer:
-    """The movements of a rule, and how often it wants them."""
+    """The movements of a rule, and their weight."""
 
     choice: Choice
     weight: float
@@ -79,7 +79,7 @@ class _Offer:
 
 
 def _pools(rules: MappingRules, known: Sequence[Fact], kept: Mapping[Fact, Function]) -> dict[Fact, list[_Offer]]:
-    """The offers for each function; a rule that joins several functions shows the first it names."""
+    """The offers for each function; a rule that joins several functions shows the first one."""
     given = [fact for fact in known if fact.predicate in rules.asked and fact.predicate != "fcn"]
     if not any(fact.predicate == "agitation" for fact in given):
         given.append(Fact("agitation", (Level.MEDIUM.value,)))

@@ -1,9 +1,9 @@
-"""Cuts a long line into passages, which the rules read one by one: many rules compare words with words, so what they do
-with a whole line would grow with the square of its length, or worse.
+"""Divides a long line into passages, to which rules are applied one by one: many rules compare words with words, so the
+cost for a whole line would grow with the square of its length, or worse.
 
-A passage is as many whole sentences as have `LONGEST_PASSAGE` words together; a line that has no more is one passage.
-So nothing changes for a line of a minute. In a longer one rules do not see from one passage into the next: a noun that
-was last named a minute ago is new again.
+A passage is as many whole sentences as have at most `LONGEST_PASSAGE` words together, so a line of up to a minute is
+one passage and unaffected. In longer lines, rules do not see from one passage into the next: a noun last mentioned a
+minute ago counts as new.
 """
 
 from bisect import bisect_right
@@ -13,14 +13,14 @@ from .chaining.chainer import Fact
 from .chaining.facts import LONGEST_SENTENCE
 
 LONGEST_PASSAGE = LONGEST_SENTENCE
-"""Words: a minute of speech; no sentence is longer."""
+"""Words, about a minute of speech; no sentence is longer."""
 
 _OF_THE_LINE = "utterance"
-"""What is said of the line is known in every passage, like all that has no place."""
+"""The predicate for the whole line, which is included in every passage, as are facts without a position."""
 
 
 def passage_starts(facts: Iterable[Fact]) -> list[int]:
-    """The boundaries at which the passages begin whose sentences are among `facts`; the first is 0."""
+    """The boundaries at which the passages begin, given the sentences among `facts`; the first is 0."""
     sentences = sorted(fact.arguments for fact in facts if fact.predicate == "sentence")
     starts = [0]
     for begin, end in sentences:
@@ -32,8 +32,8 @@ def passage_starts(facts: Iterable[Fact]) -> list[int]:
 
 
 def by_passage(starts: Sequence[int], facts: Iterable[Fact]) -> list[list[Fact]]:
-    """The facts of each passage: those that begin in it, what is at its end, and all that have no place. Whole numbers
-    among the arguments are places: boundaries between words."""
+    """The facts of each passage: those that begin in it, those at its end, and all without a position. Whole numbers
+    among the arguments are positions: boundaries between words."""
     parts: list[list[Fact]] = [[] for _ in starts]
     for fact in facts:
         places = {place for place in fact.arguments if isinstance(place, int)}

@@ -1,6 +1,7 @@
-"""Which functions there are, by class and subtype, and how much each matters before rules raise it (paper §3.3).
+"""The existing functions, by class and subtype, and their base priorities before rules raise them (paper §3.3).
 
-`functions/priorities.yaml` is the one table of both: what is not in it is no function, wherever it is named.
+`functions/priorities.yaml` is the single table of both: functions that are not in it are mistakes wherever they are
+named.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -20,7 +21,7 @@ Priority = Annotated[float, Field(gt=0, le=100)]
 
 
 class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
-    """The table: class to subtype to priority; the higher matters more."""
+    """The table: class to subtype to priority; higher is more important."""
 
     model_config = ConfigDict(frozen=True)
 
@@ -30,13 +31,14 @@ class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
         return Source(path).validated(cls)
 
     def facts(self) -> Iterator[Fact]:
-        """The table as facts, for the rules that raise."""
+        """The table as facts, for the rules that raise priorities."""
         for class_name, subtypes in self.root.items():
             for subtype, priority in subtypes.items():
                 yield Fact("base_priority", (class_name, subtype, priority))
 
     def unknown(self, class_name: str, subtype: str) -> str | None:
-        """Why there is no function of this class and subtype, with what there is; None when there is one."""
+        """The message that there is no function of this class and subtype, with the known ones; None if there is
+        one."""
         if class_name not in self.root:
             return f"no function has the class {class_name[:LONGEST_SHOWN]}{_meant(class_name, self.root)}"
         known = self.root[class_name]
@@ -45,7 +47,7 @@ class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
         return None
 
     def mistakes_in_rules(self, rules: Iterable[Rule]) -> Iterator[Mistake]:
-        """Rules that assert functions which the table does not know, as far as they name them."""
+        """Mistakes for rules that assert functions that are not in the table, where class and subtype are constants."""
         for rule in rules:
             for mention in rule.asserts:
                 class_name, subtype = mention.arguments[:2] if mention.predicate == "fcn" else ("$", "$")
@@ -54,7 +56,7 @@ class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
                     yield Mistake(rule.path, rule.line, 1, f"rule {rule.name}: {reason}; priorities.yaml lists them")
 
     def mistakes_in_words(self, entries: Iterable[LexicalEntry]) -> Iterator[Mistake]:
-        """Words of a class of functions whose subtype is none of the class's."""
+        """Mistakes for words of a function class whose subtype the class does not have."""
         for entry in entries:
             if entry.subtype is not None and entry.subtype not in self.root.get(entry.class_name, {entry.subtype: 0}):
                 yield Mistake(entry.path, entry.line, 1, f"{self.unknown(entry.class_name, entry.subtype)}")

@@ -1,4 +1,4 @@
-"""Request and response of a pose that is taken from an avatar's file."""
+"""Request and response for reading a pose from an avatar's file."""
 
 from typing import Annotated, Self
 
@@ -11,7 +11,7 @@ from .response_model import Number, ResponseModel
 
 
 class AvatarPoseOptions(BaseModel):
-    """Where in a file with animations the pose is: the first animation at its beginning, unless said otherwise."""
+    """Which pose to read from a file with animations: by default the beginning of the first animation."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
 

@@ -1,7 +1,7 @@
-"""A director's notes that come with a line (`--direction FILE`, the part `direction` of a request), checked for their
-form; docs/directing.md explains them, docs/direction.schema.json is their JSON schema.
+"""A director's notes that come with a line (`--direction FILE`, the part `direction` of a request): checks their
+format. docs/directing.md explains them, docs/direction.schema.json is their JSON schema.
 
-Whether there are such families and such words is asked where the line is known (`understudy.acting.notes`).
+Whether the families and words exist is checked where the line is known (`understudy.acting.notes`).
 """
 
 import json
@@ -20,13 +20,13 @@ MOST_NOTES = 1000
 MOST_KINDS = 20
 LONGEST_TEXT = 1000
 NO_NEGATION = "no_negation"
-"""Another word for `negation` where it is to be avoided, as people write it."""
+"""A synonym for `negation` in what is to be avoided, as people write it."""
 
 _MOST_IN_MESSAGE = 5
 
 
 def _counted(notes: object) -> object:
-    """The notes, counted before any is looked into: each mistake takes a kilobyte to tell."""
+    """The notes, after checking their number, before any is validated: each mistake takes a kilobyte to report."""
     if isinstance(notes, list) and len(notes) > MOST_NOTES:
         raise ValueError(f"{len(notes)} notes; {MOST_NOTES} at most")
     return notes
@@ -50,8 +50,8 @@ class _Form(BaseModel):
 
 
 class DirectedMomentRequest(_Form):
-    """Words over which the body should mean something. Every kind listed would be right, the best first; an empty list
-    leaves that part of the body to the rules."""
+    """Words over which the body should express something. Each kind listed would be right, the best first; an empty
+    list leaves that part of the body to the rules."""
 
     first: _Word
     last: _Word
@@ -127,7 +127,7 @@ def read_direction(content: bytes) -> Direction:
 
 
 def direction_schema() -> str:
-    """The JSON schema of the notes, as docs/direction.schema.json has it."""
+    """The JSON schema of the notes, as in docs/direction.schema.json."""
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **DirectionRequest.model_json_schema()}
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 

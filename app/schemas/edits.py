@@ -1,7 +1,7 @@
-"""An author's edits of a line (`--edits FILE`, the part `edits` of a request), checked for their form: every mistake at
-once, with its place. docs/edits.md explains them, docs/edits.schema.json is their JSON schema.
+"""An author's edits of a line (`--edits FILE`, the part `edits` of a request): checks their format, and reports every
+mistake with its place. docs/edits.md explains them, docs/edits.schema.json is their JSON schema.
 
-Whether there are such words, behaviours and lexemes is asked where the line is known (`understudy.edits`).
+Whether the words, behaviours and lexemes exist is checked where the line is known (`understudy.edits`).
 """
 
 import json
@@ -33,14 +33,14 @@ from .requests import LARGEST_SEED, read_object
 
 FIELD = "edits"
 MOST_EDITS = 500
-"""Of words, and of behaviours."""
+"""The most edits of words, and the most of behaviours."""
 LONGEST_OFFSET_S = 60.0
 LONGEST_NAME = 100
 _MOST_IN_MESSAGE = 20
 
 
 def _counted(edits: object) -> object:
-    """The edits, counted before any is looked into: each mistake takes a kilobyte to tell."""
+    """The edits, after checking their number, before any is validated: each mistake takes a kilobyte to report."""
     if isinstance(edits, Sequence) and len(edits) > MOST_EDITS:
         raise ValueError(f"{len(edits)} edits; {MOST_EDITS} at most")
     return edits
@@ -57,7 +57,7 @@ class _Form(BaseModel):
 
 
 class WordReferenceForm(_Form):
-    """A word by its number and text. Where another text stands there, the nearest word with this one is meant."""
+    """A word by its number and text. If there is another text, the nearest word with this one is meant."""
 
     word: Annotated[int, Field(ge=0, le=1_000_000, description="The first is 0.")]
     text: _Name | None = None
@@ -67,7 +67,7 @@ class WordReferenceForm(_Form):
 
 
 class MarkPlaceForm(_Form):
-    """A moment: `offset_s` after an edge of a word."""
+    """A time: `offset_s` after an edge of a word."""
 
     at: WordReferenceForm
     edge: Annotated[Edge, Field(strict=False)] = Edge.START
@@ -94,7 +94,7 @@ class MarksForm(_Form):
 
 
 class BehaviorReferenceForm(_Form):
-    """One of the line's behaviours as it is without edits: its channel, its first word, and what it is."""
+    """One of the line's behaviours as it is without edits: its channel, its first word, and what identifies it."""
 
     channel: Annotated[Channel, Field(strict=False)]
     at: WordReferenceForm
@@ -247,6 +247,6 @@ def write_edits(edits: Edits) -> bytes:
 
 
 def edits_schema() -> str:
-    """The JSON schema of the edits, as docs/edits.schema.json has it."""
+    """The JSON schema of the edits, as in docs/edits.schema.json."""
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **EditsForm.model_json_schema()}
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"

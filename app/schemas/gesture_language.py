@@ -1,5 +1,5 @@
-"""The words of the gesture language and what goes with what, for tools that let nothing else be chosen (Gesture Engine
-§4.3): of each direction of the fingers the palms at a right angle to it, of each form the thumbs it leaves free."""
+"""The vocabulary of the gesture language and its valid combinations, for tools that offer nothing else (Gesture Engine
+§4.3): for each direction of the fingers the palms at a right angle to it, for each hand form the thumbs it permits."""
 
 from collections.abc import Iterable, Mapping
 from itertools import product
@@ -38,21 +38,21 @@ _AXES = (
 
 
 class SectorResponse(ResponseModel):
-    """A sector of one axis, and where it is: outwards from the middle, up from the hips or away from them."""
+    """A sector of one axis, and its position: outwards from the middle, up from the hips or away from them."""
 
     name: str
     place_m: Number
 
 
 class FormResponse(ResponseModel):
-    """A form of the hand, and the thumbs that it can have."""
+    """A hand form, and the thumb positions it permits."""
 
     name: HandForm
     thumbs: list[Thumb]
 
 
 class OrientationResponse(ResponseModel):
-    """A sum of directions; `partners` are the places in the list of those at a right angle to it."""
+    """A sum of directions; `partners` are the indices of those at a right angle to it."""
 
     directions: list[Direction]
     vector: tuple[Number, Number, Number]
@@ -60,22 +60,22 @@ class OrientationResponse(ResponseModel):
 
 
 class FrameTypeResponse(ResponseModel):
-    """A type of frames; types come in the order of this list, and an instant comes once."""
+    """A frame type; frames come in the order of this list, and types with `once` at most once."""
 
     name: str
     once: bool
 
 
 class DerivationResponse(ResponseModel):
-    """The expressivity that a level has unless it is said: medium's amplitude and tempo times the factors, fluidity,
-    power and repetition plus the summands."""
+    """The default expressivity of a level: medium's amplitude and tempo times the factors, fluidity, power and
+    repetition plus the summands."""
 
     factors: tuple[Number, Number]
     summands: tuple[Number, Number, Number]
 
 
 class GestureLanguageResponse(ResponseModel):
-    """All words of the language, and which combine."""
+    """The whole vocabulary, and what can be combined."""
 
     x: list[SectorResponse]
     y: list[SectorResponse]
@@ -121,7 +121,7 @@ class GestureLanguageResponse(ResponseModel):
 
 
 def out_of_reach(skeleton: Skeleton) -> list[tuple[str, str, str]]:
-    """The sectors whose centre the wrist misses by more than the checker lets pass."""
+    """The sectors whose centre the wrist misses by more than the checker tolerates."""
     places = [Place(x, y, z) for x, y, z in product(Sideways, Height, Depth)]
     poses = pose_arms(skeleton, Hand.LEFT, [ArmKey(place=place) for place in places])
     return [
@@ -140,7 +140,7 @@ def _thumbs(form: HandForm) -> list[Thumb]:
 
 
 def _orientations() -> list[OrientationResponse]:
-    """All sums of at most one direction of each axis; the first is that of the forearm, which goes with all."""
+    """All sums of at most one direction of each axis; the first, in line with the forearm, goes with all others."""
     sums = [[one for one in parts if one] for parts in product(*((None, *axis) for axis in _AXES))]
     return [
         OrientationResponse(

@@ -1,6 +1,6 @@
-"""The gesture script as JSON: what `understudy script` writes and `understudy realize` plays (docs/profiles.md).
+"""The gesture script as JSON, which `understudy script` writes and `understudy realize` plays (docs/profiles.md).
 
-Times are seconds on the performance's clock. Beside the gestures it has the words in time, so that it can be played
+Times are seconds on the performance's clock. Besides the gestures it has the timed words, so that it can be played
 alone; lips move where the words' phones are known.
 """
 
@@ -30,7 +30,7 @@ class _Form(BaseModel):
 
 
 class StretchForm(_Form):
-    """A stretch of time."""
+    """An interval of time."""
 
     start_s: _Time
     end_s: _Time
@@ -79,7 +79,7 @@ class GestureForm(_Form):
     reason: str | None = None
 
     def gesture(self) -> ScriptedGesture:
-        """The gesture without its places, which are told in its amount."""
+        """The gesture without its places, which its amount reflects."""
         said = self.model_dump(exclude={"strokes", "start", "end"})
         return ScriptedGesture(strokes=tuple(each.interval() for each in self.strokes), **said)
 
@@ -121,9 +121,9 @@ def script_json(script: GestureScript, utterance: Utterance, character: str) -> 
 
 
 def read_script(content: bytes) -> Performance:
-    """What a script has the body do, as a performance of its words: the hands alone move.
+    """The behaviours of a script, as a performance of its words in which only the hands move.
 
-    Raises UndecodableError `not_json` and InputError `script_wrong`, which tells every mistake.
+    Raises UndecodableError `not_json` and InputError `script_wrong`, which reports every mistake.
     """
     try:
         form = GestureScriptForm.model_validate_json(content)

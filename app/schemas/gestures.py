@@ -1,5 +1,5 @@
 """Requests and responses of the gesture editor (Gesture Engine §4.3): gestures as values, their text with its mistakes,
-and how one is played. The values are those of `understudy.realizer.gestures.gesture`, by the words of the language."""
+and how one is played. The values are those of `understudy.realizer.gestures.gesture`, in the words of the language."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
@@ -44,7 +44,7 @@ Triple = tuple[float, float, float]
 
 
 class Values(BaseModel):
-    """Base of what goes in and comes out alike."""
+    """Base of models that are both requests and responses."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, populate_by_name=True)
 
@@ -119,7 +119,7 @@ class ArmValues(Values):
 
 
 class FrameValues(Values):
-    """A key pose at a fraction of the gesture; `other` is the other arm where it is not the mirror image."""
+    """A key pose at a fraction of the gesture; `other` is the other arm if it is not the mirror image."""
 
     time: float
     type: FrameType
@@ -159,7 +159,8 @@ class ExpressivityValues(Values):
 
 
 class TrackValues(Values):
-    """A rotation that is added to a joint: its angles in degrees, and if it circles, how often and from which angle."""
+    """A rotation that is added to a joint: its angles in degrees, and for a circling one the number of turns and the
+    start angle."""
 
     form: TrackForm
     joint: Annotated[str, Field(max_length=16)]
@@ -196,7 +197,7 @@ class GestureValues(Values):
         )
 
     def to_text(self) -> str:
-        """The gesture in the language, whether it is right or not: its mistakes are found in the text."""
+        """The gesture in the language, even if it has mistakes: those are found in the text."""
         return write_gesture(
             Definition(
                 gesture_class=_one_line(self.gesture_class),
@@ -218,7 +219,7 @@ class GestureValues(Values):
 
 
 class GestureCheckRequest(Values):
-    """Gestures as text, as values, or by the name of one in the library; one of the three."""
+    """Gestures as text, as values, or by the name of one in the library; exactly one of the three."""
 
     text: Annotated[str | None, Field(description="In the language of docs/gesture-language.md.")] = None
     gestures: Annotated[tuple[GestureValues, ...] | None, Field(max_length=MOST_GESTURES)] = None
@@ -235,7 +236,7 @@ class GestureCheckRequest(Values):
 
 
 class GestureMotionRequest(Values):
-    """A gesture as text, and how it is to be played."""
+    """A gesture as text, and how to play it."""
 
     text: str
     name: Annotated[str | None, Field(description="Which gesture of the text; the first if absent.")] = None
@@ -266,7 +267,7 @@ class PlacedMistakeResponse(ResponseModel):
 
 
 class DoubtResponse(ResponseModel):
-    """A pose that the body cannot take as it is written; `time` is that of its frame."""
+    """A pose that the body cannot take as written; `time` is that of its frame."""
 
     gesture: str
     time: float
@@ -279,7 +280,7 @@ class DoubtResponse(ResponseModel):
 
 
 class GestureCheckResponse(ResponseModel):
-    """The text, and either its mistakes or its gestures as values, with what is doubtful about them."""
+    """The text, and either its mistakes or its gestures as values, with doubts about them."""
 
     text: str
     gestures: list[GestureValues]
@@ -320,5 +321,5 @@ def _in_order(directions: Iterable[Direction]) -> tuple[Direction, ...]:
 
 
 def _one_line(text: str) -> str:
-    """A word that cannot begin another line of the text."""
+    """The text on one line, so that it cannot begin another line of the gesture's text."""
     return " ".join(text.split())

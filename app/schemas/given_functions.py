@@ -16,7 +16,7 @@ from .requests import read_json
 FIELD = "functions"
 MOST_FUNCTIONS = 1000
 MOST_WORDS = 20_000
-"""Of all functions together: each word is told as what its function rests on."""
+"""The most words of all functions together: each word is listed as a support of its function."""
 
 
 Position = Annotated[int, Field(ge=0)]

@@ -74,7 +74,7 @@ class LooksResponse(ResponseModel):
 
 
 class MannerResponse(ResponseModel):
-    """What a character makes of every gesture."""
+    """How a character varies every gesture."""
 
     space: Number
     pace: Number
@@ -164,7 +164,7 @@ class GestureResponse(ResponseModel):
 
 class GesturesResponse(ResponseModel):
     """All gestures of the library. `families` are what each lexeme may be read as, the likeliest first; `lexemes` are
-    those of the behaviour table by channel, gestures and all else."""
+    those of the behaviour table by channel."""
 
     gestures: list[GestureResponse]
     families: dict[str, list[str]]

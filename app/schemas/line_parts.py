@@ -1,4 +1,4 @@
-"""The parts of a line in JSON: what is heard, said, meant and done, each made from its value of `understudy.model`.
+"""The parts of a line in JSON, each converted from its value in `understudy.model`.
 
 A key is absent if there is no value (a time without audio, the winner where no conflict was lost).
 """
@@ -72,7 +72,7 @@ class StressResponse(ResponseModel):
 
 
 class ContoursResponse(ResponseModel):
-    """What is measured of the recording every `frame_shift_s`, from its start, as `understudy pitch` writes it: f0 (0
+    """The contours of the recording every `frame_shift_s`, from its start, as `understudy pitch` writes them: f0 (0
     where the voice is silent or unvoiced) and energy."""
 
     frame_shift_s: Number
@@ -221,9 +221,9 @@ class RejectedResponse(ResponseModel):
 
 
 class MomentResponse(ResponseModel):
-    """A stretch of words that means something to hands, head or face: the families that would be right, the likeliest
-    first, the terms that made the first one win, and what lost. `note` is the number of the director's note,
-    `set_against` the word of the stroke that shows the other side of a contrast."""
+    """Words during which hands, head or face express something: the families that would be right, the likeliest first,
+    the terms that made the first one win, and what lost. `note` is the number of the director's note, `set_against` the
+    word of the stroke that shows the other side of a contrast."""
 
     id: str
     channel: str

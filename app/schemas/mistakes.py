@@ -1,11 +1,11 @@
-"""What is wrong with a JSON value, as people are told it: each mistake with its place, the first of many."""
+"""Formats the mistakes in a JSON value for people: each with its place, cut after the first few."""
 
 from pydantic import ValidationError
 
 from ..errors import LONGEST_SHOWN
 
 _OURS = "Value error, "
-"""What pydantic says before a message of ours."""
+"""The prefix that pydantic puts before our messages."""
 
 
 def mistakes_told(error: ValidationError, *, most: int) -> str:

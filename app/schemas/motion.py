@@ -14,7 +14,7 @@ Weights = dict[str, list[float]]
 
 
 class JointResponse(ResponseModel):
-    """A joint in the T-pose; `offset_m` is its place in its parent, that of the hips in the world."""
+    """A joint in the T-pose; `offset_m` is its position relative to its parent, that of the hips in the world."""
 
     name: str
     parent: str | None
@@ -33,7 +33,7 @@ class SkeletonResponse(ResponseModel):
 
 
 class EventResponse(ResponseModel):
-    """A sync point as it was realized."""
+    """The time at which a sync point was realized."""
 
     behavior: str
     point: str
@@ -41,7 +41,7 @@ class EventResponse(ResponseModel):
 
 
 class DecisionResponse(ResponseModel):
-    """What was dropped, replaced or held, and why."""
+    """Something that was dropped, replaced or held, and why."""
 
     behavior: str | None
     action: str

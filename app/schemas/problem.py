@@ -1,4 +1,4 @@
-"""An error over HTTP (RFC 9457), as clients are told of it; `understudy.api.problems` writes it."""
+"""The model of an error over HTTP (RFC 9457); `understudy.api.problems` writes it."""
 
 from enum import StrEnum
 from types import MappingProxyType

@@ -34,18 +34,18 @@ Seed = Annotated[
 Stillness = Annotated[
     float,
     Field(
-        description="How much less than usual moves; at 1 only breath, blinks and lips.",
+        description="Reduces movement; at 1 only breath, blinks and lips are left.",
         json_schema_extra={"minimum": 0, "maximum": 1},
     ),
 ]
 AgitationName = Annotated[
-    Annotated[Level, Field(strict=False)] | None, Field(description="Left out or null: as the voice sounds.")
+    Annotated[Level, Field(strict=False)] | None, Field(description="Omitted or null: as measured in the voice.")
 ]
 ListenerNames = Annotated[
     tuple[str, ...],
     Field(
         strict=False,
-        description="Who listens, each with BML of his own; answered as JSON only.",
+        description="The listeners, each with BML of their own; in JSON responses only.",
         json_schema_extra={
             "maxItems": MOST_LISTENERS,
             "items": {"type": "string", "pattern": f"^{_LISTENER.pattern}$"},
@@ -55,7 +55,7 @@ ListenerNames = Annotated[
 Positions = Annotated[
     dict[str, Annotated[tuple[float, float, float], Field(strict=False)]],
     Field(
-        description="Where things and listeners are, to look and point at: metres, Y up, the character at 0, 0, 0, "
+        description="Positions of things and listeners, to look and point at: metres, Y up, the character at 0, 0, 0, "
         "facing +Z, its left +X.",
         examples=[{"door": [1.2, 1.4, 2.0]}],
         json_schema_extra={
@@ -82,13 +82,13 @@ class PerformOptions(BaseModel):
     listener: ListenerNames = ()
     dialect: Annotated[DialectName, Field(strict=False, description="BML 1.0 core, or SmartBody's.")] = DialectName.BML
     timing: Annotated[
-        TimeForm, Field(strict=False, description="Times in seconds, or from the marks of the speech.")
+        TimeForm, Field(strict=False, description="Times in seconds, or as sync points of the speech.")
     ] = TimeForm.ABSOLUTE
-    visemes: Annotated[
-        VisemeNames, Field(strict=False, description="Whose names SmartBody's shapes of the mouth go by.")
-    ] = VisemeNames.SMARTBODY
+    visemes: Annotated[VisemeNames, Field(strict=False, description="The names of visemes for SmartBody.")] = (
+        VisemeNames.SMARTBODY
+    )
     bmlt_audio: Annotated[
-        bool, Field(description="Whether BML 1.0 has an element by which ASAP plays the recording; others refuse it.")
+        bool, Field(description="Adds to BML 1.0 an element with which ASAP plays the recording; others refuse it.")
     ] = False
     lead_in_s: Annotated[
         float,
@@ -99,10 +99,8 @@ class PerformOptions(BaseModel):
     ] = 0.0
     stillness: Stillness = 0.0
     targets: Positions = {}
-    profile: Annotated[
-        str | None, Field(description="Whose gestures are made: a gesture profile's name.", examples=["sweeping"])
-    ] = None
-    contours: Annotated[bool, Field(description="Whether JSON has f0 and energy, too, every 10 ms.")] = False
+    profile: Annotated[str | None, Field(description="The name of a gesture profile.", examples=["sweeping"])] = None
+    contours: Annotated[bool, Field(description="Adds f0 and energy every 10 ms to JSON.")] = False
 
     def to_options(self) -> Options:
         return Options(
@@ -127,28 +125,31 @@ class RealizeOptions(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
 
     agitation: AgitationName = None
-    character: Annotated[str | None, Field(description="Left out or null: whom the BML names.")] = None
-    fps: Annotated[Literal[30, 60], Field(description="Frames a second.")] = 60
-    seed: Annotated[Seed | None, Field(description="Left out or null: that of the performance, or 0.")] = None
-    skeleton: Annotated[str | None, Field(description="Whose names joints go by.", examples=["mixamo", "vrm"])] = None
+    character: Annotated[str | None, Field(description="Omitted or null: the one named in the BML.")] = None
+    fps: Annotated[Literal[30, 60], Field(description="Frames per second.")] = 60
+    seed: Annotated[Seed | None, Field(description="Omitted or null: that of the performance, or 0.")] = None
+    skeleton: Annotated[
+        str | None, Field(description="The rig whose joint names are used.", examples=["mixamo", "vrm"])
+    ] = None
     stillness: Stillness = 0.0
     targets: Positions = {}
     tail_s: Annotated[float, Field(description="Seconds of motion after the recording, at most 10.")] = 0.0
     physics: Annotated[
         bool | None,
-        Field(description="Whether the body has mass: arms swing, wrists overshoot. Null: as the service is set."),
+        Field(description="Whether the body has mass: arms swing, wrists overshoot. Null: the service's setting."),
     ] = None
     t_pose: Annotated[bool, Field(description="Whether BVH begins with a frame in the T-pose.")] = False
     root_at_origin: Annotated[
         bool, Field(description="Whether the root's OFFSET in BVH is zero, for readers that add it, such as three.js.")
     ] = False
     keys: Annotated[
-        Keys, Field(strict=False, description="Of GLB: one in every frame, or few that can be edited, with markers.")
+        Keys,
+        Field(strict=False, description="Keys in GLB: one in every frame, or few that can be edited, with markers."),
     ] = Keys.BAKED
 
     @property
     def files(self) -> FileOptions:
-        """What is special in files."""
+        """The options of file formats."""
         return FileOptions(self.t_pose, self.root_at_origin, self.keys)
 
 
@@ -157,7 +158,7 @@ class FunctionsRequest(BaseModel):
 
     model_config = ConfigDict(frozen=True, strict=True)
 
-    id: Annotated[str | int | None, Field(description="Comes back as it was sent.")] = None
+    id: Annotated[str | int | None, Field(description="Returned as sent.")] = None
     text: Annotated[
         str,
         Field(

@@ -1,4 +1,4 @@
-"""What all JSON responses have in common.
+"""The common base of all JSON responses.
 
 A key is absent if there is no value. Numbers are rounded to `DECIMALS`, so that equal values give equal bytes on all
 platforms. Most models read attributes of the same name: `PhraseResponse.model_validate(phrase)`.
@@ -27,7 +27,7 @@ Times = Annotated[dict[str, Number], BeforeValidator(_set_points)]
 
 
 def _open(schema: JsonDict) -> None:
-    """Clients are told that further fields may come, so that a new one breaks none."""
+    """Permits further fields in the schema, so that adding one breaks no client."""
     schema.pop("additionalProperties", None)
 
 

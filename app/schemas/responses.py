@@ -29,7 +29,7 @@ from .response_model import Number, ResponseModel
 
 
 class StatusResponse(ResponseModel):
-    """Whether the service works; `not_reloaded` says why files that were saved since are not in use."""
+    """Whether the service works; `not_reloaded` says why files saved since are not in use."""
 
     status: str
     not_reloaded: str | None = None
@@ -118,8 +118,8 @@ class ListeningResponse(ResponseModel):
 class PerformanceResponse(AnalysisResponse):
     """The complete performance: the analysis, and the chosen behaviours with their reasons.
 
-    The recording starts at `lead_in_s`; all times are from the start of the performance. `targets` are where things and
-    listeners are, metres, Y up, the performer at the origin facing +Z.
+    The recording starts at `lead_in_s`; all times are from the start of the performance. `targets` are the positions of
+    things and listeners, metres, Y up, the performer at the origin facing +Z.
     """
 
     character: str
@@ -144,7 +144,7 @@ class PerformanceResponse(AnalysisResponse):
 
 
 class SpeechFileResponse(ResponseModel):
-    """The file that SmartBody wants in the folder of the recording, under this name."""
+    """The file that SmartBody requires in the folder of the recording, under this name."""
 
     name: str
     bml: str
@@ -156,7 +156,7 @@ class SpeechFileResponse(ResponseModel):
 
 class PerformResponse(ResponseModel):
     """The response to `POST /perform` if JSON is requested; `listeners` has each listener's BML by name, `speech_file`
-    what SmartBody wants beside the recording, `contours` f0 and energy where the options ask for them."""
+    the file SmartBody requires beside the recording, `contours` f0 and energy if the options ask for them."""
 
     bml: str
     speech_file: SpeechFileResponse | None = None

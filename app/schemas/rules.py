@@ -1,5 +1,5 @@
-"""Requests and responses about rules that an author has at hand: their files, what one of them takes part in, and what
-edited ones would change."""
+"""Requests and responses about an author's rules: their files, the relations of one rule to others, and the effects of
+edits."""
 
 from collections.abc import Iterable, Mapping
 from typing import Annotated, Self
@@ -33,7 +33,7 @@ class _Request(BaseModel):
 
 
 class RuleEditsRequest(_Request):
-    """Edited files of rules and words; they hold for this request only."""
+    """Edited files of rules and words; they apply to this request only."""
 
     files: Texts = {}
 
@@ -52,7 +52,7 @@ class RuleComparisonRequest(RuleEditsRequest):
 
 
 class RuleFileResponse(ResponseModel):
-    """A file's text; `saved` is whether it is the author's own and not the one in use."""
+    """A file's text; `saved` says whether it is the author's own and not the one in use."""
 
     name: str
     text: str
@@ -64,7 +64,7 @@ class RuleFileResponse(ResponseModel):
 
 
 class RuleFilesResponse(ResponseModel):
-    """The names of all files of rules and words, of those that were saved, and whether more can be."""
+    """The names of all files of rules and words, of those that were saved, and whether files can be saved."""
 
     files: list[str]
     saved: list[str]
@@ -82,7 +82,7 @@ class RuleCheckResponse(ResponseModel):
 
 
 class RuleExplanationResponse(RuleResponse):
-    """An item with its author's comment and its text, and what it rests on and leads to."""
+    """An item with its author's comment and its text, and the items it depends on and leads to."""
 
     comment: str
     source: str
@@ -102,7 +102,7 @@ class RuleExplanationResponse(RuleResponse):
 
 
 class RuleExplanationsResponse(ResponseModel):
-    """Everything of that name."""
+    """All items of that name."""
 
     items: list[RuleExplanationResponse]
 
@@ -113,7 +113,7 @@ class RuleExplanationsResponse(ResponseModel):
 
 
 class OfferResponse(ResponseModel):
-    """A behaviour that a rule offers for a function of these words, and how often it wants it."""
+    """A behaviour that a rule offers for a function of these words, and its weight."""
 
     name: str
     rule: str
@@ -124,7 +124,7 @@ class OfferResponse(ResponseModel):
 
 
 class LineChangeResponse(ResponseModel):
-    """A line of which something changed: what is there no more, and what is new."""
+    """A line for which something changed: the functions and offers that are gone, and the new ones."""
 
     id: str
     text: str
@@ -177,6 +177,6 @@ def read_rule_comparison(fields: Mapping[str, object]) -> RuleComparisonRequest:
 
 
 def _listed(items: Iterable[Item]) -> list[RuleResponse]:
-    """Each rule and behaviour once; of words, which are many, none."""
+    """Related rules and behaviours; words are left out, because there are many."""
     shown = [item for item in items if item.kind is not Kind.WORD]
     return [RuleResponse.model_validate(item) for item in shown[:MOST_RELATED]]

@@ -1,9 +1,9 @@
 """Detects transcripts that do not match the audio.
 
-Whether a text is another than what is said shows in its aligned phones (`misfit`): above `REFUSED` the text is refused,
-above `SUSPECT` there is a warning; in noise and by telephone right texts fit worse too. That something is missing
-shows in sound outside all words, and in phones too long for speech. `python -m benchmarks.acoustic.transcripts` prints
-how often right and wrong texts are refused and warned about.
+Whether a text differs from what is said shows in its aligned phones (`misfit`): above `REFUSED` the text is refused,
+above `SUSPECT` there is a warning; in noise and over the telephone correct texts fit worse too. Missing words show in
+sound outside all words, and in phones too long for speech. `python -m benchmarks.acoustic.transcripts` prints how often
+correct and wrong texts are refused and warned about.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,8 +19,8 @@ from .misfit import misfit
 
 REFUSED = 0.5
 SUSPECT = -1.5
-"""Log-odds that the text is another one. Of 397 recordings none with its own text came above .5 by weights that were
-fitted without it, and 1 % above −1.5; of 747 with another text all but five came above .5, or had no path at all."""
+"""Log-odds that the text is a wrong one. Of 397 recordings with their own text, none came above .5 with weights fitted
+without it, and 1 % above −1.5; of 747 with another text, all but five came above .5 or had no path at all."""
 
 WORST_PERCENTILE = 10
 MOST_POWER_OUTSIDE = 0.10
@@ -57,10 +57,10 @@ def check_fit(audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedP
 
 
 def check_found(audio: Audio) -> None:
-    """What it means that the aligner finds no path for a text: that it is another one, but for noise.
+    """Interprets that the aligner finds no path for a text: except in noise, the text is a wrong one.
 
-    Raises InputError `transcript_mismatch`, below `NOISY_SNR_DB` nothing. Of the 397 recordings none with its own text
-    had no path, of those with another text one in nine, and nearly all with eight words too many.
+    Raises InputError `transcript_mismatch`, but not below `NOISY_SNR_DB`. Of the 397 recordings with their own text,
+    all had a path; of those with another text one in nine had none, and of those with eight words too many nearly all.
     """
     if signal_to_noise_db(audio) >= NOISY_SNR_DB:
         raise _mismatch("its words do not fit into the time")

@@ -1,8 +1,8 @@
-"""How likely it is that a text is not what is said, judged by its aligned phones.
+"""The probability that a text differs from what is said, judged by its aligned phones.
 
-The aligner finds a path for nearly any text, so how the phones fit must decide. A wrong text fits badly nearly
-everywhere, and its phones are squeezed and stretched; a right one in a bad recording fits badly here and there. The
-weights are those of a logistic regression on clean, acted, synthetic and noisy speech with right and wrong texts
+The aligner finds a path for nearly any text, so the fit of the phones must decide. A wrong text fits badly nearly
+everywhere, and its phones are squeezed and stretched; a correct one in a bad recording fits badly here and there. The
+weights are those of a logistic regression on clean, acted, synthetic and noisy speech with correct and wrong texts
 (`python -m training.alignment.misfit`). Scores are log likelihoods per frame of .01 s, relative to those of the sounds
 that fit best.
 """
@@ -16,10 +16,10 @@ from .decoder_process import DecodedPhone
 
 FRAMES_PER_S = 100
 POOR_SCORE = -40.0
-"""A phone that fits worse fits poorly: one in eleven of a right text, two in three of a wrong one."""
+"""Phones with lower scores fit poorly: one in eleven of a correct text, two in three of a wrong one."""
 
 SHORTEST_FRAMES = 3
-"""A phone of the acoustic model has three states, each a frame at least."""
+"""A phone of the acoustic model has three states of at least one frame each."""
 
 EVIDENCE = (
     "mean score of frames",
@@ -35,12 +35,12 @@ BIAS = -20.7708
 
 
 def misfit(phones: Sequence[DecodedPhone]) -> float:
-    """The log-odds that the text with these phones, one at least, is another than what is said."""
+    """The log-odds that the text with these phones, at least one, differs from what is said."""
     return BIAS + float(np.dot(WEIGHTS, evidence(phones)))
 
 
 def evidence(phones: Sequence[DecodedPhone]) -> tuple[float, ...]:
-    """What `EVIDENCE` names, in its order."""
+    """The measures named in `EVIDENCE`, in its order."""
     frames = np.array([phone.frames for phone in phones])
     scores = np.array([phone.score / phone.frames for phone in phones])
     return (

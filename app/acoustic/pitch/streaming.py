@@ -1,10 +1,11 @@
-"""The tracker of `understudy.acoustic.pitch.pitch` for a signal that still goes on.
+"""Tracks f0 as `understudy.acoustic.pitch.pitch` does, for a signal that is still being received.
 
-What it asks of the whole recording is asked of what was heard so far: the speaker's range is that of the reliable
-frames until now, loud and quiet are levels of the last `LEVEL_FRAMES`. The path through the candidates is decided
-`PATH_FRAMES` behind the last frame, a voicing that is still open `VOICING_FRAMES` later. With its window and its blocks
-of `RESIDUAL_FRAMES` a frame is decided at the latest `LATEST_S` after it was heard.
-`python -m benchmarks.live.pitch` compares it with the recording's.
+Statistics of the whole recording are replaced by those of the past: the speaker's range is that of the reliable frames
+so far, loud and quiet are levels of the last `LEVEL_FRAMES`. The path through the candidates is decided `PATH_FRAMES`
+behind the last frame, undecided voicing `VOICING_FRAMES` later. Including its window and blocks of `RESIDUAL_FRAMES`, a
+frame is decided at most `LATEST_S` after it was received.
+
+`python -m benchmarks.live.pitch` compares it with the tracker for recordings.
 """
 
 from collections import deque
@@ -41,20 +42,20 @@ from .voicing import measures
 PATH_FRAMES = 2
 VOICING_FRAMES = 2
 NEEDED_SAMPLES = 1200
-"""What must be heard after a frame's centre: half of its window of 100 ms, and of the residual's windows."""
+"""The samples needed after a frame's centre: half of its window of 100 ms, and of the residual's windows."""
 
 LATEST_S = NEEDED_SAMPLES / SAMPLE_RATE_HZ + (RESIDUAL_FRAMES + PATH_FRAMES + VOICING_FRAMES) * FRAME_SHIFT_S
 LEVEL_FRAMES = 1000
 RELIABLE_FRAMES = 3000
-"""How many frames are remembered, of levels and of reliable f0."""
+"""How many reliable f0 values are remembered."""
 
 FEWEST_RELIABLE = 10
 LEAST_RANGE_DB = 20.0
-"""Before anything loud is heard, loud is so much above quiet."""
+"""The loud level is at least this far above the quiet one, also before anything loud is heard."""
 
 
 class StreamingPitch:
-    """Takes samples at `SAMPLE_RATE_HZ` and gives the f0 of each frame, 0 where unvoiced, as it is decided."""
+    """Takes samples at `SAMPLE_RATE_HZ` and returns the f0 of each frame, 0 where unvoiced, as it is decided."""
 
     def __init__(self, tuning: Tuning = TUNED) -> None:
         self._tuning = tuning
@@ -66,7 +67,7 @@ class StreamingPitch:
         self._voicing = _PendingVoicing(tuning)
 
     def hear(self, samples: FloatArray) -> FloatArray:
-        """The f0 in Hz of the frames that are decided by more samples."""
+        """The f0 in Hz of the frames that are decided once these samples are known."""
         self._samples = np.concatenate([self._samples, samples])
         self._heard += len(samples)
         decided = []
@@ -76,14 +77,14 @@ class StreamingPitch:
         return np.concatenate([*decided, np.empty(0)])
 
     def finish(self) -> FloatArray:
-        """The f0 of the remaining frames, when the signal has ended: as many in all as its recording has."""
+        """The f0 of the remaining frames after the end of the signal; in total as many as a recording would have."""
         decided = []
         while (left := frame_count(self._heard) - self._next) > 0:
             decided.append(self._decided(min(left, RESIDUAL_FRAMES), PATH_FRAMES if left > RESIDUAL_FRAMES else 0))
         return np.concatenate([*decided, self._voicing.finish()])
 
     def _decided(self, count: int, behind: int) -> FloatArray:
-        """Measures the next frames; the f0 of those that are decided by them."""
+        """Measures the next frames, and returns the f0 of those decided by them."""
         first = self._next - self._begin // SHIFT_SAMPLES
         self._next += count
         frames = range(first, first + count)
@@ -96,7 +97,7 @@ class StreamingPitch:
         return self._voicing.add(*self._path.decided(behind))
 
     def _power(self, frames: range) -> SingleArray:
-        """The power of frames, without transforming what lies before them."""
+        """The power of frames, without transforming those before them."""
         before = min(frames.start, 2)
         begin = (frames.start - before) * SHIFT_SAMPLES
         return band_power(self._samples[begin : begin + (before + len(frames) + 2) * SHIFT_SAMPLES])[
@@ -104,7 +105,7 @@ class StreamingPitch:
         ]
 
     def _range(self, srh: SingleArray) -> slice:
-        """The speaker's range, by all that was heard."""
+        """The speaker's range, from all frames so far."""
         merits = merits_of(srh, self._tuning.submultiple_share)
         best = merits.argmax(axis=0)
         self._reliable.extend(CANDIDATES_HZ[best[merits.max(axis=0) > RANGE_THRESHOLD]].tolist())
@@ -122,14 +123,14 @@ class StreamingPitch:
         )
 
     def _forget(self) -> None:
-        """Drops samples that no frame needs any more, whole blocks of them."""
+        """Drops samples that no frame needs any more."""
         begin = max(0, self._next * SHIFT_SAMPLES - MARGIN)
         self._samples = self._samples[begin - self._begin :]
         self._begin = begin
 
 
 class _PendingPath:
-    """The candidates of frames of which none has been chosen yet, and the one chosen last."""
+    """The candidates of frames without a decision, and the last one chosen."""
 
     def __init__(self, tuning: Tuning) -> None:
         self._tuning = tuning
@@ -149,7 +150,7 @@ class _PendingPath:
         self._levels = np.concatenate([self._levels, columns])
 
     def decided(self, behind: int) -> tuple[FloatArray, FloatArray]:
-        """The f0 and the evidence of voicing of all frames but the last `behind`; the path goes on from there."""
+        """The f0 and the evidence of voicing of all frames but the last `behind`; the path continues from there."""
         first, last = int(self._fixed), len(self._gains) - behind
         if last <= first:
             return np.empty(0), np.empty((0, 4))
@@ -162,7 +163,7 @@ class _PendingPath:
         return refined_hz if self._tuning.refines else f0_hz, evidence
 
     def _go_on(self, row: int, column: int) -> None:
-        """Keeps what is not decided, and the last frame that is, with its choice alone."""
+        """Keeps what is not decided, and the last decided frame with only its chosen candidate."""
         self._gains, self._octaves = self._gains[row:].copy(), self._octaves[row:]
         self._f0_hz, self._srh = self._f0_hz[row:], self._srh[row:]
         self._power, self._levels = self._power[row:], self._levels[row:]
@@ -172,7 +173,7 @@ class _PendingPath:
 
 
 class _PendingVoicing:
-    """The frames of which it is open whether they are voiced (`voicing.voiced_frames`)."""
+    """The frames whose voicing is not decided yet (`voicing.voiced_frames`)."""
 
     def __init__(self, tuning: Tuning) -> None:
         self._voicing = tuning.voicing
@@ -181,7 +182,7 @@ class _PendingVoicing:
         self._before = 0.0
 
     def add(self, f0_hz: FloatArray, evidence: FloatArray) -> FloatArray:
-        """The f0 of the frames that are decided by more, 0 where unvoiced."""
+        """The f0 of the frames that are decided once these are known, 0 where unvoiced."""
         cost = self._voicing.change_cost
         excess = evidence @ self._voicing.weights - self._voicing.threshold
         more = list(
@@ -198,7 +199,7 @@ class _PendingVoicing:
         return self._leave(len(self._f0_hz))
 
     def _leave(self, count: int) -> FloatArray:
-        """Decides so many frames: each as the next that is certain, the last ones as they stand."""
+        """Decides this many frames: each as the next certain one, the last ones as they are."""
         if not count:
             return np.empty(0)
         certain = np.abs(self._advantages[:count]) >= self._voicing.change_cost

@@ -1,8 +1,8 @@
-"""librosa's Mel filters and cepstral coefficients, as matrices to multiply a spectrum with.
+"""librosa's Mel filters and cepstral coefficients, as matrices by which a spectrum is multiplied.
 
 The scale is Slaney's (Auditory Toolbox, 1998), linear up to 1 kHz and logarithmic beyond; filters are triangles of area
-1 over hertz. Both are constants of librosa's, and to import librosa takes longer than to hear a line, and 180 MB
-(docs/measurements.md): so it is imported where a matrix is not kept from an earlier process (`understudy.cache`).
+1 over hertz. Both are constants of librosa's, and importing librosa takes longer than analysing a line, and 180 MB
+(docs/measurements.md): so it is imported only if a matrix is not cached (`understudy.cache`).
 """
 
 from collections.abc import Callable
@@ -17,8 +17,8 @@ from ...model import SAMPLE_RATE_HZ, FloatArray
 
 @cache
 def mel_filters(transform_samples: int, *, bands: int, lowest_hz: float, highest_hz: float) -> FloatArray:
-    """The filters (bands, 1 + transform_samples // 2) over the bins of a power spectrum, of bands of even width on the
-    Mel scale from `lowest_hz` to `highest_hz`; read-only."""
+    """The filters (bands, 1 + transform_samples // 2) over the bins of a power spectrum, for bands of equal width on
+    the Mel scale from `lowest_hz` to `highest_hz`; read-only."""
 
     def make() -> FloatArray:
         from librosa.filters import mel
@@ -38,9 +38,9 @@ def mel_filters(transform_samples: int, *, bands: int, lowest_hz: float, highest
 
 @cache
 def cepstral_basis(bands: int, coefficients: int) -> FloatArray:
-    """What turns levels (…, bands) into MFCC 0 to `coefficients` - 1, shape (bands, coefficients); read-only.
+    """The matrix from levels (…, bands) to MFCC 0 to `coefficients` - 1, shape (bands, coefficients); read-only.
 
-    MFCC are linear in the levels, so these are the MFCC of each band alone.
+    MFCC are linear in the levels, so its rows are the MFCC of each band alone.
     """
 
     def make() -> FloatArray:

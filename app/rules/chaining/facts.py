@@ -13,13 +13,13 @@ from ...model import Token, Utterance, Word
 from .chainer import Fact
 
 LONGEST_SENTENCE = 150
-"""Words: what goes on for longer is cut there."""
+"""Words; longer sentences are cut there."""
 
 SHORTEST_PAUSE_S = 0.2
 """Shorter gaps between words are stop closures, not pauses."""
 
 _KEPT = "_&$%"
-"""What belongs to a word beside letters and digits; at its beginning an apostrophe does too."""
+"""Characters that belong to a word besides letters and digits; at its beginning an apostrophe does too."""
 
 _MARKS = re.compile(r"\.{2,}|…|[-–—]+|[^\w\s]")
 _SAME_MARK = {"…": "...", "’": "'", "“": '"', "”": '"'}
@@ -64,7 +64,8 @@ def _word_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
 
 
 def _quotation_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
-    """What stands between an opening quotation mark and the next closing one; one that is never closed quotes on."""
+    """The words between an opening quotation mark and the next closing one; an unclosed quotation goes on to the
+    end."""
     start: int | None = None
     for word in words:
         text = normalized_word(word.text)
@@ -79,7 +80,7 @@ def _quotation_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
 
 
 def _bracket_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
-    """What stands between a round bracket that opens and the one that closes it."""
+    """The words between matching round brackets."""
     opened: list[int] = []
     for word in words:
         leading, trailing = _around(word.text, normalized_word(word.text))
@@ -91,7 +92,7 @@ def _bracket_facts(words: tuple[Word, ...]) -> Iterator[Fact]:
 
 
 def _stutter(text: str) -> str | None:
-    """The word that is stuttered in "i-i-i" or "th-they"; None for a whole word."""
+    """The word that is stuttered in "i-i-i" or "th-they"; None for any other word."""
     *begun, whole = text.split("-")
     return whole if begun and all(part and whole.startswith(part) for part in begun) else None
 

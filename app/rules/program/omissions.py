@@ -1,4 +1,4 @@
-"""Adds omitted annotations to asserted facts: 0, so that any other rule's claim prevails."""
+"""Adds omitted annotations to asserted facts, as 0, so that any other rule's claim prevails."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace

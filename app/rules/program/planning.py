@@ -29,7 +29,7 @@ from ..language.tree import (
 from .steps import Absent, Compute, Evaluate, Join, JoinBetween, JoinRecent, Shape, Step, Test
 
 _MIRRORED = {"<": ">", ">": "<", "=": "=", "!": "!"}
-"""Comparisons by their first sign, seen from the other side."""
+"""The operators with sides exchanged, by first character."""
 
 _INVERSE = {"+": "-", "-": "+"}
 
@@ -168,7 +168,7 @@ class _Planner:
         return JoinRecent((atom.name, first), self._shape(chosen, frozenset(), keyed=False), then)
 
     def beginnings(self, chosen: int) -> tuple[Beginning, ...]:
-        """What a round must have brought for the pattern `chosen` to have something new."""
+        """The keys under which a round must have added facts for the pattern `chosen` to have new matches."""
         atom = self.joins[chosen].fact
         first = next(iter(self.layout.identity(atom)), None)
         values = first.values if isinstance(first, Alternatives) else ()
@@ -270,7 +270,7 @@ def _among(arguments: Sequence[Expression]) -> tuple[tuple[int, frozenset[Argume
 def _limits(
     variable: str, conditions: Sequence[Statement], bound: frozenset[str]
 ) -> tuple[Expression, Expression] | None:
-    """The least and the most that guards let a variable be, by what is bound; None unless both are known."""
+    """The lower and upper bound that guards put on a variable, given bound variables; None unless there are both."""
     limits: dict[str, Expression] = {}
     for guard in (part for part in conditions if isinstance(part, Guard)):
         for side, other, mirrored in ((guard.left, guard.right, False), (guard.right, guard.left, True)):
@@ -281,7 +281,7 @@ def _limits(
 
 
 def _moved(side: Expression, other: Expression) -> tuple[Expression, Expression]:
-    """The sides of a guard with a whole number that is added on this one moved to the other."""
+    """The sides of a guard, with a whole number added to or subtracted from this side moved to the other."""
     if not isinstance(side, Operation) or side.operator not in _INVERSE:
         return side, other
     if isinstance(side.right, Constant) and isinstance(side.right.value, int):

@@ -75,7 +75,7 @@ class Stratum:
         return cls(tuple(first), tuple(later), MappingProxyType(filed))
 
     def due(self, brought: Iterable[Beginning]) -> Iterator[Plan]:
-        """The later plans that something new has come for, in the order of the rules."""
+        """The later plans for which there are new facts, in the order of the rules."""
         numbers = {number for beginning in brought for number in self.waiting.get(beginning, ())}
         return (self.later[number] for number in sorted(numbers))
 
@@ -92,7 +92,7 @@ class Program:
 
     @property
     def argument_counts(self) -> Mapping[str, int]:
-        """How many arguments the facts of each predicate have."""
+        """The number of arguments of each predicate."""
         return {name: len(predicate.parameters) for name, predicate in self.predicates.items()}
 
 

@@ -13,7 +13,7 @@ from ..language.arithmetic import ComputationError
 from ..language.tree import Argument
 
 FEW = 16
-"""So many facts are looked at one by one sooner than in order."""
+"""For at most this many facts, looking at all is faster than a sorted lookup."""
 
 Evaluate: TypeAlias = Callable[[Environment], Argument]
 
@@ -73,9 +73,9 @@ class Join:
 
 @dataclass(frozen=True, slots=True)
 class JoinBetween:
-    """As `Join`, where guards say between which numbers the argument at `position` lies: of many facts under the key
-    only those are looked at. The guards follow as tests of their own, so both limits may be those of a wider range.
-    """
+    """As `Join`, if guards restrict the argument at `position` to a range of numbers: if there are many facts under the
+    key, only those in the range are tried. The guards are still tested afterwards, so the range may be wider than
+    theirs."""
 
     index: int
     key: Pick
@@ -97,7 +97,7 @@ class JoinBetween:
     ) -> Sequence[Fact]:
         try:
             least, most = self.least(environment), self.most(environment)
-        except ComputationError:  # the guard's own test tells the author, if it comes to that
+        except ComputationError:  # reported by the guard's own test, if it is reached
             return facts
         return knowledge.between(self.index, key, self.position, least=least, most=most)
 

@@ -16,7 +16,7 @@ from ..behavior_table.table import SHIFT
 LISTENER = "listener"
 DISTANCE_M = 1.25
 EYES_M = 1.60
-"""The default height of a single listener's eyes (`understudy.realizer.head_and_gaze.gaze_targets`)."""
+"""The default distance and eye height of a single listener (`understudy.realizer.head_and_gaze.gaze_targets`)."""
 
 BETWEEN_DEG, WIDEST_DEG = 36.0, 120.0
 ELBOW_ROOM_M = 0.70
