@@ -92,3 +92,17 @@ def test_a_study_that_cannot_be_made_says_why(
     assert code == 2
     assert told in err
     assert not (tmp_path / "out").exists()
+
+
+def test_lines_in_which_nothing_differs_are_no_study(capfdbinary: Captured, tmp_path: Path) -> None:
+    """The profile that gestures one at a time has no unit of several in a line of seven seconds."""
+    lines = tmp_path / "lines"
+    lines.mkdir()
+    for name in ("example.flac", "example.txt"):
+        (lines / name).write_bytes((resource_folder("examples") / name).read_bytes())
+    made = ("study", "make", str(lines), "--out", str(tmp_path / "out"), "--compare", "units", "--profile", "sparing")
+    code, _, err = _run(capfdbinary, *made)
+    assert code == 2
+    assert "both versions are the same: left out" in err
+    assert "nobody could tell the conditions of any line apart; take lines of 11 to 28 s" in err
+    assert not (tmp_path / "out").exists()

@@ -39,8 +39,9 @@ def _make(arguments: argparse.Namespace, log: Log) -> None:
     from ...study.making.making import make_study
 
     with Understudy.load(read_settings()) as understudy:
-        make_study(request, understudy, partial(_line_made, log))
-    log.note(f"{source.out / PAGE_FOLDER}: give this folder to raters, who open index.html; keep {KEY_NAME} beside it")
+        lines = make_study(request, understudy, partial(_line_made, log))
+    page = source.out / PAGE_FOLDER
+    log.note(f"{page}: {lines} lines; give this folder to raters, who open index.html; keep {KEY_NAME} beside it")
 
 
 def _line_made(log: Log, told: str, notices: Sequence[Notice]) -> None:

@@ -1,4 +1,8 @@
-"""A study, in order: read the lines, perform each in every condition, render the clips, write page and key."""
+"""A study, in order: read the lines, perform each in every condition, render the clips, write page and key.
+
+A line in which two conditions look alike asks raters for a difference that is not there: it is told and left out, and
+lines of which none differs are no study.
+"""
 
 import csv
 import hashlib
@@ -6,6 +10,7 @@ import io
 import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 from ...batch.work.files import write_whole
 from ...errors import InputError
@@ -21,27 +26,49 @@ from .modes import in_modes
 from .singletons import in_units_and_singly
 from .site import CLIPS, CODE_LENGTH, LinePage, Site, script_of, script_of_bytes, write_site
 
+ADVICE: Mapping[Comparison, str] = {
+    Comparison.MODES: "take lines of more words",
+    Comparison.UNITS: "take lines of 11 to 28 s, in which units have several gestures, or another profile or seed",
+}
+"""What would give a difference, by what is compared."""
+
 Told = Callable[[str, Sequence[Notice]], None]
 """Is told of each line when its clips are made: its name and what they have, and its notices."""
 
 
 @dataclass(frozen=True, slots=True)
 class RenderedLine:
-    """A line's clips by condition, each its motion as JSON, its recording, and who moves."""
+    """A line's clips by condition, each its motion as JSON, its recording, who moves, and whether the conditions can be
+    told apart."""
 
     id: str
     clips: Mapping[str, str]
     sound: bytes
     character: str
+    differs: bool
 
 
-def make_study(request: StudyRequest, models: Understudy, told: Told) -> None:
-    """Writes the page, and the key that says what its clips show.
+@dataclass(frozen=True, slots=True)
+class _Motions:
+    """A line's motions by condition, what is told of them, and why they are alike, if they are."""
 
-    Raises InputError where lines cannot be read or performed, or nothing can be written.
+    by_condition: Mapping[str, Realized]
+    told: str
+    alike: str = ""
+
+
+def make_study(request: StudyRequest, models: Understudy, told: Told) -> int:
+    """Writes the page, and the key that says what its clips show; how many lines are on it.
+
+    Raises InputError where lines cannot be read or performed, none shows a difference, or nothing can be written.
     """
-    lines = read_lines(request.source, request.options)
-    rendered = [_rendered(request, models, line, told) for line in lines]
+    every = [_rendered(request, models, line, told) for line in read_lines(request.source, request.options)]
+    rendered = [line for line in every if line.differs]
+    if not rendered:
+        message = (
+            f"{request.source.lines}: nobody could tell the conditions of any line apart; {ADVICE[request.comparison]}"
+        )
+        raise InputError("study_lines", message, field="lines")
     coding = _Coding(request, [each.id for each in rendered])
     bodies = {each.character: body_of(models, each.character) for each in rendered}
     site = Site(
@@ -52,38 +79,46 @@ def make_study(request: StudyRequest, models: Understudy, told: Told) -> None:
     )
     write_site(request.source.out / PAGE_FOLDER, site)
     _write_key(request, rendered, coding)
+    return len(rendered)
 
 
 def _rendered(request: StudyRequest, models: Understudy, line: StudyLine, told: Told) -> RenderedLine:
     """Raises InputError with the line's name."""
     motions_of = {Comparison.MODES: _in_modes, Comparison.UNITS: _in_versions}[request.comparison]
     try:
-        motions, what = motions_of(models, line)
+        motions = motions_of(models, line)
         sound = blind_sound(line.line.audio)
     except InputError as error:
         raise InputError(error.code, f"line {line.id!r}: {error.message}", field=error.field) from None
-    clips = {name: blind_clip(models, motion) for name, motion in motions.items()}
-    told(f"{line.id}: {what}", next(iter(motions.values())).motion.notices)
-    return RenderedLine(line.id, clips, sound, line.options.character)
+    clips = {name: blind_clip(models, motion) for name, motion in motions.by_condition.items()}
+    left_out = f"; {motions.alike}: left out" if motions.alike else ""
+    notices = next(iter(motions.by_condition.values())).motion.notices
+    told(f"{line.id}: {motions.told}{left_out}", notices)
+    return RenderedLine(line.id, clips, sound, line.options.character, not motions.alike)
 
 
-def _in_modes(models: Understudy, line: StudyLine) -> tuple[Mapping[str, Realized], str]:
-    """The motions of a line by mode, and what is told of them."""
+def _in_modes(models: Understudy, line: StudyLine) -> _Motions:
     performances = in_modes(models, line)
     motions = {name: realized(models, PreparedSchedule.of(each)) for name, each in performances.items()}
-    counts = {name: sum(_is_made(each) for each in found.behaviors) for name, found in performances.items()}
-    return motions, f"gestures: {', '.join(f'{name} {count}' for name, count in counts.items())}"
+    gestures = {name: [each for each in found.behaviors if _is_made(each)] for name, found in performances.items()}
+    same = [f"{one} and {other}" for one, other in combinations(gestures, 2) if _alike(gestures[one], gestures[other])]
+    told = f"gestures: {', '.join(f'{name} {len(made)}' for name, made in gestures.items())}"
+    return _Motions(motions, told, f"{', '.join(same)} have the same gestures" if same else "")
+
+
+def _alike(*performances: Sequence[Behavior]) -> bool:
+    one, other = ([(each.lexeme, each.hand, each.sync) for each in found] for found in performances)
+    return one == other
 
 
 def _is_made(behavior: Behavior) -> bool:
     return behavior.kept and behavior.kind is Channel.GESTURE
 
 
-def _in_versions(models: Understudy, line: StudyLine) -> tuple[Mapping[str, Realized], str]:
-    """The motions of a line in units and singly, and what is told of them."""
+def _in_versions(models: Understudy, line: StudyLine) -> _Motions:
     found = in_units_and_singly(models, line)
     told = f"{found.gestures} gestures, {found.rests} holds of U are rests in S, {found.given_up} had no time to rest"
-    return found.motions, told if found.rests else f"{told}; both versions are the same, take a longer line"
+    return _Motions(found.motions, told, "" if found.rests else "both versions are the same")
 
 
 class _Coding:

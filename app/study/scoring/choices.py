@@ -21,6 +21,8 @@ from .answers import Verdict, by_rater
 
 FEWEST_RATERS = 2
 CHANCE = 0.5
+FEWEST_TRIALS = 10
+"""For χ², of which five of each kind are to be expected; of fewer the binomial test is exact."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +48,8 @@ class DimensionStatistics:
 
 @dataclass(frozen=True, slots=True)
 class Agreement:
-    """How often two dimensions are decided alike, of so many trials that decide both, and the p of χ²."""
+    """How often two dimensions are decided alike, of so many trials that decide both, and the p of χ² (of few trials
+    that of the binomial test)."""
 
     first: str
     second: str
@@ -125,4 +128,5 @@ def _agreements(verdicts: Iterable[Verdict]) -> list[Agreement]:
 def _agreement(first: str, second: str, alike: Sequence[bool]) -> Agreement:
     equal = sum(alike)
     found = stats.chisquare([equal, len(alike) - equal])
-    return Agreement(first, second, equal / len(alike), len(alike), float(found.statistic), float(found.pvalue))
+    p = found.pvalue if len(alike) >= FEWEST_TRIALS else stats.binomtest(equal, len(alike)).pvalue
+    return Agreement(first, second, equal / len(alike), len(alike), float(found.statistic), float(p))

@@ -66,6 +66,15 @@ def test_dimensions_that_are_decided_alike_agree() -> None:
     assert (found.chi_squared, found.p) == pytest.approx((10.0, 0.001565), abs=1e-6)
 
 
+def test_of_few_trials_the_test_is_exact() -> None:
+    """Five of five alike are no sign: chance has five alike, or five unlike, in one case of sixteen."""
+    both: list[str | None] = ["U", "S", "U", "U", "S"]
+    verdicts = [*_verdicts("r1", {"natural": both, "friendly": both}), *_verdicts("r2", {"natural": [None] * 5})]
+    (found,) = choice_statistics(verdicts).agreements
+    assert found.alike == 1.0
+    assert found.p == pytest.approx(1 / 16)
+
+
 def test_a_taste_for_units_is_found() -> None:
     """25 raters of 11 lines as in the paper: units are natural and friendly, singletons nervous, the rest is chance."""
     rng, verdicts = random.Random(3), []
