@@ -3,7 +3,7 @@
     python -m benchmarks.startup [--runs N] [--librosa]
 
 Every command runs N times in a process of its own, its children counted: with what is kept between processes
-(`UNDERSTUDY_CACHE`), after one run that is not counted, and without (`off`). Told are the medians of user and system
+(`UNDERSTUDY_CACHE`), after one run that is not counted, and without (`off`). Printed are the medians of user and system
 time and of the largest resident memory; beside them the bar of issue 12, which was set on a machine on which
 `perform` took 6.5 s, `functions` 4.7 and `rules check` 4.4 before, and what this machine took for the same (`--before`
 runs a checkout from before on this machine, so that the shares can be compared). `--librosa` also tells what it costs

@@ -1,4 +1,4 @@
-"""What the studio page costs: first paint, the script's share of a frame, its weight, and a change until its motion.
+"""Costs of the studio page: first paint, the script's share of a frame, its size, and the time from change to motion.
 
     python -m benchmarks.studio [--url http://127.0.0.1:8000]
 

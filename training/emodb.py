@@ -1,6 +1,6 @@
-"""Syllables of the Berlin database of emotional speech with the stress that listeners heard in them.
+"""Reads syllables of the Berlin database of emotional speech with the stress perceived by listeners.
 
-A `.labsilb` file has a line a syllable: its start in seconds, a colour, its spelling and its stress, the mean of
+A `.labsilb` file has a line per syllable: its start in seconds, a colour, its spelling and its stress, the mean of
 listeners' judgements from 0 (none) to 3. A line without stress ("." or "(") begins a pause or ends the sentence.
 """
 

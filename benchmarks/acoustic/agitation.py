@@ -1,4 +1,4 @@
-"""How well agitation is told from voices that were not trained on (paper §3.1.4).
+"""Accuracy of agitation on speakers that were not trained on (paper §3.1.4).
 
     python -m benchmarks.acoustic.agitation [--speech FOLDER] [--features FILE] [--ablation]
 

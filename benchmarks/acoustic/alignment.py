@@ -1,4 +1,4 @@
-"""How well words and phones are placed in time, against hand labels, and whether a wrong text is noticed.
+"""Accuracy of word and phone times against hand labels, and whether a wrong text is detected.
 
     python -m benchmarks.acoustic.alignment [--sentences N] [--timit FOLDER] [--ravdess FOLDER]
 

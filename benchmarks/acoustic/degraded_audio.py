@@ -1,4 +1,4 @@
-"""How far words and phones move when clean speech is degraded: music before it, noise, a room, a telephone, antiphase.
+"""How much word and phone times change in degraded speech: music before it, noise, a room, a telephone, antiphase.
 
     python -m benchmarks.acoustic.degraded_audio [--sentences N] [--timit FOLDER]
 

@@ -1,4 +1,4 @@
-"""Whether "um" and "uh" are heard where they are said, and nowhere else.
+"""Whether "um" and "uh" are detected where they are spoken, and nowhere else.
 
     python -m benchmarks.acoustic.fillers [--sentences N] [--timit FOLDER] [--ravdess FOLDER] [--lines FOLDER]
 

@@ -1,4 +1,4 @@
-"""What it costs to hear long audio, and whether its words lie where they lie in the short lines it is made of.
+"""Cost of analysing long audio, and whether its word times agree with those of the short lines it consists of.
 
     python -m benchmarks.acoustic.long_audio [--minutes 30] [--lines FOLDER]
 

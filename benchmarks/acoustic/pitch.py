@@ -1,4 +1,4 @@
-"""How well f0 and voicing are found, against laryngograph references, and how fast.
+"""Accuracy of f0 and voicing against laryngograph references, and speed.
 
     python -m benchmarks.acoustic.pitch [--fda FOLDER] [--parity odd|even]
 

@@ -1,4 +1,4 @@
-"""How well the prominence of syllables follows the stress that listeners heard in them.
+"""Agreement of the prominence of syllables with the stress perceived by listeners.
 
     python -m benchmarks.acoustic.prominence [--speech FOLDER] [--timit FOLDER]
 

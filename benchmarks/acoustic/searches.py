@@ -1,4 +1,4 @@
-"""What the narrow search of the decoder saves, and what it loses against a wide one.
+"""Time saved by the decoder's narrow search, and accuracy lost, compared with a wide one.
 
     python -m benchmarks.acoustic.searches [--sentences N] [--timit FOLDER] [--ravdess FOLDER]
 

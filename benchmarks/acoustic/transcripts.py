@@ -1,9 +1,9 @@
-"""How often right and wrong texts are refused and warned about.
+"""How often correct and wrong texts are refused and warned about.
 
     python -m benchmarks.acoustic.transcripts [--shared ../shared] [--every N]
 
-Material: `training/alignment/transcripts.py`. The weights were fitted to it; how they do on material that they were not
-fitted to is what `python -m training.alignment.misfit` prints.
+Material: `training/alignment/transcripts.py`. The weights were fitted to it; `python -m training.alignment.misfit`
+prints the accuracy on material they were not fitted to.
 """
 
 import argparse

@@ -1,4 +1,4 @@
-"""How far the performer does what directors would: the bars of the choice of gestures, head movements and faces.
+"""Agreement with directors: the bars of the choice of gestures, head movements and faces.
 
     python -m benchmarks.acting.directing [--directing FOLDER] [--choice terms|priority] [--character NAME]
     python -m benchmarks.acting.directing --notes [--directing FOLDER]

@@ -1,4 +1,4 @@
-"""Asks a service over connections that are kept, from several threads, and judges each answer."""
+"""Sends requests to a service over persistent connections, from several threads, and judges each response."""
 
 import json
 import time

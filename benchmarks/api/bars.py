@@ -1,4 +1,4 @@
-"""What was asked of the service, what was measured, and whether that is enough."""
+"""The requirements on the service, the measured values, and whether they suffice."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Breaks what is right: bytes at random, JSON where its structure is."""
+"""Breaks valid input: random bytes, or JSON within its structure."""
 
 import json
 import random

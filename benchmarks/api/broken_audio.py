@@ -1,4 +1,4 @@
-"""Short recordings that are right, and ones whose headers or samples are not."""
+"""Short valid recordings, and ones with wrong headers or samples."""
 
 import io
 import struct

@@ -1,4 +1,4 @@
-"""BML made by the table of its elements, with values that are odd now and then."""
+"""Generates BML from the table of its elements, with occasional unusual values."""
 
 from collections.abc import Mapping
 from xml.sax.saxutils import quoteattr

@@ -1,7 +1,7 @@
-"""How long a change in the studio takes until its new motion is there, in Chromium against a service of its own.
+"""Time from a change in the studio until its new motion is shown, in Chromium with a service of its own.
 
 A gesture of the bundled line (7.18 s) is moved by the field of a mark, again and again, each time with its edits, its
-performance, its BML and its motion. Told are milliseconds from the change to the motion in the page, and of the two
+performance, its BML and its motion. Printed are milliseconds from the change to the motion in the page, and of the two
 requests within, the page's own share, and the processor time that the service takes for a change,
 which is the same on a busy machine.
 

@@ -1,4 +1,4 @@
-"""The service under everything at once: broken inputs, a long soak, killed workers, attacks; a table of the bars.
+"""Tests the service with broken inputs, a long soak, killed workers and attacks, and prints a table of the bars.
 
     python -m benchmarks.drill [--inputs 100000] [--soak 10000] [--kills 20] [--seed 0] [--clients 4] [--no-attacks]
                                [--no-load] [--keep FOLDER]

@@ -1,4 +1,4 @@
-"""A service that works for long, and one whose workers are killed while they work."""
+"""A service under load for a long time, and one whose workers are killed while they work."""
 
 import random
 import statistics

@@ -1,4 +1,4 @@
-"""Broken inputs sent to a service, and how each kind was answered."""
+"""Sends broken inputs to a service, and counts the responses by kind."""
 
 import time
 from collections import Counter

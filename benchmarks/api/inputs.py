@@ -1,4 +1,4 @@
-"""Inputs that are almost right: of every kind that the service takes, broken at random and where their structure is.
+"""Inputs that are almost valid, of every kind that the service takes: random bytes changed, or parts of the structure.
 
 `inputs(seed)` never ends; equal seeds give equal inputs. A third of them are bytes changed at random, the others keep
 their form and are wrong inside: sizes in headers, values of the wrong kind, numbers at the ends of their range, names

@@ -1,4 +1,4 @@
-"""Requests that are right, for the parts of the drill that ask how the service does its work."""
+"""Valid requests, for the parts of the drill that test normal work."""
 
 import io
 from functools import cache

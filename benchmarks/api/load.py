@@ -1,4 +1,4 @@
-"""How a service stands load: throughput by workers, waits of one client and of sixteen, how fast a place is free again.
+"""The service under load: throughput by workers, latency for one client and for sixteen, time until a place is free.
 
     python -m benchmarks.api.load [--part latency|throughput|freed] [--seconds N]
 

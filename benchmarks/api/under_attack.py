@@ -1,4 +1,4 @@
-"""What each attack of issue 15 does to a running service: the worst `/healthz` meanwhile, memory, and its answer.
+"""The effect of each attack of issue 15 on a running service: the worst `/healthz` during it, memory, the response.
 
     python -m benchmarks.api.under_attack [--only WORDS] [--times N]
 

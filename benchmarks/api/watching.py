@@ -1,4 +1,4 @@
-"""A service of our own to measure: started, watched from a process of its own, and ended.
+"""Starts a service to be measured, monitors it from a separate process, and ends it.
 
 `/healthz` is asked every 20 ms on a connection that is kept, with the time of each answer; memory is that of all the
 service's processes, shared pages counted once (the sum of their proportional set sizes), every 50 ms.

@@ -1,1 +1,1 @@
-"""Whole scripts: speed, memory, going on, and what a kill loses. `python -m benchmarks.batch`."""
+"""Batches: speed, memory, resuming, and what is lost when killed. `python -m benchmarks.batch`."""

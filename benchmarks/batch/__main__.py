@@ -1,4 +1,4 @@
-"""What `understudy batch` takes, and that it loses nothing.
+"""Cost of `understudy batch`, and whether it loses anything.
 
     python -m benchmarks.batch [rate] [memory] [resume] [kills] [--lines N] [--finished N] [--killed-lines N] …
 

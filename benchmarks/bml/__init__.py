@@ -1,3 +1,2 @@
-"""Whether schedules are sound and fit what is said, and what BML costs to write and read. Run `python -m
-benchmarks.bml.NAME`. Imports `understudy.bml`, the stages before it, and `performance`. Begin with `schedule.py`.
-"""
+"""Whether schedules are valid and fit what is said, and the cost of writing and reading BML. Run `python -m
+benchmarks.bml.NAME`. Imports `understudy.bml`, the stages before it, and `performance`. Begin with `schedule.py`."""

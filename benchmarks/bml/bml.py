@@ -1,4 +1,4 @@
-"""How long BML takes to write and to read, and what the reader makes of hostile and broken files.
+"""Time to write and read BML, and the reader's behaviour on hostile and broken files.
 
 `python -m benchmarks.bml.bml` performs the bundled line once, then writes it in every form and reads it back. Then it
 breaks the file at random, changing, dropping or doubling a few bytes, and reads that: each time there must be a

@@ -1,4 +1,4 @@
-"""How much of everything moves: kept behaviours of all channels a second, by what they are and what asked for them.
+"""The amount of movement: kept behaviours per second on all channels, by kind and by origin.
 
     python -m benchmarks.bml.movements [--texts FILE.jsonl] [--character NAME] [--seed N]
 

@@ -1,4 +1,4 @@
-"""What becomes of functions on whole texts: how many show, how often hands move, whether every schedule is sound.
+"""Schedules of whole texts: how many functions are shown, how often hands move, whether every schedule is valid.
 
     python -m benchmarks.bml.schedule [--texts FILE.jsonl | --sentences N] [--character NAME] [--seed N] [--seeds N]
 

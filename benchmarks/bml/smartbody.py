@@ -1,4 +1,4 @@
-"""Whether SmartBody would play what we write for it, and how much of our gestures its map has.
+"""Whether SmartBody can play what we write for it, and how many of our gestures its map has.
 
     python -m benchmarks.bml.smartbody [--lines FOLDER…]
 

@@ -1,1 +1,1 @@
-"""Speech that still goes on: how like its recording it is heard, at what cost."""
+"""Live speech: agreement with the analysis of recordings, and cost."""

@@ -1,4 +1,4 @@
-"""Whether live streams hold: long, many, slow, broken off, and fed with garbage, over a service of its own.
+"""Robustness of live streams: long, many, slow, interrupted and invalid ones, with a service of its own.
 
     python -m benchmarks.live.holding [--hour SECONDS] [--streams N] [--together SECONDS] [--part NAME …]
 

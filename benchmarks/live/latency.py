@@ -1,4 +1,4 @@
-"""How soon a body answers a voice, and what that costs.
+"""Latency and cost of live gestures.
 
     python -m benchmarks.live.latency [--speech FOLDER] [--lines N]
 

@@ -1,4 +1,4 @@
-"""How like the recording's is f0 of a signal that is heard as it comes.
+"""Agreement of f0 tracked in a live signal with f0 of the recording.
 
     python -m benchmarks.live.pitch [--speech FOLDER] [--each N]
 

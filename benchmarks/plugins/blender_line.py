@@ -1,4 +1,4 @@
-"""How long a line takes to come into Blender once the service has answered, and how near its joints are to ours.
+"""Time to import a line into Blender once the service has responded, and the distance of its joints from ours.
 
     .venv/bin/understudy serve &
     .venv-bpy/bin/python -m benchmarks.plugins.blender_line [--service URL] [--runs 5]

@@ -1,11 +1,11 @@
-"""Whether a profile's gestures are the speaker's: recognised, with the annotation's statistics, mixed smoothly.
+"""Whether a profile's gestures resemble the speaker's: recognition, agreement with the annotation's statistics, smooth
+mixing.
 
     python -m benchmarks.profiles [--seeds N] [--lines FILE]
 
-Fidelity: the words of each example annotation in its speaker's way, `seeds` times, against what was annotated; beside
-it the paper's own choice, the likeliest sequence. Recognition: the
-lines of the marked dialogue (../shared/data/functions), in the time of a clock, by both speakers. Mixing: profiles
-between the two on the same words.
+Fidelity: gestures for the words of each example annotation by its speaker's profile, with `seeds` seeds, against the
+annotation; beside it the paper's own choice, the likeliest sequence. Recognition: the lines of the marked dialogue
+(../shared/data/functions) with made-up times, by both speakers. Mixing: profiles between the two on the same words.
 """
 
 import argparse

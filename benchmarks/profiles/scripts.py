@@ -1,4 +1,4 @@
-"""Gesture scripts of annotated recordings and of lines, for the measures of this room."""
+"""Makes gesture scripts of annotated recordings and of lines, for the benchmarks of this room."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

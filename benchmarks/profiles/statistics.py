@@ -1,4 +1,4 @@
-"""What is counted of gestures, made or annotated: shares of lexemes and hands, sizes of units, rate, strokes, offsets.
+"""Statistics of generated or annotated gestures: shares of lexemes and hands, sizes of units, rate, strokes, offsets.
 
 Shares of two distributions differ by half the sum of the differences, which is what would have to be moved. Times are
 seconds; offsets are from the end of a word to that of its main stroke, without the lead.

@@ -1,1 +1,1 @@
-"""Gestures from the voice alone: how well, how fast, how late. Begin with `strokes.py`."""
+"""Gestures from the voice alone: accuracy, speed and latency. Begin with `strokes.py`."""

@@ -1,4 +1,4 @@
-"""AHG's evaluation again, on the paired recordings: figure 3, tables 2 to 5, figure 4, theirs beside ours.
+"""Repeats AHG's evaluation on the paired recordings: figure 3, tables 2 to 5, figure 4, theirs beside ours.
 
     python -m benchmarks.prosody_gestures.scenarios [--paired FOLDER] [--clusters N] [--choose]
 

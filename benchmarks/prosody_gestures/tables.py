@@ -1,4 +1,4 @@
-"""RTS' tables 3.1 and 3.2 again: how fast and how alike the decode is with steps m and n best states.
+"""Repeats RTS' tables 3.1 and 3.2: speed of the decoder and similarity of its result with steps m and n best states.
 
     python -m benchmarks.prosody_gestures.tables [--paired FOLDER] [--performed FOLDER] [--clusters N] [--model NAME …]
         [--trials N]

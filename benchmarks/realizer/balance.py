@@ -1,4 +1,4 @@
-"""Does the centre of mass stay over the feet, without physics?
+"""Whether the centre of mass stays over the feet without physics.
 
     python -m benchmarks.realizer.balance [--every N] [--characters NAME …]
 

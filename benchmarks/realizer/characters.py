@@ -1,4 +1,4 @@
-"""Whether every character's body holds: its size, hands outside it, joints within limits, feet on the floor.
+"""Validity of every character's body: its size, hands outside it, joints within limits, feet on the floor.
 
     python -m benchmarks.realizer.characters [--sentences N] [--node-modules FOLDER]
 

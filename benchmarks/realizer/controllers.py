@@ -1,4 +1,4 @@
-"""The body without its gestures: is it ever frozen, do feet slide, eyes miss, joints jump, nods come late?
+"""The body without its gestures: whether it freezes, feet slide, eyes miss, joints jump or nods are late.
 
     python -m benchmarks.realizer.controllers [--lines N] [--character NAME] [--seed N] [--rate HZ]
 

@@ -1,4 +1,4 @@
-"""What motion costs: processor time, memory, a picture's pose, and the start of `understudy realize`.
+"""Costs of motion: processor time, memory, a pose of a picture, and the start of `understudy realize`.
 
     python -m benchmarks.realizer.costs [--sentences N] [--minutes M] [--runs N]
 

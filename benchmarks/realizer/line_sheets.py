@@ -1,4 +1,4 @@
-"""Draws six lines, front and three quarters at even steps of time, to look at how alive the bodies are.
+"""Draws six lines, front and three quarters at even steps of time, to judge by eye how alive the bodies look.
 
     python -m benchmarks.realizer.line_sheets FOLDER PREFIX [--character NAME] [--seed N]
 

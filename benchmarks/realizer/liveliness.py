@@ -1,4 +1,4 @@
-"""Whether our bodies are as alive as people's: both hands, bob and sway, the head over the trunk; and still sound.
+"""Liveliness of our bodies compared with people's: both hands, bob and sway, the head over the trunk; and validity.
 
     python -m benchmarks.realizer.liveliness [--character NAME] [--seed N] [--recordings-only]
 

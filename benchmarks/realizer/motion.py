@@ -1,4 +1,4 @@
-"""Whether the motion is such as people make, on time, whole and fast: the bars of the realizer.
+"""The bars of the realizer: whether motion resembles people's, is on time, complete and fast.
 
     python -m benchmarks.realizer.motion [--sentences N] [--lines FOLDER] [--fps 30|60] [--character NAME]
     python -m benchmarks.realizer.motion --minutes 10

@@ -1,4 +1,4 @@
-"""What physics does to motion: does the body stand, how far is it from what was asked, how much do wrists overshoot?
+"""Effects of physics on motion: whether the body stands, the deviation from the target motion, overshoot of wrists.
 
     python -m benchmarks.realizer.physics [--every N] [--characters NAME …]
 

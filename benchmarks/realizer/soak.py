@@ -1,4 +1,4 @@
-"""Every recording performed and realized by everybody in every mood: does anything break, step or pass a limit?
+"""Performs and realizes every recording with every character and level, and checks errors, jumps and limits.
 
     python -m benchmarks.realizer.soak [--seeds 5] [--every N] [--first K] [--physics]
 

@@ -1,4 +1,4 @@
-"""How wrists move, measured as shared/motion.md measures people: positions low-passed at 6 Hz, then derived.
+"""Measures wrist movement as shared/motion.md does for people: positions low-passed at 6 Hz, then differentiated.
 
 Positions are (T, 3) in metres at an even rate. Speeds are m/s, accelerations m/s², jerks m/s³; the first and last tenth
 of a second, where the filter has its edges, do not count.

@@ -1,4 +1,3 @@
-"""How well and how fast functions are found, and what the chainer costs. Run `python -m benchmarks.rules.NAME`. Imports
+"""Accuracy and speed of deriving functions, and the cost of the chainer. Run `python -m benchmarks.rules.NAME`. Imports
 `understudy.rules` and the parser, and for dialogue the treebanks' reader of `training.parser`. Begin with
-`functions.py`.
-"""
+`functions.py`."""

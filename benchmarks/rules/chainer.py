@@ -1,4 +1,4 @@
-"""How long rules take: loading a program, and deriving what follows for one line. `python -m benchmarks.rules.chainer`
+"""Time of rules: loading a program, and the derivation for one line. `python -m benchmarks.rules.chainer`
 
 The program is of the size DESIGN.md speaks of, 100 rules over some 500 facts: lexical rules, rules that join
 neighbours, rules with `unless`, a rule that raises priorities, mapping rules. Times are the median of many runs, in

@@ -1,4 +1,4 @@
-"""How many utterances a second go through `understudy functions`: a corpus in, JSON lines out, on one core.
+"""Utterances per second of `understudy functions`: a corpus in, JSON lines out, on one core.
 
     python -m benchmarks.rules.corpus_rate [--treebanks FOLDER] [--utterances N]
 

@@ -1,4 +1,4 @@
-"""How well the functions of dialogue nobody wrote for us are found, and how fast.
+"""Accuracy and speed of deriving functions, on dialogue that was not written for us.
 
     python -m benchmarks.rules.functions [--sample FILE] [--half even|odd] [--errors CLASS]
 

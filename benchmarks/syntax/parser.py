@@ -1,4 +1,4 @@
-"""How well the speech parser reads: the pipeline alone on treebanks, then what the rules get out of it, then its cost.
+"""Accuracy of the speech parser: the pipeline alone on treebanks, then what the rules get from it, then its cost.
 
     python -m benchmarks.syntax.parser [--parser FOLDER_OR_NAME] [--treebanks FOLDER] [--split test|dev]
 

@@ -1,8 +1,8 @@
-"""What the rules and the parser find in directed lines: `python -m training.acting.analyses OUT.pkl [--directing
+"""Derives the terms of directed lines with rules and parser: `python -m training.acting.analyses OUT.pkl [--directing
 FOLDER]`
 
-The terms that `app/acting/terms.py` names, a frozenset for each word, by the line's name. Nothing is heard, so no term
-is of the voice. Some two minutes; the file is for `training.acting.weights` and the benchmark only.
+The terms that `app/acting/terms.py` names, a frozenset for each word, by the line's name. There is no audio, so there
+are no terms of the voice. Takes some two minutes; the file is for `training.acting.weights` and the benchmark only.
 """
 
 import argparse

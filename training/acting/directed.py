@@ -1,7 +1,7 @@
-"""Directed lines: words, what directors would have the body do with them, and what they would forbid.
+"""Reads directed lines: words, what directors would have the body do with them, and what they would forbid.
 
 The format is that of ../shared/directing/README.md; our own lines have their text in the record itself. Lines of one
-dialogue share a group, so that what is held out was never seen in another line of it.
+dialogue share a group, so that held-out lines come from dialogues that are held out as a whole.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Chooses how a model is trained, from the training speakers alone: a small grid, each point tried on some held out.
+"""Chooses how a model is trained, by a small grid search on the training speakers alone, some of them held out.
 
 The recipe whose memberships surprise least is taken: the mean negative log of the membership that the held-out
 recordings have, with their levels alike, as they were recorded; half of it English, since that is what we hear. The

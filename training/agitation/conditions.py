@@ -1,8 +1,8 @@
-"""Under which conditions each recording is heard: as what it teaches, and as what it is tested.
+"""The conditions under which each recording is used, for training and for testing.
 
-A condition changes a recording in a way drawn with the generator given. As another voice it is resampled: pitch,
-formants and tempo move together, as from a man to a woman or a child, while level and manner stay. Few speakers teach
-us; copies in other voices tell what does not matter about a voice.
+A condition changes a recording in a way drawn with the given generator. For another voice it is resampled: pitch,
+formants and tempo change together, as from a man to a woman or a child, while level and manner stay. There are few
+speakers in the training data; copies in other voices teach the model which properties of a voice do not matter.
 """
 
 from collections.abc import Callable, Mapping

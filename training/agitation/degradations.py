@@ -1,6 +1,6 @@
-"""Other rooms and microphones for recordings that were made in quiet studios, so that a model learns to hear past them.
+"""Simulates other rooms and microphones for recordings made in quiet studios, so that a model becomes robust to them.
 
-Each recording is changed in its own way, drawn with the generator given.
+Each recording is changed in its own way, drawn with the given generator.
 """
 
 import numpy as np

@@ -1,8 +1,8 @@
-"""What happens to speech on its way to us, drawn at random: noise, a room, a telephone, an equaliser.
+"""Degrades speech at random: noise, a room, a telephone, an equaliser.
 
-The decoder errs otherwise in degraded speech, and the spectrum at a boundary looks otherwise: a model taught by clean
-speech alone leaves boundaries there where the decoder has them. Each function takes samples at 16 kHz and gives as
-many. `benchmarks/acoustic/degraded_audio.py` has degradations of its own, with other noise and another codec.
+In degraded speech the decoder makes other errors, and the spectrum at a boundary looks different: a model trained on
+clean speech alone leaves boundaries there where the decoder has them. Each function takes samples at 16 kHz and returns
+as many. `benchmarks/acoustic/degraded_audio.py` has degradations of its own, with other noise and another codec.
 """
 
 import numpy as np

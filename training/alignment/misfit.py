@@ -1,10 +1,11 @@
-"""Fits how likely it is that a text is not what is said, by its aligned phones (`app/acoustic/alignment/misfit.py`).
+"""Fits the probability that a text differs from what is said, from its aligned phones
+(`app/acoustic/alignment/misfit.py`).
 
     python -m training.alignment.misfit [--shared ../shared]
 
-A logistic regression on what `evidence` says of right texts and of others (`transcripts.py`); a right text counts as
-much as three wrong ones, for it must not be refused. Prints how each half of the material fares by the weights of the
-other half, then the weights of all, which are those in the code. Ten minutes on one core.
+A logistic regression on `evidence` of correct and of other texts (`transcripts.py`); a correct text has the weight of
+three wrong ones, because it must not be refused. Prints the accuracy on each half of the material with the weights of
+the other half, then the weights fitted to all, which are those in the code. Ten minutes on one core.
 """
 
 import argparse

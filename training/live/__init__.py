@@ -1,1 +1,2 @@
-"""Makes the model in models/live: `mouth`, which shape a mouth has from its sound. Imports `understudy.live`."""
+"""Makes the model in models/live: `mouth`, which estimates the mouth shape from the sound. Imports
+`understudy.live`."""

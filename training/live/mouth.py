@@ -1,4 +1,4 @@
-"""Learns which shape a mouth has from a moment of its sound, from TIMIT's hand-made phones, and ships it.
+"""Trains the model of mouth shapes from frames of sound, on TIMIT's hand-labelled phones, and ships it.
 
     python -m training.live.mouth [--timit FOLDER] [--output models/live] [--held-out N]
 

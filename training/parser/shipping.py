@@ -1,4 +1,4 @@
-"""Writes a trained pipeline where the program finds it, named, and without the places of its training."""
+"""Writes a trained pipeline to where the program loads it, with a name, and without the paths of its training."""
 
 import shutil
 from pathlib import Path

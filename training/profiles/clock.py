@@ -1,7 +1,7 @@
-"""Words in time where nobody has spoken them: a plain clock of syllables, for lines that have no recording.
+"""Makes up word times for lines without a recording, from a plain clock of syllables.
 
-English is spoken at about four syllables a second; the last word before a pause is longer. Fractions are ours. Times
-are seconds.
+English is spoken at about four syllables a second; the last word before a pause is longer. The fractions are our own.
+Times are seconds.
 """
 
 import re

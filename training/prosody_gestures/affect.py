@@ -1,4 +1,4 @@
-"""Fits the estimator of activation, valence and dominance to acted emotions, and tells how well it does.
+"""Fits the estimator of activation, valence and dominance to acted emotions, and prints its accuracy.
 
     python -m training.prosody_gestures.affect [--speech FOLDER] [--output models/prosody_gestures] [--each N]
 

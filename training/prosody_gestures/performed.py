@@ -1,4 +1,4 @@
-"""Has the rules perform recordings, and keeps what the body does beside what is heard: what the student learns from.
+"""Performs recordings by the rules, and saves the behaviours with the prosody as training data.
 
     python -m training.prosody_gestures.performed OUT [--speech FOLDER] [--ravdess N] [--directing FOLDER]
 

@@ -1,4 +1,5 @@
-"""The lines that the rules performed (`training.prosody_gestures.performed`): paths of states beside their prosody."""
+"""Reads the lines that the rules performed (`training.prosody_gestures.performed`): paths of states with their
+prosody."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,1 +1,1 @@
-"""Files of motion: what other programs make of them, broken avatars, sparse keys."""
+"""Motion files: reading by other programs, broken avatars, sparse keys."""

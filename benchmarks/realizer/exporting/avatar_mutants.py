@@ -1,4 +1,4 @@
-"""Whether any avatar, however broken, is either refused with a typed error or worn with finite motion.
+"""Whether any avatar, however broken, is either refused with a typed error or animated with finite motion.
 
     python -m benchmarks.realizer.exporting.avatar_mutants [AVATAR …] [--count N] [--seed N]
 

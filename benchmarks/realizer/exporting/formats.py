@@ -1,4 +1,4 @@
-"""What other programs make of our motion files, and how fast and large ten minutes of motion are.
+"""Reading of our motion files by other programs, and time and size of files with ten minutes of motion.
 
     python -m benchmarks.realizer.exporting.formats --node-modules FOLDER
 

@@ -1,4 +1,4 @@
-"""Where the joints are in each of our motion files, as other programs read them.
+"""Positions of joints in each of our motion files, as other programs read them.
 
     python -m benchmarks.realizer.exporting.joints --node-modules FOLDER
 

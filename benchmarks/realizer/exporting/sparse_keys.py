@@ -1,4 +1,4 @@
-"""How much smaller sparse keys are, and how far what they play is from every frame of the motion.
+"""Size of sparse keys, and the deviation of their interpolation from every frame of the motion.
 
     python -m benchmarks.realizer.exporting.sparse_keys [--lines FOLDER]
 

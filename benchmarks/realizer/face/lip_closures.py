@@ -1,4 +1,4 @@
-"""Do the lips shut when the speaker's did: our closures against those that humans labelled in TIMIT.
+"""Whether the lips shut when the speaker's did: our closures against those that humans labelled in TIMIT.
 
     python -m benchmarks.realizer.face.lip_closures [--timit FOLDER] [--rate HZ]
 

@@ -1,4 +1,4 @@
-"""Do the lips do what is heard: closures, openings and speed on recorded lines whose phones our own aligner found.
+"""Agreement of lips and sound: closures, openings and speed on recorded lines with phones of our own aligner.
 
     python -m benchmarks.realizer.face.lips [--lines FOLDER …] [--rate HZ]
 

@@ -1,1 +1,1 @@
-"""The gesture library: its reading, and its clips beside motion capture."""
+"""The gesture library: loading it, and its clips compared with motion capture."""

@@ -1,4 +1,4 @@
-"""Do the gestures that we ship move as people's do: where the wrists are in strokes, how long strokes last, how fast.
+"""The shipped gestures compared with people's: wrist positions in strokes, durations and speeds of strokes.
 
     python -m benchmarks.realizer.gestures.gesture_library [--rate HZ]
 

@@ -1,4 +1,4 @@
-"""What the gesture library holds and how long it takes to read.
+"""Contents of the gesture library and time to load it.
 
     python -m benchmarks.realizer.gestures.library_contents
 

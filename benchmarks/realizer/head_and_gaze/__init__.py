@@ -1,1 +1,1 @@
-"""Head and eyes: how much they move, the way a head goes, and looking and pointing at targets."""
+"""Head and eyes: amount of movement, length of head paths, looking and pointing at targets."""

@@ -1,4 +1,4 @@
-"""Where heads turn and eyes look while a line is spoken: how far, how often, how fast, from its start to its end.
+"""Head turns and looks during a line: how far, how often, how fast, from its start to its end.
 
     python -m benchmarks.realizer.head_and_gaze.head_and_eyes [--character NAME] [--seed N] [--recordings-only]
 

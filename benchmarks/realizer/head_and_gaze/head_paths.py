@@ -1,4 +1,4 @@
-"""How much a talker's head moves about: ours against storytellers', filmed with a Kinect and labelled by hand.
+"""Path length of a talker's head: ours against storytellers', filmed with a Kinect and labelled by hand.
 
     python -m benchmarks.realizer.head_and_gaze.head_paths [--lines N] [--seed N] [--gestures]
 

@@ -1,4 +1,4 @@
-"""How well every character's hand and eyes find targets around it.
+"""Accuracy with which every character points and looks at targets around it.
 
     python -m benchmarks.realizer.head_and_gaze.targets
 

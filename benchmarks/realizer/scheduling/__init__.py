@@ -1,1 +1,2 @@
-"""What of a schedule is played, and how it is planned. Imports `benchmarks.realizer.motion`, which has the lines."""
+"""How gestures are planned, and which of a schedule are played. Imports `benchmarks.realizer.motion`, which has the
+lines."""

@@ -1,4 +1,4 @@
-"""What becomes of gestures on their way from the schedule to the arms, and how long their phases last.
+"""What happens to gestures between the schedule and the arms, and how long their phases last.
 
     python -m benchmarks.realizer.scheduling.motion_plan [--sentences N]
         [--recordings FOLDER] [--character NAME] [--seed N]

@@ -1,4 +1,4 @@
-"""Whether what is scheduled is played, and how fast hands go from one gesture to the next.
+"""Whether all scheduled gestures are played, and the speed of transitions between them.
 
     python -m benchmarks.realizer.scheduling.played
         [--directing FOLDER] [--lines FOLDER] [--characters NAME …] [--every]
