@@ -1,5 +1,5 @@
-"""What several test modules need: the whole understudy, loaded once by each process that runs tests, and the service's
-nursery, which loads it in a process of its own."""
+"""Shared fixtures: the whole understudy, loaded once by each process that runs tests, and the service's nursery, which
+loads it in a process of its own."""
 
 import os
 from collections.abc import Iterator

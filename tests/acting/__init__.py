@@ -1,1 +1,1 @@
-"""What an audience reads in which movement: `app/acting`. Begin with `test_families.py`."""
+"""The plan of a line, and the movements that show it: `app/acting`. Begin with `test_families.py`."""

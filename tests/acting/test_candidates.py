@@ -1,4 +1,4 @@
-"""Which behaviours are offered for a moment, with a small table of families made by hand."""
+"""The behaviours offered for a moment, with a small hand-made table of families."""
 
 from dataclasses import dataclass
 from types import MappingProxyType

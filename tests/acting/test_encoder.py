@@ -1,4 +1,4 @@
-"""The shipped reader, by what any director would say of plain sentences."""
+"""The shipped encoder, on plain sentences on which all directors would agree."""
 
 from pathlib import Path
 

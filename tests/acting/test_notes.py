@@ -1,4 +1,4 @@
-"""A director's notes: checked against words and vocabulary, told where they disagree, and followed over a plan."""
+"""A director's notes: checked against words and vocabulary, conflicts reported, and applied to a plan."""
 
 import pytest
 from hypothesis import given

@@ -1,4 +1,4 @@
-"""What the shipped plan does with plain lines, and what holds of any plan."""
+"""The shipped plan of plain lines, and properties of every plan."""
 
 from itertools import pairwise
 

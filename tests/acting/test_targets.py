@@ -1,4 +1,4 @@
-"""Which words name a target, and what the body does on them."""
+"""Which words name a target, and the movements on them."""
 
 import pytest
 

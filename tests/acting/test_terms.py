@@ -1,4 +1,4 @@
-"""The terms of words: from facts of the rules by the authors' table, and from functions, syntax and place."""
+"""The terms of words: from facts of the rules by the authors' table, and from functions, syntax and position."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Notes that no kept movement carries out are told, one by one."""
+"""Notes that no kept movement carries out are reported, one by one."""
 
 from dataclasses import replace
 

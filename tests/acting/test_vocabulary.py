@@ -1,4 +1,4 @@
-"""The director's words are those that the library of gestures, heads and faces can show."""
+"""The vocabulary of notes agrees with what the library of gestures, heads and faces can show."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What authors edit is listed with its place."""
+"""The catalogue lists authored items with their places."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""A gesture's text: its mistakes with their places, or its definitions and what is doubtful about them."""
+"""A gesture's text: its mistakes with their places, or its definitions and doubts about them."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Why a text came out so, and what no line of a corpus uses: the tools, and their commands."""
+"""Explaining the interpretation of a text, and finding what a corpus never uses: the functions, and their commands."""
 
 import json
 import signal

@@ -1,4 +1,4 @@
-"""Mistakes in what authors edit are told with file and line, all at once."""
+"""Mistakes in authored files are reported with file and line, all at once."""
 
 import shutil
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What edited rules change in lines."""
+"""The changes in lines caused by edited rules."""
 
 import pytest
 

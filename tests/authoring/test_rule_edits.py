@@ -1,4 +1,4 @@
-"""Edited rules: compiled beside those in use, told in the words of who edits, and never in the place of any file."""
+"""Edited rules: compiled beside those in use without changing any file, with messages in the author's terms."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Files of rules where an author saves them."""
+"""Reading and saving an author's files of rules."""
 
 from pathlib import Path
 

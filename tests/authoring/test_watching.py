@@ -1,4 +1,4 @@
-"""Saves of authored files are noticed once they are whole, whatever way they are saved."""
+"""Saves of authored files are noticed once they are complete, however they are made."""
 
 import os
 from collections.abc import Callable, Iterator

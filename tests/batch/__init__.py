@@ -1,3 +1,2 @@
-"""Whole scripts, room by room as in `app/batch`. Imports `understudy.batch`; one session's models perform the lines of
-`test_batch.py`, with which to begin.
-"""
+"""Batches, room by room as in `app/batch`. Imports `understudy.batch`; the models of the session perform the lines of
+`test_batch.py`, with which to begin."""

@@ -1,4 +1,4 @@
-"""A batch from its script to its reports: what is performed, what is done again, what is told of it."""
+"""A batch from its script to its reports: what is performed, what is performed again, what is reported."""
 
 import csv
 import json

@@ -1,4 +1,4 @@
-"""Files of edits beside recordings: whose they are, and what is wrong with them."""
+"""Files of edits beside recordings: to which line they belong, and mistakes in them."""
 
 import json
 from pathlib import Path

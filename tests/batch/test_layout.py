@@ -1,4 +1,4 @@
-"""Names of outputs: where they lie, what no file system takes, and that no two lines share one."""
+"""Names of outputs: their folders, characters that no file system permits, and no two lines with the same name."""
 
 from pathlib import Path
 

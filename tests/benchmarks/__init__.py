@@ -1,1 +1,1 @@
-"""Tests of the scripts that measure. Imports `benchmarks`; begin with `test_paths.py`."""
+"""Tests of the benchmarks. Imports `benchmarks`; begin with `test_paths.py`."""

@@ -1,4 +1,4 @@
-"""Every script that measures finds its files: those of the checkout are there, the others lie in ../shared."""
+"""Every benchmark finds its files: those of the checkout exist, the others are in ../shared."""
 
 import importlib
 import sys

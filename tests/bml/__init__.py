@@ -1,1 +1,2 @@
-"""The choice of movements, and BML out and in, room by room as in `app/bml`. Begin with `choice/test_scheduling.py`."""
+"""The choice of movements, and writing and reading BML, room by room as in `app/bml`. Begin with
+`choice/test_scheduling.py`."""

@@ -1,4 +1,4 @@
-"""`understudy batch` as its users call it: exit codes, what is told where, and going on after a kill."""
+"""`understudy batch` as its users call it: exit codes, messages, and continuing after a kill."""
 
 import csv
 import json

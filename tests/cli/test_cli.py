@@ -1,4 +1,4 @@
-"""The command line: what each command writes where, exit codes, and one line for every mistake."""
+"""The command line: the outputs of each command, exit codes, and one line for every mistake."""
 
 import io
 import json

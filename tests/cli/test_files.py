@@ -1,4 +1,4 @@
-"""Files are replaced whole, keep their mode, and stay as they are when they cannot be written."""
+"""Files are replaced completely, keep their mode, and stay unchanged when they cannot be written."""
 
 import os
 import stat

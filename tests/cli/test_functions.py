@@ -1,4 +1,4 @@
-"""Lines that have come are read together, and none waits for one that has not."""
+"""Lines that have arrived are processed together, and none waits for one that has not."""
 
 import io
 import os

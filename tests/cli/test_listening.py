@@ -1,4 +1,4 @@
-"""An address that cannot be listened on is told before anything is loaded."""
+"""An unusable address is reported before anything is loaded."""
 
 import asyncio
 import os

@@ -1,4 +1,4 @@
-"""`understudy live`: a recording, raw samples from a file and as they come, and what is refused."""
+"""`understudy live`: a recording, raw samples from a file and from a stream, and what is refused."""
 
 import io
 import json

@@ -1,4 +1,4 @@
-"""`understudy profiles`: learning, mixing, listing, showing, and what it tells of mistakes."""
+"""`understudy profiles`: learning, mixing, listing, showing, and messages about mistakes."""
 
 import json
 import re

@@ -1,4 +1,5 @@
-"""`understudy realize` and `perform --realize`: files in the format of their names, whole or not at all."""
+"""`understudy realize` and `perform --realize`: files in the format of their names, written completely or not at
+all."""
 
 import json
 import sys

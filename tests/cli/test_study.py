@@ -1,4 +1,4 @@
-"""`understudy study`: clips and a page out of lines, tables out of answers."""
+"""`understudy study`: makes clips and a page from lines, and tables from answers."""
 
 import json
 from pathlib import Path

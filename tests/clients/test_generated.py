@@ -1,4 +1,5 @@
-"""What the TypeScript client generates from the service is of the service as it is: `make client-types` makes it so."""
+"""What the TypeScript client generates from the service agrees with the current service; `make client-types` updates
+it."""
 
 import hashlib
 import subprocess

@@ -1,4 +1,4 @@
-"""The examples of docs/authoring.md, followed in order in a copy of the checkout, come out as the page says."""
+"""The examples of docs/authoring.md, run in order in a copy of the checkout, give the printed results."""
 
 import json
 import os

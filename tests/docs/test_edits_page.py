@@ -1,4 +1,4 @@
-"""The example of docs/edits.md is a file of edits that fits its line, and every warning is told."""
+"""The example of docs/edits.md is a file of edits that fits its line, and every warning is documented."""
 
 import re
 from pathlib import Path

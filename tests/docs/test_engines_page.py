@@ -1,4 +1,4 @@
-"""What docs/engines.md says of our files is so, and its commands can be typed."""
+"""The statements of docs/engines.md about our files are true, and its commands are valid."""
 
 import csv
 import io

@@ -1,4 +1,5 @@
-"""What docs/operations.md says of deploy/ and of settings is so: the files are well formed, every setting exists."""
+"""The statements of docs/operations.md about deploy/ and settings are true: files are well formed, every setting
+exists."""
 
 import re
 from pathlib import Path

@@ -1,3 +1,2 @@
-"""What holds whichever way a line comes in: command line and service give the same bytes, forms and messages. Imports
-the doors, `performance` and `support`. Begin with `test_lines.py`.
-"""
+"""What holds for every interface: command line and service give the same bytes, formats and messages. Imports the
+interfaces, `performance` and `support`. Begin with `test_lines.py`."""

@@ -1,4 +1,4 @@
-"""A director's notes given with a line, through either door: conflicts are told, a mistake names its part."""
+"""A director's notes given with a line, through either interface: conflicts are reported, a mistake names its part."""
 
 import json
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""An author's edits given with a line, through either door: the same bytes, conflicts told, mistakes named."""
+"""An author's edits given with a line, through either interface: the same bytes, conflicts and mistakes reported."""
 
 import json
 from collections.abc import Iterator

@@ -1,7 +1,7 @@
-"""The paper's Figure 8 the whole way, on audio of our own in which "guess" and "those" are said louder.
+"""The paper's Figure 8 through all stages, on audio of our own in which "guess" and "those" are spoken louder.
 
-As in the paper, the stressed ratio emphasises, and functions choose by priority alone. Prominence heeds length and
-pitch as well, which flite varies little.
+As in the paper, emphasis is the stressed ratio, and functions choose by priority alone. Prominence also depends on
+duration and pitch, which flite varies little.
 """
 
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""The forms of the BML that either door can be asked for, and the lip sync that goes with every performance."""
+"""The forms of BML that either interface offers, and the lip sync of every performance."""
 
 import json
 from collections.abc import Callable

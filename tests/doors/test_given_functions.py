@@ -1,4 +1,4 @@
-"""Functions given with a line, through either door: they are performed, and a mistake in them names its part."""
+"""Functions given with a line, through either interface: they are performed, and a mistake in them names its part."""
 
 import json
 from collections.abc import Iterator

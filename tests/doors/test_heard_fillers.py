@@ -1,4 +1,4 @@
-"""A hesitation that the transcript leaves out is heard, understood and shown, from the audio to the schedule."""
+"""A hesitation that the transcript omits is detected and shown, from the audio to the schedule."""
 
 import io
 from dataclasses import replace

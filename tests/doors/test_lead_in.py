@@ -1,4 +1,5 @@
-"""A performance that begins before its recording, through every door: the same line, later, and time for its start."""
+"""A performance that begins before its recording, through every interface: the same line, later, with time for its
+start."""
 
 import io
 import json

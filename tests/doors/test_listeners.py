@@ -1,4 +1,4 @@
-"""Listeners and modes through both doors: who listens has BML of his own."""
+"""Listeners and modes through both interfaces: each listener has a BML document."""
 
 import json
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""A gesture profile's file given with a line, through either door: the same bytes, and mistakes told."""
+"""A gesture profile's file given with a line, through either interface: the same bytes, and mistakes reported."""
 
 from collections.abc import Iterator
 from pathlib import Path

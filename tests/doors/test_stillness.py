@@ -1,4 +1,4 @@
-"""`stillness` through every door that performs or plays a line."""
+"""`stillness` through every interface that performs or plays a line."""
 
 import json
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Something to look and point at, through every door: named by the words, placed by option, kept in the BML."""
+"""Something to look and point at, through every interface: named by the words, placed by option, kept in the BML."""
 
 import json
 from collections.abc import Iterator

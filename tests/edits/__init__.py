@@ -1,1 +1,1 @@
-"""Edits made again on a line. Imports `understudy.edits` and `performance`. Begin with `test_applying.py`."""
+"""Applying edits to a line. Imports `understudy.edits` and `performance`. Begin with `test_applying.py`."""

@@ -1,4 +1,4 @@
-"""A line in time, without a recording: what it means and does is found once for all tests of edits."""
+"""A timed line without a recording, performed once for all tests of edits."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Edits on a whole line: what the author wants is made, what is told cannot be, and a schedule stays one."""
+"""Edits on a whole line: they are applied, or reported if impossible, and the schedule stays valid."""
 
 from collections.abc import Sequence
 from dataclasses import replace

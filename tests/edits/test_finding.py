@@ -1,4 +1,4 @@
-"""Which behaviour an edit is of: found again after the choice has changed, told where it is gone."""
+"""Finding the behaviour an edit refers to after the choice has changed; a missing one is reported."""
 
 from dataclasses import replace
 

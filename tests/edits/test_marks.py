@@ -1,4 +1,4 @@
-"""Sync points that are moved: which follow, and that the order stays."""
+"""Moving sync points: which others follow, and that the order is kept."""
 
 import pytest
 from hypothesis import given

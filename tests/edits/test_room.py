@@ -1,4 +1,4 @@
-"""Room for what an author put somewhere."""
+"""Making room for edited behaviours."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Corrected times of words: neighbours give way, the order stays, another recording is noticed."""
+"""Corrected word times: neighbours are adjusted, the order is kept, another recording is detected."""
 
 from itertools import pairwise
 

@@ -1,4 +1,4 @@
-"""Words found again, and turned into a director's notes."""
+"""Finding words again, and turning marked ones into a director's notes."""
 
 import pytest
 

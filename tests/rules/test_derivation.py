@@ -1,4 +1,5 @@
-"""The stage: everything loads or every mistake is told; functions are named, explained, and their conflicts settled."""
+"""The stage: everything loads or every mistake is reported; functions are named, explained, and their conflicts
+resolved."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Functions from outside: they join the derived ones, win over them, and say where they come from."""
+"""Given functions: they join the derived ones, win over them, and name their origin."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Which movements the mapping rules we ship offer for a line, by what the function rules know of it."""
+"""Which movements the shipped mapping rules offer for a line, depending on the facts about it."""
 
 from pathlib import Path
 

@@ -1,4 +1,5 @@
-"""Long lines are read passage by passage: in proportion to their length, and as short lines are."""
+"""Long lines are processed passage by passage: in time proportional to their length, with the same results as short
+lines."""
 
 from functools import partial
 

@@ -1,4 +1,4 @@
-"""What matters how much: the table, and how specificity, combination and stress raise what it says."""
+"""Priorities: the table, and how specificity, combination and stress raise them."""
 
 from dataclasses import replace
 from pathlib import Path

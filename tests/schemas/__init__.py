@@ -1,1 +1,1 @@
-"""What comes in and goes out as JSON: `app/schemas`, every wrong field named. Begin with `test_requests.py`."""
+"""JSON input and output: `app/schemas`, every wrong field named. Begin with `test_requests.py`."""

@@ -1,4 +1,4 @@
-"""A director's notes as JSON: read when right, told by note and key when wrong; the schema is the documented one."""
+"""A director's notes as JSON: read if valid, mistakes reported by note and key; the schema is the documented one."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The form of an author's edits: what is written reads back, and every mistake is told with its place."""
+"""The format of an author's edits: what is written can be read again, and every mistake is reported with its place."""
 
 import json
 from pathlib import Path

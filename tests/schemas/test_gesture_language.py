@@ -1,4 +1,4 @@
-"""What goes with what in the gesture language, as told to tools: neither less nor more than the checker lets pass."""
+"""The valid combinations of the gesture language, as given to tools: exactly those that the checker accepts."""
 
 from itertools import product
 

@@ -1,4 +1,4 @@
-"""Gestures as values: what goes in comes out, and what is written wrong is found in the text."""
+"""Gestures as values: unchanged by writing and reading, and mistakes are found in the text."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Functions that come with a line: read when right, told by number and key when wrong."""
+"""Functions given with a line: read if valid, mistakes reported by number and key."""
 
 import pytest
 

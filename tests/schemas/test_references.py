@@ -1,4 +1,4 @@
-"""A speaker's reference goes out and comes in unchanged through either door, and wrong ones are told in one line."""
+"""A speaker's reference is unchanged by writing and reading, and mistakes are reported on one line."""
 
 import json
 from pathlib import Path

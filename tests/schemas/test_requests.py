@@ -1,4 +1,4 @@
-"""What comes in besides audio and text: read when right, told by its part when wrong."""
+"""Input other than audio and text: read if valid, mistakes reported by part."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The JSON shapes of CONTRACT.md, from values made by hand."""
+"""The JSON schemas of CONTRACT.md, from hand-made values."""
 
 import json
 from dataclasses import replace

@@ -1,3 +1,1 @@
-"""Agitation and the features that it is judged by, mostly on signals made by formula: `app/acoustic/agitation`. Begin
-with `test_agitation.py`.
-"""
+"""Agitation and its features, mostly on synthetic signals: `app/acoustic/agitation`. Begin with `test_agitation.py`."""

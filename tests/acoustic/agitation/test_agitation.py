@@ -1,4 +1,4 @@
-"""The run-time half of the agitation model: evaluated as scikit-learn would, loaded only when intact."""
+"""Evaluating the agitation model: the result equals scikit-learn's, and the model is loaded only when intact."""
 
 import hashlib
 import subprocess

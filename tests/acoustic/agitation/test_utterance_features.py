@@ -1,4 +1,4 @@
-"""What stands for an utterance: frames near the loudest, nothing of level or length, NaN where there is no voice."""
+"""Features of utterances: from frames near the loudest, independent of level and length, NaN without a voice."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""What tells of vocal effort: a brighter voice, a restless one, one whose timbre follows its loudness."""
+"""Features of vocal effort: for a brighter voice, a faster changing one, one whose timbre depends on its loudness."""
 
 from dataclasses import replace
 

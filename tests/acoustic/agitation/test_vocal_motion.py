@@ -1,4 +1,4 @@
-"""How the voice moves against itself: restless or even, falling or not, changing where it is loud or between."""
+"""Features of voice dynamics: fast or slow changes, decline, changes at loud places or between them."""
 
 from dataclasses import replace
 

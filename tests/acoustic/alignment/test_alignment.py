@@ -1,4 +1,4 @@
-"""Words and phones are found where flite spoke them; wrong texts are noticed; a crash of the decoder is survived."""
+"""Words and phones are found where flite spoke them; wrong texts are detected; crashes of the decoder are handled."""
 
 import io
 import json

@@ -1,4 +1,4 @@
-"""Boundaries are moved where the model says, stay in order, and stand where it has nothing to say."""
+"""Boundaries are moved as the model says, stay in order, and are unchanged where it predicts nothing."""
 
 import json
 import tracemalloc

@@ -1,4 +1,4 @@
-"""What is seen of a boundary: levels that do not tell the recording's level, kinds, and gaps on a scale of ratios."""
+"""Features of boundaries: levels independent of the recording's level, phone classes, and log distances."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The decoder that is kept answers as a new one does, whatever it has learnt."""
+"""The decoder that is kept gives the same results as a new one, regardless of its vocabulary."""
 
 from itertools import product
 from pathlib import Path

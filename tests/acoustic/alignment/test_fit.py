@@ -1,4 +1,4 @@
-"""What the scores and the sound outside the words say about a text, at the limits."""
+"""Detecting wrong transcripts by scores and by sound outside the words, at the limits."""
 
 import numpy as np
 import pytest

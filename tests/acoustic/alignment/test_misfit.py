@@ -1,4 +1,4 @@
-"""What each piece of evidence says of a text."""
+"""The effect of each piece of evidence on the misfit of a text."""
 
 import pytest
 

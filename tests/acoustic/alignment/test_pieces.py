@@ -1,4 +1,4 @@
-"""Long audio is cut in pauses, words lie where they lie in short lines, and fillers are found between them."""
+"""Long audio is cut in pauses, word times agree with those of short lines, and fillers are found between words."""
 
 import json
 from pathlib import Path

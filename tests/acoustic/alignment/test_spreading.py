@@ -1,4 +1,4 @@
-"""Without a path the words share the loud stretches by their phones, or the text is refused as too long."""
+"""Without a path the words are spread over the loud parts by their phones, or the text is refused as too long."""
 
 import numpy as np
 import pytest

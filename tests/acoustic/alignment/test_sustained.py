@@ -1,4 +1,4 @@
-"""Sounds too long for speech are silenced, and only what then fits better is kept."""
+"""Sounds too long for speech are silenced, and only better alignments are kept."""
 
 import numpy as np
 import pytest

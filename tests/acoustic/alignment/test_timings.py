@@ -1,4 +1,4 @@
-"""Words timed elsewhere are matched to the transcript, mistakes are named, and what is written reads back."""
+"""Words timed elsewhere are matched to the transcript, mistakes are reported, and what is written can be read again."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""The sum over harmonics, against eq. 3 written out, and where it is greatest."""
+"""The summation of harmonics, against a direct computation of eq. 3, and its maximum."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""What linear prediction leaves of signals whose source is known."""
+"""The prediction residual of signals whose source is known."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""f0 of a signal as it comes: near to the recording's, in time, whatever the chunks."""
+"""f0 of a live signal: close to the recording's, in time, whatever the chunk size."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The decision on measures made by hand."""
+"""The voicing decision on hand-made measures."""
 
 from itertools import product
 

@@ -1,3 +1,2 @@
-"""Written words and how they are said: `app/acoustic/pronunciation` by tables of cases. Begin with
-`test_pronunciation.py`.
-"""
+"""Text normalization and pronunciation: `app/acoustic/pronunciation`, by tables of cases. Begin with
+`test_pronunciation.py`."""

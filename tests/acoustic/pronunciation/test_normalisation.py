@@ -1,4 +1,4 @@
-"""What is said for each word: tables of text and speech, and nothing that makes it stumble."""
+"""The spoken tokens of each word: tables of text and speech, and input that must not raise."""
 
 from pathlib import Path
 

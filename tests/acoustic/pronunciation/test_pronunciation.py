@@ -1,4 +1,4 @@
-"""Known words are looked up, their forms derived, unknown ones guessed by a model that is measured elsewhere."""
+"""Known words are looked up, their forms derived, unknown ones predicted by a model that is evaluated elsewhere."""
 
 import zlib
 from pathlib import Path

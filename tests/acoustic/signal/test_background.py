@@ -1,4 +1,5 @@
-"""Noise behind speech: told by the faintest frames, and doubted when it is louder than the models know."""
+"""Noise behind speech: estimated from the faintest frames, with a notice when it is louder than in the training
+data."""
 
 import io
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Audio in: what comes out is the sound that went in, and every unusable file is refused for its own reason."""
+"""Decoding preserves the sound, and every unusable file is refused with its own reason."""
 
 import io
 import struct

@@ -1,4 +1,4 @@
-"""Where frames lie, and that blocks of them are no others than the signal's own."""
+"""The positions of frames; frames in blocks equal those of the whole signal."""
 
 import numpy as np
 import pytest

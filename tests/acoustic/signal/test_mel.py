@@ -1,4 +1,4 @@
-"""Mel bands: where they lie, how they share the spectrum out; and librosa's matrices, kept between processes."""
+"""Mel bands: their positions and weights; and librosa's matrices, cached between processes."""
 
 import os
 import subprocess

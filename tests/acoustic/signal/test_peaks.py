@@ -1,4 +1,4 @@
-"""Peaks of parabolas, whose places are known."""
+"""Peaks of parabolas with known positions."""
 
 import numpy as np
 import pytest

@@ -1,1 +1,1 @@
-"""How words stand out: `app/acoustic/stress` on contours made by hand. Begin with `test_stress.py`."""
+"""Stress of words: `app/acoustic/stress` on hand-made contours. Begin with `test_stress.py`."""

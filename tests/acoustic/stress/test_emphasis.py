@@ -1,4 +1,4 @@
-"""One scale for both measures of how much a word stands out, and which words the shipped rules emphasise by it."""
+"""The common scale of both measures of stress, and the words that are emphasised by it in the shipped rules."""
 
 from dataclasses import replace
 

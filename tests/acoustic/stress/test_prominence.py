@@ -1,4 +1,4 @@
-"""Syllables of known length and pitch: which of them, and which words, stand out."""
+"""Prominence of syllables with known length and pitch, and of words."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Stressed ratios of contours made by hand: what stands out is counted, per word, by the paper's thresholds."""
+"""Stressed ratios from hand-made contours: the frames above the paper's thresholds are counted, per word."""
 
 import numpy as np
 import pytest

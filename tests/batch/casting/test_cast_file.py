@@ -1,4 +1,4 @@
-"""cast.yaml: what it says, and every mistake in it with its place."""
+"""Reading cast.yaml, and every mistake in it with its place."""
 
 from pathlib import Path
 

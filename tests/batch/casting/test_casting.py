@@ -1,4 +1,4 @@
-"""Options of lines: the row before the cast, the cast before the scene and the command."""
+"""Options of lines: the row overrides the cast, the cast overrides the scene and the command."""
 
 from pathlib import Path
 from types import MappingProxyType

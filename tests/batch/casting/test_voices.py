@@ -1,4 +1,4 @@
-"""Whose voice is learnt, from which recordings, and that it is kept."""
+"""Which voices are learnt, from which recordings, and that the result is kept."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What a line's hashes follow from."""
+"""The inputs on which a line's hashes depend."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The manifest gives back what was put, belongs to one command at a time, and tells what is no manifest."""
+"""The manifest returns what was stored, is used by one command at a time, and reports files that are not manifests."""
 
 import sqlite3
 from contextlib import closing

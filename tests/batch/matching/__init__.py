@@ -1,1 +1,1 @@
-"""Lines and recordings, joined; the recordings are empty files with names."""
+"""Matching lines and recordings; the recordings are empty files with names."""

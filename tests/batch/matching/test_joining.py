@@ -1,4 +1,4 @@
-"""Lines find their recordings; what finds nothing, or is there twice, is told."""
+"""Lines are matched with recordings; unmatched ones and duplicates are reported."""
 
 from pathlib import Path
 

@@ -1,1 +1,1 @@
-"""What is told of a batch."""
+"""The reports of a batch."""

@@ -1,4 +1,5 @@
-"""Reports: what needs a human eye stands first, nothing in a line breaks them, and pictures are in the page."""
+"""Reports: the most urgent lines come first, no content of a line breaks them, and pictures are embedded in the
+page."""
 
 import csv
 import sys

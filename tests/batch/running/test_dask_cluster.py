@@ -1,4 +1,4 @@
-"""A real cluster of two workers on this machine, one of which is killed: nothing is lost but what kills its worker."""
+"""A real cluster of two workers on this machine, one of which is killed: only the job that kills its worker is lost."""
 
 import os
 import shutil

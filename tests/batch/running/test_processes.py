@@ -1,4 +1,4 @@
-"""Workers that die: none but the call they died of is lost; and none outlives who started it."""
+"""Workers that die: only the call during which they died is lost; and none outlives the process that started it."""
 
 import os
 import signal

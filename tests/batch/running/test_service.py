@@ -1,4 +1,4 @@
-"""The service as an engine, over HTTP: the same bytes as here, its problems, and `Retry-After`."""
+"""The service as an engine, over HTTP: the same bytes as local workers, its problems, and `Retry-After`."""
 
 import threading
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""What the supervisor makes of jobs that end, fail, or lose their worker."""
+"""The supervisor's handling of jobs that end, fail, or lose their worker."""
 
 from collections import Counter
 from concurrent.futures import Future, ThreadPoolExecutor

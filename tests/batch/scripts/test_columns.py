@@ -1,4 +1,4 @@
-"""Columns are found by their usual names or named; what is missing is told with what is there."""
+"""Columns are found by their usual names or as named; messages about missing ones list those that exist."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Screenplays: speeches with their cues, scenes, parentheticals, and nothing that is not said."""
+"""Screenplays: speeches with their cues, scenes, parentheticals, and nothing that is not spoken."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Text files in whatever encoding: the same words come out, and a guess is told."""
+"""Text files in various encodings: the same words are read, and a guess is reported."""
 
 import pytest
 

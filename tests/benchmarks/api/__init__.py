@@ -1,1 +1,1 @@
-"""Tests of what measures the service. Begin with `test_drill.py`."""
+"""Tests of the service's benchmarks. Begin with `test_drill.py`."""

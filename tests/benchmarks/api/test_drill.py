@@ -1,4 +1,4 @@
-"""The drill in its short form, against a service of its own: nothing is answered wrong, and nothing is lost."""
+"""The drill in its short form, with a service of its own: no wrong response, and nothing is lost."""
 
 import json
 import random

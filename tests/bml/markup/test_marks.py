@@ -1,4 +1,4 @@
-"""Times told from the marks of the speech say the same as times in seconds, and keep a behaviour's phases together."""
+"""Times relative to sync marks equal times in seconds, and keep a behaviour's phases together."""
 
 from dataclasses import replace
 from itertools import pairwise

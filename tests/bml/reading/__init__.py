@@ -1,3 +1,2 @@
-"""BML files of ours and others as schedules: `app/bml/reading`, hostile and broken ones too. Begin with
-`test_reader.py`.
-"""
+"""BML files, ours and others', as schedules: `app/bml/reading`, including hostile and broken ones. Begin with
+`test_reader.py`."""

@@ -1,4 +1,4 @@
-"""A point that is moved by hand takes along what depends on it."""
+"""Moving a point by hand moves the points that depend on it."""
 
 import re
 from pathlib import Path

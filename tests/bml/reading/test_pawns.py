@@ -1,4 +1,4 @@
-"""Pawns are read wherever they may stand; a target that nobody placed is a mistake once others are placed."""
+"""Pawns are read wherever they are permitted; a target without a place is a mistake if others have one."""
 
 from pathlib import Path
 

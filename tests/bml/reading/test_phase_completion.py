@@ -1,4 +1,4 @@
-"""Sync points that are told from each other, from nothing, or before the beginning."""
+"""Sync points that are relative to each other, missing, or before the beginning."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Files of strangers: the conformance suite's, wrong ones, and hostile ones."""
+"""Other people's files: the conformance suite's, wrong ones, and hostile ones."""
 
 from pathlib import Path
 

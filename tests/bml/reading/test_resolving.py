@@ -1,4 +1,4 @@
-"""BML back into behaviours: what we write comes back, and what others write gets its times."""
+"""BML resolved to behaviours: what we write is recovered, and others' BML gets absolute times."""
 
 from dataclasses import replace
 from pathlib import Path

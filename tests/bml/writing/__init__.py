@@ -1,3 +1,2 @@
-"""Performances as BML and JSON: `app/bml/writing`, held against the independent checker of `support`. Begin with
-`test_writer.py`.
-"""
+"""Performances as BML and JSON: `app/bml/writing`, checked by the independent checker of `support`. Begin with
+`test_writer.py`."""

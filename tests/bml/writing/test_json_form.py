@@ -1,4 +1,4 @@
-"""BML as JSON holds all that the document holds, in the shape that docs/bml-json.md gives."""
+"""BML as JSON contains everything in the document, in the format of docs/bml-json.md."""
 
 import json
 import re

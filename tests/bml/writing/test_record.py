@@ -1,4 +1,4 @@
-"""The record of a performance, on its way out and back in."""
+"""Writing and reading the record of a performance."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,4 +1,5 @@
-"""SmartBody's dialect, against shared/bml.md's section on it; the facts are spelt out here and not taken from ours."""
+"""SmartBody's dialect, against its section in shared/bml.md; the facts are written out here, not taken from our
+tables."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The tables of what SmartBody can play, and the mistakes that are found in them."""
+"""The tables of what SmartBody can play, and mistakes in them."""
 
 from pathlib import Path
 

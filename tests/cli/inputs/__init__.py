@@ -1,1 +1,1 @@
-"""What commands read: mistakes that are told before anything large is loaded."""
+"""The input of commands: mistakes are reported before anything large is loaded."""

@@ -1,4 +1,4 @@
-"""What is wrong with arguments and files is told before spaCy, the aligner or librosa is loaded; and no command loads
+"""Mistakes in arguments and files are reported before spaCy, the aligner or librosa is loaded; and no command loads
 what it does not use."""
 
 import json

@@ -1,1 +1,1 @@
-"""What commands tell and draw: the picture of an analysis."""
+"""The output of commands: the picture of an analysis."""

@@ -1,4 +1,4 @@
-"""The picture of an analysis made by hand. How it looks is for eyes; what it must show is tested."""
+"""The picture of a hand-made analysis: not its appearance, but what it must show."""
 
 import io
 import sys

@@ -1,3 +1,2 @@
-"""Programs at work: `app/rules/chaining` on programs of a few rules, and held against CLIPS, another forward chainer.
-Begin with `test_chainer.py`.
-"""
+"""Running programs: `app/rules/chaining` on programs of a few rules, and compared with CLIPS, another forward chainer.
+Begin with `test_chainer.py`."""

@@ -1,4 +1,4 @@
-"""What rules derive: joins, guards, `unless`, annotations, choices, reasons, limits; and that order never matters."""
+"""Derivations: joins, guards, `unless`, annotations, choices, reasons, limits; and that order never matters."""
 
 import os
 import random

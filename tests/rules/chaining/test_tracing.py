@@ -1,4 +1,4 @@
-"""What an author is told about rules: all that fired, and what was missing where one nearly did."""
+"""Traces for authors: all rules that fired, and what was missing where one nearly did."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Who does what in each clause, and in which mood it is said."""
+"""Rules about who does what in each clause, and its mood."""
 
 import pytest
 

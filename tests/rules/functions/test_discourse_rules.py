@@ -1,4 +1,4 @@
-"""What speakers do with their talk and with each other: found, and its look-alikes left alone."""
+"""Rules about discourse and dialogue acts: found, and not in similar sentences."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Evaluation that is not meant as the word has it, demonstratives that point at nothing, duties that are none."""
+"""Evaluation that is not meant literally, demonstratives that point at nothing, "must" without obligation."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The function rules we ship, over real parses: each sense found, each of its look-alikes left alone."""
+"""The shipped function rules, on real parses: each sense is found, and not in similar sentences."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What is known and what is new, set against each other, in focus, denied."""
+"""Rules about given and new information, contrast, focus and denial."""
 
 import pytest
 

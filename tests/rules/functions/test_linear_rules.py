@@ -1,5 +1,5 @@
-"""The rules we ship take hardly more than twice the work for twice the words, however these are made. What is left
-compares each noun with its like; a rule that joined every two words would take four times the work."""
+"""The shipped rules take hardly more than twice the work for twice the words, for lines of various kinds. Some rules
+compare each noun with those like it; a rule that joined every two words would take four times the work."""
 
 from functools import partial
 

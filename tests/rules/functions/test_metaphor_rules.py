@@ -1,4 +1,4 @@
-"""What is spoken of as if it were in space: found, its look-alikes left alone; and places that referents keep."""
+"""Spatial metaphors: found, and not in similar sentences; and places that referents keep."""
 
 import pytest
 

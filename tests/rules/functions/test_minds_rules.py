@@ -1,4 +1,4 @@
-"""Whose thoughts and feelings are told."""
+"""Rules about whose thoughts and feelings are reported."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Whose words are spoken, and which words they are."""
+"""Rules about whose words are quoted, and which words they are."""
 
 import pytest
 

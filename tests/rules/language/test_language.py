@@ -1,4 +1,4 @@
-"""How rule files are read: blocks, comments, places; and what syntax mistakes are called, each where it is (at `@`)."""
+"""Reading rule files: blocks, comments, places; and the messages about syntax mistakes, each at its place (`@`)."""
 
 from pathlib import Path
 

@@ -1,3 +1,1 @@
-"""Rule files as programs: what is checked, how rules are ordered and planned (`app/rules/program`). Begin with
-`test_checking.py`.
-"""
+"""Compiling rule files: checks, order and plans of rules (`app/rules/program`). Begin with `test_checking.py`."""

@@ -1,1 +1,1 @@
-"""The table of behaviors and its words: `app/bml/choice/behavior_table`. Begin with `test_table.py`."""
+"""The table of behaviors and its lexemes: `app/bml/choice/behavior_table`. Begin with `test_table.py`."""

@@ -1,1 +1,1 @@
-"""Those spoken to and what they do: `app/bml/choice/listeners`. Begin with `test_listening.py`."""
+"""The listeners and their behavior: `app/bml/choice/listeners`. Begin with `test_listening.py`."""

@@ -1,4 +1,4 @@
-"""The choice over the whole line: who goes first, and what bends the luck."""
+"""The choice over the whole line: the order of choosing, and the effects on the random draw."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Which hand makes what is asked for, on the library's gestures."""
+"""Which hand makes what is asked for, with the library's gestures."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,5 +1,5 @@
-"""What shows nothing is not done, whatever the line and the seed: many lines of functions drawn by chance, performed by
-the stages themselves."""
+"""Behaviours that would show nothing are dropped, whatever the line and the seed: many lines with random functions,
+performed by the actual stages."""
 
 import random
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""The phrases and stresses of a line, by hand-made words of .4 s with a vowel in their second half."""
+"""The phrases and stresses of a line, with hand-made words of .4 s with a vowel in their second half."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""A lead-in moves everything that is heard by the same time, to the millisecond."""
+"""A lead-in shifts all times of the recording equally, to the millisecond."""
 
 from dataclasses import replace
 

@@ -1,1 +1,1 @@
-"""Phases, and conflicts on the clock: `app/bml/choice/timing`. Begin with `test_phases.py`."""
+"""Times of phases, and conflicts: `app/bml/choice/timing`. Begin with `test_phases.py`."""
