@@ -1,6 +1,7 @@
 """The gesture editor by mouse and keyboard: what is composed is the text that it would be written as, nonsense cannot
 be chosen, and a text that is wrong says where."""
 
+from base64 import b64decode
 from pathlib import Path
 
 import pytest
@@ -157,17 +158,18 @@ def test_it_is_played_at_three_agitations(editor: Page) -> None:
 def test_a_pose_of_a_body_is_set_by_angles(editor: Page, tmp_path: Path) -> None:
     with editor.expect_response("**/gestures/motion"):
         editor.click("[data-sector='XP YUpperP']")
-    body = editor.evaluate_handle(
+    body = editor.evaluate(
         """async () => {
             const text = document.querySelector("#gesture-text").value;
             const headers = { "content-type": "application/json", accept: "model/gltf-binary" };
             const body = JSON.stringify({ text, fps: 30 });
             const answer = await fetch("gestures/motion", { method: "POST", headers, body });
-            return Array.from(new Uint8Array(await answer.arrayBuffer()));
+            const bytes = new Uint8Array(await answer.arrayBuffer());
+            return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
         }"""
-    ).json_value()
+    )
     file = tmp_path / "posed.glb"
-    file.write_bytes(bytes(body))
+    file.write_bytes(b64decode(body))
     editor.fill("#pose-time", "1.2")
     editor.set_input_files("#pose-file", file)
     wait_until(editor, "document.querySelector('#pose-told').textContent.includes('UpperArm')")
