@@ -3,7 +3,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: perform test test-clients serve npc plugin test-plugins lock client-types clean
+.PHONY: perform test search test-clients serve npc plugin test-plugins lock client-types clean
 
 perform: .venv/installed
 	mkdir -p out
@@ -23,6 +23,10 @@ test: .venv/installed-test
 	$(BIN)/lint-imports
 	$(BIN)/understudy rules check
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n auto --maxprocesses 4 --dist loadfile -rs
+
+# New examples for the properties, twenty times as many as the suite tries, which are always the same: an hour on two cores.
+search: .venv/installed-test
+	UNDERSTUDY_EXAMPLES=20 OMP_NUM_THREADS=1 $(BIN)/pytest -m hypothesis -n auto --maxprocesses 4
 
 # The client and its example, with node, npm and chromium where they are; what is missing is said and skipped.
 test-clients: .venv/installed

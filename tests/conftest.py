@@ -7,12 +7,12 @@ from collections.abc import Iterator
 import hypothesis
 import pytest
 
+from tests.support.examples import USUALLY, examples
 from understudy.api.workers.processes import Nursery
 from understudy.performance import Understudy
 from understudy.settings import Settings
 
-# How long an example takes says more of what else runs on the machine than of what is tested.
-hypothesis.settings.register_profile("understudy", deadline=None)
+hypothesis.settings.register_profile("understudy", examples(USUALLY))
 hypothesis.settings.load_profile("understudy")
 
 

@@ -3,9 +3,10 @@ no time at all, or are at the very beginning and end."""
 
 import dataclasses
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.examples import examples
 from tests.support.motion_limits import broken_limits
 from understudy.loading import load_realizer
 from understudy.model import Behavior, Channel, Hand, Interval, Level, Schedule, SyncPoints
@@ -66,7 +67,7 @@ def schedules(draw: st.DrawFn) -> Schedule:
     )
 
 
-@settings(max_examples=20)
+@examples(20)
 @given(schedules(), st.integers(0, 3))
 def test_nothing_jumps_whatever_is_asked_for(schedule: Schedule, seed: int) -> None:
     assert broken_limits(realize(REALIZER, schedule, seed=seed), REALIZER.skeleton) == []

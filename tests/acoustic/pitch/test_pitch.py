@@ -5,9 +5,10 @@ import tracemalloc
 import numpy as np
 import pytest
 import soxr
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.examples import examples
 from tests.support.shared_data import SHARED_SPEECH, needs
 from understudy.acoustic.pitch.harmonics import HIGHEST_F0_HZ, LOWEST_F0_HZ
 from understudy.acoustic.pitch.pitch import PUBLISHED, TUNED, Tuning, track_f0
@@ -45,7 +46,7 @@ def test_a_steady_voice_is_found_within_one_percent(f0_hz: float) -> None:
     np.testing.assert_allclose(inner(track_f0(Audio(voice(f0_hz)))), f0_hz, rtol=0.01)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(f0_hz=st.floats(70, 490), formant_hz=st.floats(300, 900), level=st.floats(1e-3, 1))
 def test_any_voice_is_found_at_any_level(f0_hz: float, formant_hz: float, level: float) -> None:
     samples = level * voice(f0_hz, 0.3, (formant_hz, 1500, 2500))

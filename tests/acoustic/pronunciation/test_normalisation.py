@@ -3,9 +3,10 @@
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.examples import examples
 from understudy.acoustic.pronunciation.normalisation import Normaliser, fold
 from understudy.errors import AuthoringError, InputError
 from understudy.transcript import read_transcript
@@ -86,7 +87,7 @@ def test_abbreviations_and_acronyms(normaliser: Normaliser, text: str, said: str
     assert _said(normaliser, text) == said
 
 
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @given(st.text(st.one_of(st.sampled_from("0123456789.,:/$%#&-'’½²٣asdSTAPM "), st.characters()), max_size=60))
 def test_any_transcript_has_tokens_for_each_word(normaliser: Normaliser, text: str) -> None:
     try:

@@ -7,9 +7,10 @@ import tracemalloc
 import numpy as np
 import pytest
 import soundfile
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.examples import examples
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.errors import InputError, TooLargeError, UndecodableError, UnderstudyError, UnsupportedFormatError
 from understudy.model import SAMPLE_RATE_HZ, FloatArray
@@ -237,7 +238,7 @@ def test_chunks_before_the_sound_are_stepped_over() -> None:
 
 
 @pytest.mark.parametrize("container", ["WAV", "FLAC", "OGG"])
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(draw=st.data())
 def test_damaged_bytes_give_a_sound_or_an_error_of_ours(container: str, draw: st.DataObject) -> None:
     content = bytearray(encoded(tone(duration_s=0.2), container=container))

@@ -15,12 +15,13 @@ from benchmarks.api.inputs import KINDS, inputs
 from benchmarks.api.lines import usual
 from benchmarks.api.watching import serving
 
-OF_THE_MACHINE = ("/healthz", "memory")
+PATIENT = {"workers": "2", "queue_s": "600", "deadline_s": "600"}
+OF_THE_MACHINE = ("/healthz", "memory", "descriptors")
 """What depends on what else runs here: the drill measures it, a test does not."""
 
 
 def test_the_service_holds(tmp_path: Path) -> None:
-    with serving({"workers": "2"}, log=tmp_path / "serve.log") as service:
+    with serving(PATIENT, log=tmp_path / "serve.log") as service:
         bars = [
             *fuzzed(service, 100, seed=5, clients=3, keep=tmp_path),
             *soaked(service, 20, 2),

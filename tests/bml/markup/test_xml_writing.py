@@ -4,10 +4,11 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from lxml import etree
 
+from tests.support.examples import examples
 from understudy.bml.markup.documents import DialectName, Document, Element, Reference, Value
 from understudy.bml.markup.elements import BML_CORE, CORE, SMARTBODY, Attribute, Dialect, ElementKind, Kind
 from understudy.bml.markup.xml_writing import to_xml
@@ -71,7 +72,7 @@ def foreign(draw: st.DrawFn) -> Element:
 
 @pytest.mark.parametrize("dialect", [BML_CORE, SMARTBODY], ids=lambda dialect: dialect.name)
 @given(random=st.data())
-@settings(max_examples=60, deadline=None)
+@examples(60)
 def test_any_document_is_read_as_it_was_written(dialect: Dialect, random: st.DataObject) -> None:
     document = random.draw(documents(dialect))
     written = to_xml(document)

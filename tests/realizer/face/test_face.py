@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.examples import examples
 from tests.support.speaking import SKELETON, TABLES, faced, middle_s, said, shape, shown, still, times
 from understudy.model import Behavior, Interval, Schedule, SyncPoints, Viseme
 from understudy.realizer.body.motion import SHAPES
@@ -132,7 +133,7 @@ SHOWN = st.builds(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(st.lists(SPOKEN, max_size=12), st.lists(SHOWN, max_size=8))
 def test_whatever_is_said_and_shown_it_is_a_face(spoken: list[Viseme], behaviors: list[Behavior]) -> None:
     """Also visemes that overlap, that have no length, and faces that begin before the first frame."""

@@ -2,10 +2,11 @@
 
 from pathlib import Path
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.docs.test_gesture_language_page import EXAMPLES
+from tests.support.examples import examples
 from understudy.realizer.gestures.checking import duplicate_names
 from understudy.realizer.gestures.definitions import definition
 from understudy.realizer.gestures.language import parse_gestures
@@ -38,7 +39,7 @@ def broken_lines(draw: st.DrawFn) -> list[str]:
     return lines
 
 
-@settings(deadline=None, max_examples=150)
+@examples(150)
 @given(broken_lines())
 def test_every_mistake_has_its_place(lines: list[str]) -> None:
     file, mistakes = parse_gestures("\n".join(lines), Path("broken.gesture"))

@@ -5,9 +5,10 @@ from itertools import product
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.examples import examples
 from understudy.authoring.catalogue import load_gestures
 from understudy.model import Hand, Level
 from understudy.realizer.gestures.checking import REPEATED
@@ -143,7 +144,7 @@ def read_back(text: str) -> list[Definition | None]:
     return found
 
 
-@settings(deadline=None, max_examples=60)
+@examples(60)
 @given(definitions())
 def test_what_is_written_is_read_back(written: Definition) -> None:
     """Words of the language are no worse as names than others."""

@@ -4,10 +4,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
+from tests.support.examples import examples
 from tests.support.gesture_clips import MARKERS, clip, gesture, library
 from understudy.bml.choice.characters.characters import Characters
 from understudy.bml.choice.characters.gesture_forms import with_forms
@@ -72,7 +73,7 @@ def test_transition_times_are_those_of_placed_clips(
 @example(["mime_throw", "mime_oath"], 0.5, Level.HIGH, "expansive", 0.5, 0)
 @example([*["beat_both"] * 6, "gesture_aside", "gesture_comparative"], 0.25, Level.HIGH, "expansive", 0.5, 0)
 @example(["mime_hit", "gesture_apology", "gesture_past", "mime_push_both"], 0.425, Level.HIGH, "expansive", 0.35, 2)
-@settings(deadline=None, max_examples=60)
+@examples(60)
 def test_what_is_scheduled_is_played(
     names: list[str], word_s: float, level: Level, character: str, stillness: float, seed: int
 ) -> None:

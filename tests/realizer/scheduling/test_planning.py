@@ -4,7 +4,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.gesture_clips import MARKERS, HandMade, clip, gesture, library
@@ -343,7 +343,6 @@ def schedules(draw: st.DrawFn) -> Schedule:
     return Schedule(tuple(behaviors), 22.0, phrases=phrases, emphases_s=tuple(draw(st.lists(st.floats(0, 20)))))
 
 
-@settings(deadline=None)
 @given(schedule=schedules(), seed=st.integers(0, 3))
 def test_whatever_is_asked_for_the_plan_is_sound(schedule: Schedule, seed: int) -> None:
     plan = plan_gestures(_random_clips(), schedule, seed=seed)

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import clips
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.examples import examples
 from understudy.rules.chaining.chainer import Fact, derive
 from understudy.rules.program.program import load_program
 
@@ -96,7 +97,7 @@ def programs(draw: st.DrawFn) -> list[Rule]:
 givens = st.lists(st.sampled_from(sorted(ARITIES)).flatmap(facts_of), min_size=6, max_size=25)
 
 
-@settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))
+@examples(100)
 @given(program=programs(), facts=givens)
 def test_the_same_facts_as_clips(program: list[Rule], facts: list[tuple[str | int, ...]]) -> None:
     assert _ours(program, facts) == _theirs(program, facts)
