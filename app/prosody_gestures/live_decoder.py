@@ -7,7 +7,7 @@ What has been decided never changes. A stretch of the path is decided
 - at the latest `bound_frames` after it was heard, when the best path of that moment decides. Paths that disagree are
   dropped, and the frames since are decoded again, so that what comes later is the best path that goes on from there.
 
-What is not decided yet may be asked for (`likeliest`) and may change: who cannot wait for the bound acts on it.
+What is not decided yet may be asked for (`scores`) and may change: who cannot wait for the bound acts on it.
 
 The thesis promises "a finite delay" and states none: its program decodes a minute at a time.
 """
@@ -71,12 +71,11 @@ class LiveDecoder:
             pieces += self._best_until(self._decided + self._commitment.at_once)
         return tuple(pieces)
 
-    def likeliest(self, held: int | None, lead: float) -> int:
-        """The state that the last frame is in, as it looks now; `held` unless another's best path leads its by more
-        than `lead` (a difference of logarithms)."""
-        scores = self._trellis.open_scores(self._start).max(axis=1)
-        best = int(scores.argmax())
-        return best if held is None or scores[best] - scores[held] > lead else held
+    def scores(self) -> FloatArray:
+        """How likely each state is the one that the last frame is in, as it looks now: the logarithm of its best path
+        (states)."""
+        best: FloatArray = self._trellis.open_scores(self._start).max(axis=1)
+        return best
 
     def finish(self) -> tuple[Piece, ...]:
         """The rest of the path, whose last segment ends now."""

@@ -2,11 +2,14 @@
 
 The likeliest path up to the newest frame says what a part of the body does now; whoever moves it cannot wait, so a
 change of state is announced as soon as it looks so, `ANNOUNCED_S` after its sound was heard, and may turn out wrong.
+A stroke often looks so only when it has gone on for a while, and a hand needs time to get ready; so a preparation is
+announced while a gesture is still less likely than none (`EARLY`; what that brings is in docs/measurements.md, "Live
+streams").
 What is decided never changes, and leaves at the latest `DECIDED_S` after it was heard: the frame's window, the
 look-ahead of its context, and the decoder's bound.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +26,12 @@ BOUND_S = 1.6
 COMMITMENT = Commitment(bound_frames=round(BOUND_S / FRAME_S), at_once=8, beam=8.0)
 LEAD = 1.0
 """By how much another state's path must be likelier, in logarithms, before it is announced."""
+
+EARLY = 2.5
+"""By how much the best path into a gesture may be less likely than that without, in logarithms, while a preparation is
+announced."""
+
+PREPARATION, STROKE = "preparation", "stroke"
 
 ANNOUNCED_S = HALF_WINDOW_S + LOOKAHEAD_S
 DECIDED_S = ANNOUNCED_S + BOUND_S
@@ -89,15 +98,15 @@ class _LivePart:
 
     def __init__(self, part: PartModel, search: Search, commitment: Commitment) -> None:
         self._part, self._decoder = part, LiveDecoder(part.model, search, commitment)
-        self._announced: int | None = None
+        self._announcing = Announcing(part.model.states)
         self._frames = 0
 
     def push(self, row: FloatArray) -> Iterator[Phase]:
         """What one more frame (`WIDTH`) tells."""
         decided = self._decoder.push(self._part.log_likelihoods(row[None])[0])
-        state = self._decoder.likeliest(self._announced, LEAD)
-        if state != self._announced:
-            self._announced, start_s = state, self._frames * FRAME_S
+        state = self._announcing.changed(self._decoder.scores())
+        if state is not None:
+            start_s = self._frames * FRAME_S
             yield Phase(self._part.part, self._named(state), start_s, start_s + FRAME_S, begins=True, decided=False)
         self._frames += 1
         yield from map(self._phase, decided)
@@ -111,3 +120,25 @@ class _LivePart:
     def _phase(self, piece: Piece) -> Phase:
         start_s, end_s = piece.segment.start * FRAME_S, piece.segment.end * FRAME_S
         return Phase(self._part.part, self._named(piece.segment.state), start_s, end_s, piece.begins, decided=True)
+
+
+class Announcing:
+    """Tells changes of state, so that they neither flicker nor come late. A model without preparations and strokes, as
+    of a team's own pairs, has no early ones."""
+
+    def __init__(self, states: Sequence[str]) -> None:
+        self._state: int | None = None
+        has_gestures = {PREPARATION, STROKE} <= set(states)
+        self._gesture = [states.index(PREPARATION), states.index(STROKE)] if has_gestures else []
+
+    def changed(self, scores: FloatArray) -> int | None:
+        """The state that is announced by how likely each is (`LiveDecoder.scores`), if it is another than before."""
+        state, best = self._state, int(scores.argmax())
+        if state is None or scores[best] - scores[state] > LEAD:
+            state = best
+        if self._gesture and state not in self._gesture and self._state != self._gesture[1]:
+            kept = EARLY + LEAD if self._state == self._gesture[0] else EARLY
+            state = self._gesture[0] if scores[self._gesture].max() > scores[state] - kept else state
+        changed = state != self._state
+        self._state = state
+        return state if changed else None

@@ -7,7 +7,8 @@ learnt from the other folds' speakers, their strokes against those of the rules 
 both begin on words at most one apart. Then, with the shipped model, the directors' lines by score.py: strokes within a
 word of a director's. Each beside the prosody mode (directors' lines only) and chance: the same strokes, all of a line's
 moved round it by one random time, so that their number and spacing stay. Live strokes are those announced; one counts
-where it is, "late" where it can be performed at the earliest, when it was announced.
+where it is, "late" where it can be performed at the earliest, when it was announced. "Beaten" are the beats that a live
+stream makes of what is announced, f0 as late as it comes at the latest.
 """
 
 import argparse
@@ -22,7 +23,15 @@ import numpy as np
 from benchmarks.acting.directing import AFTER_STROKE_S, READERS, load_score
 from training.prosody_gestures.performed_lines import HANDS, STROKE, PerformedLine, learn, read_performed, strokes_of
 from training.prosody_gestures.train import CORPORA, FILE
-from understudy.model import FRAME_SHIFT_S
+from understudy.acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
+from understudy.bml.choice.characters.characters import DEFAULT_CHARACTER
+from understudy.live.events import LiveEvent
+from understudy.live.movements import Movements
+from understudy.live.placing import Placer
+from understudy.live.table import FILE as LIVE
+from understudy.live.table import LiveTable
+from understudy.loading import load_characters
+from understudy.model import FRAME_SHIFT_S, Behavior
 from understudy.prosody_gestures.live_gestures import LiveGestures
 from understudy.prosody_gestures.semi_markov import FRAME_S
 from understudy.prosody_gestures.voice_model import VoiceModel
@@ -55,6 +64,23 @@ def lived(model: VoiceModel, line: PerformedLine) -> tuple[Strokes, Strokes]:
     found = [(one[1], other[1]) for one, other in pairwise(states) if one[0] == HANDS[STROKE]]
     late = [(one[2], one[2] + other[1] - one[1]) for one, other in pairwise(states) if one[0] == HANDS[STROKE]]
     return found, late
+
+
+def beats_of(model: VoiceModel, line: PerformedLine, movements: Movements) -> Strokes:
+    """The strokes of the beats of a live stream."""
+    live, beats = LiveGestures(model), dict[str, Behavior]()
+    for first in range(0, len(line.f0_hz), CHUNK_FRAMES):
+        last = first + CHUNK_FRAMES
+        now_s = last * FRAME_SHIFT_S + PITCH_LATEST_S
+        phases = live.hear(line.energy_db[first:last], line.f0_hz[first:last])
+        for phase in phases:
+            if phase.part == "hands" and not phase.decided:
+                beats |= {
+                    each.id: each
+                    for each in movements.moved(LiveEvent(phase.part, phase.state, phase.start_s, now_s), now_s)
+                }
+    syncs = (each.sync for each in beats.values())
+    return [(sync.stroke_start or 0.0, sync.stroke_end or 0.0) for sync in syncs]
 
 
 def moved_round(strokes: Strokes, line: PerformedLine, generator: np.random.Generator) -> Strokes:
@@ -141,7 +167,12 @@ def directors_lines(performed: Path, directing: Path) -> None:
     report("the voice alone, full decode", judge, {line.name: decoded(model, line) for line in lines}, lines)
     live = {line.name: lived(model, line) for line in lines}
     report("the voice alone, live", judge, {each: where for each, (where, _) in live.items()}, lines)
+    characters = load_characters()
+    table = LiveTable.load(resource_folder("lexicon") / LIVE, characters.behavior_names)
+    character = characters.named(DEFAULT_CHARACTER)
+    beats = {line.name: beats_of(model, line, Movements(table, Placer.of(character, 0))) for line in lines}
     report("the voice alone, live, late", judge, {each: when for each, (_, when) in live.items()}, lines)
+    report("the voice alone, live, beaten", judge, beats, lines)
 
 
 def main() -> None:

@@ -9,7 +9,16 @@ from tests.prosody_gestures.test_prosody import spoken
 from tests.prosody_gestures.test_voice_model import SHIPPED
 from understudy.model import FRAME_SHIFT_S
 from understudy.prosody_gestures.live_decoder import Commitment
-from understudy.prosody_gestures.live_gestures import ANNOUNCED_S, COMMITMENT, DECIDED_S, LiveGestures, Phase
+from understudy.prosody_gestures.live_gestures import (
+    ANNOUNCED_S,
+    COMMITMENT,
+    DECIDED_S,
+    EARLY,
+    LEAD,
+    Announcing,
+    LiveGestures,
+    Phase,
+)
 from understudy.prosody_gestures.semi_markov import FRAME_S
 from understudy.prosody_gestures.trellis import EVERYTHING
 from understudy.prosody_gestures.voice_model import VoiceModel
@@ -60,6 +69,31 @@ def test_what_is_announced_comes_in_time_and_in_order_and_never_twice() -> None:
             assert first * FRAME_SHIFT_S - phase.start_s <= ANNOUNCED_S + FRAME_S
             last[phase.part] = phase
     assert last.keys() == {"hands", "head", "brows"}
+
+
+@pytest.mark.parametrize(
+    ("scores", "told"),
+    [
+        ([(0, -9, -9), (0, -EARLY - 0.1, -9)], ["rest"]),
+        ([(0, -9, -9), (0, -9, -EARLY + 0.1)], ["rest", "preparation"]),
+        ([(0, -9, -9), (0, -2, -9), (0, -EARLY - LEAD + 0.1, -9)], ["rest", "preparation"]),
+        ([(0, -9, -9), (0, -2, -9), (0, -EARLY - LEAD - 0.1, -9)], ["rest", "preparation", "rest"]),
+        ([(0, -9, -9), (0, -2, -9), (-9, -LEAD - 0.1, 0)], ["rest", "preparation", "stroke"]),
+        ([(0, -9, -9), (-LEAD - 0.1, -9, 0), (-2, -2, 0)], ["rest", "stroke"]),
+    ],
+)
+def test_a_gesture_is_prepared_before_it_is_likelier_than_none(
+    scores: list[tuple[float, ...]], told: list[str]
+) -> None:
+    states = ("rest", "preparation", "stroke")
+    announcing = Announcing(states)
+    found = [announcing.changed(np.array(row)) for row in scores]
+    assert [states[each] for each in found if each is not None] == told
+
+
+def test_states_of_other_names_need_a_lead() -> None:
+    announcing = Announcing(("phrase 0", "phrase 1"))
+    assert [announcing.changed(np.array(row)) for row in ((0, -1), (-LEAD + 0.1, 0), (-LEAD - 0.1, 0))] == [0, None, 1]
 
 
 def test_chunks_do_not_matter() -> None:
