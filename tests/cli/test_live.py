@@ -81,9 +81,22 @@ def test_an_avatar_is_moved_in_time_with_the_recording(capsys: Captured, tmp_pat
         assert OscBundle(receiver.recv(2000)).content(0).address == "/VMC/Ext/OK"
 
 
+def test_a_face_is_moved_beside(capsys: Captured, tmp_path: Path) -> None:
+    (tmp_path / "short.raw").write_bytes(bytes(3200))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
+        receiver.bind(("127.0.0.1", 0))
+        receiver.settimeout(5)
+        host, port = receiver.getsockname()
+        told(capsys, str(tmp_path / "short.raw"), "--rate", "16000", "--live-link-face", f"{host}:{port}")
+        frames = [receiver.recv(2000) for _ in range(6)]
+    assert {len(each) for each in frames} == {len(frames[0])}
+    assert {each[0] for each in frames} == {6}
+
+
+@pytest.mark.parametrize("option", ["--vmc", "--live-link-face"])
 @pytest.mark.parametrize("address", ["nowhere:port", ":39539", "host:0", "host:70000"])
-def test_no_address(capsys: Captured, address: str) -> None:
-    assert main(["live", AUDIO, "--vmc", address]) == 2
+def test_no_address(capsys: Captured, address: str, option: str) -> None:
+    assert main(["live", AUDIO, option, address]) == 2
     assert "HOST:PORT" in capsys.readouterr().err
 
 

@@ -41,14 +41,16 @@ def test_each_is_told_in_time() -> None:
 
 
 def test_what_is_announced_is_mostly_what_is_decided() -> None:
-    """Of a line's moments, hands are in the state that was announced for them in more than two thirds."""
+    """Of a line's moments, hands are in the state that was announced for them in more than two thirds, preparations
+    aside, which are announced early."""
     paths = []
     for decided in (False, True):
         hands = [event for event in told(decided=decided) if event.part == "hands"]
         starts = np.array([event.start_s for event in hands])
         moments = np.arange(0.0, len(LINE) / SAMPLE_RATE_HZ, 0.025)
         paths.append([hands[place].state for place in np.searchsorted(starts, moments, side="right") - 1])
-    alike = [one == other for one, other in zip(*paths, strict=True)]
+    alike = [one == other for one, other in zip(*paths, strict=True) if one != "preparation"]
+    assert len(alike) > len(paths[0]) / 2
     assert np.mean(alike) > 2 / 3
 
 

@@ -119,6 +119,9 @@ def add_live(add: Adding) -> None:
         help="the names of the face's blendshapes in VMC",
     )
     parser.add_argument("--vmc-without-head", action="store_true", help="leave neck, head and eyes to a tracker")
+    parser.add_argument(
+        "--live-link-face", metavar="HOST:PORT", help="move a face there, as the app Live Link Face does (port 11111)"
+    )
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
     add_output(parser, "OUT.jsonl", "where the lines go (default: standard output)", default=STANDARD)

@@ -2,25 +2,26 @@
 (docs/live.md).
 
 The lines are the messages of `WS /live`: `ready`, then behaviours, mouth shapes and, on request, frames; finally
-`done`. With `--vmc` the frames go to a program that shows an avatar; a recording is then played in real time.
+`done`. With `--vmc` or `--live-link-face` the frames go to programs that show avatars; a recording is then played in
+real time.
 """
 
 import argparse
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import ExitStack, closing
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from typing import BinaryIO, TextIO
 
 from ...acoustic.signal.decoding import decode
 from ...errors import InputError
 from ...hearing import audio_limits
+from ...live.avatars.sending import FrameSender
 from ...live.body import BodyFrame
 from ...live.models import LiveModels
 from ...live.session import LiveSession
 from ...live.telling import LiveOptions, Told
-from ...live.vmc import PORT, VmcFace, VmcParts, VmcSender, VmcWriter
 from ...model import SAMPLE_RATE_HZ, FloatArray
 from ...performance import Understudy
 from ...schemas.live import read_samples, to_done, to_json, to_ready
@@ -28,29 +29,27 @@ from ...settings import Settings, read_settings
 from ..files import STANDARD, read_bytes
 from ..inputs.microphone import microphone_chunks
 from ..log import Log
+from ..outputs.avatars import AVATAR_FRAME_RATE_HZ, avatar_addresses, avatar_senders
 
 CHUNK_S = 0.04
-VMC_FRAME_RATE_HZ = 60
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     _check_rate(arguments.rate, settings)
-    address = _address(arguments.vmc) if arguments.vmc else None
+    moves_avatars = any(avatar_addresses(arguments))
     rate_hz, chunks = _sound(arguments, settings, log)
     options = LiveOptions(rate_hz, arguments.character, arguments.seed, arguments.frames)
-    if address and not options.frame_rate_hz:
-        options = replace(options, frame_rate_hz=VMC_FRAME_RATE_HZ)
+    if moves_avatars and not options.frame_rate_hz:
+        options = replace(options, frame_rate_hz=AVATAR_FRAME_RATE_HZ)
     with ExitStack() as stack:
         out = sys.stdout if arguments.output == STANDARD else stack.enter_context(_opened(arguments.output))
         understudy = stack.enter_context(Understudy.load(settings))
-        sender = None
-        if address:
-            parts = VmcParts(head=not arguments.vmc_without_head, face=VmcFace(arguments.vmc_face))
-            writer = VmcWriter(understudy.realizer.performer(arguments.character).skeleton, parts)
-            sender = stack.enter_context(closing(VmcSender(address, writer)))
+        senders: tuple[FrameSender, ...] = ()
+        if moves_avatars:
+            senders = avatar_senders(arguments, understudy, options.frame_rate_hz or AVATAR_FRAME_RATE_HZ, stack)
             chunks = chunks if arguments.microphone else _paced(chunks, rate_hz)
-        sink = _Sink(out, sender, tells_frames=arguments.frames is not None)
+        sink = _Sink(out, senders, tells_frames=arguments.frames is not None)
         _perform(LiveModels.load(understudy), options, chunks, sink)
     return 0
 
@@ -60,7 +59,7 @@ class _Sink:
     """The destinations of the output."""
 
     out: TextIO
-    sender: VmcSender | None
+    senders: tuple[FrameSender, ...]
     tells_frames: bool
 
     def line(self, message: str) -> None:
@@ -68,18 +67,11 @@ class _Sink:
         self.out.flush()
 
     def told(self, told: Told) -> None:
-        if isinstance(told, BodyFrame) and self.sender is not None:
-            self.sender.send(told)
+        if isinstance(told, BodyFrame):
+            for sender in self.senders:
+                sender.send(told)
         if not isinstance(told, BodyFrame) or self.tells_frames:
             self.line(to_json(told))
-
-
-def _address(text: str) -> tuple[str, int]:
-    """Raises InputError `value_wrong`."""
-    host, _, port = text.rpartition(":") if ":" in text else (text, "", str(PORT))
-    if not host or not port.isdecimal() or not 0 < int(port) < 65536:
-        raise InputError("value_wrong", f"--vmc {text}; give HOST:PORT, as 127.0.0.1:{PORT}", field="vmc")
-    return host.strip("[]"), int(port)
 
 
 def _opened(path: str) -> TextIO:

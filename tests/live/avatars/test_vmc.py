@@ -1,15 +1,12 @@
 """Datagrams of the Virtual Motion Capture protocol, read back by python-osc, which knows nothing of ours."""
 
-import socket
-
 import numpy as np
 import pytest
 from pythonosc.osc_bundle import OscBundle
 
-from understudy.errors import InputError
+from understudy.live.avatars.osc import MOST_BYTES, bundles, message, message_head
+from understudy.live.avatars.vmc import VmcFace, VmcParts, VmcWriter, unity_name
 from understudy.live.body import BodyFrame
-from understudy.live.osc import MOST_BYTES, bundles, message, message_head
-from understudy.live.vmc import VmcFace, VmcParts, VmcSender, VmcWriter, unity_name
 from understudy.performance import Understudy
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import Skeleton
@@ -76,24 +73,6 @@ def test_thumbs_have_unitys_names() -> None:
         "LeftThumbDistal",
         "LeftIndexProximal",
     ]
-
-
-def test_frames_arrive(skeleton: Skeleton) -> None:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
-        receiver.bind(("127.0.0.1", 0))
-        receiver.settimeout(5)
-        sender, writer = VmcSender(receiver.getsockname(), VmcWriter(skeleton)), VmcWriter(skeleton)
-        sender.send(frame(skeleton))
-        expected = writer.datagrams(frame(skeleton))
-        assert [receiver.recv(2000) for _ in expected] == expected
-        sender.close()
-        assert sender.lost == 0
-
-
-def test_an_address_that_nobody_knows_is_refused(skeleton: Skeleton) -> None:
-    with pytest.raises(InputError) as raised:
-        VmcSender(("no.such.host.invalid", 39539), VmcWriter(skeleton))
-    assert raised.value.code == "address_unusable"
 
 
 def test_a_message_larger_than_a_bundle_goes_alone() -> None:

@@ -6,7 +6,6 @@ x is mirrored: places (-x, y, z), rotations (x, -y, -z, w). Bones go by Unity's 
 to the parent.
 """
 
-import socket
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
@@ -14,12 +13,11 @@ from types import MappingProxyType
 
 import numpy as np
 
-from ..errors import InputError
-from ..model import FloatArray
-from ..realizer.body.motion import SHAPES
-from ..realizer.body.skeleton import Skeleton
-from ..realizer.face.face_tables import INDEX
-from .body import BodyFrame
+from ...model import FloatArray
+from ...realizer.body.motion import SHAPES
+from ...realizer.body.skeleton import Skeleton
+from ...realizer.face.face_tables import INDEX
+from ..body import BodyFrame
 from .osc import bundles, message, message_head
 
 PORT = 39539
@@ -88,35 +86,6 @@ class VmcWriter:
             yield message(head, (float(frame.shapes[columns].mean()),))
         if self._shapes:
             yield self._apply
-
-
-class VmcSender:
-    """Sends frames to a program. A datagram that cannot be sent is lost, as others are on their way."""
-
-    def __init__(self, address: tuple[str, int], writer: VmcWriter) -> None:
-        """Raises InputError `address_unusable` for a host that is not known."""
-        try:
-            found = socket.getaddrinfo(*address, type=socket.SOCK_DGRAM)[0]
-        except OSError as error:
-            host, port = address
-            raise InputError(
-                "address_unusable", f"{host}:{port}: {error.strerror}; give HOST:PORT", field="vmc"
-            ) from None
-        self._address, self._writer = found[4], writer
-        self._socket = socket.socket(found[0], socket.SOCK_DGRAM)
-        self._socket.setblocking(False)
-        self.lost = 0
-        """How many datagrams could not be sent."""
-
-    def send(self, frame: BodyFrame) -> None:
-        for datagram in self._writer.datagrams(frame):
-            try:
-                self._socket.sendto(datagram, self._address)
-            except OSError:
-                self.lost += 1
-
-    def close(self) -> None:
-        self._socket.close()
 
 
 def unity_name(joint: str) -> str:

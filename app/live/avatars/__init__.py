@@ -1,0 +1,1 @@
+"""Frames to programs that show avatars, by UDP: a protocol a file, and who sends them."""

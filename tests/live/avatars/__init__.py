@@ -1,0 +1,1 @@
+"""Frames for other programs, read back. Begin with `test_vmc.py`."""
