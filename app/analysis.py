@@ -58,7 +58,8 @@ class Options:
     `agitation` overrides the measured level, `reference` describes how the speaker usually sounds. `lead_in_s` is how
     long before the recording the performance begins, `stillness` (0 to 1) reduces all movement, `targets` are the
     positions of things and listeners. `played_by` maps names of listeners that are not characters of ours to characters
-    that play them. `profile` is a gesture profile, or the name of one in the lexicon. `contours` says whether f0 and
+    that play them. `profile` is a gesture profile, or the name of one in the lexicon; `listener_profiles` are
+    those of listeners, by name. `contours` says whether f0 and
     energy are returned with the performance, `edits` are an author's changes to it (`with_edits`).
 
     Raises InputError `value_wrong` and `target_wrong`.
@@ -76,6 +77,7 @@ class Options:
     played_by: tuple[tuple[str, str], ...] = ()
     targets: tuple[Target, ...] = ()
     profile: Profile | str | None = None
+    listener_profiles: tuple[tuple[str, Profile | str], ...] = ()
     contours: bool = False
     edits: Edits = NO_EDITS
 

@@ -35,29 +35,8 @@ from .profiles.profile import Profile
 from .profiles.tags import tag_of, tags_of
 from .transcript import MAX_WORDS
 
-HEAD_MOVEMENTS_PER_MINUTE = 20.0
-"""Of the default character in the lines of the example annotations; a speaker's own rate is compared with it."""
-
 Channels = Mapping[str, tuple[Channel, str]]
 """The channel and lexeme of behaviours by name."""
-
-LEAST_ACTIVITY, MOST_ACTIVITY = 0.3, 2.0
-
-
-def as_speaker(character: Character, profile: Profile) -> Character:
-    """The character with the head, eyes and rests of a profile; the script decides about the hands.
-
-    The character's overall activity is scaled by how much the speaker's head moves.
-    """
-    head = profile.head
-    activity = sum(head.per_minute.values()) / HEAD_MOVEMENTS_PER_MINUTE if head.per_minute else 1.0
-    activity = min(max(activity, LEAST_ACTIVITY), MOST_ACTIVITY)
-    return replace(
-        character,
-        gestures_per_minute=character.gestures_per_minute * activity,
-        eye_contact=character.eye_contact if head.eye_contact is None else head.eye_contact,
-        rest_poses=(),
-    )
 
 
 def without_planned_gestures(moments: Iterable[Moment]) -> tuple[Moment, ...]:

@@ -32,7 +32,6 @@ from .edits.applying import edited
 from .edits.values import WordMark
 from .edits.words import marked, unmarked, with_marked
 from .gesture_scripts import (
-    as_speaker,
     gesture_script,
     repertoire_of,
     scripted_behaviors,
@@ -58,6 +57,7 @@ from .model import (
     Performance,
 )
 from .on_demand import OnDemand
+from .profile_habits import as_listener, as_speaker, listening_postures, speaking_postures
 from .profiles.generation.script import GestureScript
 from .profiles.profile import Profile
 from .progress import Progress, no_progress
@@ -240,6 +240,7 @@ def _scheduled(
         script = gesture_script(
             performer.profile, repertoire, analysis.utterance, analysis.functions, seed=options.seed
         )
+        behaviors = (*behaviors, *speaking_postures(performer.profile))
         behaviors = numbered((*behaviors, *scripted_behaviors(script, analysis.functions, behaviors)))
     return behaviors, script
 
@@ -272,22 +273,28 @@ def _told(
         targets=targets,
     )
     performance = edited(performance, options.edits.behaviors, performer.character)
-    heard_by = partial(_heard_by, performer.behavior, dict(options.played_by))
+    heard_by = partial(_heard_by, performer.behavior, options)
     performance = with_stillness(reduce(heard_by, options.listeners, performance), options.stillness)
     return replace(performance, notices=performance.notices + losses(performance, options.form))
 
 
-def _heard_by(
-    behavior: BehaviorModels, played_by: Mapping[str, str], performance: Performance, name: str
-) -> Performance:
+def _heard_by(behavior: BehaviorModels, options: Options, performance: Performance, name: str) -> Performance:
     """The performance with one more listener: played by the character the options name, else by the character of that
-    name, else by the default."""
+    name, else by the default; with the head, posture and rests of the profile that the options name, if any.
+
+    Raises InputError `unknown_profile`.
+    """
     characters, notices = behavior.characters, performance.notices
-    played = played_by.get(name, name)
+    played = dict(options.played_by).get(name, name)
     if played not in characters.by_name:
         message = f"no character is called {name!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
         notices = (*notices, Notice("listener_unknown", message))
     character = characters.by_name.get(played) or characters.named(DEFAULT_CHARACTER)
-    listener = Listener(replace(character, name=name), behavior.head_rates, performance.character)
+    profile = behavior.profile(dict(options.listener_profiles).get(name))
+    rates = as_listener(behavior.head_rates, profile) if profile else behavior.head_rates
+    listener = Listener(replace(character, name=name), rates, performance.character)
     behaviors = listen(performance.behaviors, performance.utterance, listener, seed=performance.seed)
+    if profile:
+        postures = listening_postures(profile, performance.utterance.duration_s or 0.0)
+        behaviors = numbered((*postures, *behaviors))
     return replace(performance, listeners=(*performance.listeners, Listening(name, behaviors)), notices=notices)

@@ -1,10 +1,11 @@
 """The options of each line: those of the command, overridden by cast, scene and finally the line's own row."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ...model import Target
 from ...performance import Options
+from ...profiles.profile import Profile
 from ...schemas.requests import MOST_LISTENERS
 from ...yaml_files import did_you_mean
 from ..model import ScriptLine, Take
@@ -49,6 +50,7 @@ class Casting:
             profile=part.profile or self.common.profile,
             listeners=tuple(listener_name(name) for name in listeners),
             played_by=tuple((listener_name(name), self._performer(name)) for name in listeners),
+            listener_profiles=tuple(self._listener_profiles(listeners)),
             targets=_together(self.common.targets, part.targets, line.targets),
             form=replace(self.common.form, audio_file=take.recording.path.name),
         )
@@ -69,6 +71,12 @@ class Casting:
         told = self.cast.part(name).character
         ours = folded(name)
         return told or (ours if ours in self.characters else self.common.character)
+
+    def _listener_profiles(self, listeners: Iterable[str]) -> Iterator[tuple[str, Profile | str]]:
+        for name in listeners:
+            profile = self.cast.part(name).profile
+            if profile is not None:
+                yield listener_name(name), profile
 
     def _listeners(self, line: ScriptLine, part: Part) -> tuple[str, ...]:
         """The listeners without duplicates: those of the line, else of the cast, else of the scene."""

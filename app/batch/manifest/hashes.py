@@ -67,6 +67,7 @@ def input_hash(job: LineJob, recording: str) -> str:
         _reference(options.reference),
         repr([target.path for target in job.targets]),
         *([] if options.profile is None else [repr(options.profile)]),
+        *([] if not options.listener_profiles else [repr(options.listener_profiles)]),
         *([] if options.edits == NO_EDITS else [repr(options.edits)]),
     )
 

@@ -15,6 +15,7 @@ from ...profiles.annotation.reading import LARGEST_BYTES, read_annotations, read
 from ...profiles.annotation.tables import write_json_tracks
 from ...profiles.annotation.tracks import Track, merged, rows_of, with_attribute_tracks
 from ...profiles.files.writing import profile_yaml
+from ...profiles.generation.behaviors import RESTS, STANCES
 from ...profiles.learning.doubts import doubts
 from ...profiles.mixing import mix
 from ...profiles.proposing.bvh import read_wrists
@@ -45,7 +46,7 @@ def _learn(arguments: argparse.Namespace, log: Log) -> None:
     profile = learn_profile(OnDemand(_language), annotations, name, arguments.description)
     write(arguments.output, profile_yaml(profile))
     log.note("\n".join(profile_lines(profile)))
-    log.warnings(tuple(doubts(profile, annotations)))
+    log.warnings(tuple(doubts(profile, annotations, (*STANCES, *RESTS.values()))))
 
 
 def _language() -> LanguageModels:

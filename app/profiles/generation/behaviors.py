@@ -19,6 +19,9 @@ RESTS: Mapping[str, str] = {
 }
 """The postures that have the hands rest so."""
 
+STANCES = ("WEIGHT_ON_LEFT_LEG", "WEIGHT_ON_RIGHT_LEG")
+"""The postures of the feet."""
+
 ShownFunctions = Mapping[tuple[str, int, int], str]
 """The ids of functions by tag, first and last word."""
 

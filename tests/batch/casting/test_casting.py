@@ -40,6 +40,13 @@ def test_partners_listen_and_are_played_by_whom_they_are_cast() -> None:
     assert options(lines[1], lines, has_partners=False).listeners == ()
 
 
+def test_listeners_have_the_profiles_of_their_parts() -> None:
+    lines = [line(1, "Ann"), line(2, "BEN"), line(3, "Eve")]
+    made = options(lines[1], lines, ann=Part(profile="sparing"), ben=Part(profile="sweeping"))
+    assert made.profile == "sweeping"
+    assert made.listener_profiles == (("Ann", "sparing"),)
+
+
 def test_the_row_goes_before_the_cast() -> None:
     lines = [line(1, "Ann", seed=9, agitation=Level.HIGH, listeners=("Cat", "ann")), line(2, "BEN")]
     part = Part(character="expansive", seed=3, agitation=Level.LOW, stillness=0.0, listeners=("BEN",))
