@@ -45,7 +45,31 @@ def test_arms_that_fold_after_a_gesture_do_not_go_through_each_other(realizer: R
     sync = SyncPoints(4.552, 6.655, 5.082, 5.082, 5.699, 5.964, 6.105)
     closer = Behavior("gesture3", Channel.GESTURE, "COME_CLOSER", sync, 0, 0, 8.0, hand=Hand.RIGHT, amount=0.3)
     asked = (posture("HANDS_FOLDED", 4.408), closer)
-    schedule = Schedule(asked, 6.785, agitation=Level.LOW, character="reserved")
-    motion, skeleton = realize(realizer, schedule, seed=1), realizer.performer("reserved").skeleton
+    assert_clear(realizer, Schedule(asked, 6.785, agitation=Level.LOW, character="reserved"), seed=1)
+
+
+def test_an_elbow_that_a_gesture_draws_into_the_belly_comes_out(realizer: Realizer) -> None:
+    """Turned about the line from shoulder to wrist alone it stays 2.3 cm inside."""
+    sync = SyncPoints(0.0, 1.6, 0.05, 0.48, 0.48, 1.0, 1.0)
+    drink = Behavior("gesture1", Channel.GESTURE, "MIME_DRINK", sync, 0, 0, 2.0, hand=Hand.LEFT, amount=0.0)
+    assert_clear(realizer, Schedule((drink,), 2.0, character="expansive"), seed=3)
+
+
+def test_hands_that_fold_go_to_the_side_on_which_they_rest(realizer: Realizer) -> None:
+    """On the side on which they meet first one stays 3.2 cm inside the other."""
+    walk, hush, throw = (
+        Behavior(lexeme, Channel.GESTURE, lexeme, sync, 0, 0, priority, hand=hand, amount=amount)
+        for lexeme, sync, priority, hand, amount in (
+            ("MIME_WALK", SyncPoints(0.0, 6.0, 1.09, 3.0, 5.29, 5.85, 6.0), 2.0, None, 1.0),
+            ("MIME_HUSH", SyncPoints(0.0, 5.44, 0.15, 1.48, 3.0, 3.15, 3.72), 3.0, Hand.BOTH, None),
+            ("MIME_THROW", SyncPoints(0.15, 6.0, 0.15, 2.19, 3.15, 4.5, 6.0), 3.0, Hand.LEFT, None),
+        )
+    )
+    asked = (walk, hush, posture("HANDS_FOLDED", 4.5), throw)
+    assert_clear(realizer, Schedule(asked, 6.0, agitation=Level.HIGH), seed=2)
+
+
+def assert_clear(realizer: Realizer, schedule: Schedule, *, seed: int) -> None:
+    motion, skeleton = realize(realizer, schedule, seed=seed), realizer.performer(schedule.character).skeleton
     assert penetrations_m(skeleton, motion.body.rotations, motion.body.hips_m).max() <= DEEPEST_M
     assert "kept" not in {told.action for told in motion.decisions}

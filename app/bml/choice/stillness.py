@@ -1,9 +1,9 @@
 """Stillness: how much of a schedule is left out and how small the rest is, from 0 (nothing, as it is) to 1 (all of it).
 
 The least important goes first: what the body does by itself, then what shows functions, in order of priority, and what
-an author changed last. Blinks
-and breath stay as they are: at 1 nothing else is left, and the realizer leaves the body's own life out by the same
-measure. It takes a gesture's amount for what `stillness` left of that for which there is time in the schedule.
+an author changed last. Blinks and breath stay as they are: at 1 nothing else is left, and the realizer leaves the
+body's own life out by the same measure. It takes a gesture's amount for what stillness left of that for which there is
+time in the schedule.
 """
 
 from collections.abc import Iterable

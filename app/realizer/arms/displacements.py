@@ -1,0 +1,109 @@
+"""Displacements of wrists and elbows over time, and arms solved again for them.
+
+Conventions: metres in the world, time in frames. A displacement is blended in and out over the surrounding frames so
+that velocity stays continuous. The hand keeps its orientation as far as joint limits allow.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...model import FloatArray, Hand
+from ..body.contacts import PosedBody
+from ..body.limits import MIRROR, swing_twist_deg
+from ..body.skeleton import Skeleton
+from ..geometry.easing import minimum_jerk
+from ..geometry.rotations import dot, from_axis_angle, inverse, length, multiply, nearest_sign, rotate
+from ..gestures.wrist_angles import preserving_wrist_angles
+from .arm_reach import ArmBones, reach_by_elbow, towards_elbow
+
+_ELBOW_AT_LEAST_M = 0.12
+_FARTHEST_M = 0.22
+_MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Displacement:
+    """The displacements (T, 3) of a wrist and an elbow."""
+
+    wrist_m: FloatArray
+    elbow_m: FloatArray
+
+    def and_then(self, other: "Displacement") -> "Displacement":
+        wrist_m, elbow_m = self.wrist_m + other.wrist_m, self.elbow_m + other.elbow_m
+        return Displacement(_at_most(wrist_m, _FARTHEST_M), _at_most(elbow_m, _FARTHEST_M))
+
+    def swelling(self, swell: int, weights: FloatArray) -> "Displacement":
+        return Displacement(*(weights * _swelling(push_m, swell) for push_m in (self.wrist_m, self.elbow_m)))
+
+
+def taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:
+    """Weights (F, 1) that rise from 0 at the ends of the stretch, beyond which nothing is moved, to 1 after `swell`
+    frames."""
+    number = np.arange(frames)
+    from_start = number if ends[0] else np.full(frames, swell)
+    from_end = number[::-1] if ends[1] else np.full(frames, swell)
+    return minimum_jerk(np.minimum(from_start, from_end) / swell)[:, None]
+
+
+def displaced(skeleton: Skeleton, body: PosedBody, pushes: Mapping[str, Displacement]) -> FloatArray:
+    """The local rotations with both arms displaced, in the frames concerned."""
+    rotations = body.rotations.copy()
+    for side, push in pushes.items():
+        frames = np.nonzero((length(push.wrist_m) + length(push.elbow_m))[:, 0] > 1e-6)[0]
+        if len(frames):
+            pushed = Displacement(push.wrist_m[frames], push.elbow_m[frames])
+            joints = skeleton.rows(*(side + name for name in ("UpperArm", "LowerArm", "Hand")))
+            rotations[frames, joints] = _solved_again(skeleton, body.frames(frames), Hand(side), pushed)
+    return rotations
+
+
+def _solved_again(skeleton: Skeleton, body: PosedBody, side: Hand, push: Displacement) -> FloatArray:
+    """Upper arm, lower arm and hand (T, 3, 4) of the arm `side`, solved for the displaced wrist and elbow."""
+    names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
+    chest, *joints = skeleton.chain("upperChest", *(side.value + name for name in names))
+    bones = ArmBones.of(skeleton)
+    at_m, turned = body.positions_m, body.orientations
+    back = inverse(turned[:, chest])
+    mirror, across = (np.ones(4), np.ones(3)) if side is Hand.LEFT else (MIRROR, _MIRRORED)
+    root_m = bones.root_m - skeleton.offsets_m[skeleton.index["leftShoulder"]]
+    wrist_m, elbow_push_m = (
+        rotate(back, vector) * across for vector in (at_m[:, joints[-1]] + push.wrist_m - at_m[:, chest], push.elbow_m)
+    )
+    before = body.rotations.take(joints, axis=1)
+    collarbone, upper_arm, lower_arm = (before[:, joint] * mirror for joint in range(3))
+    elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
+    elbow = elbow + (elbow_push_m - dot(elbow_push_m, elbow) * elbow) / _ELBOW_AT_LEAST_M
+    arm = reach_by_elbow(bones, collarbone, wrist_m + root_m, elbow)
+    turn = preserving_wrist_angles(arm.forearm, multiply(back, turned[:, joints[-1]]) * mirror).clamped()
+    after = np.stack((arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand), axis=1)
+    return nearest_sign(after * mirror, before[:, 1:])
+
+
+def _without_twist(lower_arm: FloatArray) -> FloatArray:
+    return multiply(lower_arm, from_axis_angle((-1.0, 0.0, 0.0), np.radians(swing_twist_deg(lower_arm, 0)[..., 0])))
+
+
+def _at_most(push_m: FloatArray, farthest_m: float) -> FloatArray:
+    return np.asarray(push_m * np.minimum(1.0, farthest_m / np.maximum(length(push_m), 1e-12)))
+
+
+def _swelling(push_m: FloatArray, swell: int) -> FloatArray:
+    """A displacement (T, 3) spread smoothly over neighbouring frames, hardly smaller than required.
+
+    The maximum size within the window, averaged over the window, covers every frame's own; directions are averaged over
+    twice the window, and where they disagree the displacement shrinks.
+    """
+    size_m = length(push_m)[:, 0]
+    if not size_m.any():
+        return push_m
+    padded = np.pad(size_m, swell, mode="constant")
+    largest = np.lib.stride_tricks.sliding_window_view(padded, 2 * swell + 1).max(axis=1)
+    bell = np.hanning(2 * swell + 3)[1:-1]
+    size_m = np.convolve(np.pad(largest, swell, mode="edge"), bell / bell.sum(), mode="valid")
+    wide = np.hanning(4 * swell + 3)[1:-1]
+    middle = slice(2 * swell, 2 * swell + len(push_m))
+    towards = np.stack([np.convolve(part, wide)[middle] for part in push_m.T], axis=-1)
+    agreed = np.convolve(length(push_m)[:, 0], wide)[middle]
+    return np.asarray(towards / np.maximum(agreed, 1e-12)[:, None] * size_m[:, None])
