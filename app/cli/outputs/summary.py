@@ -26,10 +26,10 @@ def _lines(performance: Performance) -> Iterator[str]:
             yield _movement(performance, behavior, functions.get(behavior.function or ""))
     own = Counter(behavior.lexeme.lower() for behavior in kept if behavior.function is None and behavior.edit is None)
     if own:
-        yield "by itself: " + ", ".join(f"{count} × {lexeme}" for lexeme, count in own.items())
+        yield "idle: " + ", ".join(f"{count} × {lexeme}" for lexeme, count in own.items())
     dropped = len(performance.behaviors) - len(kept)
     if dropped:
-        yield f"not shown, for they gave way to others: {dropped} (--trace tells why)"
+        yield f"not shown: {dropped} (--trace says why)"
 
 
 def _movement(performance: Performance, behavior: Behavior, function: Function | None) -> str:
