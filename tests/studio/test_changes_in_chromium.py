@@ -6,16 +6,13 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.studio.changing import performed, place_of, select
 from tests.studio.waiting import wait_until
 from understudy.cli.main import main
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 STROKE = "document.querySelector('#selected input[data-mark=stroke]')"
 LINE = (str(EXAMPLES / "example.flac"), "--text-file", str(EXAMPLES / "example.txt"))
-
-
-def _select(page: Page, text: str) -> None:
-    page.locator("#items li", has_text=text).first.click()
 
 
 def _mark_s(page: Page, mark: str) -> float:
@@ -29,22 +26,8 @@ def _pose(page: Page) -> str:
 def _go_to(page: Page, time_s: float) -> None:
     """Clicks the ruler of the timeline at a time; the pose there is drawn when this returns."""
     pose = _pose(page)
-    page.mouse.click(*_place_of(page, time_s))
+    page.mouse.click(*place_of(page, time_s))
     expect(page.locator("#stage-canvas")).not_to_have_attribute("data-pose", pose)
-
-
-def _place_of(page: Page, time_s: float, top_px: float = 8.0) -> tuple[float, float]:
-    """Where a time is on the timeline when all of it is seen: on the ruler, unless lower."""
-    box = page.locator("#timeline-canvas").bounding_box()
-    assert box is not None
-    whole_s = _whole_s(page)
-    return box["x"] + 78 + time_s / whole_s * (box["width"] - 88), box["y"] + top_px
-
-
-def _whole_s(page: Page) -> float:
-    """When the last thing on the timeline is over."""
-    ends = page.locator("#items li").all_inner_texts()
-    return max(7.18, *(float(text.split("–")[1].split(" s")[0]) for text in ends))
 
 
 def _saved(page: Page, folder: Path) -> Path:
@@ -56,13 +39,13 @@ def _saved(page: Page, folder: Path) -> Path:
 
 
 def test_a_mark_is_moved_by_mouse_the_motion_changes_and_is_undone(opened: Page) -> None:
-    _select(opened, "gesture NEGATION")
+    select(opened, "gesture NEGATION")
     before_s = _mark_s(opened, "stroke")
     _go_to(opened, before_s)
     pose = _pose(opened)
     y = _row_of_gestures(opened)
-    x, _ruler = _place_of(opened, before_s)
-    further, _ruler = _place_of(opened, before_s + 0.6)
+    x, _ruler = place_of(opened, before_s)
+    further, _ruler = place_of(opened, before_s + 0.6)
     opened.mouse.move(x, y)
     opened.mouse.down()
     opened.mouse.move((x + further) / 2, y, steps=3)
@@ -82,7 +65,7 @@ def _row_of_gestures(page: Page) -> float:
     """The height at which gestures lie: found by clicking down the timeline until one is selected."""
     stroke_s = _mark_s(page, "stroke")
     for top_px in range(20, 400, 6):
-        x, y = _place_of(page, stroke_s - 0.1, top_px)
+        x, y = place_of(page, stroke_s - 0.1, top_px)
         page.mouse.click(x, y)
         if page.locator("#selected h3", has_text="gesture NEGATION").count():
             return y
@@ -91,19 +74,19 @@ def _row_of_gestures(page: Page) -> float:
 
 def test_what_is_saved_makes_the_same_on_the_command_line(opened: Page, tmp_path: Path) -> None:
     """By keyboard alone: a gesture is moved and made larger, another movement is deleted, a word is marked."""
-    _select(opened, "gesture NEGATION")
+    select(opened, "gesture NEGATION")
     stroke_s = _mark_s(opened, "stroke")
     opened.keyboard.press("Alt+Shift+ArrowRight")
     wait_until(opened, f"{STROKE}.value > {stroke_s} + 0.05")
     opened.locator("#size").fill("0.9")
-    _performed(opened)
-    _select(opened, "head SHAKE")
+    performed(opened)
+    select(opened, "head SHAKE")
     opened.locator("#items").focus()
     opened.keyboard.press("Delete")
     expect(opened.locator("#items li", has_text="deleted by the author")).to_have_count(1)
-    _select(opened, "word lights")
+    select(opened, "word lights")
     opened.locator("#word-mark").select_option("important")
-    _performed(opened)
+    performed(opened)
     edits = _saved(opened, tmp_path)
     told = json.loads(edits.read_text(encoding="utf-8"))
     assert [sorted(edit) for edit in told["behaviors"]] == [["amount", "marks", "of"], ["of", "omit"]]
@@ -113,19 +96,13 @@ def test_what_is_saved_makes_the_same_on_the_command_line(opened: Page, tmp_path
 
 
 def test_quick_changes_are_all_made_and_meet_no_full_service(opened: Page) -> None:
-    _select(opened, "gesture NEGATION")
+    select(opened, "gesture NEGATION")
     stroke_s = _mark_s(opened, "stroke")
     for _press in range(6):
         opened.keyboard.press("Alt+Shift+ArrowRight")
-    _performed(opened)
+    performed(opened)
     wait_until(opened, f"Math.abs({STROKE}.value - {stroke_s} - 0.6) < 0.02")
     expect(opened.locator("#problem")).to_be_hidden()
-
-
-def _performed(page: Page) -> None:
-    """Waits until the service has answered the last change."""
-    page.wait_for_timeout(50)
-    wait_until(page, "!document.querySelector('#state').textContent.startsWith('Performing')")
 
 
 def _bml(page: Page) -> bytes:
@@ -136,7 +113,7 @@ def _bml(page: Page) -> bytes:
 
 
 def test_a_gesture_is_replaced_from_the_browser_and_locked(opened: Page) -> None:
-    _select(opened, "gesture NEGATION")
+    select(opened, "gesture NEGATION")
     opened.click("#replace")
     expect(opened.locator("#gesture-family")).to_have_value("negation")
     opened.locator("#gesture-family").select_option("point_there")
@@ -147,17 +124,17 @@ def test_a_gesture_is_replaced_from_the_browser_and_locked(opened: Page) -> None
     expect(opened.locator("#lock")).to_have_attribute("aria-pressed", "true")
     opened.locator("#seed").fill("9")
     opened.keyboard.press("Tab")
-    _performed(opened)
+    performed(opened)
     expect(opened.locator("#items li", has_text="gesture POINT_FRONT")).to_have_count(1)
 
 
 def test_a_gesture_is_added_on_a_word_and_taken_back(opened: Page) -> None:
-    _select(opened, "word best")
+    select(opened, "word best")
     opened.click("#add-gesture")
     opened.locator("#gesture-family").select_option("")
     opened.locator("#gesture-name").fill("precision")
     opened.click("#gesture-browser button[data-lexeme=PRECISION]")
-    _select(opened, "gesture PRECISION")
+    select(opened, "gesture PRECISION")
     opened.click("#take-back")
     expect(opened.locator("#items li", has_text="gesture PRECISION")).to_have_count(0)
 

@@ -5,6 +5,7 @@ import json
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.studio.changing import performed
 from tests.studio.waiting import wait_until
 
 SPARE_TABS = 25
@@ -55,7 +56,7 @@ def test_marks_and_edges_of_words_are_moved_by_arrows_and_keep_the_focus(opened:
     for _press in range(5):
         opened.keyboard.press("ArrowUp")
     wait_until(opened, f"document.querySelector('{STROKE}').value > {before_s + 0.038}")
-    _idle(opened)
+    performed(opened)
     assert float(opened.input_value(STROKE)) == pytest.approx(before_s + 0.045, abs=0.006)
     assert opened.evaluate("document.activeElement.dataset.mark") == "stroke"
     opened.click("#items li:has-text('word lights')")
@@ -64,7 +65,7 @@ def test_marks_and_edges_of_words_are_moved_by_arrows_and_keep_the_focus(opened:
     opened.keyboard.press("ArrowDown")
     opened.keyboard.press("ArrowDown")
     wait_until(opened, f"document.querySelector('#word-end').value < {end_s - 0.009}")
-    _idle(opened)
+    performed(opened)
     end_s = float(opened.input_value("#word-end"))
     assert opened.evaluate("document.activeElement.id") == "word-end"
     opened.focus("#items")
@@ -100,9 +101,3 @@ def test_the_camera_orbits_by_keyboard(opened: Page) -> None:
         opened.keyboard.press(key)
         wait_until(opened, f"{picture} !== {json.dumps(before)}")
         before = opened.evaluate(picture)
-
-
-def _idle(page: Page) -> None:
-    """Waits until the service has answered the last change."""
-    page.wait_for_timeout(50)
-    wait_until(page, "!document.querySelector('#state').textContent.startsWith('Performing')")

@@ -78,6 +78,7 @@ async function stand(store, service, told, signal) {
     store.set(GUESTS, []);
     return;
   }
+  told.textContent = "Performing the other version…";
   try {
     const other = await otherVersion(store, service, signal);
     if (!signal.aborted) {
@@ -87,6 +88,7 @@ async function stand(store, service, told, signal) {
     }
   } catch (error) {
     if (!signal.aborted) {
+      told.textContent = "";
       store.set(PROBLEM, problemOf(error));
     }
   }

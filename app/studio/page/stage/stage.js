@@ -2,7 +2,7 @@
  * The stage: shows the performed line, and whoever else `GUESTS` says, at the time of the playhead.
  *
  * The canvas has `data-roles` (who stands there), `data-time` (of what is shown, seconds), `data-pose` (where the wrists
- * are, metres) and `data-casts` (how often somebody was cast) for tests and benchmarks.
+ * of each are, metres from where he stands) and `data-casts` (how often somebody was cast) for tests and benchmarks.
  */
 
 import { el } from "../dom.js";
@@ -22,6 +22,7 @@ import { CHARACTERS, GUESTS, rolesOf, SCREEN, VIEWING } from "./viewing.js";
 /** @import { Store } from "../state/store.js" */
 
 const EYES_M = 1.55;
+const WRISTS = Object.freeze(["leftHand", "rightHand"]);
 
 /**
  * @param {HTMLElement} element
@@ -147,7 +148,7 @@ class Stage {
 
   #tell() {
     const { standing } = this.#cast;
-    const wrists = ["leftHand", "rightHand"].flatMap((joint) => standing[0]?.figure.place(joint)?.toArray() ?? []);
+    const wrists = standing.flatMap(({ figure }) => WRISTS.flatMap((joint) => figure.place(joint)?.sub(figure.root.position).toArray() ?? []));
     this.#canvas.dataset["time"] = String(this.#store.get(TIME_S));
     this.#canvas.dataset["casts"] = String(this.#casts);
     this.#canvas.dataset["roles"] = standing.map(({ role }) => role.name).join(" ");
