@@ -24,16 +24,22 @@ test("nobody is nearer to another than an arm's length, and nobody stands before
   }
 });
 
-test("the speaker faces the middle of his listeners, everybody else the speaker", () => {
+test("the speaker looks at whom he speaks to, his body between that and the middle; everybody else faces the speaker", () => {
   const marks = new Map([["a", { x: -1, z: 0 }], ["b", { x: 1, z: 1 }], ["c", { x: 1, z: -1 }]]);
   const turn = { speaker: "a", listeners: ["b", "c"] };
-  near(facing("a", turn, marks), Math.PI / 2);
-  near(facing("b", turn, marks), Math.atan2(-2, -1));
-  near(facing("c", { speaker: "a", listeners: [] }, marks), Math.atan2(-2, 1));
+  const toB = Math.atan2(2, 1);
+  near(facing("a", turn, marks).gaze_rad, toB);
+  near(facing("a", turn, marks).body_rad, (toB + Math.PI / 2) / 2);
+  for (const listeners of [["b"], ["c", "b"], []]) {
+    const { body_rad, gaze_rad } = facing("b", { speaker: "a", listeners }, marks);
+    near(body_rad, Math.atan2(-2, -1));
+    near(gaze_rad, body_rad);
+  }
+  near(facing("a", { speaker: "a", listeners: [] }, marks).gaze_rad, Math.PI / 2);
 });
 
 test("whoever is alone faces the audience", () => {
-  near(facing("a", { speaker: "a", listeners: [] }, marksOf(["a"])), 0);
+  near(facing("a", { speaker: "a", listeners: [] }, marksOf(["a"])).body_rad, 0);
 });
 
 test("people turn the shorter way round", () => {

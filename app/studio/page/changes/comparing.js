@@ -83,14 +83,27 @@ async function stand(store, service, told, signal) {
     const other = await otherVersion(store, service, signal);
     if (!signal.aborted) {
       told.textContent = other ? difference(line, other) : "No version was kept yet.";
-      store.set(GUESTS, other ? [guest(other)] : []);
-      store.patch(VIEWING, { shot: "wide" });
+      showBeside(store, other);
     }
   } catch (error) {
     if (!signal.aborted) {
       told.textContent = "";
       store.set(PROBLEM, problemOf(error));
     }
+  }
+}
+
+/**
+ * Has a version stand there. As it comes the camera shows both; then it is the author's again.
+ *
+ * @param {Store} store
+ * @param {PerformedLine | null} other
+ */
+function showBeside(store, other) {
+  const isNew = store.get(GUESTS).length === 0;
+  store.set(GUESTS, other ? [guest(other)] : []);
+  if (other && isNew) {
+    store.patch(VIEWING, { shot: "wide" });
   }
 }
 

@@ -1,6 +1,7 @@
 /** Bodies to move: each character's mannequin, as the service makes it, or a GLB or VRM file that the author dropped. */
 
-import { VRMLoaderPlugin } from "@pixiv/three-vrm";
+import { VRMLoaderPlugin, VRMUtils } from "@pixiv/three-vrm";
+import { Group } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { clone } from "three/addons/utils/SkeletonUtils.js";
 
@@ -47,7 +48,8 @@ export class Bodies {
     loader.register((parser) => new VRMLoaderPlugin(parser));
     try {
       const { scene, userData } = await loader.parseAsync(await file.arrayBuffer(), "");
-      return { root: scene, vrm: userData["vrm"] ?? null };
+      const vrm = /** @type {VRM | null} */ (userData["vrm"] ?? null);
+      return { root: facingUs(scene, vrm), vrm };
     } catch (error) {
       const reason = error instanceof Error ? error.message : String(error);
       throw new Error(`${file.name} is not a body in GLB or VRM: ${reason}`, { cause: error });
@@ -63,4 +65,17 @@ export class Bodies {
     const answer = await this.#service.fetch("realize", request);
     return (await new GLTFLoader().parseAsync(await answer.arrayBuffer(), "")).scene;
   }
+}
+
+/**
+ * A body that faces +Z, in a group that may be turned on the stage. VRM 0 faces -Z.
+ *
+ * @param {Object3D} scene
+ * @param {VRM | null} vrm
+ */
+function facingUs(scene, vrm) {
+  if (vrm) {
+    VRMUtils.rotateVRM0(vrm);
+  }
+  return new Group().add(scene);
 }

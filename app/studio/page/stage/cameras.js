@@ -50,6 +50,17 @@ export function viewOf(shot, eyes_m, listener_m) {
 }
 
 /**
+ * The view from so much further along X, of what is as much further along.
+ *
+ * @param {View} view
+ * @param {number} aside_m
+ * @returns {View}
+ */
+export function movedAside({ from_m, at_m }, aside_m) {
+  return { from_m: [from_m[0] + aside_m, from_m[1], from_m[2]], at_m: [at_m[0] + aside_m, at_m[1], at_m[2]] };
+}
+
+/**
  * A place behind a head that looks at the origin, and to its right.
  *
  * @param {Vector} head_m

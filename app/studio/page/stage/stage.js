@@ -10,7 +10,7 @@ import { problemOf } from "../service/service.js";
 import { AVATAR, PERFORMED, PROBLEM, TIME_S } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { Bodies } from "./bodies.js";
-import { viewOf } from "./cameras.js";
+import { movedAside, viewOf } from "./cameras.js";
 import { Cast } from "./cast.js";
 import { Clock } from "./clock.js";
 import { makePlace } from "./scene.js";
@@ -110,8 +110,9 @@ class Stage {
       this.#isStale = false;
       const line = this.#store.get(PERFORMED);
       const time_s = this.#store.get(TIME_S);
-      this.#cast.show(time_s, line?.performance.lead_in_s ?? 0);
-      this.#trail.show(time_s);
+      const lead_in_s = line?.performance.lead_in_s ?? 0;
+      this.#cast.show(time_s, lead_in_s);
+      this.#trail.show(time_s - lead_in_s - (line?.motion.audioOffsetS ?? 0));
       this.#place.draw();
       this.#tell();
     }
@@ -136,10 +137,13 @@ class Stage {
   }
 
   #aim() {
-    const head = this.#cast.standing[0]?.figure.place("head")?.y;
-    const eyes_m = head ? head + 0.06 : EYES_M;
-    const listener = this.#cast.standing[1]?.figure.place("head")?.toArray() ?? null;
-    const { from_m, at_m } = viewOf(this.#store.get(VIEWING).shot, eyes_m, listener);
+    const guests = this.#store.get(GUESTS);
+    const { standing } = this.#cast;
+    const listener = standing.slice(1).find(({ role }) => !guests.includes(role));
+    const [head, listening] = [standing[0], listener].map((each) => each?.figure.place("head")?.toArray() ?? null);
+    const eyes_m = head ? head[1] + 0.06 : EYES_M;
+    const view = viewOf(this.#store.get(VIEWING).shot, eyes_m, listening ?? null);
+    const { from_m, at_m } = movedAside(view, (guests[0]?.place_m[0] ?? 0) / 2);
     this.#place.camera.position.set(...from_m);
     this.#place.controls.target.set(...at_m);
     this.#place.controls.update();

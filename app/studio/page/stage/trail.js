@@ -1,8 +1,8 @@
-/** The way of each wrist around the playhead, coloured by the phases of its gestures. */
+/** The way of each wrist around the playhead, coloured by the phases of its gestures as they are played. */
 
 import { BufferAttribute, BufferGeometry, Color, Group, Line, LineBasicMaterial, Points, PointsMaterial } from "three";
 
-import { PHASE_COLOURS, phasesOf } from "../timeline/phases.js";
+import { PHASE_COLOURS, phasesOf, playedSync } from "../timeline/phases.js";
 import { wristPath } from "./wrist_path.js";
 
 /** @import { Behavior, Clip } from "understudy-client" */
@@ -63,7 +63,7 @@ function wayOf(clip, behaviors, side) {
   const places = wristPath(clip, side, RATE_HZ);
   const phases = behaviors
     .filter(({ kind, hand, kept }) => kept && kind === "gesture" && (hand === side || hand === "both"))
-    .flatMap(({ sync }) => phasesOf(sync));
+    .flatMap(({ id }) => phasesOf(playedSync(clip.events, id)));
   const colours = places.flatMap((_, index) => {
     const time_s = index / RATE_HZ;
     const phase = phases.find(({ start_s, end_s }) => start_s <= time_s && time_s < end_s);

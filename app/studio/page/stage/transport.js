@@ -67,6 +67,9 @@ function choices(store) {
   );
   const trail = el("input", { type: "checkbox", checked: store.get(VIEWING).trail });
   trail.addEventListener("change", () => store.patch(VIEWING, { trail: trail.checked }));
+  store.watch(VIEWING, (viewing) => {
+    [shot.value, listening.value, trail.checked] = [viewing.shot, viewing.listening, viewing.trail];
+  });
   [speed.id, shot.id, listening.id, trail.id] = ["speed", "shot", "listening", "trail"];
   return [labelled("Speed", speed), labelled("Camera", shot), labelled("Listener", listening), labelled("Trail", trail)];
 }

@@ -3,6 +3,7 @@
 import { blended, clipFromGlb, clipFromJson, sampled } from "understudy-client";
 
 import { Figure } from "../stage/figure.js";
+import { lookingAside } from "./looking.js";
 import { facing, turned } from "./marks.js";
 
 /** @import { Clip, Pose } from "understudy-client" */
@@ -12,8 +13,12 @@ import { facing, turned } from "./marks.js";
 /** @import { SceneFiles } from "./scene_files.js" */
 /** @import { SceneLine } from "./scene_index.js" */
 
-/** @typedef {{ name: string, figure: Figure, shown: Pose | null, from: Pose | null, turn_rad: number }} Actor */
+/** @typedef {ReturnType<typeof facing>} Facing */
 
+/** Whom he faced as the line began, and faces now. @typedef {{ name: string, figure: Figure, shown: Pose | null, from: Pose | null, faced: Facing, facing: Facing }} Actor */
+
+/** @type {Facing} */
+const AHEAD = Object.freeze({ body_rad: 0, gaze_rad: 0 });
 const BLEND_S = 0.5;
 const TURN_S = 0.8;
 /** Whoever hears a line that was not performed for him does what its first listener does, so much later. */
@@ -59,7 +64,7 @@ export class Actors {
       const { x, z } = this.#marks.get(name) ?? { x: 0, z: 0 };
       figure.root.position.set(x, 0, z);
       scene.add(figure.root);
-      this.#actors.push({ name, figure, shown: null, from: null, turn_rad: 0 });
+      this.#actors.push({ name, figure, shown: null, from: null, faced: AHEAD, facing: AHEAD });
     }
     await this.prepare(0);
   }
@@ -100,7 +105,8 @@ export class Actors {
     const turn = { speaker: line.speaker, listeners: [...line.listeners.keys()] };
     for (const actor of this.#actors) {
       const to = facing(actor.name, turn, this.#marks);
-      actor.figure.root.rotation.y = actor.from ? turned(actor.turn_rad, to, Math.min(1, time_s / TURN_S)) : to;
+      actor.facing = actor.from ? between(actor.faced, to, Math.min(1, Math.max(0, time_s / TURN_S))) : to;
+      actor.figure.root.rotation.y = actor.facing.body_rad;
       this.#pose(actor, line, time_s);
     }
     return true;
@@ -122,7 +128,7 @@ export class Actors {
    */
   #begin(actor, leaps) {
     actor.from = leaps ? null : actor.shown;
-    actor.turn_rad = actor.figure.root.rotation.y;
+    actor.faced = actor.facing;
   }
 
   /**
@@ -139,7 +145,8 @@ export class Actors {
     const at_s = time_s - clip.audioOffsetS - (own ? 0 : LATER_S);
     const pose = sampled(clip, at_s);
     actor.shown = actor.from && time_s < BLEND_S ? blended(actor.from, pose, time_s / BLEND_S) : pose;
-    actor.figure.pose(actor.shown, at_s);
+    const { body_rad, gaze_rad } = actor.facing;
+    actor.figure.pose(lookingAside(actor.shown, turned(0, gaze_rad - body_rad, 1)), at_s);
   }
 
   /** @param {string} name */
@@ -156,4 +163,14 @@ export class Actors {
     const file = this.#files.get(name) ?? new Blob();
     return name.endsWith(".glb") ? clipFromGlb(await file.arrayBuffer()) : clipFromJson(JSON.parse(await file.text()));
   }
+}
+
+/**
+ * @param {Facing} from
+ * @param {Facing} to
+ * @param {number} share
+ * @returns {Facing}
+ */
+function between(from, to, share) {
+  return { body_rad: turned(from.body_rad, to.body_rad, share), gaze_rad: turned(from.gaze_rad, to.gaze_rad, share) };
 }

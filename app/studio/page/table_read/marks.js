@@ -25,28 +25,43 @@ export function marksOf(names) {
 }
 
 /**
- * Which way somebody faces: the speaker the middle of those he speaks to, everybody else the speaker. So a gaze straight
- * ahead, which is how listeners of a batch look at who speaks, is at him.
+ * Which way somebody's body faces, and which way he looks. Whoever speaks looks at the first of those he speaks to, who is
+ * whoever spoke before him in most scripts, and his body is between that and the middle of them all; everybody else faces
+ * the speaker. A gaze straight ahead, which is the usual one in a batch's motions, is to be at whom he looks.
  *
  * @param {string} name
  * @param {Turn} turn
  * @param {ReadonlyMap<string, Mark>} marks
- * @returns {number}
+ * @returns {Readonly<{ body_rad: number, gaze_rad: number }>}
  */
 export function facing(name, { speaker, listeners }, marks) {
   const own = marks.get(name);
   const heard = listeners.length > 0 ? listeners : [...marks.keys()];
   const seen = (name === speaker ? heard : [speaker]).filter((each) => each !== name).flatMap((each) => marks.get(each) ?? []);
-  if (!own || seen.length === 0) {
-    return STRAIGHT_ON;
+  const [first] = seen;
+  if (!own || !first) {
+    return { body_rad: STRAIGHT_ON, gaze_rad: STRAIGHT_ON };
   }
-  const ways = seen.map(({ x, z }) => {
-    const [dx, dz] = [x - own.x, z - own.z];
-    const length = Math.hypot(dx, dz) || 1;
-    return [dx / length, dz / length];
-  });
-  const [dx, dz] = [0, 1].map((axis) => ways.reduce((sum, way) => sum + (way[axis] ?? 0), 0));
-  return Math.atan2(dx ?? 0, dz ?? 1);
+  const middle_rad = middleOf(seen.map((mark) => wayTo(own, mark)));
+  const gaze_rad = listeners.length > 0 ? middleOf([wayTo(own, first)]) : middle_rad;
+  return { body_rad: turned(middle_rad, gaze_rad, 0.5), gaze_rad };
+}
+
+/**
+ * @param {Mark} from
+ * @param {Mark} to
+ * @returns {readonly [number, number]}
+ */
+function wayTo(from, to) {
+  const [dx, dz] = [to.x - from.x, to.z - from.z];
+  const length = Math.hypot(dx, dz) || 1;
+  return [dx / length, dz / length];
+}
+
+/** @param {readonly (readonly [number, number])[]} ways */
+function middleOf(ways) {
+  const [dx, dz] = ways.reduce(([x, z], [wx, wz]) => [x + wx, z + wz], [0, 0]);
+  return Math.atan2(dx, dz);
 }
 
 /**

@@ -4,6 +4,8 @@
 /** @typedef {Readonly<{ name: PhaseName, from: string, to: string }>} PhaseKind */
 /** @typedef {Readonly<{ name: PhaseName, start_s: number, end_s: number }>} Phase */
 
+/** @import { ClipEvent } from "understudy-client" */
+
 /** The seven sync points in their order. */
 export const MARKS = Object.freeze(["start", "ready", "stroke_start", "stroke", "stroke_end", "relax", "end"]);
 
@@ -35,4 +37,16 @@ export function phasesOf(sync) {
     const [start_s, end_s] = [sync[from], sync[to]];
     return start_s !== undefined && end_s !== undefined && end_s > start_s ? [{ name, start_s, end_s }] : [];
   });
+}
+
+/**
+ * When the sync points of a behaviour are played, which may be other times than were planned; none where it is not.
+ *
+ * @param {readonly ClipEvent[]} events those of a clip
+ * @param {string} id
+ * @returns {Record<string, number>}
+ */
+export function playedSync(events, id) {
+  const own = events.filter(({ behavior }) => behavior === id);
+  return Object.fromEntries(own.map(({ point, timeS }) => [point, timeS]));
 }
