@@ -17,7 +17,7 @@ from .acoustic.stress.stress import stress
 from .analysis import AlignedLine, Line, SignalAnalysis, Timings
 from .edits.values import WordEdit
 from .edits.word_times import corrected
-from .model import Audio, StressThresholds, Word
+from .model import Audio, Contours, StressThresholds, Word
 from .on_demand import OnDemand
 from .progress import Progress, no_progress
 from .resources import resource_folder
@@ -95,10 +95,18 @@ def align_words(
     words, notices = corrected(timed.words, edits, duration_s=heard.audio.duration_s)
     timed = replace(timed, words=words, notices=timed.notices + notices)
     progress("stress")
-    words, thresholds = stress(prominence(timed.words, heard.contours), heard.contours)
+    words, thresholds = measure_stress(acoustic, timed.words, heard.contours)
+    return replace(timed, words=words), thresholds
+
+
+def measure_stress(
+    acoustic: AcousticModels, words: tuple[Word, ...], contours: Contours
+) -> tuple[tuple[Word, ...], StressThresholds]:
+    """Timed words with their stress, prominence and emphasis, and the utterance's own thresholds (paper §3.1.5)."""
+    stressed, thresholds = stress(prominence(words, contours), contours)
     settings = acoustic.settings
     measure = Measure(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
-    return replace(timed, words=with_emphasis(words, measure)), thresholds
+    return with_emphasis(stressed, measure), thresholds
 
 
 def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis]) -> SpeakerReference:

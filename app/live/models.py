@@ -7,6 +7,8 @@ from ..performance import Understudy
 from ..prosody_gestures.voice_model import VoiceModel
 from ..resources import resource_folder
 from .mouth import MouthModel
+from .phone_durations import FILE as DURATIONS
+from .phone_durations import PhoneDurations
 from .table import FILE as LIVE
 from .table import LiveTable
 
@@ -19,14 +21,17 @@ class LiveModels:
     voice: VoiceModel
     mouth: MouthModel
     table: LiveTable
+    durations: PhoneDurations
 
     @classmethod
     def load(cls, understudy: Understudy) -> Self:
-        """Raises ServiceError `model_unreadable`, AuthoringError for `lexicon/live.yaml`."""
+        """Raises ServiceError `model_unreadable`, AuthoringError for `lexicon/live.yaml` and
+        `phone_durations.yaml`."""
         models, lexicon = resource_folder("models"), resource_folder("lexicon")
         return cls(
             understudy,
             VoiceModel.load(models / "prosody_gestures" / "voice.npz"),
             MouthModel.load(models / "live" / "mouth.npz"),
             LiveTable.load(lexicon / LIVE, understudy.behavior.characters.behavior_names),
+            PhoneDurations.load(lexicon / DURATIONS),
         )

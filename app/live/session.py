@@ -23,6 +23,7 @@ from .mouth import MouthShape, StreamingMouth
 from .movements import Movements
 from .placing import Placer
 from .telling import LiveOptions, Mouthed, Told
+from .voice import RecentVoice
 from .words import PerformedPhrase, TimedText, paced_words, perform_words, timed_words
 
 MOST_AHEAD_S = 120.0
@@ -41,6 +42,7 @@ class LiveSession:
         self._models, self._options = models, options
         self._placer = Placer.of(behavior.characters.named(options.character), options.seed)
         self._own, self._other = Ear(options.sample_rate_hz), Ear(options.sample_rate_hz)
+        self._recent = RecentVoice()
         self._events, self._mouth = LiveEvents(models.voice), StreamingMouth(models.mouth)
         self._movements = Movements(models.table, self._placer)
         self._attention = Attention(models.table, self._placer, behavior.head_rates)
@@ -85,13 +87,13 @@ class LiveSession:
         if abs(begin_s - self.heard_s) > MOST_AHEAD_S:
             message = f"words: from {begin_s:g} s on; now is {self.heard_s:.2f} s of the stream"
             raise InputError("value_wrong", message, field="words")
-        return tuple(self._perform(timed_words(self._models.understudy, timed)))
+        return tuple(self._perform(timed_words(self._models, timed, self._recent)))
 
     def text(self, text: str) -> tuple[Told, ...]:
         """Words of the character, without times: they are those of the phrase that is being spoken, or of the next
         that has none. Raises InputError as `paced_words` does, `words_waiting`."""
         began_s = self._own.phrase_began_s
-        words = paced_words(self._models.understudy, text, began_s or 0.0)
+        words = paced_words(self._models, text, began_s or 0.0)
         if began_s is not None and not self._is_worded():
             return tuple(self._perform(words))
         if len(self._waiting) == MOST_WAITING:
@@ -111,6 +113,7 @@ class LiveSession:
         """What the character's own voice has the body do."""
         samples = self._own.resampled(samples)
         energy_db, f0_hz = self._own.contours(samples)
+        self._recent.hear(energy_db, f0_hz)
         for shape in self._mouth.hear(samples):
             self._shapes.append(shape)
             yield Mouthed(shape, self.heard_s)
@@ -118,7 +121,7 @@ class LiveSession:
             if edge.begins and self._waiting and not self._is_worded():
                 text, *rest = self._waiting
                 self._waiting = tuple(rest)
-                yield from self._perform(paced_words(self._models.understudy, text, edge.at_s))
+                yield from self._perform(paced_words(self._models, text, edge.at_s))
             if not self._is_worded():
                 yield from self._agenda.keep(self._attention.spoken(edge, self.heard_s), self.heard_s)
         for event in self._events.hear(energy_db, f0_hz, self.heard_s):

@@ -9,10 +9,14 @@ import numpy as np
 from ..acoustic.pitch.streaming import StreamingPitch
 from ..acoustic.signal.frames import SHIFT_SAMPLES
 from ..acoustic.signal.spectrum import FRAME_SAMPLES, energy_db
-from ..model import Audio, FloatArray
+from ..model import FRAME_SHIFT_S, Audio, Contours, FloatArray
 
 CONTEXT_FRAMES = -(-FRAME_SAMPLES // 2 // SHIFT_SAMPLES)
 """How many frames before and after a frame's its window reaches into."""
+
+RECENT_FRAMES = 2000
+LONGEST_FRAMES = 12_000
+"""Of what begins further back, or later, nothing is known."""
 
 
 class StreamingVoice:
@@ -44,3 +48,31 @@ class StreamingVoice:
         self._samples = self._samples[dropped * SHIFT_SAMPLES :]
         self._begin += dropped
         return levels_db, f0_hz
+
+
+class RecentVoice:
+    """The last `RECENT_FRAMES` of energy in dB and f0 in Hz."""
+
+    def __init__(self) -> None:
+        self._energy_db, self._f0_hz = np.empty(0), np.empty(0)
+        self._begin = 0
+
+    def hear(self, energy_db: FloatArray, f0_hz: FloatArray) -> None:
+        """More of both."""
+        heard = self._begin + len(self._f0_hz) + len(f0_hz)
+        self._energy_db = np.concatenate([self._energy_db, energy_db])[-RECENT_FRAMES:]
+        self._f0_hz = np.concatenate([self._f0_hz, f0_hz])[-RECENT_FRAMES:]
+        self._begin = heard - len(self._f0_hz)
+
+    def during(self, begin_s: float, end_s: float) -> Contours:
+        """The contours of a stretch, without spectra; of what was not heard, or long ago, as they usually are: at the
+        median."""
+        first = round(begin_s / FRAME_SHIFT_S)
+        count = min(max(1, round((end_s - begin_s) / FRAME_SHIFT_S)), LONGEST_FRAMES)
+        places = np.arange(first, first + count) - self._begin
+        known = (places >= 0) & (places < len(self._f0_hz))
+        voiced_hz = self._f0_hz[self._f0_hz > 0]
+        energy_db = np.full(count, np.median(self._energy_db) if len(self._energy_db) else 0.0)
+        f0_hz = np.full(count, np.median(voiced_hz) if len(voiced_hz) else 0.0)
+        energy_db[known], f0_hz[known] = self._energy_db[places[known]], self._f0_hz[places[known]]
+        return Contours(energy_db, f0_hz, np.empty((count, 0)), np.empty((count, 0), dtype=np.float32))

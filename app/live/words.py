@@ -2,6 +2,9 @@
 
 Whoever synthesises the speech knows when each word falls; then nothing is heard and nothing aligned. Plain text is
 spread over the time that its sounds usually take. Times are seconds of the stream.
+
+Words with times are stressed as those of a recording are: by how long their syllables last, and by the voice where it
+has been heard already. In the times of TIMIT's words alone lies most of it (`python -m benchmarks.live.words`).
 """
 
 from collections.abc import Iterator
@@ -10,17 +13,17 @@ from itertools import pairwise
 
 from ..analysis import Analysis, Options
 from ..errors import InputError
+from ..hearing import measure_stress
 from ..model import Behavior, Interval, Phone, Utterance, Viseme, Word
 from ..moving import move
 from ..performance import Understudy
 from ..rules.derivation import understand
 from ..transcript import read_transcript
+from .models import LiveModels
+from .voice import RecentVoice
 
 LEAD_IN_S = 0.6
 """How long before its first word a phrase may begin to move."""
-
-PHONE_S = 0.08
-"""What a speech sound takes at a usual pace: 12 to 13 a second."""
 
 BETWEEN_WORDS_S = 0.01
 SOONEST_S = 0.15
@@ -45,10 +48,10 @@ class PerformedPhrase:
     words: tuple[Word, ...]
 
 
-def timed_words(understudy: Understudy, timed: tuple[TimedText, ...]) -> tuple[Word, ...]:
-    """Words in order, with their sounds spread over the time of each. Raises InputError for times that are not in
-    order, and as `read_transcript` does."""
-    limit = understudy.language.settings.max_text_characters
+def timed_words(models: LiveModels, timed: tuple[TimedText, ...], recent: RecentVoice) -> tuple[Word, ...]:
+    """Words in order, with their sounds over the time of each, and how stressed they are. Raises InputError for times
+    that are not in order, and as `read_transcript` does."""
+    limit = models.understudy.language.settings.max_text_characters
     if any(not _is_one_word(each.text) for each in timed):
         raise InputError("value_wrong", "words: each text is one word, without white space", field="words")
     words = read_transcript(" ".join(each.text for each in timed), max_characters=limit)
@@ -56,15 +59,16 @@ def timed_words(understudy: Understudy, timed: tuple[TimedText, ...]) -> tuple[W
         if after.interval.start_s < before.interval.end_s:
             message = f"words: {after.text!r} begins before {before.text!r} ends; send them in order"
             raise InputError("value_wrong", message, field="words")
-    spoken = understudy.acoustic.aligner.pronounce(words)
-    return tuple(_spread(word, each.interval) for word, each in zip(spoken, timed, strict=True))
+    spoken = models.understudy.acoustic.aligner.pronounce(words)
+    placed = tuple(models.durations.spread(word, each.interval) for word, each in zip(spoken, timed, strict=True))
+    return _stressed(models, placed, recent)
 
 
-def paced_words(understudy: Understudy, text: str, start_s: float) -> tuple[Word, ...]:
+def paced_words(models: LiveModels, text: str, start_s: float) -> tuple[Word, ...]:
     """The words of a text at a usual pace from then on; raises as `read_transcript` does, and InputError
     `transcript_unspoken`."""
-    words = read_transcript(text, max_characters=understudy.language.settings.max_text_characters)
-    return tuple(_paced(understudy.acoustic.aligner.pronounce(words), start_s))
+    words = read_transcript(text, max_characters=models.understudy.language.settings.max_text_characters)
+    return tuple(_paced(models, models.understudy.acoustic.aligner.pronounce(words), start_s))
 
 
 def perform_words(understudy: Understudy, words: tuple[Word, ...], options: Options, now_s: float) -> PerformedPhrase:
@@ -97,25 +101,23 @@ def _in_time(behaviors: Iterator[Behavior], now_s: float) -> Iterator[Behavior]:
             yield replace(each, sync=replace(sync, start=round(now_s, 3)))
 
 
+def _stressed(models: LiveModels, words: tuple[Word, ...], recent: RecentVoice) -> tuple[Word, ...]:
+    intervals = [word.interval for word in words if word.interval]
+    begin_s, end_s = intervals[0].start_s, intervals[-1].end_s
+    on_clock = tuple(_shifted(word, -begin_s) for word in words)
+    stressed, _ = measure_stress(models.understudy.acoustic, on_clock, recent.during(begin_s, end_s))
+    return tuple(_shifted(word, begin_s) for word in stressed)
+
+
 def _is_one_word(text: str) -> bool:
     return len(text.split()) == 1
 
 
-def _paced(words: tuple[Word, ...], start_s: float) -> Iterator[Word]:
+def _paced(models: LiveModels, words: tuple[Word, ...], start_s: float) -> Iterator[Word]:
     for word in words:
-        end_s = start_s + PHONE_S * len(word.phones)
-        yield _spread(word, Interval(round(start_s, 3), round(end_s, 3)))
+        end_s = start_s + models.durations.of(word.phones)
+        yield models.durations.spread(word, Interval(round(start_s, 3), round(end_s, 3)))
         start_s = end_s + BETWEEN_WORDS_S
-
-
-def _spread(word: Word, interval: Interval) -> Word:
-    each_s = interval.duration_s / max(1, len(word.phones))
-    edges = [round(interval.start_s + place * each_s, 3) for place in range(len(word.phones) + 1)]
-    phones = tuple(
-        replace(phone, interval=Interval(begin_s, end_s))
-        for phone, (begin_s, end_s) in zip(word.phones, pairwise(edges), strict=True)
-    )
-    return replace(word, interval=interval, phones=phones, spread=True)
 
 
 def _shifted(word: Word, by_s: float) -> Word:

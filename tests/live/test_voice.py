@@ -5,7 +5,7 @@ import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE, streamed
 from understudy.acoustic.signal.spectrum import energy_db
-from understudy.live.voice import StreamingVoice
+from understudy.live.voice import RECENT_FRAMES, RecentVoice, StreamingVoice
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
 
@@ -29,3 +29,22 @@ def test_little_is_kept() -> None:
     for first in range(0, len(LINE), 640):
         voice.hear(LINE[first : first + 640])
         assert len(voice._samples) < SAMPLE_RATE_HZ / 2
+
+
+def test_what_was_not_heard_is_as_usual() -> None:
+    recent = RecentVoice()
+    recent.hear(np.array([-30.0, -20.0, -10.0]), np.array([0.0, 100.0, 120.0]))
+    contours = recent.during(0.01, 0.05)
+    assert contours.energy_db.tolist() == [-20.0, -10.0, -20.0, -20.0]
+    assert contours.f0_hz.tolist() == [100.0, 120.0, 110.0, 110.0]
+    assert RecentVoice().during(-1.0, 0.0).f0_hz.tolist() == [0.0] * 100
+
+
+def test_only_the_last_is_remembered_and_no_stretch_is_too_long() -> None:
+    recent = RecentVoice()
+    for _ in range(3):
+        recent.hear(np.arange(RECENT_FRAMES, dtype=float), np.full(RECENT_FRAMES, 100.0))
+    assert len(recent._f0_hz) == RECENT_FRAMES
+    begin_s = 0.01 * 2 * RECENT_FRAMES
+    assert recent.during(begin_s, begin_s + 0.02).energy_db.tolist() == [0.0, 1.0]
+    assert len(recent.during(0.0, 1e9).f0_hz) < 1e5
