@@ -1,7 +1,7 @@
 """The service: one application that reads requests and has worker processes answer them."""
 
 from collections.abc import AsyncIterator
-from contextlib import AsyncExitStack, asynccontextmanager
+from contextlib import asynccontextmanager, nullcontext
 from pathlib import Path
 
 from fastapi import FastAPI
@@ -14,7 +14,7 @@ from . import authoring
 from .admission.admission import Admission, guard
 from .clients import Rates
 from .description import page
-from .description.document import describe
+from .description.document import PATHS, describe
 from .live import router as live_router
 from .metrics import Measured, Metrics
 from .problems import answer_errors_as_problems
@@ -40,27 +40,13 @@ def create_app(
     """The application. The nursery stays its giver's to close. With `reload` what authors save is read again; `opened`
     is what the studio page opens; rules that are edited there can be saved in `rules_folder`, by callers on this
     machine."""
-
     metrics = Metrics.fresh()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        async with AsyncExitStack() as stack:
-            pool = await stack.enter_async_context(Pool(nursery, settings))
-            metrics.watch(busy=lambda: pool.busy, waiting=lambda: pool.waiting)
-            streams = Streams(pool, settings)
-            stack.callback(streams.stop)
-            app.state.service = Service(
-                settings,
-                pool,
-                streams,
-                Uploads(settings),
-                Rates(settings.rate_per_minute),
-                metrics,
-                rules_folder=rules_folder,
-            )
-            if reload:
-                await stack.enter_async_context(reloading(app.state.service))
+        shared = _service(settings, nursery, metrics, rules_folder)
+        async with shared as service, reloading(service) if reload else nullcontext():
+            app.state.service = service
             yield
 
     app = FastAPI(
@@ -72,13 +58,24 @@ def create_app(
         docs_url=None,
         redoc_url=None,
     )
-    app.include_router(router)
-    app.include_router(authoring.router)
-    app.include_router(live_router)
-    app.include_router(page.router)
-    app.include_router(page_router(opened))
-    answer_errors_as_problems(app)
+    for each in (router, authoring.router, live_router, page.router, page_router(opened)):
+        app.include_router(each)
+    answer_errors_as_problems(app, PATHS)
     guard(app, Admission.of(settings))
     app.add_middleware(Measured, metrics=metrics)
     describe(app)
     return app
+
+
+@asynccontextmanager
+async def _service(
+    settings: Settings, nursery: Nursery, metrics: Metrics, rules_folder: Path | None
+) -> AsyncIterator[Service]:
+    """What all requests share, from the start of the application to its end."""
+    async with Pool(nursery, settings) as pool:
+        metrics.watch(busy=lambda: pool.busy, waiting=lambda: pool.waiting)
+        streams, uploads, rates = Streams(pool, settings), Uploads(settings), Rates(settings.rate_per_minute)
+        try:
+            yield Service(settings, pool, streams, uploads, rates, metrics, rules_folder=rules_folder)
+        finally:
+            streams.stop()

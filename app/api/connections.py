@@ -9,7 +9,7 @@ import h11
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from ..settings import Settings
-from .problems import problem
+from .problems import MEDIA_TYPE, problem
 
 _FULL = bytes(problem(503, "connections_full", "too many connections are open; try again in a moment").body)
 _REFUSAL = b"HTTP/1.1 503 Service Unavailable\r\ncontent-type: application/problem+json\r\nretry-after: 1\r\n"
@@ -44,6 +44,15 @@ class LimitedProtocol(H11Protocol):
         if self._checking is not None:
             self._checking.cancel()
         super().handle_websocket_upgrade(event)
+
+    def send_400_response(self, msg: str) -> None:
+        """What is no HTTP is told so in the shape of every error, and the connection closed."""
+        body = bytes(problem(400, "http_error", msg).body)
+        headers = [("content-type", MEDIA_TYPE), ("connection", "close"), ("content-length", str(len(body)))]
+        head = h11.Response(status_code=400, headers=headers, reason="Bad Request")
+        for event in (head, h11.Data(data=body), h11.EndOfMessage()):
+            self.transport.write(self.conn.send(event) or b"")
+        self.transport.close()
 
     def connection_lost(self, exc: Exception | None) -> None:
         if self._checking is not None:

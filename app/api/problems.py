@@ -2,6 +2,8 @@
 
 import logging
 import math
+from collections.abc import Sequence
+from functools import partial
 from http import HTTPStatus
 
 from fastapi import FastAPI
@@ -22,6 +24,7 @@ from ..errors import (
     UnderstudyError,
     UnsupportedFormatError,
 )
+from .unknown_paths import unknown_method, unknown_path
 
 MEDIA_TYPE = "application/problem+json"
 LONGEST_DETAIL = 2000
@@ -52,10 +55,10 @@ _STATUS_OF_SERVICE_CODE = {
 _CODE_OF_STATUS = {404: "not_found", 405: "method_not_allowed", 406: "not_acceptable"}
 
 
-def answer_errors_as_problems(app: FastAPI) -> None:
-    """Installs the handlers of every error that can leave `app`."""
+def answer_errors_as_problems(app: FastAPI, known: Sequence[str] = ()) -> None:
+    """Installs the handlers of every error that can leave `app`, whose paths are `known`."""
     app.add_exception_handler(UnderstudyError, _known)
-    app.add_exception_handler(HTTPException, _refused)
+    app.add_exception_handler(HTTPException, partial(_refused, known=known))
     app.add_exception_handler(ClientDisconnect, _gone)
     app.add_exception_handler(Exception, unexpected)
 
@@ -99,11 +102,16 @@ def _retry_after(error: UnderstudyError) -> dict[str, str] | None:
     return None if after_s is None else {"Retry-After": str(max(1, math.ceil(after_s)))}
 
 
-async def _refused(_request: Request, error: Exception) -> Response:
-    """What the framework or an endpoint refuses: no such path, method or representation."""
+async def _refused(request: Request, error: Exception, *, known: Sequence[str]) -> Response:
+    """What the framework or an endpoint refuses: no such path (but those known), method or representation."""
     assert isinstance(error, HTTPException)
     code = _CODE_OF_STATUS.get(error.status_code, "http_error")
-    return problem(error.status_code, code, error.detail, headers=dict(error.headers or {}))
+    detail = error.detail
+    if detail == HTTPStatus.NOT_FOUND.phrase:
+        detail = unknown_path(request.url.path, known)
+    elif detail == HTTPStatus.METHOD_NOT_ALLOWED.phrase:
+        detail = unknown_method(request, error)
+    return problem(error.status_code, code, detail, headers=dict(error.headers or {}))
 
 
 async def _gone(_request: Request, _error: Exception) -> Response:

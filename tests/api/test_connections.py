@@ -62,6 +62,15 @@ def test_one_connection_more_is_refused_with_a_problem() -> None:
     assert json.loads(body)["code"] == "connections_full"
 
 
+def test_what_is_no_http_is_answered_with_a_problem() -> None:
+    with served() as (_server, connect), connect() as client:
+        client.sendall(b"no such thing\r\n\r\n")
+        head, _, body = b"".join(iter(lambda: client.recv(4096), b"")).partition(b"\r\n\r\n")
+    assert head.startswith(b"HTTP/1.1 400 ")
+    assert b"application/problem+json" in head
+    assert json.loads(body)["code"] == "http_error"
+
+
 @pytest.mark.parametrize("begun", [b"", b"POST / HTTP/1.1\r\nHost: x\r\nX-A: "])
 def test_headers_that_take_too_long_end_the_connection(begun: bytes) -> None:
     with served(header_s=SOON_S, idle_s=SOON_S) as (_server, connect), connect() as client:

@@ -183,7 +183,26 @@ def test_a_mistake_of_ours_tells_nothing_of_the_inside(client: TestClient) -> No
 
 
 def test_a_refused_method_says_which_are_allowed(client: TestClient) -> None:
-    assert client.get("/perform").headers["allow"] == "POST"
+    answer = client.get("/perform")
+    assert answer.headers["allow"] == "POST"
+    assert answer.json()["detail"] == "'/perform' does not support 'GET'; send POST"
+
+
+@pytest.mark.parametrize(
+    ("path", "told"),
+    [
+        ("/preform", "no such path: '/preform'; did you mean /perform?"),
+        ("/gestures/chek", "no such path: '/gestures/chek'; did you mean /gestures/check?"),
+        ("/studio/nothing.js", "no such path: '/studio/nothing.js'"),
+        ("/%00", "no such path: '/\\x00'"),
+    ],
+)
+def test_a_misspelt_path_is_told_which_is_near(client: TestClient, path: str, told: str) -> None:
+    assert client.get(path).json()["detail"] == told
+
+
+def test_little_is_told_of_a_long_path(client: TestClient) -> None:
+    assert len(client.get("/" + "x" * 20_000).json()["detail"]) < 300
 
 
 @pytest.mark.parametrize(

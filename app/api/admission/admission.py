@@ -20,6 +20,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from ...errors import LONGEST_SHOWN, InputError
 from ...settings import PREFIX, Settings
 from ..problems import problem, unexpected
+from ..unknown_paths import unknown_path
 from .headers import set_headers
 from .hosts import is_allowed
 from .keys import ApiKeys, authorization
@@ -61,7 +62,7 @@ class Admission:
         is_operators_port = self.operations_port is not None and port == self.operations_port
         is_elsewhere = self.operations_port is not None and _is_under(path, (METRICS, *DOCS)) != is_operators_port
         if is_elsewhere or _is_under(path, self.closed):
-            return problem(404, "not_found", "Not Found")
+            return problem(404, "not_found", unknown_path(path))
         if not self.keys.digests or is_operators_port or _is_under(path, (*DOCS, *STUDIO)):
             return None
         if self.keys.name(authorization(headers)) is None:

@@ -45,6 +45,9 @@ _ANSWERED: tuple[type[BaseModel], ...] = (
 )
 _KEY = "key"
 
+PATHS = tuple(sorted({path for _method, path in (*OPERATIONS, *AUTHORING_OPERATIONS)}))
+"""Those that the document describes."""
+
 
 def describe(app: FastAPI) -> None:
     """Has `app` tell this document at `/openapi.json`."""
