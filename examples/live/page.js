@@ -57,7 +57,7 @@ async function talk(event) {
   }
   socket = new WebSocket(element("address").value, protocols(element("key").value));
   socket.onmessage = heard;
-  socket.onerror = () => say("the service cannot be reached");
+  socket.onerror = () => say("the service cannot be reached, or asks for another key");
   socket.onclose = stop;
   socket.onopen = () => {
     const rate = sound.context.sampleRate;

@@ -20,6 +20,9 @@ from playwright.sync_api import sync_playwright
 ROOT = Path(__file__).parents[2]
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 PATIENCE_MS = 60_000
+KEY = "schlüssel?>?>~~~for-the-page"
+"""Its base64 has characters that no protocol's name may have."""
+
 FLAGS = ("--no-sandbox", "--disable-gpu", "--use-fake-ui-for-media-stream", "--use-fake-device-for-media-stream")
 
 
@@ -41,7 +44,9 @@ def service_started(folder: Path) -> Iterator[str]:
     log = folder / "log"
     command = [sys.executable, "-m", "understudy.cli", "serve", "--port", "0"]
     with log.open("wb") as out:
-        process = subprocess.Popen(command, stderr=out, env=os.environ | {"UNDERSTUDY_WORKERS": "1"})
+        process = subprocess.Popen(
+            command, stderr=out, env=os.environ | {"UNDERSTUDY_WORKERS": "1", "UNDERSTUDY_API_KEYS": KEY}
+        )
     try:
         while "http://" not in log.read_text():
             assert process.poll() is None, log.read_text()
@@ -53,7 +58,7 @@ def service_started(folder: Path) -> Iterator[str]:
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="chromium is not installed")
-def test_a_voice_moves_the_body_until_it_is_ended(tmp_path: Path) -> None:
+def test_a_voice_with_the_right_key_moves_the_body_until_it_is_ended(tmp_path: Path) -> None:
     samples, rate_hz = soundfile.read(ROOT / "examples/example.flac")
     soundfile.write(tmp_path / "voice.wav", np.clip(samples, -1, 1), rate_hz, subtype="PCM_16")
     flags = [*FLAGS, f"--use-file-for-fake-audio-capture={tmp_path / 'voice.wav'}"]
@@ -64,6 +69,13 @@ def test_a_voice_moves_the_body_until_it_is_ended(tmp_path: Path) -> None:
         page.on("pageerror", lambda error: wrong.append(str(error)))
         page.goto(url)
         page.fill("#address", f"ws://{address}/live")
+        for key in ("", "wrong"):
+            page.fill("#key", key)
+            page.click("#talk")
+            page.wait_for_function("() => document.querySelector('#state').textContent.includes('another key')")
+            page.wait_for_selector("#talk:not([disabled])")
+            page.evaluate("() => { document.querySelector('#state').textContent = '' }")
+        page.fill("#key", KEY)
         page.click("#talk")
         page.wait_for_selector("#told li:has-text('gesture')")
         assert page.inner_text("#state") == "listening"
