@@ -19,26 +19,33 @@ ASKERS = 3
 """While workers are killed: one more than there are usually workers, so that one waits."""
 
 
-def soaked(service: Running, count: int, clients: int) -> Iterator[Bar]:
-    """So many usual requests, with memory and descriptors looked at fifty times."""
+WARM_UP = 1000
+"""Requests before memory is looked at: in its first few hundred a worker still comes to its usual size."""
+
+
+def soaked(service: Running, count: int, clients: int, *, warm_up: int = WARM_UP) -> Iterator[Bar]:
+    """So many usual requests after those that warm the workers up, with memory and descriptors looked at fifty times:
+    the last fifth of the looks against the first."""
     looks, statuses = list[tuple[float, int]](), Counter[int]()
     part = max(1, count // 50)
     asked = cycle(usual())
+    with Client(service.port) as client:
+        statuses.update(told.status for told in in_threads(client.ask_until_taken, islice(asked, warm_up), clients))
     began_s = time.monotonic()
     for _ in range(0, count, part):
         with Client(service.port) as client:
             statuses.update(told.status for told in in_threads(client.ask_until_taken, islice(asked, part), clients))
             looks.append((memory_mb(service.process.pid), descriptors(service.process.pid)))
-    print(f"{count} requests of soak in {time.monotonic() - began_s:.0f} s: {dict(statuses)}")
+    print(f"{warm_up} requests to warm up and {count} of soak in {time.monotonic() - began_s:.0f} s: {dict(statuses)}")
     fifth = max(1, len(looks) // 5)
     for name, at in (("memory", 0), ("descriptors", 1)):
         values = [look[at] for look in looks]
-        early, late = statistics.median(values[fifth : 2 * fifth]), statistics.median(values[-fifth:])
+        early, late = statistics.median(values[:fifth]), statistics.median(values[-fifth:])
         growth = late / early - 1
-        print(f"  {name}: {early:.0f} in the second fifth, {late:.0f} in the last, {max(values):.0f} at most")
+        print(f"  {name}: {early:.0f} in the first fifth, {late:.0f} in the last, {max(values):.0f} at most")
         yield Bar(f"{name} over {count} requests", f"{growth:+.1%}", "5 %", growth <= 0.05)
     failed = sum(number for status, number in statuses.items() if status not in (200, 415))
-    yield Bar(f"failures in {count} requests of soak", str(failed), "0", failed == 0)
+    yield Bar(f"failures in {warm_up + count} requests of soak", str(failed), "0", failed == 0)
 
 
 def descriptors(pid: int) -> int:

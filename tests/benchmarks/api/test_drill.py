@@ -24,7 +24,7 @@ def test_the_service_holds(tmp_path: Path) -> None:
     with serving(PATIENT, log=tmp_path / "serve.log") as service:
         bars = [
             *fuzzed(service, 100, seed=5, clients=3, keep=tmp_path),
-            *soaked(service, 20, 2),
+            *soaked(service, 20, 2, warm_up=0),
             *killed(service, 2, seed=5),
         ]
     missed = [bar for bar in bars if not bar.met and not bar.what.startswith(OF_THE_MACHINE)]
