@@ -25,8 +25,10 @@ from ..realizer.gestures.gesture import (
     Place,
     Sideways,
     Thumb,
+    TrackForm,
 )
 from ..realizer.gestures.gesture_space import DEPTH_M, DIRECTIONS, HEIGHT, SHOULDERS_ABOVE_HIPS_M, SIDEWAYS_M, sector_m
+from ..realizer.gestures.offset_tracks import FEWEST_TURNS, MOST_DEGREES, MOST_PHASE_DEG, MOST_TURNS, TrackJoint
 from ..realizer.gestures.specifiers import MAX_DEGREES, MAX_OFFSET_M, THUMB_IN_FORM, orthogonal
 from .response_model import Number, ResponseModel
 
@@ -88,6 +90,8 @@ class GestureLanguageResponse(ResponseModel):
     frame_types: list[FrameTypeResponse]
     arms: list[Hand]
     joints: list[str]
+    track_forms: list[TrackForm]
+    track_joints: list[TrackJoint]
     levels: dict[Level, DerivationResponse]
     ranges: dict[str, tuple[Number, Number]]
 
@@ -107,6 +111,8 @@ class GestureLanguageResponse(ResponseModel):
             frame_types=[FrameTypeResponse(name=type_, once=type_ not in REPEATED) for type_ in IN_ORDER],
             arms=list(Hand),
             joints=[name.removeprefix(Hand.LEFT) for name in arm_joints(Hand.LEFT)],
+            track_forms=list(TrackForm),
+            track_joints=list(TrackJoint),
             levels={level: DerivationResponse(factors=FACTORS[level], summands=SUMMANDS[level]) for level in Level},
             ranges={
                 **RANGES,
@@ -116,6 +122,9 @@ class GestureLanguageResponse(ResponseModel):
                 "degrees": (-MAX_DEGREES, MAX_DEGREES),
                 "shoulder": (-1.0, 1.0),
                 "curve": (-1.0, 1.0),
+                "track_degrees": (-MOST_DEGREES, MOST_DEGREES),
+                "track_turns": (FEWEST_TURNS, MOST_TURNS),
+                "track_phase_deg": (-MOST_PHASE_DEG, MOST_PHASE_DEG),
             },
         )
 

@@ -40,3 +40,12 @@ def test_sectors_out_of_reach_are_those_that_the_checker_doubts() -> None:
         place = (x.name, y.name, z.name)
         text = gesture("LEVELS medium", last=f"FRAMETYPE stroke_end\n  ARM {' '.join(place)}")
         assert bool(check_text(text, BODY).doubts) == (place in TOLD.out_of_reach), place
+
+
+def test_the_checker_passes_the_tracks_that_are_told_and_none_beyond() -> None:
+    most, turns = TOLD.ranges["track_degrees"][1], TOLD.ranges["track_turns"]
+    for form, joint in product(TOLD.track_forms, TOLD.track_joints):
+        for degrees, turned in product((most, most + 1), turns):
+            last = f" {turned}" if form == "circling" else ""
+            track = f"TRACK {form} {joint} 0 {degrees:g} 0{last}"
+            assert (not check_text(gesture(track), BODY).mistakes) == (degrees == most), track

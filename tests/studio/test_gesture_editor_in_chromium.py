@@ -17,6 +17,8 @@ STOP = """\
 GESTURECLASS emblem
 GESTUREINSTANCE stop_there
 DURATION 1.5
+TRACK held chest 0 15 0
+TRACK circling LowerArm 0 10 0 2 90
 STARTFRAME 0.25
   FRAMETYPE stroke_start
   ARM XC YCC ZMiddle
@@ -49,6 +51,18 @@ def _text(page: Page) -> str:
     return page.input_value("#gesture-text")
 
 
+def _track(page: Page, number: int, values: dict[str, str]) -> None:
+    """Adds an offset track, and makes it so."""
+    page.click("#track-add")
+    for name, value in values.items():
+        field = page.get_by_label(f"Track {number}, {name}", exact=True)
+        if name in {"form", "joint"}:
+            field.select_option(value)
+        else:
+            field.fill(value)
+            field.press("Tab")
+
+
 def _direction(half: str, name: str) -> str:
     return f"#wrist [aria-label='{half}'] [data-direction='{name}']"
 
@@ -72,8 +86,11 @@ def test_a_gesture_that_is_composed_by_clicks_is_its_text(editor: Page) -> None:
     editor.click(_direction("Palm faces", "Away"))
     editor.fill("#curve-tension", "0.5")
     editor.check("#noise")
+    _track(editor, 1, {"y, °": "15"})
+    _track(editor, 2, {"form": "circling", "joint": "LowerArm", "turns": "2", "from, °": "90"})
     expected = one_gesture(STOP, None)
-    wait_until(editor, "document.querySelector('#gesture-text').value.includes('ADDNOISE')")
+    wait_until(editor, "/ADDNOISE/.test(document.querySelector('#gesture-text').value)")
+    wait_until(editor, "/LowerArm .* 90/.test(document.querySelector('#gesture-text').value)")
     assert one_gesture(_text(editor), None) == expected
     assert _text(editor) == write_gesture(expected)
 

@@ -12,7 +12,7 @@ from .gesture import OffsetTrack, TrackForm
 from .specifiers import number, one_of
 from .statements import LocatedMistake, Statement
 
-MOST_DEGREES, FEWEST_TURNS, MOST_TURNS = 45.0, 0.25, 6.0
+MOST_DEGREES, MOST_PHASE_DEG, FEWEST_TURNS, MOST_TURNS = 45.0, 360.0, 0.25, 6.0
 
 
 class TrackJoint(StrEnum):
@@ -61,5 +61,5 @@ def _turns(statement: Statement, form: TrackForm | None, wrong: list[LocatedMist
     if not more:
         wrong.append(LocatedMistake(statement.words[0], "a track that is circling says its turns after the angles"))
         return 0.0, 0.0
-    phase_deg = number(more[1], -360.0, 360.0, wrong, unit="°") if more[1:] else 0.0
+    phase_deg = number(more[1], -MOST_PHASE_DEG, MOST_PHASE_DEG, wrong, unit="°") if more[1:] else 0.0
     return number(more[0], FEWEST_TURNS, MOST_TURNS, wrong) or 0.0, phase_deg or 0.0

@@ -30,6 +30,9 @@ export const LANGUAGE = /** @type {GestureLanguage} */ (
       const dot = (/** @type {string[]} */ other) => vectorOf(other).reduce((sum, part, axis) => sum + part * (vector[axis] ?? 0), 0);
       return { directions, vector, partners: [...SUMS.keys()].filter((index) => dot(SUMS[index] ?? []) === 0) };
     }),
+    track_forms: ["held", "curved", "circling"],
+    track_joints: ["chest", "LowerArm"],
+    ranges: { track_degrees: [-45, 45], track_turns: [0.25, 6], track_phase_deg: [-360, 360] },
     frame_types: ["start", "preparation", "ready", "stroke_start", "stroke", "stroke_end", "hold", "relax", "retraction", "end"].map(
       (name) => ({ name, once: !["preparation", "stroke", "hold", "retraction"].includes(name) }),
     ),

@@ -13,6 +13,7 @@ import { languageText } from "./language_text.js";
 import { poseForm } from "./pose_form.js";
 import { preview } from "./preview.js";
 import { sectorGrid } from "./sector_grid.js";
+import { trackForm } from "./track_form.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
@@ -49,6 +50,7 @@ function mount(element, store, service) {
     compass(store),
     curveForm(store),
     poseForm(store, service),
+    trackForm(store),
   ]);
   const left = el("div", { class: "column" }, [headerForm(store), preview(store, service), times]);
   const right = el("div", { class: "column" }, [languageText(store, service)]);

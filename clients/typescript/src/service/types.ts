@@ -24,6 +24,7 @@ export type Rules = Schemas["RulesResponse"];
 export type GestureValues = Schemas["GestureValues"];
 export type GestureFrame = Schemas["FrameValues"];
 export type GestureArm = Schemas["ArmValues"];
+export type GestureTrack = Schemas["TrackValues"];
 export type GestureLanguage = Schemas["GestureLanguageResponse"];
 export type CheckedGestures = Schemas["GestureCheckResponse"];
 export type PlacedMistake = Schemas["PlacedMistakeResponse"];
