@@ -4,7 +4,8 @@
 
 - memory: one stream of SECONDS of sound (3600), with frames, sent as fast as it is taken, with words, interruptions and
   silences on the way: memory of its process, a minute in and at the end.
-- together: N streams (16) with sound at its own pace for SECONDS (30): messages late, processor time, `/healthz`.
+- together: N streams (16) with sound at its own pace for SECONDS (30): how late messages are at first and at last, each
+  stream's processor time over its sound, `/healthz`.
 - slow: a client that reads nothing, and one that reads a tenth of the time.
 - garbage: random text and bytes as messages, streams broken off anywhere; then a stream as ever.
 """
@@ -12,27 +13,21 @@
 import argparse
 import asyncio
 import json
-import os
 import random
-import socket
-import subprocess
-import sys
 import time
-from collections.abc import AsyncIterator, Iterator
-from contextlib import asynccontextmanager, contextmanager, suppress
+from collections import Counter
+from contextlib import AsyncExitStack, suppress
+from dataclasses import dataclass, field
 
 import numpy as np
 import psutil
 import requests
-import soundfile
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
-from understudy.resources import resource_folder
+from benchmarks.live.serving import CHUNK_S, START, chunk, newest, processor_s, service, stream
+from understudy.model import FloatArray
 
-CHUNK_S = 0.04
-RATE_HZ = 16_000
-CHUNK_BYTES = 2 * round(CHUNK_S * RATE_HZ)
 WARM_S = 60.0
 """What is loaded when first needed, and what caches hold, is there by then."""
 
@@ -40,82 +35,18 @@ MOST_SENT_AHEAD_S = 2.0
 """How much sound may wait in buffers, so that memory is measured when so much has been heard, not sent."""
 
 PARTS = ("memory", "together", "slow", "garbage")
-START = {"type": "start", "sample_rate_hz": RATE_HZ}
-
-
-def speech() -> bytes:
-    """The bundled line and two seconds of silence, as samples."""
-    samples, rate_hz = soundfile.read(resource_folder("examples") / "example.flac", dtype="int16")
-    assert rate_hz == RATE_HZ
-    return bytes(np.concatenate([samples, np.zeros(2 * RATE_HZ, dtype=np.int16)]).astype("<i2").tobytes())
-
-
-PCM = speech()
-
-
-def chunk(number: int) -> bytes:
-    """The chunk of that number of the line said over and over."""
-    begin = number * CHUNK_BYTES % (len(PCM) - CHUNK_BYTES)
-    return PCM[begin : begin + CHUNK_BYTES]
-
-
-@contextmanager
-def service(**settings: str) -> Iterator[tuple[int, psutil.Process]]:
-    """A service, its port and its process."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    names = {f"UNDERSTUDY_{name.upper()}": value for name, value in settings.items()}
-    command = [sys.executable, "-m", "understudy.cli", "--quiet", "serve", "--port", str(port)]
-    process = subprocess.Popen(command, env=os.environ | names)
-    try:
-        while True:
-            with suppress(requests.ConnectionError):
-                if requests.get(f"http://127.0.0.1:{port}/readyz", timeout=5).ok:
-                    break
-            time.sleep(0.2)
-        yield port, psutil.Process(process.pid)
-    finally:
-        process.terminate()
-        process.wait(20)
-
-
-@asynccontextmanager
-async def stream(port: int, **start: object) -> AsyncIterator[ClientConnection]:
-    address = f"ws://127.0.0.1:{port}/live"
-    async with connect(address, max_size=None, compression=None, ping_interval=None) as connection:
-        await connection.send(json.dumps(START | start))
-        assert json.loads(await connection.recv())["type"] == "ready"
-        yield connection
-
-
-def newest(of: psutil.Process) -> psutil.Process:
-    """The process that was started last."""
-    return max(of.children(recursive=True), key=lambda each: (each.create_time(), each.pid))
 
 
 async def memory(port: int, process: psutil.Process, sound_s: float) -> None:
     async with stream(port, frames=30) as connection:
-        worker, seen, began_s = newest(process), list[tuple[float, float, float]](), time.monotonic()
-
-        heard_s = 0.0
-
-        async def read() -> int:
-            nonlocal heard_s
-            count = 0
-            with suppress(ConnectionClosed):
-                async for text in connection:
-                    told, count = json.loads(text), count + 1
-                    heard_s = told.get("time_s", heard_s)
-            return count
-
-        reading = asyncio.create_task(read())
-        total = round(sound_s / CHUNK_S)
+        worker, reader, began_s = newest(process), _Reader(connection), time.monotonic()
+        reading = asyncio.create_task(reader.read())
+        seen, total = list[tuple[float, float, float]](), round(sound_s / CHUNK_S)
         for number in range(total):
-            await connection.send(chunk(number))
             at_s = number * CHUNK_S
-            while heard_s < at_s - MOST_SENT_AHEAD_S and not reading.done():
+            while reader.heard_s < at_s - MOST_SENT_AHEAD_S and not reading.done():
                 await asyncio.sleep(0.01)
+            await connection.send(chunk(number))
             if number % 250 == 0:
                 await connection.send(json.dumps({"type": "words", "text": "No, I have never seen those."}))
             if number % 700 == 699:
@@ -124,68 +55,96 @@ async def memory(port: int, process: psutil.Process, sound_s: float) -> None:
                 used = worker.memory_full_info()
                 seen.append((at_s, used.uss / 2**20, used.rss / 2**20))
         await connection.send(json.dumps({"type": "end"}))
-        count = await reading
+        await reading
     wall_s = time.monotonic() - began_s
-    print(f"memory: {sound_s:.0f} s of sound in {wall_s:.0f} s, {count} messages; MB from a minute on:")
-    settled = np.array([row for row in seen if row[0] >= WARM_S])
+    print(f"memory: {sound_s:.0f} s of sound in {wall_s:.0f} s, {reader.count} messages; MB from a minute on:")
+    report_memory(np.array([row for row in seen if row[0] >= WARM_S]))
+
+
+class _Reader:
+    """Reads all messages of a stream, and how much it had heard by the last, and by which they were late of a clock."""
+
+    def __init__(self, connection: ClientConnection) -> None:
+        self._connection, self._began_s = connection, time.monotonic()
+        self.count, self.heard_s = 0, 0.0
+        self.late_s: list[float] = []
+
+    async def read(self) -> None:
+        with suppress(ConnectionClosed):
+            async for text in self._connection:
+                told = json.loads(text)
+                self.count += 1
+                self.heard_s = told.get("heard_s", told.get("time_s", self.heard_s))
+                self.late_s.append(time.monotonic() - self._began_s - self.heard_s)
+
+
+def report_memory(settled: FloatArray) -> None:
+    """Rows of when, own pages and all of them in MB."""
     for name, megabytes in (("own pages", settled[:, 1]), ("with shared ones", settled[:, 2])):
         quarters = [float(part.mean()) for part in np.array_split(megabytes, 4)]
         growth = 100 * (megabytes[-3:].mean() / megabytes[:3].mean() - 1)
         print(f"  {name}: {', '.join(f'{each:.1f}' for each in quarters)} by quarters, {growth:+.1f} % in all")
 
 
+Opened = tuple[ClientConnection, psutil.Process]
+"""A stream, and the process that has it."""
+
+
+@dataclass(slots=True)
+class Together:
+    """What many streams at once have shown: how late messages came in the first and the last quarter of each, and the
+    processor time of each over its sound; of frames at 60 and of events alone."""
+
+    first_s: list[float] = field(default_factory=list)
+    last_s: list[float] = field(default_factory=list)
+    shares: dict[bool, list[float]] = field(default_factory=lambda: {False: [], True: []})
+
+
 async def together(port: int, process: psutil.Process, streams: int, lasting_s: float) -> None:
-    late_s: list[float] = []
-    health_s: list[float] = []
-
-    async def one(number: int) -> None:
-        async with stream(port, frames=60 if number % 2 else None, seed=number) as connection:
-            began_s = time.monotonic()
-
-            async def read() -> None:
-                with suppress(ConnectionClosed):
-                    async for text in connection:
-                        told = json.loads(text)
-                        heard_s = told.get("heard_s", told.get("time_s"))
-                        if heard_s is not None:
-                            late_s.append(time.monotonic() - began_s - heard_s)
-
-            reading = asyncio.create_task(read())
-            for place in range(round(lasting_s / CHUNK_S)):
-                await asyncio.sleep(max(0.0, began_s + (place + 1) * CHUNK_S - time.monotonic()))
-                await connection.send(chunk(place + 31 * number))
-            await connection.send(json.dumps({"type": "end"}))
-            await reading
-
-    async def probe() -> None:
-        while True:
-            began_s = time.monotonic()
-            await asyncio.to_thread(requests.get, f"http://127.0.0.1:{port}/healthz", timeout=10)
-            health_s.append(time.monotonic() - began_s)
-            await asyncio.sleep(0.2)
-
-    probing = asyncio.create_task(probe())
-    before, began_s, waiting = (
-        processor_s(process),
-        time.monotonic(),
-        [asyncio.create_task(one(k)) for k in range(streams)],
-    )
-    await asyncio.sleep(lasting_s - 1)
-    spent = (processor_s(process) - before) / (time.monotonic() - began_s)
-    await asyncio.gather(*waiting)
+    found, health_s = Together(), list[float]()
+    probing = asyncio.create_task(_probe(port, health_s))
+    async with AsyncExitStack() as stack:
+        opened = list[Opened]()
+        for number in range(streams):
+            frames = 60 if number % 2 else None
+            connection = await stack.enter_async_context(stream(port, frames=frames, seed=number))
+            opened.append((connection, newest(process)))
+        talking = (_talk(each, number, lasting_s, found) for number, each in enumerate(opened))
+        await asyncio.gather(*talking)
     probing.cancel()
-    print(f"together: {streams} streams (every second with frames at 60), {lasting_s:.0f} s: messages late by")
-    print(f"  {percentiles(late_s)}; processors busy {spent:.2f}; /healthz {percentiles(health_s)}")
+    print(f"together: {streams} streams (every second with frames at 60), {lasting_s:.0f} s of sound each")
+    print(f"  messages late: first quarter {percentiles(found.first_s)}; last quarter {percentiles(found.last_s)}")
+    for has_frames, shares in found.shares.items():
+        name = "frames at 60" if has_frames else "events alone"
+        print(f"  processor time, {name}: mean {np.mean(shares):.3f} ×, most {np.max(shares):.3f} ×")
+    print(f"  /healthz {percentiles(health_s)}")
 
 
-def processor_s(process: psutil.Process) -> float:
-    """What a process and its children have used."""
-    total = 0.0
-    for each in [process, *process.children(recursive=True)]:
-        with suppress(psutil.NoSuchProcess):
-            times = each.cpu_times()
-            total += times.user + times.system
-    return total
+async def _talk(
+    opened: tuple[ClientConnection, psutil.Process], number: int, lasting_s: float, found: Together
+) -> None:
+    """One stream at its own pace."""
+    connection, worker = opened
+    reader, before_s, began_s = _Reader(connection), processor_s(worker), time.monotonic()
+    reading = asyncio.create_task(reader.read())
+    for place in range(round(lasting_s / CHUNK_S)):
+        await asyncio.sleep(max(0.0, began_s + (place + 1) * CHUNK_S - time.monotonic()))
+        await connection.send(chunk(place + 31 * number))
+    found.shares[number % 2 == 1].append((processor_s(worker) - before_s) / max(reader.heard_s, CHUNK_S))
+    await connection.send(json.dumps({"type": "end"}))
+    await reading
+    quarter = len(reader.late_s) // 4
+    found.first_s += reader.late_s[:quarter]
+    found.last_s += reader.late_s[-quarter:]
+
+
+async def _probe(port: int, health_s: list[float]) -> None:
+    """Asks for `/healthz` five times a second."""
+    while True:
+        began_s = time.monotonic()
+        await asyncio.to_thread(requests.get, f"http://127.0.0.1:{port}/healthz", timeout=10)
+        health_s.append(time.monotonic() - began_s)
+        await asyncio.sleep(0.2)
 
 
 def percentiles(values: list[float]) -> str:
@@ -194,6 +153,26 @@ def percentiles(values: list[float]) -> str:
 
 
 async def slow(port: int) -> None:
+    await _unread(port)
+    async with stream(port, frames=60) as connection:
+        told = Counter[str]()
+        for number in range(500):
+            await connection.send(chunk(number))
+            if number % 10 == 0:
+                with suppress(TimeoutError):
+                    for _ in range(5):
+                        told.update([json.loads(await asyncio.wait_for(connection.recv(), 0.05))["type"]])
+        await connection.send(json.dumps({"type": "end"}))
+        with suppress(ConnectionClosed):
+            async for text in connection:
+                told.update([last := json.loads(text)["type"]])
+    frames, others = told["frame"], told.total() - told["frame"]
+    print(f"slow: a client that reads now and then got {frames} of 1200 frames and {others} other messages,")
+    print(f"  the last {last}")
+
+
+async def _unread(port: int) -> None:
+    """A client that reads nothing."""
     async with connect(f"ws://127.0.0.1:{port}/live", max_queue=1, compression=None) as connection:
         await connection.send(json.dumps(START | {"frames": 60}))
         number, began_s = 0, time.monotonic()
@@ -205,40 +184,13 @@ async def slow(port: int) -> None:
         except (ConnectionClosed, TimeoutError) as error:
             how = type(error).__name__
             print(f"slow: a client that reads nothing was let go ({how}) after {number * CHUNK_S:.0f} s of sound")
-    async with stream(port, frames=60) as connection:
-        frames = events = 0
-        for number in range(500):
-            await connection.send(chunk(number))
-            if number % 10 == 0:
-                with suppress(TimeoutError):
-                    for _ in range(5):
-                        told = json.loads(await asyncio.wait_for(connection.recv(), 0.05))
-                        frames, events = frames + (told["type"] == "frame"), events + (told["type"] != "frame")
-        await connection.send(json.dumps({"type": "end"}))
-        with suppress(ConnectionClosed):
-            async for text in connection:
-                told = json.loads(text)
-                frames, events = frames + (told["type"] == "frame"), events + (told["type"] != "frame")
-    print(f"slow: a client that reads now and then got {frames} of 1200 frames and {events} other messages,")
-    print(f"  the last {told['type']}")
 
 
 async def garbage(port: int, process: psutil.Process) -> None:
-    draw = random.Random(0)
-    codes: dict[str, int] = {}
+    draw, codes = random.Random(0), Counter[str]()
     for _ in range(150):
         with suppress(ConnectionClosed, TimeoutError):
-            async with connect(f"ws://127.0.0.1:{port}/live", compression=None) as connection:
-                if draw.random() < 0.6:
-                    await connection.send(json.dumps(START | {"frames": draw.choice([None, 30])}))
-                for _ in range(draw.randrange(4)):
-                    await connection.send(_garbage(draw))
-                if draw.random() < 0.3:
-                    connection.transport.abort()
-                while True:
-                    told = json.loads(await asyncio.wait_for(connection.recv(), 0.3))
-                    if told["type"] == "error":
-                        codes[told["code"]] = codes.get(told["code"], 0) + 1
+            await _send_garbage(port, draw, codes)
     await asyncio.sleep(1)
     left = len(process.children(recursive=True))
     async with stream(port) as connection:
@@ -249,6 +201,20 @@ async def garbage(port: int, process: psutil.Process) -> None:
             told = json.loads(text)
     print(f"garbage: 150 streams, errors {dict(sorted(codes.items()))};")
     print(f"  {left} processes are left; a stream after it: {told['type']}")
+
+
+async def _send_garbage(port: int, draw: random.Random, codes: Counter[str]) -> None:
+    """One stream, perhaps begun, perhaps broken off; counts the errors that it is told."""
+    async with connect(f"ws://127.0.0.1:{port}/live", compression=None) as connection:
+        if draw.random() < 0.6:
+            await connection.send(json.dumps(START | {"frames": draw.choice([None, 30])}))
+        for _ in range(draw.randrange(4)):
+            await connection.send(_garbage(draw))
+        if draw.random() < 0.3:
+            connection.transport.abort()
+        while True:
+            told = json.loads(await asyncio.wait_for(connection.recv(), 0.3))
+            codes.update([told["code"]] if told["type"] == "error" else [])
 
 
 def _garbage(draw: random.Random) -> str | bytes:
