@@ -99,8 +99,13 @@ describe("the client and the service", { skip: noService }, () => {
       return fetch(url, request);
     };
     const patient = new UnderstudyClient({ baseUrl: service.baseUrl, apiKey: KEY, fetch: counting });
-    const performed = await Promise.all([patient.perform(line), patient.perform(line)]);
-    assert.equal(performed.length, 2);
-    assert.ok(asked > 2);
+    // On a busy machine the first may be done before the second arrives; then they are sent again.
+    let sent = 0;
+    while (asked === sent && sent < 40) {
+      sent = asked + 2;
+      const performed = await Promise.all([patient.perform(line), patient.perform(line)]);
+      assert.ok(performed.every(({ bml }) => bml.includes("<bml")));
+    }
+    assert.ok(asked > sent);
   });
 });
