@@ -109,6 +109,7 @@ def test_script_and_bml_are_played_as_performed(understudy: Understudy, analysis
     assert len(_gestures(read)) == len(wanted) == len(script.made)
     for one, other in zip(_gestures(read), wanted.values(), strict=True):
         assert (one.lexeme, one.hand, one.after_strokes_s) == (other.lexeme, other.hand, other.after_strokes_s)
+        assert one.curved == other.curved
         assert [time_s for _name, time_s in one.sync.in_order()] == pytest.approx(
             [time_s for _name, time_s in other.sync.in_order()], abs=0.002
         )
@@ -116,8 +117,13 @@ def test_script_and_bml_are_played_as_performed(understudy: Understudy, analysis
     assert not [each for each in played.motion.notices if each.code == "gesture_not_played"]
     bml = write_bml(performance)
     again = prepare_schedule(None, BmlInput(bml, Path("x.bml")))
-    after = {each.id: each.after_strokes_s for each in again.schedule.behaviors if each.kind is Channel.GESTURE}
-    assert after == {name: each.after_strokes_s for name, each in wanted.items()}
+    gestures = [each for each in again.schedule.behaviors if each.kind is Channel.GESTURE]
+    assert {each.id: each.after_strokes_s for each in gestures} == {
+        name: each.after_strokes_s for name, each in wanted.items()
+    }
+    assert (
+        {each.id for each in gestures if each.curved} == {name for name, each in wanted.items() if each.curved} != set()
+    )
 
 
 def test_a_script_that_is_wrong_is_told() -> None:

@@ -39,8 +39,9 @@ class Behavior:
     behaviour such as blinks. `moment` (an id) is the moment it belongs to. `lexeme` is its name in BML, `amount` its
     size in [0, 1], `target` the target of a gaze or a pointing, `repetitions` the number of nods or shakes. What lost a
     conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words. `after_strokes_s` are the
-    ends of a gesture's strokes after its main one, seconds after that; None leaves them to the realizer. `edit` is the
-    number of the author's edit that made or changed it."""
+    ends of a gesture's strokes after its main one, seconds after that; None leaves them to the realizer. The stroke of
+    one that is `curved` is an arc, others' are as the library has them. `edit` is the number of the author's edit that
+    made or changed it."""
 
     id: str
     kind: Channel
@@ -61,6 +62,7 @@ class Behavior:
     lost_to: str | None = None
     reason: str | None = None
     after_strokes_s: tuple[float, ...] | None = None
+    curved: bool = False
     edit: int | None = None
 
 

@@ -181,7 +181,7 @@ class FunctionResponse(ResponseModel):
 
 class BehaviorResponse(ResponseModel):
     """A scheduled behaviour; the times of `sync` are seconds from the start of the audio. `edit` is the number of the
-    author's edit that made or changed it."""
+    author's edit that made or changed it; the stroke of a gesture that is `curved` is an arc."""
 
     id: str
     kind: str
@@ -202,6 +202,7 @@ class BehaviorResponse(ResponseModel):
     lost_to: str | None = None
     reason: str | None = None
     after_strokes_s: list[Number] | None = None
+    curved: bool = False
     edit: int | None = None
 
 

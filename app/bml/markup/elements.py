@@ -161,6 +161,7 @@ _RECORD = _kind(
                 "last": _COUNT,
                 "phases": Attribute(Kind.DURATIONS),
                 "afterStrokes": Attribute(Kind.DURATIONS),
+                "path": _one_of("curved"),
                 **dict.fromkeys(("target", "rule", "function", "moment", "reason"), _TEXT),
             },
             namespace=OURS,

@@ -41,6 +41,7 @@ class Record:
             amount=_number(found, "amount") if gesture else behavior.amount,
             target=behavior.target or (_text(found, "target") if gesture else None),
             after_strokes_s=_times_s(found, "afterStrokes") if gesture else None,
+            curved=gesture and "path" in found,
             rule=_text(found, "rule"),
             function=_text(found, "function"),
             moment=_text(found, "moment"),

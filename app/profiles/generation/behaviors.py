@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from ...model import Behavior, Channel, SyncPoints
+from ..annotation.model import PathForm
 from .script import GestureScript, ScriptedGesture, ScriptedUnit
 
 PRIORITY = 5.0
@@ -59,6 +60,7 @@ def _gesture(gesture: ScriptedGesture, profile: str, functions: ShownFunctions) 
         kept=gesture.kept,
         reason=gesture.reason,
         after_strokes_s=tuple(round(each.end_s - main.end_s, 3) for each in others),
+        curved=gesture.path is PathForm.CURVED and not gesture.held,
     )
 
 

@@ -21,7 +21,8 @@ class GestureRequest:
     """A gesture of the schedule: category, desired stroke and relax time, priority (paper §3.8, eq. 4), and what our
     BML adds: hand, level of agitation, size (1 as defined), the name of a target, the longest that its stroke may take,
     where it says that, and the ends of further strokes, seconds after that of the main one (None: as the emphases of
-    the speech have it). A still body makes the whole gesture smaller by the factor `scale`."""
+    the speech have it). A still body makes the whole gesture smaller by the factor `scale`; the stroke of one
+    that is `curved` is an arc."""
 
     behavior: str
     category: str
@@ -35,6 +36,7 @@ class GestureRequest:
     longest_stroke_s: float = inf
     after_strokes_s: tuple[float, ...] | None = None
     scale: float = 1.0
+    curved: bool = False
 
 
 @dataclass(frozen=True, slots=True)

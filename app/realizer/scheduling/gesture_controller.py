@@ -21,6 +21,7 @@ from ..gestures.arm_joints import arm_joints
 from ..gestures.gesture_plan import GesturePlan
 from ..torso.accents import Accent, AccentCourse, accent_course
 from ..torso.trunk import follow_with_trunk
+from .stroke_arcs import bend_strokes
 from .track_offsets import add_offset_tracks
 from .transitions import stroke_speed_m_s
 
@@ -52,6 +53,7 @@ def apply_gestures(
         _smooth(arm, body.times_s)
     follow_with_trunk(skeleton, body, wrists_of(skeleton, *arms), accents)
     body.rotations[:, collarbones] = multiply(body.rotations.take(collarbones, axis=1), breath)
+    bend_strokes(skeleton, body, plan)
     add_offset_tracks(skeleton, body.rotations, body.times_s, plan)
     return body
 

@@ -58,6 +58,7 @@ def _request(gesture: Behavior, level: Level, lively: float) -> GestureRequest:
         level=level,
         size=size_of(lively and gesture.amount and gesture.amount / lively),
         scale=sqrt(lively),
+        curved=gesture.curved,
         target=gesture.target,
         longest_stroke_s=_longest_stroke_s(sync),
         after_strokes_s=gesture.after_strokes_s,
