@@ -19,6 +19,7 @@ from ..body.motion import Decision
 from ..body.movement_style import PLAIN, MovementStyle
 from ..gestures.gesture_plan import (
     ArmGesture,
+    ArmRest,
     GesturePlan,
     GestureRequest,
     GestureUnit,
@@ -27,7 +28,7 @@ from ..gestures.gesture_plan import (
     Transition,
 )
 from ..head_and_gaze.aiming import unknown_target, with_target
-from .arm_timelines import arm_timeline, rest_changes, units_of
+from .arm_timelines import ArmTimeline, arm_timeline, rest_changes, units_of
 from .pruning import Admission, admit
 from .repetition import is_held_long, let_go_in_time, repeats_until_s, with_beats, with_repeats
 from .rests import posture_changes
@@ -59,9 +60,7 @@ def plan_gestures(
     `targets_m` has the world positions of pointing targets, as for the gaze; `leading` is the hand that the character
     prefers.
     """
-    setting = TransitionContext(
-        schedule.phrases, posture_changes(schedule), schedule.duration_s, singletons=schedule.singletons
-    )
+    setting = _setting(schedule)
     chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
     gestures = tuple(led_by(each, leading) for each in _repeated(chosen.kept, schedule, setting, style))
     units = units_of(gestures, setting)
@@ -71,22 +70,31 @@ def plan_gestures(
     played = (each for line in timelines for each in line.gestures)
     made = sorted(_beating(played, gestures, schedule, habits), key=lambda each: each.markers.start)
     arms = tuple(each for each in made if not each.placed.follows)
-    rests = [rest for line in timelines for rest in line.rests]
-    end_s = max(schedule.duration_s, *(rest.start_s for rest in rests))
+    rests = _rests(timelines, schedule.duration_s)
+    aimed_at_nothing = (told for gesture in gestures for told in unknown_target(gesture))
     return GesturePlan(
         gestures=arms,
-        rests=tuple(replace(rest, end_s=end_s) if isinf(rest.end_s) else rest for rest in rests),
+        rests=rests,
         transitions=tuple(transition for side in SIDES for transition in _transitions(side, made)),
         units=tuple(_unit(unit, arms) for unit in units),
-        decisions=(
-            *chosen.decisions,
-            *(told for gesture in gestures for told in unknown_target(gesture)),
-            *_decisions(arms),
-        ),
+        decisions=(*chosen.decisions, *aimed_at_nothing, *_decisions(arms)),
         realized={gesture.request.behavior: _realized(gesture, arms) for gesture in gestures},
-        end_s=end_s,
+        end_s=max(rest.end_s for rest in rests),
         following=tuple(each for each in made if each.placed.follows),
     )
+
+
+def _setting(schedule: Schedule) -> TransitionContext:
+    return TransitionContext(
+        schedule.phrases, posture_changes(schedule), schedule.duration_s, singletons=schedule.singletons
+    )
+
+
+def _rests(timelines: Iterable[ArmTimeline], duration_s: float) -> tuple[ArmRest, ...]:
+    """The rests of both arms, of which the last end with the plan: when both hands are back and the speech is over."""
+    rests = [rest for line in timelines for rest in line.rests]
+    end_s = max(duration_s, *(rest.start_s for rest in rests))
+    return tuple(replace(rest, end_s=end_s) if isinf(rest.end_s) else rest for rest in rests)
 
 
 def chosen_clips(
