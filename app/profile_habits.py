@@ -1,5 +1,5 @@
-"""What of a speaker's profile is not gestures: how much the head moves, how long the eyes stay on the listener, how the
-body stands and where the hands rest. Those who speak have it, and those who listen.
+"""Applies the habits of a speaker's profile other than gestures, to speakers and listeners: how much the head moves,
+how long the eyes stay on the listener, the posture, and where the hands rest.
 """
 
 from collections.abc import Iterator
@@ -13,17 +13,17 @@ from .profiles.generation.units import rest_after
 from .profiles.profile import Profile
 
 HEAD_MOVEMENTS_PER_MINUTE = 20.0
-"""Of the default character in the lines of the example annotations: the measure of a speaker's own."""
+"""The rate of the default character in the lines of the example annotations; a speaker's own is relative to it."""
 
 LEAST_ACTIVITY, MOST_ACTIVITY = 0.3, 2.0
 SETTLED_S = 0.1
-"""A posture that is over so soon is that of the first frame."""
+"""The duration of a posture change that ends so soon that the first frame shows its result."""
 
 
 def as_speaker(character: Character, profile: Profile) -> Character:
-    """The character with the head, eyes and rests of a profile; the hands are the script's.
+    """The character with the head, eyes and rests of a profile; the hands follow the gesture script.
 
-    How much the head moves goes with how much the character does at all.
+    The activity of the head scales `gestures_per_minute`, on which the amount of planned movement depends.
     """
     eye_contact = profile.head.eye_contact
     return replace(
@@ -35,9 +35,9 @@ def as_speaker(character: Character, profile: Profile) -> Character:
 
 
 def as_listener(rates: HeadRates, profile: Profile) -> HeadRates:
-    """How often the profile's speaker nods and mirrors when listening: as others do, more or less by how much the head
-    moves in speech, for nobody marks listeners. Eyes are left to listeners' own statistics: people look longer at whom
-    they listen to than at whom they speak to."""
+    """How often the profile's speaker nods and mirrors when listening: the usual rates, scaled by how much the head
+    moves in speech, since listeners are not annotated. Gaze keeps the statistics of listeners: people look at a speaker
+    for longer than at a listener."""
     activity = head_activity(profile)
     return replace(
         rates,
@@ -48,27 +48,27 @@ def as_listener(rates: HeadRates, profile: Profile) -> HeadRates:
 
 
 def head_activity(profile: Profile) -> float:
-    """How much the head moves beside others'; 1 where nobody marked it."""
+    """How much the head moves relative to the default character; 1 if head movements were not annotated."""
     per_minute = profile.head.per_minute
     activity = sum(per_minute.values()) / HEAD_MOVEMENTS_PER_MINUTE if per_minute else 1.0
     return min(max(activity, LEAST_ACTIVITY), MOST_ACTIVITY)
 
 
 def speaking_postures(profile: Profile) -> Iterator[Behavior]:
-    """How the profile's speaker stands as a line begins (the default posture of NGS §3.2)."""
+    """The posture in which the profile's speaker begins a line (the default posture of NGS §3.2)."""
     yield from _from_the_first_frame(profile, _marked(profile))
 
 
 def listening_postures(profile: Profile, duration_s: float) -> Iterator[Behavior]:
-    """How the profile's speaker stands while somebody else speaks for so long: as when speaking, and with the hands
-    where they rest for so long, unless the posture says where they are."""
+    """The posture of the profile's speaker while somebody else speaks for `duration_s`: that of speaking, with the
+    hands in the rest pose for a rest of that length, unless the posture says where they are."""
     marked = _marked(profile)
     resting = () if any(each in RESTS.values() for each in marked) else (RESTS[rest_after(profile.rests, duration_s)],)
     yield from _from_the_first_frame(profile, (*marked, *resting))
 
 
 def _marked(profile: Profile) -> tuple[str, ...]:
-    """The commonest of the postures that were marked and that bodies have, of the feet and of the hands."""
+    """The most frequent annotated postures that the realizer has: at most one of the feet and one of the hands."""
     postures = profile.head.postures
     first = (next((each for each in postures if each in known), None) for known in (STANCES, RESTS.values()))
     return tuple(each for each in first if each is not None)

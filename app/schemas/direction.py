@@ -20,7 +20,7 @@ MOST_NOTES = 1000
 MOST_KINDS = 20
 LONGEST_TEXT = 1000
 NO_NEGATION = "no_negation"
-"""A synonym for `negation` in what is to be avoided, as people write it."""
+"""A synonym for `negation` among what a note avoids."""
 
 _MOST_IN_MESSAGE = 5
 

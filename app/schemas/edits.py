@@ -116,7 +116,7 @@ class BehaviorReferenceForm(_Form):
 
 
 class BehaviorEditForm(_Form):
-    """What is other about one behaviour: `of` says which, or `add` and `on` that it is new."""
+    """The changes to one behaviour: `of` refers to an existing one; `add` and `on` make a new one."""
 
     of: BehaviorReferenceForm | None = None
     add: Annotated[Channel | None, Field(strict=False)] = None
@@ -127,7 +127,7 @@ class BehaviorEditForm(_Form):
     direction: Annotated[GazeDirection | None, Field(strict=False, description="Of a gaze, beside its target.")] = None
     marks: MarksForm = MarksForm()
     omit: Annotated[Omission | None, Field(strict=False)] = None
-    lock: Annotated[bool, Field(description="Made as it is here even where the choice would not.")] = False
+    lock: Annotated[bool, Field(description="Made as given here, even where the choice would not make it.")] = False
 
     @model_validator(mode="after")
     def _makes_sense(self) -> Self:
@@ -169,21 +169,22 @@ class BehaviorEditForm(_Form):
 
 
 class HeardTimeForm(_Form):
-    """When a word was heard."""
+    """When the aligner heard a word."""
 
     start_s: _Second
     end_s: _Second
 
 
 class WordEditForm(_Form):
-    """What is other about one word: `important` or `still`, or when it is spoken."""
+    """The changes to one word: marked `important` or `still`, or its corrected time."""
 
     at: WordReferenceForm
     mark: Annotated[WordMark | None, Field(strict=False)] = None
     start_s: Annotated[_Second | None, Field(description="Seconds of the recording.")] = None
     end_s: _Second | None = None
     heard: Annotated[
-        HeardTimeForm | None, Field(description="When it was heard; where it is heard otherwise, it is not corrected.")
+        HeardTimeForm | None,
+        Field(description="When it was heard; if it is now heard at another time, it is not corrected."),
     ] = None
 
     @model_validator(mode="after")
@@ -202,7 +203,7 @@ class WordEditForm(_Form):
 
 
 class LineSettingsForm(_Form):
-    """Options that the author set for the line, instead of those that come with it."""
+    """Options that the author set for the line; they override those of the request."""
 
     character: _Name | None = None
     agitation: Annotated[Level | None, Field(strict=False)] = None
@@ -215,7 +216,7 @@ class LineSettingsForm(_Form):
 
 
 class EditsForm(_Form):
-    """All that an author changed in a line."""
+    """All changes that an author made to a line."""
 
     version: Literal[1] = 1
     line: LineSettingsForm = LineSettingsForm()

@@ -1,4 +1,4 @@
-"""Avatars in other programs that `understudy live` moves, by what the command line asks for."""
+"""Opens the senders by which `understudy live` moves avatars in other programs, from the command's arguments."""
 
 import argparse
 from contextlib import ExitStack, closing
@@ -13,7 +13,7 @@ Address = tuple[str, int]
 
 
 def avatar_addresses(arguments: argparse.Namespace) -> tuple[Address | None, Address | None]:
-    """Where VMC goes and where Live Link Face. Raises InputError `value_wrong`."""
+    """The addresses for VMC and for Live Link Face, if given. Raises InputError `value_wrong`."""
     asked = (("vmc", arguments.vmc, vmc.PORT), ("live-link-face", arguments.live_link_face, live_link_face.PORT))
     body, face = (_address(text, port, f"--{name}") if text else None for name, text, port in asked)
     return body, face
@@ -22,7 +22,7 @@ def avatar_addresses(arguments: argparse.Namespace) -> tuple[Address | None, Add
 def avatar_senders(
     arguments: argparse.Namespace, understudy: Understudy, frame_rate_hz: int, stack: ExitStack
 ) -> tuple[FrameSender, ...]:
-    """Who sends the frames, closed with the stack. Raises InputError `value_wrong`, `address_unusable`."""
+    """The senders of frames, closed with the stack. Raises InputError `value_wrong`, `address_unusable`."""
     body, face = avatar_addresses(arguments)
     parts = vmc.VmcParts(head=not arguments.vmc_without_head, face=vmc.VmcFace(arguments.vmc_face))
     skeleton = understudy.realizer.performer(arguments.character).skeleton
