@@ -23,7 +23,7 @@ from .trellis import EVERYTHING, Search
 from .voice_model import PartModel, VoiceModel
 
 BOUND_S = 1.6
-COMMITMENT = Commitment(bound_frames=round(BOUND_S / FRAME_S), at_once=8, beam=8.0)
+COMMITMENT = Commitment(bound_frames=round(BOUND_S / FRAME_S), at_once=20, beam=8.0)
 LEAD = 1.0
 """By how much another state's path must be likelier, in logarithms, before it is announced."""
 

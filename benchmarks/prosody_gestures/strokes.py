@@ -12,6 +12,7 @@ stream makes of what is announced, f0 as late as it comes at the latest.
 """
 
 import argparse
+import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
@@ -21,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.acting.directing import AFTER_STROKE_S, READERS, load_score
+from benchmarks.prosody_gestures.tables import lived as committed
 from training.prosody_gestures.performed_lines import HANDS, STROKE, PerformedLine, learn, read_performed, strokes_of
 from training.prosody_gestures.train import CORPORA, FILE
 from understudy.acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
@@ -32,8 +34,11 @@ from understudy.live.table import FILE as LIVE
 from understudy.live.table import LiveTable
 from understudy.loading import load_characters
 from understudy.model import FRAME_SHIFT_S, Behavior
-from understudy.prosody_gestures.live_gestures import LiveGestures
-from understudy.prosody_gestures.semi_markov import FRAME_S
+from understudy.prosody_gestures.context import in_context
+from understudy.prosody_gestures.live_gestures import COMMITMENT, LiveGestures
+from understudy.prosody_gestures.prosody import features, raw_frames
+from understudy.prosody_gestures.semi_markov import FRAME_S, states_by_frame
+from understudy.prosody_gestures.viterbi import decode
 from understudy.prosody_gestures.voice_model import VoiceModel
 from understudy.resources import resource_folder
 
@@ -173,6 +178,24 @@ def directors_lines(performed: Path, directing: Path) -> None:
     beats = {line.name: beats_of(model, line, Movements(table, Placer.of(character, 0))) for line in lines}
     report("the voice alone, live, late", judge, {each: when for each, (_, when) in live.items()}, lines)
     report("the voice alone, live, beaten", judge, beats, lines)
+    report_decided(model, lines)
+
+
+def report_decided(model: VoiceModel, lines: Sequence[PerformedLine]) -> None:
+    """How much of what is decided live, as shipped, is the full decode, and what that costs; of all parts."""
+    told = alike = 0
+    spent_s = 0.0
+    for line in lines:
+        rows = in_context(features(raw_frames(line.energy_db, line.f0_hz)))
+        for part in model.parts:
+            likelihoods = part.log_likelihoods(rows)
+            full = states_by_frame(decode(part.model, likelihoods))
+            began_s = time.process_time()
+            decided = states_by_frame(committed(part.model, likelihoods, COMMITMENT))
+            spent_s += time.process_time() - began_s
+            told, alike = told + len(full), alike + int((full == decided).sum())
+    factor = spent_s * len(model.parts) / (told * FRAME_S)
+    print(f"decided live: {100 * alike / told:.1f} % of frames as the full decode, {factor:.4f} × real time")
 
 
 def main() -> None:

@@ -1,7 +1,7 @@
 """The face for programs that listen to Epic's Live Link Face app, Unreal's Live Link among them: a datagram a frame.
 
 Nobody has published the layout. This one is what three readers of others, independent of each other, agree on
-(think-biq/LLV, ForeverAnApple/LiveLinkVRCFaceTracking, PyLiveLinkFace), all big-endian:
+(think-biq/LLV, ForeverAnApple/LiveLinkVRCFaceTracking, PyLiveLinkFace 0.1, which has read ours), all big-endian:
 
     version (a byte: 6), device id and subject name (each: length as int32, UTF-8), frame number (int32), part of a
     frame (float), frame rate (int32 over int32), how many values follow (a byte: 61), the values (float each)
