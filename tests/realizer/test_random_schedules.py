@@ -50,6 +50,7 @@ def behaviors(draw: st.DrawFn) -> Behavior:
         target="listener" if kind is Channel.GAZE else None,
         direction=draw(st.none() | st.sampled_from(sorted(DIRECTIONS))) if kind is Channel.GAZE else None,
         repetitions=draw(st.none() | st.integers(1, 9)) if kind is Channel.HEAD else None,
+        curved=draw(st.booleans()) if kind is Channel.GESTURE else False,
     )
 
 
