@@ -104,3 +104,16 @@ def test_perform_and_script_take_a_profile_by_name_or_file(capfdbinary: Captured
     code, _, err = _run(capfdbinary, "perform", *line, "--profile", "spareing")
     assert code == 2
     assert "did you mean 'sparing'?" in err
+
+
+def test_without_motion_there_are_empty_tracks_to_annotate(capfdbinary: Captured, tmp_path: Path) -> None:
+    words, target = tmp_path / "words.json", tmp_path / "take.eaf"
+    words.write_text('{"tracks": {"words": [{"start_s": 0.5, "end_s": 0.9, "text": "no"}], "phones": []}}')
+    assert _run(capfdbinary, "profiles", "propose", "--words", str(words), "-o", str(target))[0] == 0
+    tracks = {track.name: len(track.spans) for track in read_tracks(target)}
+    asked = ("affiliate", "from", "hand", "path", "to")
+    empty = ["phases", "phrases", "units", *(f"phrases.{name}" for name in asked)]
+    assert tracks == {"words": 1, **dict.fromkeys(empty, 0)}
+    code, _, err = _run(capfdbinary, "profiles", "propose", "-o", str(target))
+    assert code == 2
+    assert "give MOTION.bvh, --words FILE, or both" in err

@@ -59,7 +59,13 @@ def add_profiles(add: Adding) -> None:
     learn.add_argument("--description", metavar="TEXT", default="", help="who it is, for profiles list")
     add_output(learn, "P.yaml", "where the profile goes (default: standard output)", default=STANDARD)
     propose = add_action("propose", "a first annotation of a recorded motion, to be corrected in ELAN")
-    propose.add_argument("motion", metavar="MOTION.bvh", type=InputFile, help="the speaker's motion")
+    propose.add_argument(
+        "motion",
+        metavar="MOTION.bvh",
+        type=InputFile,
+        nargs="?",
+        help="the speaker's motion; without it phases, phrases and units are left to be annotated",
+    )
     propose.add_argument(
         "--words", metavar="FILE", type=InputFile, help="an annotation with the words: .TextGrid, .eaf, …"
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
@@ -13,13 +13,13 @@ from ...on_demand import OnDemand
 from ...profiles.annotation.elan import write_elan
 from ...profiles.annotation.reading import LARGEST_BYTES, read_annotations, read_tracks
 from ...profiles.annotation.tables import write_json_tracks
-from ...profiles.annotation.tracks import Track, merged, rows_of, with_attribute_tracks
+from ...profiles.annotation.tracks import KNOWN, PHRASE_ATTRIBUTES, Track, merged, rows_of, with_attribute_tracks
 from ...profiles.files.writing import profile_yaml
 from ...profiles.generation.behaviors import RESTS, STANCES
 from ...profiles.learning.doubts import doubts
 from ...profiles.mixing import mix
 from ...profiles.proposing.bvh import read_wrists
-from ...profiles.proposing.phases import proposed_units
+from ...profiles.proposing.phases import ProposedUnit, proposed_units
 from ...profiles.proposing.proposing import proposed_tracks
 from ...settings import read_settings
 from ..files import STANDARD, read_bytes, require_writable, write, write_standard
@@ -62,17 +62,30 @@ def _propose(arguments: argparse.Namespace, log: Log) -> None:
         message = f"{arguments.output}: a proposed annotation is written as {' or '.join(writers)}"
         raise InputError("annotation_format", message, field="output")
     require_writable(arguments.output, field="output")
-    others = merged(read_tracks(Path(arguments.words))) if arguments.words else ()
-    content = read_bytes(arguments.motion, limit=LARGEST_BYTES, field="motion")
-    units = tuple(proposed_units(read_wrists(content, Path(arguments.motion))))
+    if arguments.motion is None and arguments.words is None:
+        raise InputError("usage", "nothing to propose from: give MOTION.bvh, --words FILE, or both", field="motion")
+    read = merged(read_tracks(Path(arguments.words))) if arguments.words else ()
+    others = [track for track in read if track.name in KNOWN]
+    units = tuple(_units_in(arguments.motion)) if arguments.motion else ()
     write(arguments.output, writers[suffix](proposed_tracks(units, others)))
-    log.note(
+    found = (
         f"{sum(len(unit.phrases) for unit in units)} gestures in {len(units)} units; name them in {arguments.output}"
     )
+    log.note(found if arguments.motion else f"the words, and empty tracks to annotate: {arguments.output}")
+
+
+def _units_in(motion: str) -> Iterator[ProposedUnit]:
+    content = read_bytes(motion, limit=LARGEST_BYTES, field="motion")
+    yield from proposed_units(read_wrists(content, Path(motion)))
 
 
 def _elan(tracks: Sequence[Track]) -> bytes:
-    return write_elan([row for track in with_attribute_tracks(tracks) for row in rows_of(track)])
+    """With a tier for everything that a phrase may say of itself but its lexeme, which is its label."""
+    written = list(with_attribute_tracks(tracks))
+    names = {track.name for track in written}
+    asked = [f"phrases.{name}" for name in sorted(PHRASE_ATTRIBUTES - {"lexeme", "tag"})]
+    empty = [Track(name, ()) for name in asked if name not in names]
+    return write_elan([row for track in (*written, *empty) for row in rows_of(track)])
 
 
 def _mix(arguments: argparse.Namespace, log: Log) -> None:

@@ -62,13 +62,17 @@ class _Movement:
 
 
 def proposed_units(wrists: WristPaths) -> Iterator[ProposedUnit]:
-    """The units of a motion in order of time."""
+    """The units of a motion in order of time; hands that pass their rest without a stop end one there and begin the
+    next."""
     rate_hz = wrists.frame_rate_hz
     speeds = [_speed(path_m, rate_hz) for path_m in (wrists.left_m, wrists.right_m)]
     away = [_away(path_m, speed) for path_m, speed in zip((wrists.left_m, wrists.right_m), speeds, strict=True)]
     speed = np.maximum(*speeds)
-    for stretch in _stretches(away[0] | away[1]):
+    stretches = list(_stretches(away[0] | away[1]))
+    passed = [(one[1] + other[0]) // 2 for one, other in pairwise(stretches)]
+    for stretch, *bounds in zip(stretches, [0, *passed], [*passed, len(speed) - 1], strict=False):
         first, last = _until_still(speed, *stretch)
+        first, last = max(first, bounds[0]), min(last, bounds[1])
         movements = list(_movements(speed, first, last, rate_hz))
         if (last - first) / rate_hz >= LEAST_UNIT_S and len(movements) >= 2:
             yield _unit(movements, away, rate_hz)

@@ -43,6 +43,15 @@ def test_a_gesture_by_hand() -> None:
     assert unit.retraction.interval.end_s == pytest.approx(3.8, abs=0.1)
 
 
+def test_a_hand_that_passes_its_rest_ends_a_unit_there() -> None:
+    """Up, and in one movement from as far above its rest to as far below: the units meet where it passes, at 3.25 s."""
+    right = _path([(1.0, 0.0), (1.5, 0.4), (3.0, 0.4), (3.5, -0.4), (5.0, -0.4), (5.5, 0.0)], 9.0)
+    tracks = proposed_tracks(proposed_units(WristPaths(RATE_HZ, np.zeros_like(right), right)))
+    words = Track("words", (Span(0.0, 9.0, "oh"),))
+    up, down = annotation_of((words, *tracks[1:]), Path("x")).units
+    assert (up.interval.end_s, down.interval.start_s) == pytest.approx((3.25, 3.25), abs=0.03)
+
+
 def _gesture(number: int, stroke_s: float) -> Behavior:
     sync = SyncPoints(
         stroke_s - 0.8, stroke_s + 1.3, stroke_start=stroke_s - 0.3, stroke=stroke_s, relax=stroke_s + 0.6
