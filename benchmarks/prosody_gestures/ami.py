@@ -7,12 +7,12 @@ words, silent between them, with f0 falling by a fifth from pause to pause. All 
 on and end. The rules read the same turns with their words; the prosody mode moves the head as they do. N turns of the
 meetings that `benchmarks.bml.ami_heads` holds out, drawn by chance, of people who are seen. F of movements, nods,
 shakes and others alike, that begin within a word of one of the person's; chance moves all of a turn's round it by one
-random time.
+random time. Beside them, what phrases alone tell: a movement as each begins, or on its last word.
 """
 
 import argparse
 from collections.abc import Mapping, Sequence
-from itertools import islice
+from itertools import islice, pairwise
 from pathlib import Path
 
 import numpy as np
@@ -39,6 +39,7 @@ LOUD_DB, SILENT_DB = -25.0, -65.0
 HIGHEST_HZ, FALL = 140.0, 0.2
 FALL_S = 3.0
 PAUSE_S = 0.2
+NAMES = ("the rules, with the words", "the voice's stand-in", "where phrases begin", "on phrases' last words")
 
 
 def stand_in(words: Sequence[Word]) -> tuple[FloatArray, FloatArray]:
@@ -83,12 +84,18 @@ def moved_round(words: Sequence[Word], times_s: FloatArray, generator: np.random
     return moved
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--ami", type=Path, default=AMI)
-    parser.add_argument("--turns", type=int, default=300)
-    arguments = parser.parse_args()
-    _, held_out = split(read_meetings(arguments.ami))
+def phrase_edges(words: Sequence[Word]) -> tuple[FloatArray, FloatArray]:
+    """When each stretch between pauses begins, and when its last word does."""
+    spans = [interval(word) for word in words]
+    paused = [other.start_s - one.end_s > PAUSE_S for one, other in pairwise(spans)]
+    begins = [span.start_s for span, pause in zip(spans, [True, *paused], strict=True) if pause]
+    ends = [span.start_s for span, pause in zip(spans, [*paused, True], strict=True) if pause]
+    return np.array(begins), np.array(ends)
+
+
+def read_turns(folder: Path, count: int) -> tuple[Turns, Mapping[str, list[FloatArray]]]:
+    """The turns, and by what moves the head when it begins to in each."""
+    _, held_out = split(read_meetings(folder))
     model, stages = VoiceModel.load(resource_folder("models") / "prosody_gestures" / FILE), Stages.load("default")
     seen = (
         (person, turn)
@@ -96,29 +103,41 @@ def main() -> None:
         if person.heads and person.sees(interval(turn[0]).start_s)
     )
     turns: list[tuple[Sequence[Word], FloatArray]] = []
-    found: Mapping[str, list[FloatArray]] = {"the rules, with the words": [], "the voice's stand-in": []}
-    for seed, (person, turn) in enumerate(islice(seen, arguments.turns)):
+    found: Mapping[str, list[FloatArray]] = {name: [] for name in NAMES}
+    for seed, (person, turn) in enumerate(islice(seen, count)):
         utterance, _, behaviors = performed_turn(stages, turn, seed)
         begin_s, last_s = interval(turn[0]).start_s - BEFORE_S, interval(turn[-1]).end_s
         heads = [head.interval.start_s - begin_s for head in person.heads if begin_s <= head.interval.start_s < last_s]
         turns.append((utterance.words, np.array(heads)))
-        rules = [movement.interval.start_s for movement in movements_of(behaviors, frozenset())]
-        found["the rules, with the words"].append(np.array(rules))
+        rules = np.array([movement.interval.start_s for movement in movements_of(behaviors, frozenset())])
         path = model.decode(*stand_in(utterance.words))["head"]
-        found["the voice's stand-in"].append(np.array([each.start * FRAME_S for each in path if each.state > 0]))
+        voice = np.array([each.start * FRAME_S for each in path if each.state > 0])
+        for name, times_s in zip(NAMES, (rules, voice, *phrase_edges(utterance.words)), strict=True):
+            found[name].append(times_s)
+    return turns, found
+
+
+def report(name: str, turns: Turns, found: Sequence[FloatArray]) -> None:
+    """A row, with chance."""
+    f, precision, recall = agreement(turns, found)
+    generator, chances = np.random.default_rng(0), list[float]()
+    for _ in range(DRAWS):
+        moved = [moved_round(words, own, generator) for (words, _), own in zip(turns, found, strict=True)]
+        chances.append(agreement(turns, moved)[0])
+    chance = f"chance {np.mean(chances):.3f} ± {np.std(chances):.3f}"
+    count = sum(map(len, found))
+    print(f"{name:28s} F {f:.3f} ({chance}), precision {precision:.3f}, recall {recall:.3f}, {count} movements")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--ami", type=Path, default=AMI)
+    parser.add_argument("--turns", type=int, default=300)
+    arguments = parser.parse_args()
+    turns, found = read_turns(arguments.ami, arguments.turns)
     print(f"{len(turns)} turns, {sum(len(heads) for _, heads in turns)} movements of people's heads")
     for name, each in found.items():
-        f, precision, recall = agreement(turns, each)
-        generator = np.random.default_rng(0)
-        chances = [
-            agreement(turns, [moved_round(words, own, generator) for (words, _), own in zip(turns, each, strict=True)])[
-                0
-            ]
-            for _ in range(DRAWS)
-        ]
-        chance = f"chance {np.mean(chances):.3f} ± {np.std(chances):.3f}"
-        count = sum(map(len, each))
-        print(f"{name:28s} F {f:.3f} ({chance}), precision {precision:.3f}, recall {recall:.3f}, {count} movements")
+        report(name, turns, each)
 
 
 if __name__ == "__main__":
