@@ -7,17 +7,26 @@ from playwright.sync_api import Page
 from tests.studio.accessibility import choose_theme, in_light_and_dark, serious_findings
 
 
-def test_a_wrong_file_shows_the_services_own_words(page: Page, tmp_path: Path) -> None:
+def test_a_wrong_file_shows_the_services_own_words(opened: Page, tmp_path: Path) -> None:
+    """What was there goes as another recording is opened; the page says what is missing, then what is wrong."""
     wrong = tmp_path / "song.wav"
     wrong.write_bytes(b"This is a letter.")
-    page.goto("/")
-    page.set_input_files("#files", str(wrong))
-    page.fill("#text", "No, never.")
-    page.press("#text", "Tab")
-    told = page.wait_for_selector("#problem code")
+    opened.set_input_files("#files", str(wrong))
+    opened.wait_for_selector("#state:has-text('Type the words that are spoken in song.wav.')")
+    opened.wait_for_selector("#stage-canvas[data-roles='']")
+    assert opened.locator("#items li").count() == 0
+    assert opened.is_hidden("#timeline-canvas")
+    opened.fill("#text", "No, never.")
+    opened.press("#text", "Tab")
+    told = opened.wait_for_selector("#problem code")
     assert told
     assert told.inner_text() == "audio_format_unsupported"
-    assert "wav" in page.inner_text("#problem").lower()
+    assert "wav" in opened.inner_text("#problem").lower()
+    opened.fill("#text", "")
+    opened.press("#text", "Tab")
+    opened.wait_for_selector("#problem", state="hidden")
+    opened.click("#example")
+    opened.wait_for_selector("#stage-canvas[data-roles='speaker']")
 
 
 def test_a_body_that_is_none_is_told(opened: Page, tmp_path: Path) -> None:

@@ -60,6 +60,16 @@ export function readOut(content) {
 }
 
 /**
+ * A part of the page under its title, which folds it away.
+ *
+ * @param {string} title
+ * @param {readonly Node[]} parts
+ */
+export function foldable(title, parts) {
+  return el("details", { open: true, class: "part" }, [el("summary", {}, [el("h2", {}, [title])]), ...parts]);
+}
+
+/**
  * A selection from values.
  *
  * @param {readonly (readonly [value: string, text: string])[]} options

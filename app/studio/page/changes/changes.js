@@ -3,7 +3,7 @@
  * version beside this one. Dragging on the timeline and its keys come to the same changes.
  */
 
-import { el } from "../dom.js";
+import { el, foldable } from "../dom.js";
 import { redraw } from "../redrawing.js";
 import { PERFORMED, SELECTION } from "../state/performed.js";
 import { BADGES } from "../timeline/pointing.js";
@@ -31,7 +31,7 @@ import { wordOf } from "./words.js";
 export function mountChanges(element, store, service) {
   const selected = el("div", { id: "selected" });
   const told = el("div", { role: "status" });
-  element.append(el("h2", {}, ["Changes"]), selected, told, fileButtons(store), comparison(store, service));
+  element.append(foldable("Changes", [selected, told, fileButtons(store), comparison(store, service)]));
   keepSelected(store);
   const show = () => showSelected(selected, store, service);
   for (const of of [PERFORMED, SELECTION, LEXEMES]) {

@@ -1,6 +1,6 @@
 /** Takes a line away: as files that the service writes, as pictures of the stage, as a project to go on with. */
 
-import { choice, el, labelled } from "../dom.js";
+import { choice, el, foldable, labelled } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { AVATAR, PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
@@ -21,7 +21,7 @@ import { projectFile } from "./project_file.js";
 export function mountExports(element, store, service) {
   const told = el("p", { id: "exported", role: "status", class: "quiet" });
   const controls = el("fieldset", { disabled: true }, [formatRow(store, service, told), pictureRow(store, told)]);
-  element.append(el("h2", {}, ["Export"]), controls, told);
+  element.append(foldable("Export", [controls, told]));
   store.watch(PERFORMED, (line) => (controls.disabled = line === null));
 }
 

@@ -1,7 +1,7 @@
 /** Opens lines: the one that `understudy studio` was given, the bundled example, or files that the author chose. */
 
 import { problemOf } from "../service/service.js";
-import { PROBLEM, SELECTION } from "../state/performed.js";
+import { PERFORMED, PLAYBACK, PROBLEM, SELECTION } from "../state/performed.js";
 import { EMPTY, PROJECT } from "../state/project.js";
 
 /** @import { Service } from "../service/service.js" */
@@ -16,6 +16,8 @@ import { EMPTY, PROJECT } from "../state/project.js";
  */
 export function open(store, line) {
   store.set(SELECTION, null);
+  store.set(PERFORMED, null);
+  store.patch(PLAYBACK, { playing: false, loop: null });
   store.set(PROBLEM, null);
   store.history.clear();
   store.set(PROJECT, { ...EMPTY, ...line });

@@ -10,6 +10,7 @@ import { letFilesBeDropped, takeFiles } from "./dropping.js";
 import { openExample } from "./opening.js";
 
 /** @import { Performance, PerformOptions } from "understudy-client" */
+/** @import { Project } from "../state/project.js" */
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
@@ -24,7 +25,7 @@ const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stres
  */
 export function mountProject(element, store, service) {
   letFilesBeDropped(store);
-  element.append(files(store, service), words(store), options(store, service), state(store));
+  element.append(files(store, service), words(store), state(store), options(store, service));
 }
 
 /**
@@ -114,12 +115,25 @@ function state(store) {
   const told = el("p", { id: "state", role: "status" });
   const tell = () => {
     const line = store.get(PERFORMED);
-    const done = line ? summary(line.performance) : "Drop a recording, type its words.";
+    const done = lacking(store.get(PROJECT)) ?? (line ? summary(line.performance) : "");
     told.replaceChildren(store.get(BUSY) ? "Performing…" : done);
   };
-  store.watch(BUSY, tell);
-  store.watch(PERFORMED, tell);
+  for (const of of [BUSY, PERFORMED, PROJECT]) {
+    store.watch(/** @type {typeof BUSY} */ (of), tell);
+  }
   return told;
+}
+
+/**
+ * What a line still needs to be performed; null where it has all.
+ *
+ * @param {Project} project
+ */
+function lacking({ audio, text }) {
+  if (!audio) {
+    return "Drop a recording on the page and type its words, or press Example.";
+  }
+  return text.trim() ? null : `Type the words that are spoken in ${audio.name}.`;
 }
 
 /**

@@ -3,7 +3,7 @@
  * shows; its place in the rule files stands beside it.
  */
 
-import { el } from "../dom.js";
+import { el, foldable } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PERFORMED, PROBLEM, SELECTION } from "../state/performed.js";
 import { slice } from "../state/slice.js";
@@ -26,7 +26,7 @@ const PLACES = slice(/** @type {ReadonlyMap<string, string>} */ (new Map()));
  */
 export function mountReasons(element, store, service) {
   const told = el("div", { "aria-live": "polite" });
-  element.append(el("h2", {}, ["Reasons"]), told);
+  element.append(foldable("Reasons", [told]));
   const show = () => {
     const line = store.get(PERFORMED);
     const id = store.get(SELECTION);

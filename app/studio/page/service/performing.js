@@ -38,6 +38,7 @@ export function keepPerformed(store, service) {
       await performInto(store, service, project, { signal: underWay.signal, isLatest });
     } else {
       store.set(BUSY, false);
+      store.set(PROBLEM, null);
     }
   });
   store.watch(PROJECT, (project) => {

@@ -28,6 +28,7 @@ import { drawVoice, drawWave } from "./signals.js";
 
 const TICKS_S = [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 30, 60];
 const NARROWEST_TICK_PX = 55;
+const LABEL_PX = 20;
 const FAINT = 0.45;
 
 /**
@@ -74,7 +75,9 @@ function drawRuler(pen, { axis, palette, height_px }) {
     pen.lineTo(x, height_px);
     pen.stroke();
     pen.fillStyle = palette.quiet;
-    pen.fillText(`${String(Number(time_s.toFixed(2)))} s`, x + 2, RULER_PX / 2);
+    if (x + LABEL_PX < axis.left_px + axis.width_px) {
+      pen.fillText(`${String(Number(time_s.toFixed(2)))} s`, x + 2, RULER_PX / 2);
+    }
   }
 }
 

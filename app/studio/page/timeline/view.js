@@ -58,6 +58,7 @@ export class Timeline {
 
   draw() {
     const line = this.#store.get(PERFORMED);
+    this.#canvas.hidden = this.#playhead.hidden = line === null;
     const pen = this.#canvas.getContext("2d");
     const width_px = this.#canvas.parentElement?.clientWidth ?? 0;
     if (!line || !pen || width_px <= LABELS_PX + RIGHT_PX) {
@@ -130,7 +131,7 @@ export class Timeline {
       this.scroll(1);
     }
     this.#playhead.style.transform = `translateX(${String(this.#axis?.px(time_s) ?? 0)}px)`;
-    this.#playhead.hidden = time_s < start_s || time_s > start_s + length_s;
+    this.#playhead.hidden = this.#canvas.hidden || time_s < start_s || time_s > start_s + length_s;
   }
 }
 
