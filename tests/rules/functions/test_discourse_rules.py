@@ -21,6 +21,7 @@ TOPIC_SHIFT = [
     ("Guess what, he called.", [("new", "Guess what,")]),
     ("Do you know what he wants?", []),
     ("You know what I mean.", []),
+    ("They know what! But you left.", []),
 ]
 PARENTHESIS = [
     ("My brother (he is older) came.", [("plain", "(he is older)")]),

@@ -13,7 +13,8 @@ from dataclasses import dataclass, replace
 from ....model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Word
 from ..characters.characters import Character
 from ..timing.candidates import PlacedBehavior, asked
-from ..timing.conflicts import Fitted, Kept, fitted
+from ..timing.conflicts import Fitted, fitted
+from ..timing.kept_by_time import KeptByTime
 from .hands import (
     HAND_SWITCH_S,
     fitted_as_asked,
@@ -47,12 +48,14 @@ class Attempt:
     """An alternative as it would be made: everything kept with it, its own part of that, and its behaviours that
     lost."""
 
-    kept: Kept
+    kept: KeptByTime
     own: tuple[Fitted, ...]
     lost: tuple[Behavior, ...]
 
 
-def attempted(offer: BehaviorCandidates, alternative: Alternative, number: int, *, kept: Kept, line: Line) -> Attempt:
+def attempted(
+    offer: BehaviorCandidates, alternative: Alternative, number: int, *, kept: KeptByTime, line: Line
+) -> Attempt:
     """The attempt at one of the offer's alternatives, `number` in the order of their luck."""
     own: list[Fitted] = []
     lost: list[Behavior] = []
@@ -71,7 +74,7 @@ def attempted(offer: BehaviorCandidates, alternative: Alternative, number: int, 
 
 
 def _outcome(
-    candidate: PlacedBehavior, offer: BehaviorCandidates, kept: Kept, line: Line, *, hand: Hand | None
+    candidate: PlacedBehavior, offer: BehaviorCandidates, kept: KeptByTime, line: Line, *, hand: Hand | None
 ) -> Fitted | Behavior:
     """The candidate among the kept, or its behaviour as a loser; a director's notes are not limited by the character's
     rate. `hand` is that of the table."""
@@ -87,7 +90,7 @@ def _outcome(
     return fitted_as_asked(candidate, kept, hand=hand, by_either_hand=_is_worth_a_hand(offer))
 
 
-def count_made(offers: Iterable[BehaviorCandidates], kept: Kept, line: Line) -> int:
+def count_made(offers: Iterable[BehaviorCandidates], kept: KeptByTime, line: Line) -> int:
     """How many of the offers that need the hands can be made one after the other, or are made already, beside the
     kept."""
     count = 0
@@ -108,7 +111,7 @@ def _is_worth_a_hand(offer: BehaviorCandidates) -> bool:
     return offer.function is None or offer.function.class_name not in WEIGHT
 
 
-def _with_gesture(alternative: Alternative, kept: Kept, line: Line) -> Kept | None:
+def _with_gesture(alternative: Alternative, kept: KeptByTime, line: Line) -> KeptByTime | None:
     """What is kept with the gesture of an alternative that is asked for; None where it cannot be made."""
     for movement in alternative.movements:
         entry = line.character.entries[movement.name]
@@ -122,19 +125,19 @@ def _with_gesture(alternative: Alternative, kept: Kept, line: Line) -> Kept | No
     return None
 
 
-def _refused(behavior: Behavior, kept: Kept, line: Line, *, planned: bool) -> Behavior | None:
+def _refused(behavior: Behavior, kept: KeptByTime, line: Line, *, planned: bool) -> Behavior | None:
     """The gesture as a loser, if the character would not make it beside those it makes; else None."""
     if behavior.kind is not Channel.GESTURE:
         return None
-    gestures = [other.behavior for other in kept if other.behavior.kind is Channel.GESTURE]
-    for other in gestures if planned else ():
-        apart_s = abs(stroke_s(behavior) - stroke_s(other))
+    at_s, around_s = stroke_s(behavior), max(PLANNED_REPEAT_S, HAND_SWITCH_S)
+    for other in kept.gestures_near(at_s - around_s, at_s + around_s) if planned else ():
+        apart_s = abs(at_s - stroke_s(other))
         if other.lexeme == behavior.lexeme and apart_s < PLANNED_REPEAT_S:
             return lost_to(other, behavior, f"{other.lexeme} is made already within {PLANNED_REPEAT_S:g} s")
         if switches(behavior, other) and apart_s < HAND_SWITCH_S:
             return lost_to(other, behavior, f"the other hand is in use for {other.lexeme}")
     most = line.most_gestures if planned else line.most_asked
-    if len(gestures) >= most:
+    if kept.gestures >= most:
         reason = f"beyond the character's gesture rate, which gives this line {most}"
         return replace(behavior, kept=False, reason=reason)
     return None

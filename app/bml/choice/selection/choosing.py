@@ -6,7 +6,7 @@ modified by how well the alternative suits what is already kept (`suitability.py
 the hands to nearby functions that need them. How an alternative is tried is in `attempts.py`.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from math import inf
@@ -14,6 +14,7 @@ from math import inf
 from ....model import Alternative, Behavior, BehaviorCandidates, Channel
 from ..timing.candidates import asked, interval_of, words_before
 from ..timing.conflicts import Kept
+from ..timing.kept_by_time import KeptByTime
 from .attempts import Attempt, Line, attempted, count_made, is_planned
 from .suitability import form, has_idle_hands, most_suitable, suitability
 
@@ -29,16 +30,19 @@ NEAR_WORDS = 3
 
 def choose(candidates: Iterable[BehaviorCandidates], line: Line) -> tuple[Kept, tuple[Behavior, ...]]:
     """What is kept, and what was asked for and is not, with the reasons; at most one alternative for each function."""
-    kept: Kept = ()
+    kept = KeptByTime()
     lost: list[Behavior] = []
     offers = sorted(candidates, key=partial(_rank, line=line))
-    manual = [offer for offer in offers if not is_planned(offer) and _is_manual(offer, line)]
-    for offer in offers:
-        manual = [each for each in manual if each is not offer]
-        attempt = _best(offer, kept, line, () if is_planned(offer) else manual)
+    manual: dict[int, dict[int, BehaviorCandidates]] = {}
+    for turn, offer in enumerate(offers):
+        if not is_planned(offer) and _is_manual(offer, line):
+            manual.setdefault(offer.rank[1], {})[turn] = offer
+    for turn, offer in enumerate(offers):
+        manual.get(offer.rank[1], {}).pop(turn, None)
+        attempt = _best(offer, kept, line, () if is_planned(offer) else _near(offer, manual))
         kept = attempt.kept
         lost += attempt.lost
-    return kept, tuple(lost)
+    return tuple(kept), tuple(lost)
 
 
 def _is_manual(offer: BehaviorCandidates, line: Line) -> bool:
@@ -66,14 +70,13 @@ def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
     return any(each.behavior.sync.stroke_start == 0 for each in placed)
 
 
-def _best(offer: BehaviorCandidates, kept: Kept, line: Line, waiting: Sequence[BehaviorCandidates]) -> Attempt:
-    """The attempt that wins; what the luckiest alternative lost is reported with it. `waiting` are the offers yet to
-    choose that can only use the hands."""
+def _best(offer: BehaviorCandidates, kept: KeptByTime, line: Line, waiting: Sequence[BehaviorCandidates]) -> Attempt:
+    """The attempt that wins; what the luckiest alternative lost is reported with it. `waiting` are the offers
+    nearby that are yet to choose and can only use the hands."""
     lucky = sorted(offer.alternatives, key=_luck)
     attempt_at = partial(attempted, offer, kept=kept, line=line)
-    near = [each for each in waiting if _is_near(each, offer)]
-    possible = count_made(near, kept, line)
-    scored = partial(_score, line=line, waiting=near, possible=possible)
+    possible = count_made(waiting, kept, line)
+    scored = partial(_score, line=line, waiting=waiting, possible=possible)
     first = best = attempt_at(lucky[0], 0)
     score, hands_idle = scored(lucky[0], first), has_idle_hands(kept, line)
     for number, alternative in enumerate(lucky[1:], start=1):
@@ -113,6 +116,11 @@ def _score(
     return _luck(alternative) / suits if suits else inf
 
 
-def _is_near(offer: BehaviorCandidates, other: BehaviorCandidates) -> bool:
-    """Whether two offers may need the hands at the same time."""
-    return abs(offer.rank[1] - other.rank[1]) <= NEAR_WORDS
+def _near(
+    offer: BehaviorCandidates, waiting: Mapping[int, Mapping[int, BehaviorCandidates]]
+) -> Sequence[BehaviorCandidates]:
+    """Those that wait, by their first word and their turn, and may need the hands at the same time; by their turns."""
+    first = offer.rank[1]
+    words = range(first - NEAR_WORDS, first + NEAR_WORDS + 1)
+    near = {turn: each for word in words for turn, each in waiting.get(word, {}).items()}
+    return [near[turn] for turn in sorted(near)]

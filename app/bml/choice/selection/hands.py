@@ -14,7 +14,8 @@ from ....gesture_limits import Forms
 from ....model import Behavior, Channel, Hand
 from ..behavior_table.table import Timing
 from ..timing.candidates import PlacedBehavior
-from ..timing.conflicts import Fitted, Kept, compete, fitted
+from ..timing.conflicts import REACH_S, Fitted, compete, fitted
+from ..timing.kept_by_time import KeptByTime
 from ..timing.phases import Window, placed
 
 HAND_SWITCH_S = 2.0
@@ -28,23 +29,24 @@ _SLACK_S = 1e-6
 _OTHER: Mapping[Hand | None, Hand] = MappingProxyType({Hand.LEFT: Hand.RIGHT, Hand.RIGHT: Hand.LEFT})
 
 
-def with_hand(candidate: PlacedBehavior, kept: Kept, own_hand: Hand) -> PlacedBehavior:
+def with_hand(candidate: PlacedBehavior, kept: KeptByTime, own_hand: Hand) -> PlacedBehavior:
     """The candidate with its hand: a gesture that may take either takes the one in use around then, else the
     character's own."""
     behavior = candidate.behavior
     if behavior.kind is not Channel.GESTURE or behavior.hand is not None:
         return candidate
+    at_s = stroke_s(behavior)
     near = [
-        (abs(stroke_s(other.behavior) - stroke_s(behavior)), other.behavior.id, other.behavior.hand)
-        for other in kept
-        if other.behavior.kind is Channel.GESTURE and other.behavior.hand is not Hand.BOTH
+        (abs(stroke_s(other) - at_s), other.id, other.hand)
+        for other in kept.gestures_near(at_s - HAND_SWITCH_S, at_s + HAND_SWITCH_S)
+        if other.hand is not Hand.BOTH
     ]
     apart_s, _, hand = min(near, default=(inf, "", None))
     return replace(candidate, behavior=replace(behavior, hand=hand if hand and apart_s < HAND_SWITCH_S else own_hand))
 
 
 def fitted_as_asked(
-    candidate: PlacedBehavior, kept: Kept, *, hand: Hand | None, by_either_hand: bool
+    candidate: PlacedBehavior, kept: KeptByTime, *, hand: Hand | None, by_either_hand: bool
 ) -> Fitted | Behavior:
     """What a function or a director asks for among the kept, or its behaviour as a loser; `by_either_hand` allows
     another hand. `hand` is that of the table, None if it may be either."""
@@ -54,7 +56,7 @@ def fitted_as_asked(
     return fitted_by_either_hand(candidate, kept, hand=hand) if by_either_hand else _fitted_alone(candidate, kept)
 
 
-def fitted_by_either_hand(candidate: PlacedBehavior, kept: Kept, *, hand: Hand | None) -> Fitted | Behavior:
+def fitted_by_either_hand(candidate: PlacedBehavior, kept: KeptByTime, *, hand: Hand | None) -> Fitted | Behavior:
     """The candidate among the kept, with its own hand or else the other, or beside a gesture of both hands that is
     reduced to one."""
     outcome = _fitted_alone(candidate, kept)
@@ -66,7 +68,7 @@ def fitted_by_either_hand(candidate: PlacedBehavior, kept: Kept, *, hand: Hand |
     return outcome
 
 
-def made_already(gesture: Behavior, kept: Kept) -> Behavior | None:
+def made_already(gesture: Behavior, kept: KeptByTime) -> Behavior | None:
     """A kept gesture that is the same at the same time, or None."""
     return next((each for each in _at_once(gesture, kept) if each.lexeme == gesture.lexeme), None)
 
@@ -85,7 +87,7 @@ def stroke_s(gesture: Behavior) -> float:
     return gesture.sync.stroke if gesture.sync.stroke is not None else gesture.sync.start
 
 
-def _fitted_alone(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
+def _fitted_alone(candidate: PlacedBehavior, kept: KeptByTime) -> Fitted | Behavior:
     """The candidate among the kept, unless the other hand has a simultaneous stroke."""
     for other in _at_once(candidate.behavior, kept):
         if switches(other, candidate.behavior):
@@ -93,13 +95,16 @@ def _fitted_alone(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
     return fitted(candidate, kept)
 
 
-def _at_once(gesture: Behavior, kept: Kept) -> Iterator[Behavior]:
+def _at_once(gesture: Behavior, kept: KeptByTime) -> Iterator[Behavior]:
     if gesture.kind is Channel.GESTURE:
-        gestures = (each.behavior for each in kept if each.behavior.kind is Channel.GESTURE)
-        yield from (each for each in gestures if abs(stroke_s(each) - stroke_s(gesture)) < AT_ONCE_S)
+        at_s = stroke_s(gesture)
+        gestures = kept.gestures_near(at_s - AT_ONCE_S, at_s + AT_ONCE_S)
+        yield from (each for each in gestures if abs(stroke_s(each) - at_s) < AT_ONCE_S)
 
 
-def _by_other_hands(candidate: PlacedBehavior, kept: Kept, hand: Hand | None) -> Iterator[tuple[PlacedBehavior, Kept]]:
+def _by_other_hands(
+    candidate: PlacedBehavior, kept: KeptByTime, hand: Hand | None
+) -> Iterator[tuple[PlacedBehavior, KeptByTime]]:
     """The candidate with the other hands that could make it, and what is then kept beside it."""
     own = candidate.behavior.hand
     if hand is None and own in _OTHER:
@@ -117,14 +122,14 @@ def _made_by(gesture: PlacedBehavior, hand: Hand) -> PlacedBehavior:
     return replace(gesture, behavior=replace(gesture.behavior, hand=hand, reason=reason))
 
 
-def _left_to_one_hand(candidate: PlacedBehavior, kept: Kept) -> Iterator[Kept]:
+def _left_to_one_hand(candidate: PlacedBehavior, kept: KeptByTime) -> Iterator[KeptByTime]:
     """What is kept if a gesture of both hands leaves one hand to the candidate."""
     free = _OTHER[candidate.behavior.hand]
-    for rival in kept:
+    sync = candidate.behavior.sync
+    for rival in kept.near(sync.start - 2 * REACH_S, sync.end + 2 * REACH_S):
         asked_for = rival.brief is not None and rival.behavior.hand is Hand.BOTH and _makes_it_alone(free, rival)
         if asked_for and compete(rival.behavior, candidate.behavior):
-            others = tuple(each for each in kept if each is not rival)
-            by_one = fitted(_made_by(_at_its_usual_length(rival), free), others)
+            by_one = fitted(_made_by(_at_its_usual_length(rival), free), kept.without(rival))
             if isinstance(by_one, Fitted):
                 yield by_one.kept
 

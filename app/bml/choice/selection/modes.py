@@ -13,6 +13,7 @@ from itertools import pairwise
 from ....model import Behavior, Channel, Mode, Movement, Word
 from ..timing.candidates import PlacedBehavior, asked
 from ..timing.conflicts import Fitted, Kept, fitted
+from ..timing.kept_by_time import KeptByTime
 from .attempts import Line
 from .hands import with_hand
 
@@ -34,16 +35,17 @@ def in_mode(
         return chosen
     kept, lost = chosen
     gestures = [each for each in kept if each.behavior.kind is Channel.GESTURE]
-    kept = tuple(each for each in kept if each.behavior.kind is not Channel.GESTURE)
+    others = KeptByTime(each for each in kept if each.behavior.kind is not Channel.GESTURE)
     lost = tuple(behavior for behavior in lost if behavior.kind is not Channel.GESTURE)
     replaced = (replace(each.behavior, kept=False, reason=f"not in the mode {mode}") for each in gestures)
     if mode is Mode.PROSODY:
-        return _beaten_in(kept, line), (*lost, *replaced)
+        return tuple(_beaten_in(others, line)), (*lost, *replaced)
     text = " ".join(word.text for word in line.timed)
-    return _drawn(kept, gestures, line, random.Random(f"{seed} {text} gestures")), (*lost, *replaced)
+    drawn = _drawn(others, gestures, line, random.Random(f"{seed} {text} gestures"))
+    return tuple(drawn), (*lost, *replaced)
 
 
-def _beaten_in(kept: Kept, line: Line) -> Kept:
+def _beaten_in(kept: KeptByTime, line: Line) -> KeptByTime:
     """The kept with beats on stressed words, as many as the character makes, spread over the line."""
     stressed = [word for word in line.timed if word.is_emphasised]
     for part in _parts(stressed, line.most_gestures):
@@ -58,7 +60,7 @@ def _parts(stressed: Sequence[Word], most: int) -> list[Sequence[Word]]:
     return [stressed[first:last] for first, last in pairwise(bounds)]
 
 
-def _beaten_once(kept: Kept, part: Sequence[Word], line: Line) -> Kept:
+def _beaten_once(kept: KeptByTime, part: Sequence[Word], line: Line) -> KeptByTime:
     """The kept with a beat on the most stressed word of a part on which one fits; of equally stressed words the last,
     because English has its main stress late."""
     for word in sorted(part, key=lambda word: (-(word.emphasis or 0.0), -word.index)):
@@ -69,7 +71,7 @@ def _beaten_once(kept: Kept, part: Sequence[Word], line: Line) -> Kept:
     return kept
 
 
-def _drawn(kept: Kept, gestures: list[PlacedBehavior], line: Line, generator: random.Random) -> Kept:
+def _drawn(kept: KeptByTime, gestures: list[PlacedBehavior], line: Line, generator: random.Random) -> KeptByTime:
     """The kept with a random gesture of the table in place of each gesture."""
     names = [name for name, entry in line.character.entries.items() if entry.channel is Channel.GESTURE]
     for each in gestures:
@@ -83,7 +85,7 @@ def _drawn(kept: Kept, gestures: list[PlacedBehavior], line: Line, generator: ra
     return kept
 
 
-def _fitted(movement: Movement, kept: Kept, line: Line, reason: str) -> Fitted | None:
+def _fitted(movement: Movement, kept: KeptByTime, line: Line, reason: str) -> Fitted | None:
     name = f"{movement.name}.{movement.first}.{movement.last}"
     candidate = asked(movement, line.character.entries[movement.name], line.timed, name)
     if not candidate.behavior.kept:

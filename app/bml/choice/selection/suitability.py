@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ....model import Alternative, Behavior, Channel
 from ..timing.conflicts import Kept
+from ..timing.kept_by_time import KeptByTime
 from .attempts import Attempt, Line
 from .hands import HAND_SWITCH_S, stroke_s, switches
 
@@ -38,7 +39,7 @@ def suitability(attempt: Attempt, line: Line) -> float:
         if behavior.kind is Channel.GESTURE:
             suits *= _unity(behavior, attempt.kept, line.character.strokes_per_unit)
             suits *= _habit(behavior, attempt.kept)
-        elif any(_repeats(behavior, other.behavior) for other in attempt.kept):
+        elif any(_repeats(behavior, other.behavior) for other in _begun_around(behavior, attempt.kept)):
             suits *= REPEATED
     with_gesture = any(each.candidate.behavior.kind is Channel.GESTURE for each in attempt.own)
     return suits if with_gesture or not has_idle_hands(attempt.kept, line) else suits * HANDS_IDLE
@@ -52,9 +53,13 @@ def most_suitable(alternative: Alternative, line: Line, *, hands_idle: bool) -> 
     return HANDS_IDLE if hands_idle and not by_hand else 1.0
 
 
-def has_idle_hands(kept: Kept, line: Line) -> bool:
+def has_idle_hands(kept: KeptByTime, line: Line) -> bool:
     """Whether the character usually gestures more than is kept."""
-    return sum(other.behavior.kind is Channel.GESTURE for other in kept) < line.most_gestures
+    return kept.gestures < line.most_gestures
+
+
+def _begun_around(behavior: Behavior, kept: KeptByTime) -> Kept:
+    return kept.near(behavior.sync.start - HEAD_REPEAT_S, behavior.sync.start + HEAD_REPEAT_S)
 
 
 def _repeats(behavior: Behavior, other: Behavior) -> bool:
@@ -63,44 +68,45 @@ def _repeats(behavior: Behavior, other: Behavior) -> bool:
     return abs(other.sync.start - behavior.sync.start) < HEAD_REPEAT_S
 
 
-def _habit(gesture: Behavior, kept: Kept) -> float:
+def _habit(gesture: Behavior, kept: KeptByTime) -> float:
     """How well a gesture suits the others around it (paper §3.4: against inordinate switching of hands and repeating a
     gesture). Planned gestures are refused instead (`_refused`)."""
     if gesture.moment:
         return 1.0
-    others = [
-        each.behavior for each in kept if each.behavior.kind is Channel.GESTURE and each.behavior.id != gesture.id
-    ]
-    apart = [(other, abs(stroke_s(gesture) - stroke_s(other))) for other in others]
+    at_s = stroke_s(gesture)
+    others = (each for each in kept.gestures_near(at_s - REPEAT_S, at_s + REPEAT_S) if each.id != gesture.id)
+    apart = [(other, abs(at_s - stroke_s(other))) for other in others]
     repeated = any(other.lexeme == gesture.lexeme and apart_s < REPEAT_S for other, apart_s in apart)
     switched = any(switches(gesture, other) and apart_s < HAND_SWITCH_S for other, apart_s in apart)
     return (REPEATED if repeated else 1.0) * (HAND_SWITCHED if switched else 1.0)
 
 
-def _unity(gesture: Behavior, kept: Kept, strokes_per_unit: int) -> float:
+def _unity(gesture: Behavior, kept: KeptByTime, strokes_per_unit: int) -> float:
     """How well a gesture suits its neighbours: single or joined, in units no longer than the character's."""
-    others = [other.behavior for other in kept if other.behavior.kind is Channel.GESTURE]
-    strokes = 1 + sum(1 for _ in _joined_before(gesture, others)) + sum(1 for _ in _joined_after(gesture, others))
+    strokes = 1 + sum(1 for _ in _joined_before(gesture, kept)) + sum(1 for _ in _joined_after(gesture, kept))
     if strokes > strokes_per_unit:
         return UNIT_TOO_LONG
+    others = list(kept.gestures_near(gesture.sync.start - NEAR_UNIT_S, gesture.sync.end + NEAR_UNIT_S))
     near = any(0 < gesture.sync.start - other.sync.end < NEAR_UNIT_S for other in others) or any(
         0 < other.sync.start - gesture.sync.end < NEAR_UNIT_S for other in others
     )
     return MISSING_THE_UNIT if near and strokes == 1 else 1.0
 
 
-def _joined_before(gesture: Behavior, others: list[Behavior]) -> Iterator[Behavior]:
-    for other in others:
-        if other.sync.end == gesture.sync.start:
+def _joined_before(gesture: Behavior, kept: KeptByTime) -> Iterator[Behavior]:
+    at_s = gesture.sync.start
+    for other in kept.gestures_near(at_s - NEAR_UNIT_S, at_s + NEAR_UNIT_S):
+        if other.sync.end == at_s:
             yield other
-            yield from _joined_before(other, others)
+            yield from _joined_before(other, kept)
 
 
-def _joined_after(gesture: Behavior, others: list[Behavior]) -> Iterator[Behavior]:
-    for other in others:
-        if other.sync.start == gesture.sync.end:
+def _joined_after(gesture: Behavior, kept: KeptByTime) -> Iterator[Behavior]:
+    at_s = gesture.sync.end
+    for other in kept.gestures_near(at_s - NEAR_UNIT_S, at_s + NEAR_UNIT_S):
+        if other.sync.start == at_s:
             yield other
-            yield from _joined_after(other, others)
+            yield from _joined_after(other, kept)
 
 
 def form(behavior: Behavior) -> tuple[Channel, str]:

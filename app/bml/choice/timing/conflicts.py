@@ -21,6 +21,7 @@ from ....model import Behavior, Channel, Hand
 from ..behavior_table.faces import LOWER_FACE
 from ..behavior_table.table import GLANCE, LOOK, Phase
 from .candidates import PlacedBehavior
+from .kept_by_time import KeptByTime
 from .phases import Window, placed
 
 Kept = tuple[PlacedBehavior, ...]
@@ -32,7 +33,7 @@ class Fitted:
     """A candidate as it fits, and everything kept with it."""
 
     candidate: PlacedBehavior
-    kept: Kept
+    kept: KeptByTime
 
     @property
     def shortened(self) -> bool:
@@ -53,17 +54,17 @@ NEAR_S = 1.0
 
 def resolve(candidates: Iterable[PlacedBehavior], kept: Kept = ()) -> tuple[Kept, tuple[Behavior, ...]]:
     """The candidates that fit beside those kept, by priority, and those that do not."""
-    lost: list[Behavior] = []
+    by_time, lost = KeptByTime(kept), list[Behavior]()
     for candidate in sorted(candidates, key=_rank):
-        outcome = fitted(candidate, kept)
+        outcome = fitted(candidate, by_time)
         if isinstance(outcome, Fitted):
-            kept = outcome.kept
+            by_time = outcome.kept
         else:
             lost.append(outcome)
-    return kept, tuple(lost)
+    return tuple(by_time), tuple(lost)
 
 
-def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
+def fitted(candidate: PlacedBehavior, kept: KeptByTime) -> Fitted | Behavior:
     """The candidate among the kept; its behaviour as a loser if it does not fit."""
     rivals = [other for other in _near(candidate, kept) if compete(other.behavior, candidate.behavior)]
     earlier = [other for other in rivals if other.placing.at_s <= candidate.placing.at_s]
@@ -71,7 +72,7 @@ def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
     candidate = _with_way(candidate, earlier)
     (_, window), sync = next(_in_windows(candidate, earlier, later, _latest_end_s)), candidate.behavior.sync
     if window.from_s <= sync.start and sync.end <= window.to_s:
-        return Fitted(candidate, (*kept, candidate))
+        return Fitted(candidate, kept.with_one_more(candidate))
     heads = [other.behavior for other in rivals if other.behavior.kind is Channel.HEAD and _overlap(candidate, other)]
     if candidate.behavior.kind is Channel.GAZE and heads:
         return fitted(_with_the_eyes_alone(candidate, heads[0]), kept)
@@ -79,17 +80,16 @@ def fitted(candidate: PlacedBehavior, kept: Kept) -> Fitted | Behavior:
     for moved, window in _ways_to_fit(candidate, earlier, later):
         within = _within(moved, window, neighbour)
         if within is not None:
-            ready = {id(each): _making_way(each, within) for each in earlier}
-            ready |= {id(each): _waiting(each, within) for each in later}
-            return Fitted(within, (*(ready.get(id(other), other) for other in kept), within))
+            changed = [(each, _making_way(each, within)) for each in earlier]
+            changed += [(each, _waiting(each, within)) for each in later]
+            return Fitted(within, kept.with_one_more(within, changed))
     return beaten(candidate.behavior, neighbour)
 
 
-def _near(candidate: PlacedBehavior, kept: Kept) -> Kept:
+def _near(candidate: PlacedBehavior, kept: KeptByTime) -> Kept:
     """Those kept that may affect the candidate, with a margin; in a long line these are few."""
-    from_s, to_s = candidate.behavior.sync.start - REACH_S, candidate.behavior.sync.end + REACH_S
-    near = tuple(other for other in kept if other.behavior.sync.end > from_s and other.behavior.sync.start < to_s)
-    return near or kept
+    sync = candidate.behavior.sync
+    return kept.near(sync.start - REACH_S, sync.end + REACH_S) or tuple(kept)
 
 
 def _ways_to_fit(

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.by_hand import function, movement, spoken
+from tests.support.operations import calls_of
 from understudy.bml.choice.characters.characters import Characters
 from understudy.bml.choice.selection.attempts import Line
 from understudy.bml.choice.selection.choosing import EASILY_S, choose
@@ -172,3 +173,14 @@ def test_of_equals_a_gesture_that_has_its_time_goes_before_one_that_has_not() ->
 def test_any_gesture_has_its_time_a_second_after_the_beginning() -> None:
     timings = [entry.timing for entry in DEFAULT.entries.values() if entry.channel is Channel.GESTURE]
     assert max(timing.preparation.shortest_s + timing.stroke.shortest_s for timing in timings) < EASILY_S
+
+
+def test_twice_as_many_offers_are_twice_the_work() -> None:
+    def work(count: int) -> int:
+        words = spoken(" ".join(["word"] * count))
+        movements = ("small_nod", "gesture_me", "small_brow_raise", "shake", "gaze_aversion_downright")
+        offers = [between(*(((movement(name, word),)) for name in movements)) for word in range(count)]
+        return calls_of(lambda: choose(offers, Line(words, DEFAULT, count, count)))
+
+    half, whole = work(300), work(600)
+    assert whole <= 2.1 * half

@@ -10,7 +10,8 @@ from understudy.bml.choice.characters.characters import Characters
 from understudy.bml.choice.characters.gesture_forms import with_forms
 from understudy.bml.choice.selection.hands import fitted_as_asked
 from understudy.bml.choice.timing.candidates import asked
-from understudy.bml.choice.timing.conflicts import Fitted, Kept
+from understudy.bml.choice.timing.conflicts import Fitted
+from understudy.bml.choice.timing.kept_by_time import KeptByTime
 from understudy.loading import load_gesture_table
 from understudy.model import Behavior, Hand, Level
 
@@ -23,7 +24,7 @@ def made(
 ) -> tuple[list[Behavior], Behavior | None]:
     """What is kept of gestures on words of .3 s, and what was refused last."""
     words = spoken(" ".join(["word"] * 20), word_s=word_s)
-    kept: Kept = ()
+    kept = KeptByTime()
     refused: Behavior | None = None
     for name, word, hand in names:
         entry = DEFAULT.entries[name]
