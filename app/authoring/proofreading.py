@@ -18,6 +18,8 @@ from ..bml.choice.listeners.head_rates import HeadRates
 from ..bml.writing.smartbody_tables import FILE as SMARTBODY
 from ..bml.writing.smartbody_tables import SmartBodyTables
 from ..errors import AuthoringError, InputError, Mistake
+from ..live.phone_durations import FILE as PHONE_DURATIONS
+from ..live.phone_durations import PhoneDurations
 from ..live.table import FILE as LIVE
 from ..live.table import LiveTable
 from ..loading import (
@@ -82,6 +84,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         SMARTBODY: SmartBodyTables.load,
         FAPS: FapTable.load,
         LIVE: lambda file: LiveTable.load(file, load_characters().behavior_names),
+        PHONE_DURATIONS: PhoneDurations.load,
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
@@ -109,6 +112,7 @@ def check_files_in_use() -> None:
         partial(SmartBodyTables.load, lexicon / SMARTBODY),
         partial(FapTable.load, lexicon / FAPS),
         lambda: LiveTable.load(lexicon / LIVE, load_characters().behavior_names),
+        partial(PhoneDurations.load, lexicon / PHONE_DURATIONS),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     ) or _mistakes_of(
         lambda: check_coverage(lexicon, load_gestures()),

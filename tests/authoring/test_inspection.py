@@ -45,7 +45,7 @@ def test_a_trace_is_told_with_places_and_words_and_is_not_endless(understudy: Un
     assert found == ["→", "fcn(negation,", "plain,", "0,", "1)", "No,"]
     near = lines.index("function rules that nearly fired")
     assert sum(line.startswith("    missing: ") for line in lines[near:]) <= 2 * MOST_NEAR_MISSES
-    assert any("found less" in line for line in lines[near:])
+    assert any("with fewer conditions met" in line for line in lines[near:])
 
 
 def test_one_rule_is_told_and_an_unknown_one_refused(understudy: Understudy) -> None:
