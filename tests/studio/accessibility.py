@@ -1,23 +1,26 @@
 """What axe-core finds in a page that people with a keyboard or a screen reader would stumble over."""
 
-import pytest
+from typing import Any
+
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Page
 
 GRAVE = frozenset({"serious", "critical"})
-
-in_light_and_dark = pytest.mark.parametrize("theme", ["light", "dark"])
-
-
-def choose_theme(page: Page, theme: str) -> None:
-    page.select_option("#preferences select", theme)
+CONTRAST = {"runOnly": {"type": "rule", "values": ["color-contrast"]}}
+"""All that the theme changes is colours."""
 
 
 def serious_findings(page: Page) -> list[str]:
-    """The serious and critical violations in what is seen: each rule with the elements that break it."""
-    found = Axe().run(page).response["violations"]
+    """The serious and critical violations in what is seen, in light, and of contrast also in dark: each rule with the
+    elements that break it."""
+    return [*_findings(page, "dark", CONTRAST), *_findings(page, "light", {})]
+
+
+def _findings(page: Page, theme: str, options: dict[str, Any]) -> list[str]:
+    page.evaluate("(theme) => { document.documentElement.dataset.theme = theme; }", theme)
+    found = Axe().run(page, options=options or None).response["violations"]
     return [
-        f"{violation['id']}: {', '.join(str(node['target']) for node in violation['nodes'])}"
+        f"{theme}: {violation['id']}: {', '.join(str(node['target']) for node in violation['nodes'])}"
         for violation in found
         if violation["impact"] in GRAVE
     ]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from tests.studio.accessibility import choose_theme, in_light_and_dark, serious_findings
+from tests.studio.accessibility import serious_findings
 from tests.studio.waiting import wait_until
 from understudy.authoring.gesture_texts import one_gesture
 from understudy.realizer.gestures.gesture import Definition
@@ -202,10 +202,8 @@ def test_a_gesture_of_the_library_is_opened(editor: Page) -> None:
     assert "GESTUREINSTANCE greeting_raised_hand" in _text(editor)
 
 
-@in_light_and_dark
-def test_nobody_stumbles_over_the_editor(editor: Page, theme: str) -> None:
+def test_nobody_stumbles_over_the_editor(editor: Page) -> None:
     """With everything unfolded, one frame open and the other set; then with mistakes."""
-    choose_theme(editor, theme)
     for folded in editor.locator("#gesture_editor summary").all():
         folded.click()
     editor.click(_direction("Palm faces", "Up"))

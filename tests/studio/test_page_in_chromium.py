@@ -4,7 +4,7 @@ from pathlib import Path
 
 from playwright.sync_api import Page
 
-from tests.studio.accessibility import choose_theme, in_light_and_dark, serious_findings
+from tests.studio.accessibility import serious_findings
 
 
 def test_a_wrong_file_shows_the_services_own_words(opened: Page, tmp_path: Path) -> None:
@@ -62,11 +62,9 @@ def test_the_views_are_changed_by_keyboard(opened: Page) -> None:
     assert not opened.is_visible("main#line")
 
 
-@in_light_and_dark
-def test_nothing_serious_is_in_the_way_of_anybody(page: Page, theme: str) -> None:
+def test_nothing_serious_is_in_the_way_of_anybody(page: Page) -> None:
     """An empty page, one that tells a problem, and everything that the side of a line can show."""
     page.goto("/")
-    choose_theme(page, theme)
     assert serious_findings(page) == []
     page.click("#example")
     page.wait_for_selector("#stage-canvas[data-roles='speaker']")

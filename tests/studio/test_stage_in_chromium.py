@@ -82,7 +82,9 @@ def test_a_chosen_stretch_is_played_again_and_again(opened: Page) -> None:
     assert opened.get_attribute("#loop", "aria-pressed") == "true"
     opened.click("#play")
     wait_until(opened, "document.querySelector('audio').currentTime > 0.5")
-    times = [shown for _ in range(3) for shown, _heard in opened.evaluate(SAMPLED)]
+    times: list[float] = []
+    while not any(after < before for before, after in pairwise(times)) and len(times) < 90:
+        times += (shown for shown, _heard in opened.evaluate(SAMPLED))
     assert any(after < before for before, after in pairwise(times))
     assert max(times) < 2.5
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from tests.studio.accessibility import choose_theme, in_light_and_dark, serious_findings
+from tests.studio.accessibility import serious_findings
 from tests.studio.waiting import PATIENCE_S, wait_until
 from tests.support.batches import ThisProcess
 from understudy.batch.batch import run_batch
@@ -102,9 +102,7 @@ def test_what_a_batch_lacks_is_told(room: Page, scene: Path, tmp_path: Path) -> 
     room.wait_for_selector("#problem:has-text('of one, two; perform the batch with --format clip.json --format wav')")
 
 
-@in_light_and_dark
-def test_nobody_stumbles_over_a_table_read(room: Page, scene: Path, theme: str) -> None:
-    choose_theme(room, theme)
+def test_nobody_stumbles_over_a_table_read(room: Page, scene: Path) -> None:
     assert serious_findings(room) == []
     room.set_input_files("#scene-folder", scene)
     room.wait_for_selector("#table-read-canvas[data-wrists]")
