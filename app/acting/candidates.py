@@ -56,7 +56,7 @@ def candidates_of(
 
     Functions that the caller gave are shown on all channels, because the caller asked for them.
     """
-    level = utterance.agitation.level if utterance.agitation else Level.MEDIUM
+    level = utterance.level
     by_rank = sorted(offers, key=lambda each: each.rank, reverse=True)
     planned = (_of_moment(stage, utterance, moment, by_rank, level) for moment in moments)
     ruled = (_ruled(stage, offer) for offer in offers)

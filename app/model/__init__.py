@@ -4,26 +4,29 @@ Conventions: times are seconds from the start of the audio. Words are what white
 numbered from 0; `first` and `last` are word numbers, both included. Everything here is frozen: a stage that changes a
 value returns a changed copy (`dataclasses.replace`).
 
-`signal` and `speech` have the results of acoustic analysis, `language` and `functions` those of understanding the
-words, `direction` and `choice` the plan and the candidates, `body` and `schedule` the behaviours, `performance` all of
-it. Import the values from here.
+`signal`, `speech` and `affect` have the results of acoustic analysis, `language` and `functions` those of understanding
+the words, `direction` and `choice` the plan and the candidates, `body` and `schedule` the behaviours, `performance` all
+of it. Import the values from here.
 """
 
+from .affect import NEUTRAL, Affect, LineAffect, PhraseAffect, Tone
 from .body import Channel, Hand
 from .choice import Alternative, BehaviorCandidates, Mode, Moment, Movement, Rejected, Term
 from .direction import Avoidance, DirectedMoment, Direction
 from .functions import PLAIN, Because, Function, GivenFunction
 from .language import Clause, Parse, Phrase, Token, Utterance
 from .performance import Notice, Performance
-from .schedule import Behavior, Listening, Schedule, SyncPoints, Target, Viseme
+from .schedule import Behavior, Listening, Manner, Schedule, SyncPoints, Target, Viseme
 from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray
 from .speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
 
 __all__ = [
     "EMPHASISED",
     "FRAME_SHIFT_S",
+    "NEUTRAL",
     "PLAIN",
     "SAMPLE_RATE_HZ",
+    "Affect",
     "Agitation",
     "Alternative",
     "Audio",
@@ -43,7 +46,9 @@ __all__ = [
     "Hand",
     "Interval",
     "Level",
+    "LineAffect",
     "Listening",
+    "Manner",
     "Mode",
     "Moment",
     "Movement",
@@ -52,6 +57,7 @@ __all__ = [
     "Performance",
     "Phone",
     "Phrase",
+    "PhraseAffect",
     "Rejected",
     "Schedule",
     "SingleArray",
@@ -60,6 +66,7 @@ __all__ = [
     "Target",
     "Term",
     "Token",
+    "Tone",
     "Utterance",
     "Viseme",
     "Word",

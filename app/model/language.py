@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from .speech import Agitation, Filler, StressThresholds, Word
+from .affect import LineAffect
+from .speech import Agitation, Filler, Level, StressThresholds, Word
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +52,8 @@ class Parse:
 
 @dataclass(frozen=True, slots=True)
 class Utterance:
-    """All that is known of a line before functions are derived; `agitation` is None without audio. `fillers` are in
-    order of time, each between two words or at an end of the line.
+    """All that is known of a line before functions are derived; `agitation` and `affect` are None without audio.
+    `fillers` are in order of time, each between two words or at an end of the line.
 
     Where a performance begins `lead_in_s` before the recording, all times are on its clock and `duration_s` includes
     both.
@@ -65,3 +66,9 @@ class Utterance:
     duration_s: float | None = None
     fillers: tuple[Filler, ...] = ()
     lead_in_s: float = 0.0
+    affect: LineAffect | None = None
+
+    @property
+    def level(self) -> Level:
+        """The level of agitation; medium where none was measured."""
+        return self.agitation.level if self.agitation else Level.MEDIUM

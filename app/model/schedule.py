@@ -34,6 +34,16 @@ class SyncPoints:
 
 
 @dataclass(frozen=True, slots=True)
+class Manner:
+    """How a movement is made, from the voice at its stroke: factors of the usual size and speed, and how tense it is; 1
+    is usual."""
+
+    amplitude: float = 1.0
+    speed: float = 1.0
+    tension: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
 class Behavior:
     """One movement of the schedule. `rule` chose it, `function` (an id) is what it shows; both are None for idle
     behaviour such as blinks. `moment` (an id) is the moment it belongs to. `lexeme` is its name in BML, `amount` its
@@ -41,7 +51,7 @@ class Behavior:
     conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words. `after_strokes_s` are the
     ends of a gesture's strokes after its main one, seconds after that; None leaves them to the realizer. The stroke of
     one that is `curved` is an arc, others' are as the library has them. `edit` is the number of the author's edit that
-    made or changed it."""
+    made or changed it, `manner` how it is made."""
 
     id: str
     kind: Channel
@@ -64,6 +74,7 @@ class Behavior:
     after_strokes_s: tuple[float, ...] | None = None
     curved: bool = False
     edit: int | None = None
+    manner: Manner | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from ..bml.choice.speech.delivery import emphases_s, phrases
-from ..model import Behavior, Channel, Level, Notice, Performance, Schedule
+from ..model import Behavior, Channel, Notice, Performance, Schedule
 from ..realizer.body.motion import Motion
 from ..realizer.gestures.library import LAST_RESORT
 from ..realizer.realizing import Realizer, realize
@@ -46,7 +46,7 @@ def schedule_of(performance: Performance) -> Schedule:
         visemes=performance.visemes,
         phrases=phrases(utterance.words),
         emphases_s=emphases_s(utterance.words),
-        agitation=utterance.agitation.level if utterance.agitation else Level.MEDIUM,
+        agitation=utterance.level,
         character=performance.character,
         lead_in_s=utterance.lead_in_s,
         stillness=performance.stillness,

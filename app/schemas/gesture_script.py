@@ -110,7 +110,7 @@ def script_json(script: GestureScript, utterance: Utterance, character: str) -> 
         "profile": script.profile,
         "character": character,
         "seed": script.seed,
-        "agitation": utterance.agitation.level if utterance.agitation else Level.MEDIUM,
+        "agitation": utterance.level,
         "duration_s": utterance.duration_s or 0.0,
         "words": [_word_form(word) for word in utterance.words],
         "gestures": [_gesture_form(gesture) for gesture in script.gestures],

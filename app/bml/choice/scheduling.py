@@ -58,7 +58,7 @@ def schedule(
     planned = any(each.moment for each in candidates)
     spoken_s = duration_s - utterance.lead_in_s
     at_rate = most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0))
-    level = utterance.agitation.level if utterance.agitation else Level.MEDIUM
+    level = utterance.level
     most_asked = most_gestures(character, spoken_s * ASKED_MORE[level])
     line = Line(timed, character, at_rate + _second_places(candidates), most_asked)
     kept, lost = choose(candidates, line)

@@ -9,7 +9,7 @@ the reader detects points moved by hand. Times are seconds from the start of the
 from collections.abc import Iterator
 from itertools import pairwise
 
-from ...model import Behavior, Channel, Level, Performance, Phone, Target, Word
+from ...model import Behavior, Channel, Performance, Phone, Target, Word
 from ..choice.speech.lead_in import later_s, later_word
 from ..markup.documents import Element, Value
 from ..markup.elements import OURS, RECORD_TYPE
@@ -21,7 +21,7 @@ def record(performance: Performance) -> Element:
     """The description with the record."""
     utterance = performance.utterance
     attributes: dict[str, Value] = {
-        "agitation": (utterance.agitation.level if utterance.agitation else Level.MEDIUM).value,
+        "agitation": utterance.level.value,
         "stillness": float(performance.stillness),
         "seed": performance.seed,
     }

@@ -1,0 +1,65 @@
+"""How a line sounds: activation, valence and dominance of the voice, and the shares of its tones.
+
+The three dimensions are in [-1, 1], 0 is neutral (Bozkurt et al., *Affect-Expressive Hand Gestures*, §3: continuous
+activation, valence and dominance). The shares of the tones are in [0, 1] and sum to 1; where nothing is certain, they
+lean towards neutral.
+"""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Tone(StrEnum):
+    """A tone of voice."""
+
+    NEUTRAL = "neutral"
+    HAPPY = "happy"
+    SAD = "sad"
+    ANGRY = "angry"
+    AFRAID = "afraid"
+    DISGUSTED = "disgusted"
+    SURPRISED = "surprised"
+
+
+@dataclass(frozen=True, slots=True)
+class Affect:
+    """The feeling heard in a stretch of speech; `tones` has a share for each tone, in the order of `Tone`."""
+
+    activation: float = 0.0
+    valence: float = 0.0
+    dominance: float = 0.0
+    tones: tuple[float, ...] = (1.0, *(0.0,) * (len(Tone) - 1))
+
+    def share(self, tone: Tone) -> float:
+        """The share of one tone."""
+        return self.tones[list(Tone).index(tone)]
+
+    @property
+    def tone(self) -> Tone:
+        """The tone with the largest share; the first of `Tone` on a tie."""
+        return max(Tone, key=self.share)
+
+
+NEUTRAL = Affect()
+
+
+@dataclass(frozen=True, slots=True)
+class PhraseAffect:
+    """The feeling of words `first` to `last`."""
+
+    first: int
+    last: int
+    affect: Affect
+
+
+@dataclass(frozen=True, slots=True)
+class LineAffect:
+    """The feeling of a whole line, and of each phrase between pauses; `given` if the author gave it."""
+
+    line: Affect
+    phrases: tuple[PhraseAffect, ...] = ()
+    given: bool = False
+
+    def at(self, word: int) -> Affect:
+        """The feeling of the phrase that holds a word, else that of the line."""
+        return next((each.affect for each in self.phrases if each.first <= word <= each.last), self.line)
