@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ..errors import ServiceError
 from ..model import SingleArray
+from .delivery import WORDS_ALONE, Delivery
 from .wordpieces import FIRST, LAST, pieces_of
 
 Integers: TypeAlias = NDArray[np.int64]
@@ -79,8 +80,11 @@ class Encoder:
         except _load_errors() as error:
             raise ServiceError("model_unreadable", f"{path} is no model for directing lines: {error}") from error
 
-    def read(self, words: Sequence[str]) -> Reading:
-        """The reading of a line; `words` are as written, with their punctuation."""
+    def read(self, words: Sequence[str], delivery: Delivery = WORDS_ALONE) -> Reading:  # noqa: ARG002 - weights follow
+        """The reading of a line as it is delivered; `words` are as written, with their punctuation.
+
+        The present weights know no delivery and read the words alone.
+        """
         numbers, spans = self._numbered(words)
         ends = np.array([span or (0, 0) for span in spans], np.int64).reshape(-1, 2)
         (likely,) = self.session.run(["likely"], {"pieces": np.array(numbers, np.int64), "words": ends})

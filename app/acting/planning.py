@@ -20,6 +20,7 @@ from .authored_weights import load_weights
 from .choice_model import READING, ChoiceModel, log_odds_of, worth_of
 from .contrasts import CONTRAST, PlacedStroke, placed_strokes, with_placed
 from .decoding import NEAR, gains, spans_of, spread, stretches_of, strokes
+from .delivery import Delivery
 from .encoder import Encoder, Reading
 from .families import OTHER_FAMILY, Families, merged
 from .terms import Fact, TermTable, terms_of
@@ -99,7 +100,7 @@ def plan(
     if quantity <= 0 or not utterance.words:
         return ()
     texts = [word.text for word in utterance.words]
-    reading, choice = planner.encoder.read(texts), planner.choice
+    reading, choice = planner.encoder.read(texts, Delivery.of(utterance)), planner.choice
     weighed = _weighed(planner, reading, utterance, terms_of(utterance, functions, planner.terms.of_facts(facts)))
     taken = strokes(weighed.gain, choice.price - QUANTITY_WEIGHT * log(quantity), still=still)
     placed = _placed(planner, weighed, functions, taken, still)
@@ -123,7 +124,7 @@ def meanings(
 ) -> dict[int, tuple[str, ...]]:
     """The families of gestures with the highest worth for a stroke on each of these words, the best first, whether or
     not a gesture is planned there."""
-    reading = planner.encoder.read([word.text for word in utterance.words])
+    reading = planner.encoder.read([word.text for word in utterance.words], Delivery.of(utterance))
     weighed = _weighed(planner, reading, utterance, terms_of(utterance, functions, planner.terms.of_facts(facts)))
     return {word: tuple(planner.choice.families[place] for place in _best(weighed.worth[word])) for word in words}
 
