@@ -37,7 +37,8 @@ class Keys(StrEnum):
 
 
 class BapVersion(StrEnum):
-    """The version in the first line of MPEG-4 body parameters: MPEG-4's, or the one Greta writes for the same units."""
+    """Whose MPEG-4 body parameters, by the version in their first line: MPEG-4's, or Greta's, with the signs and the order
+    of its skeleton."""
 
     MPEG4 = "3.1"
     GRETA = "2.1"
@@ -55,7 +56,7 @@ class AudioFile:
 class FileOptions:
     """How files are written: BVH with a T-pose as its first frame, or with its root at the origin; GLB with baked or
     sparse keys; formats with sound, with the recording; FBX by `blender`, or a Python that has `bpy`; body parameters
-    with the version in their first line."""
+    for the players of one version."""
 
     t_pose: bool = False
     root_at_origin: bool = False

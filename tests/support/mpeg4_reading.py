@@ -107,6 +107,55 @@ class Body:
         return turn
 
 
+GRETA_JOINTS: dict[str, tuple[str, tuple[int, int, int]]] = {
+    "hips": ("", (186, 184, 185)),
+    **{
+        joint: (parent, (COLUMNS[bone] + 2, COLUMNS[bone] + 1, COLUMNS[bone]))
+        for (joint, bone), parent in zip(TRUNK.items(), ("hips", *TRUNK), strict=False)
+    },
+}
+"""Of each joint its parent and its columns about X, Y and Z, 0 where it has none, as in Greta's `JointType`."""
+
+for _offset, _side in enumerate(("left", "right")):
+
+    def _at(bone: str, place: int, offset: int = _offset) -> int:
+        return COLUMNS[bone] + offset + 2 * place
+
+    GRETA_JOINTS |= {
+        f"{_side}Shoulder": ("upperChest", (0, _at("clavicle", 1), _at("clavicle", 0))),
+        f"{_side}UpperArm": (f"{_side}Shoulder", (_at("shoulder", 0), _at("shoulder", 2), _at("shoulder", 1))),
+        f"{_side}LowerArm": (f"{_side}UpperArm", (_at("elbow", 0), _at("elbow", 1), 0)),
+        f"{_side}Hand": (f"{_side}LowerArm", (_at("wrist", 1), _at("wrist", 2), _at("wrist", 0))),
+        f"{_side}UpperLeg": ("hips", (_at("hip", 0), _at("hip", 2), _at("hip", 1))),
+        f"{_side}LowerLeg": (f"{_side}UpperLeg", (_at("knee", 0), _at("knee", 1), 0)),
+        f"{_side}Ankle": (f"{_side}LowerLeg", (_at("ankle", 0), _at("ankle", 1), 0)),
+        f"{_side}Foot": (f"{_side}Ankle", (0, 0, _at("subtalar", 0))),
+        f"{_side}Toes": (f"{_side}Foot", (_at("toe", 0), 0, 0)),
+        f"{_side}ThumbMetacarpal": (f"{_side}Hand", (_at("thumb", 0), _at("thumb", 1), _at("thumb", 2))),
+    }
+    for _ours, _finger in (("Index", "index"), ("Middle", "middle"), ("Ring", "ring"), ("Little", "pinky")):
+        _name = f"{_side}{_ours}"
+        GRETA_JOINTS |= {
+            f"{_name}Proximal": (f"{_side}Hand", (_at(_finger, 2), _at(_finger, 3), _at(_finger, 1))),
+            f"{_name}Intermediate": (f"{_name}Proximal", (0, 0, _at(_finger, 4))),
+            f"{_name}Distal": (f"{_name}Intermediate", (0, 0, _at(_finger, 5))),
+        }
+
+
+def greta_world(file: ParameterFile) -> dict[str, Rotation]:
+    """The orientations (T,) of Greta's joints in the world, from the pose with the arms down: Rz·Ry·Rx."""
+    found: dict[str, Rotation] = {"": Rotation.identity()}
+    for joint, (parent, columns) in GRETA_JOINTS.items():
+        about = {
+            axis: Rotation.from_euler(axis, file.values[:, [column - 1]] * RAD)
+            for axis, column in zip("xyz", columns, strict=True)
+            if column
+        }
+        x, y, z = (about.get(axis, Rotation.identity()) for axis in "xyz")
+        found[joint] = found[parent] * z * y * x
+    return found
+
+
 def world(joints: dict[str, Rotation], names: tuple[str, ...], parents: tuple[int, ...]) -> list[FloatArray]:
     """The orientations (T, 3, 3) of joints in the world."""
     found: list[Rotation] = []

@@ -1,15 +1,14 @@
 """Exports the body as MPEG-4 body animation parameters, in units of 10⁻⁵ rad (Gesture Engine §4).
 
-Conventions: angles are from the pose in which a body stands with its arms down, palms to the thighs; each joint's axes
-are the world's there (X to its left, Y up, Z forward). Flexion and tilt are about X, abduction and roll about Z,
-torsion and twisting about Y, with the signs of `sign_of`; fingers are flexed about Z, towards the palm. MPEG-4 leaves
-the order of angles to the decoder: here a joint turns about its first axis, then about the second as it then lies,
-twisting last. Root translations are millimetres from where the hips are in the T-pose.
+Conventions, for `BapVersion.GRETA` those of `greta.py`: angles are from the pose with the arms down (`angles.py`).
+Flexion and tilt are about X, abduction and roll about Z, torsion and twisting about Y, with the signs of `sign_of`;
+fingers are flexed about Z, towards the palm. MPEG-4 leaves the order of angles to the decoder: here a joint turns about
+its first axis, then about the second as it then lies, twisting last. Root translations are millimetres from where the
+hips are in the T-pose.
 
-Our spine has three joints, which are the vertebrae L3, T10 and T6; the neck is C4. A collar bone has no third angle:
-it turns about Y, then is raised about Z, as ours are (`collarbone_for`), and what little smoothing leaves about X goes
-to the upper arm, so that the arm is where ours is. The outer two joints of a thumb bend
-about the one hinge that ours have.
+A collar bone has no third angle: it turns about Y, then is raised about Z, as ours are (`collarbone_for`), and what
+little smoothing leaves about X goes to the upper arm, so that the arm is where ours is. The outer two joints of a thumb
+bend about the one hinge that ours have.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -22,16 +21,22 @@ from ....model import FloatArray
 from ....motion_formats import BapVersion
 from ...body.motion import Motion
 from ...body.skeleton import Skeleton
-from ...gestures.hand_shapes import THUMB_HINGE
+from .angles import (
+    FINGER_BENDS,
+    FINGER_HINGE,
+    FINGERS,
+    THUMB_BENDS,
+    TRUNK,
+    angle_about,
+    arms_down,
+    euler_rad,
+    thumb_hinge,
+)
+from .greta import greta_angles_rad
 from .layout import BAPS, SIDES, Parameters, parameter_file
 
 UNIT_RAD = 1e-5
 MILLIMETRES = 1000.0
-
-TRUNK: Mapping[str, str] = MappingProxyType(
-    {"spine": "vl3", "chest": "vt10", "upperChest": "vt6", "neck": "vc4", "head": "skullbase"}
-)
-"""The vertebra that each joint of our trunk is."""
 
 LIMBS: Mapping[str, tuple[str, tuple[str, ...]]] = MappingProxyType(
     {
@@ -47,15 +52,13 @@ LIMBS: Mapping[str, tuple[str, tuple[str, ...]]] = MappingProxyType(
 )
 """The order of axes and the parameters of each joint of a limb; an empty name is an angle that the joint has not."""
 
-FINGERS: Mapping[str, str] = MappingProxyType({"Index": "index", "Middle": "middle", "Ring": "ring", "Little": "pinky"})
-_BENDING = (("Intermediate", "2_flexion"), ("Distal", "3_flexion"))
-
 _NEGATIVE = ("flexion", "tilt", "twisting")
 
 
 def to_bap(motion: Motion, skeleton: Skeleton, version: BapVersion = BapVersion.MPEG4) -> bytes:
     """The file; every parameter of a joint that we have is set in every frame."""
-    angles = dict(_angles_rad(motion, skeleton))
+    rotated_by = greta_angles_rad if version is BapVersion.GRETA else _angles_rad
+    angles = dict(rotated_by(motion, skeleton))
     moved_mm = (motion.body.hips_m - skeleton.offsets_m[0]) * MILLIMETRES
     ways = dict(zip(("lateral", "vertical", "frontal"), moved_mm.T, strict=True))
     columns = {
@@ -76,25 +79,6 @@ def sign_of(parameter: str) -> float:
     if part.startswith(tuple(FINGERS.values())) and part.endswith("flexion"):
         return -1.0 if parameter.startswith("l") else 1.0
     return -1.0 if part.endswith(_NEGATIVE) else 1.0
-
-
-def euler_rad(rotations: Rotation, order: str) -> FloatArray:
-    """The angles (T, 3) about three axes, each as the turns before leave it. Where the first and the last are one axis,
-    the last is 0."""
-    matrices = rotations.as_matrix()
-    i, j, k = ("XYZ".index(axis) for axis in order)
-    parity = 1.0 if (j - i) % 3 == 1 else -1.0
-    sine = np.clip(parity * matrices[:, i, k], -1.0, 1.0)
-    locked = np.abs(sine) > 1 - 1e-12
-    first = np.arctan2(-parity * matrices[:, j, k], matrices[:, k, k])
-    last = np.arctan2(-parity * matrices[:, i, j], matrices[:, i, i])
-    alone = np.arctan2(parity * matrices[:, k, j], matrices[:, j, j])
-    return np.stack([np.where(locked, alone, first), np.arcsin(sine), np.where(locked, 0.0, last)], axis=1)
-
-
-def arms_down(side: str) -> Rotation:
-    """The turn of an arm from the T-pose to hanging."""
-    return Rotation.from_euler("z", -90.0 if side == "left" else 90.0, degrees=True)
 
 
 def _angles_rad(motion: Motion, skeleton: Skeleton) -> Iterator[tuple[str, FloatArray]]:
@@ -124,21 +108,11 @@ def _of_side(local: Mapping[str, Rotation], short: str, side: str) -> Iterator[t
         root = hang * local[f"{side}{ours}Proximal"] * hang.inv()
         turns = [f"{short}_{finger}1_{turn}" for turn in ("flexion", "pivot", "twisting")]
         yield from _signed(turns, euler_rad(root, "ZXY"))
-        for part, name in _BENDING:
-            yield from _hinged(f"{short}_{finger}{name}", local[f"{side}{ours}{part}"], np.array([0.0, 0.0, 1.0]))
-    hinge = THUMB_HINGE if side == "left" else THUMB_HINGE * (1.0, -1.0, -1.0)
-    for part, name in (("Proximal", "thumb2_flexion"), ("Distal", "thumb3_flexion")):
-        yield f"{short}_{name}", _about(local[f"{side}Thumb{part}"], hinge)
-
-
-def _hinged(name: str, rotations: Rotation, axis: FloatArray) -> Iterator[tuple[str, FloatArray]]:
-    yield name, sign_of(name) * _about(rotations, axis)
-
-
-def _about(rotations: Rotation, axis: FloatArray) -> FloatArray:
-    """The angles about an axis, which may be more than 90°."""
-    quaternions = rotations.as_quat()
-    return np.asarray(2 * np.arctan2(quaternions[:, :3] @ (axis / np.linalg.norm(axis)), quaternions[:, 3]))
+        for part, name in FINGER_BENDS:
+            bend = f"{short}_{finger}{name}"
+            yield bend, sign_of(bend) * angle_about(local[f"{side}{ours}{part}"], FINGER_HINGE)
+    for part, name in THUMB_BENDS:
+        yield f"{short}_{name}", angle_about(local[f"{side}Thumb{part}"], thumb_hinge(side))
 
 
 def _signed(names: Sequence[str], angles: FloatArray) -> Iterator[tuple[str, FloatArray]]:

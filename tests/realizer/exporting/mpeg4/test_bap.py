@@ -5,12 +5,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from tests.support.hand_made_motion import BODY, X, Y, Z, turned, waving
-from tests.support.mpeg4_reading import COLUMNS, Body, read_parameters, world
+from tests.support.mpeg4_reading import COLUMNS, RAD, Body, greta_world, read_parameters, world
 from understudy.loading import load_realizer
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
 from understudy.motion_formats import BapVersion
 from understudy.realizer.body.motion import Motion
-from understudy.realizer.exporting.mpeg4.bap import euler_rad, to_bap
+from understudy.realizer.exporting.mpeg4.angles import arms_down, euler_rad, thumb_hinge
+from understudy.realizer.exporting.mpeg4.bap import to_bap
 from understudy.realizer.exporting.mpeg4.layout import BAPS, FAPS
 from understudy.realizer.geometry.rotations import from_axis_angle
 from understudy.realizer.realizing import realize
@@ -112,3 +113,48 @@ def test_angles_compose_to_the_rotation_even_where_two_axes_meet(order: str) -> 
     rotations = Rotation.from_euler(order, given)
     again = Rotation.from_euler(order, euler_rad(rotations, order))
     assert (rotations * again.inv()).magnitude().max() < 1e-6
+
+
+def test_greta_has_our_joints_where_we_have_them(acted: Motion) -> None:
+    """Within a degree. A forearm, which cannot twist there, is compared by where it points, a thumb by its bends."""
+    file = read_parameters(to_bap(acted, BODY, BapVersion.GRETA))
+    theirs = greta_world(file)
+    local = {name: Rotation.from_quat(acted.body.rotations[:, place]) for name, place in BODY.index.items()}
+    ours = dict(zip(BODY.names, map(Rotation.from_matrix, world(local, BODY.names, BODY.parents)), strict=True))
+    for name in theirs.keys() & ours.keys():
+        side = "left" if name.startswith("left") else "right"
+        of_an_arm = any(part in name for part in ("Arm", "Hand", "Index", "Middle", "Ring", "Little", "Thumb"))
+        mine = ours[name] * arms_down(side).inv() if of_an_arm else ours[name]
+        if name.endswith(("LowerArm", "Shoulder")):
+            along = [0.0, -1.0, 0.0] if name.endswith("LowerArm") else [1.0, 0.0, 0.0]
+            apart = np.arccos(np.clip(np.sum(mine.apply(along) * theirs[name].apply(along), axis=1), -1.0, 1.0))
+        else:
+            apart = (mine * theirs[name].inv()).magnitude()
+        assert np.degrees(apart).max() < 1.0, name
+    for offset, side in enumerate(("left", "right")):
+        for part, place in (("Proximal", 5), ("Distal", 7)):
+            hinge = thumb_hinge(side) / np.linalg.norm(thumb_hinge(side))
+            bends = Rotation.from_rotvec(file.values[:, [COLUMNS["thumb"] + offset + place]] * RAD * hinge)
+            assert (bends * local[f"{side}Thumb{part}"].inv()).magnitude().max() < 1e-4
+
+
+@pytest.mark.parametrize(
+    ("joint", "axis", "angle", "column", "value"),
+    [
+        ("leftLowerArm", Y, -1.5, COLUMNS["elbow"], -150_000),
+        ("rightLowerArm", Y, 1.5, COLUMNS["elbow"] + 1, -150_000),
+        ("leftLowerLeg", X, 0.5, COLUMNS["knee"], 50_000),
+        ("head", X, 0.4, COLUMNS["skullbase"] + 2, 40_000),
+        ("rightIndexIntermediate", Z, 1.7, COLUMNS["index"] + 9, 170_000),
+    ],
+)
+def test_greta_bends_elbows_by_negative_angles(
+    joint: str, axis: tuple[float, float, float], angle: float, column: int, value: int
+) -> None:
+    content = to_bap(turned(joint, from_axis_angle(axis, np.array(angle))), BODY, BapVersion.GRETA)
+    assert read_parameters(content).values[0, column - 1] == pytest.approx(value, abs=1)
+
+
+def test_greta_knows_no_parameter_that_we_leave_out() -> None:
+    standard, greta = (read_parameters(to_bap(MOTION, BODY, version)).masks[0] for version in BapVersion)
+    assert (greta >= standard).all()
