@@ -37,8 +37,8 @@ class Keys(StrEnum):
 
 
 class BapVersion(StrEnum):
-    """Whose MPEG-4 body parameters, by the version in their first line: MPEG-4's, or Greta's, with the signs and the order
-    of its skeleton."""
+    """Whose MPEG-4 body parameters, by the version in their first line: MPEG-4's, or Greta's, with the signs and
+    the order of its skeleton."""
 
     MPEG4 = "3.1"
     GRETA = "2.1"
