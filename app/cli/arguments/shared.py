@@ -55,9 +55,7 @@ def add_motion(parser: argparse.ArgumentParser) -> None:
         "--root-at-origin", action="store_true", help="OFFSET 0 of the root in .bvh, for readers that add it: three.js"
     )
     versions = [each.value for each in BapVersion]
-    told = (
-        "who plays .bap: players of MPEG-4 (3.1), or Greta (2.1), with other signs and order (default 3.1)"
-    )
+    told = "who plays .bap: players of MPEG-4 (3.1), or Greta (2.1), with other signs and order (default 3.1)"
     parser.add_argument("--bap-version", choices=versions, default=BapVersion.MPEG4.value, help=told)
     keys = [each.value for each in Keys]
     told = "of .glb: one in every frame, or few that can be edited, with markers (default baked)"
