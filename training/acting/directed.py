@@ -1,7 +1,8 @@
 """Reads directed lines: words, what directors would have the body do with them, and what they would forbid.
 
-The format is that of ../shared/directing/README.md; our own lines have their text in the record itself. Lines of one
-dialogue share a group, so that held-out lines come from dialogues that are held out as a whole.
+The format is that of ../shared/directing/README.md; our own lines have their text in the record itself. A delivery is a
+line with how it is said: focus, tone and loudness. Lines of one dialogue, and the deliveries of one line, share a
+group, so that what is held out is held out as a whole.
 """
 
 import json
@@ -34,29 +35,46 @@ FAMILIES = (
     "future", "thanks", "begin", "farewell", "now", "left", "right",
 )
 # fmt: on
-HEAD = ("nod", "tilt", "shake", "lean_in", "toss", "turn", "lean_back")
+HEAD = ("nod", "tilt", "shake", "lean_in", "toss", "turn", "lean_back", "still")
 FACE = ("brows_up", "smile", "frown", "lips_pressed", "wide_eyes", "squint", "sad", "disgust")
+GAZE = ("listener", "away", "up", "down", "target")
+MANNER = ("size", "speed")
+OUTPUTS = 2 * len(FAMILIES) + 1 + len(HEAD) + len(FACE) + len(GAZE) + len(MANNER)
 
 IMPORTANCE = {1: 0.7, 2: 1.0, 3: 1.3}
 NEAR = 2
 """Words within which a stroke goes with a director's."""
 
 
+FIRST_OWN = ("comedy_and_drama", "ensemble_and_monologue", "everyday_talk", "film_and_games")
+"""Our first files, whose readers wrote heads and faces down only where they mattered most."""
+
+
 @dataclass(frozen=True, slots=True)
 class DirectedLine:
-    """A line and one reading of it, as the JSON has it."""
+    """A line and one reading of it, as the JSON has it; `careful` if heads and faces were directed as carefully as
+    hands."""
 
     name: str
     words: tuple[str, ...]
     reading: dict[str, Any]
+    careful: bool = False
 
     @property
     def source(self) -> str:
-        return self.name.split("-")[0]
+        """The kind of line, or the corpus it is from."""
+        return str(self.reading.get("source") or self.reading.get("kind") or self.name.split("-")[0])
+
+    @property
+    def is_delivery(self) -> bool:
+        return "tone" in self.reading
 
     @property
     def group(self) -> str:
-        """The dialogue it comes from; where names are numbered through, a run of twenty."""
+        """The line that is delivered, or the dialogue it comes from; where names are numbered through, a run of
+        twenty."""
+        if self.careful:
+            return f"{self.source}/{self.reading.get('base', ' '.join(self.words))}"
         base, number = re.fullmatch(r"(.*?)-?([\d.]+)", self.name).groups()  # type: ignore[union-attr]
         numbered = base in ("pirates", "grail", "swb-t") or self.source == "own"
         return f"{base}/{int(float(number)) // 20}" if numbered else base
@@ -65,7 +83,8 @@ class DirectedLine:
 @dataclass(frozen=True, slots=True, eq=False)
 class Targets:
     """What a line is trained towards, by word: worths of families with the stroke there and within `NEAR` words (W, F),
-    strokes and their importance (W,), head (W, H) and face (W, K)."""
+    strokes and their importance (W,), head (W, H), face (W, K) and gaze (W, G); and the size and speed (2,) of its
+    movements, -1 to 1, or None."""
 
     at_word: SingleArray
     nearby: SingleArray
@@ -73,21 +92,32 @@ class Targets:
     importance: SingleArray
     head: SingleArray
     face: SingleArray
+    gaze: SingleArray
+    manner: SingleArray | None
 
 
-def read_lines(directing: Path, *, own: bool = True) -> list[DirectedLine]:
-    """The single readings in the folder `directing`, and our own lines."""
+def read_lines(directing: Path) -> list[DirectedLine]:
+    """The single readings of the folder `directing`, and our own."""
     words = {record["id"]: _words(record) for record in _records(directing / "directed-lines.jsonl")}
     lines = [DirectedLine(each["id"], words[each["id"]], each) for each in _records(directing / "directed.jsonl")]
-    if own:
-        for path in sorted(OWN.glob("*.jsonl")):
-            lines += [DirectedLine(each["id"], tuple(each["text"].split()), each) for each in _records(path)]
+    for path in sorted(OWN.glob("**/*.jsonl")):
+        lines += read_file(path, careful=path.stem not in FIRST_OWN)
+    for path in sorted((directing / "more").glob("*.jsonl")):
+        lines += read_file(path, careful=True)
     return lines
+
+
+def read_file(path: Path, *, careful: bool) -> list[DirectedLine]:
+    """The lines of one file, with their text or their numbered words."""
+    return [
+        DirectedLine(each["id"], tuple(each["text"].split()) if "text" in each else _words(each), each, careful)
+        for each in _records(path)
+    ]
 
 
 def targets_of(line: DirectedLine) -> Targets:
     """What a reading asks for, in numbers."""
-    count = len(line.words)
+    count, manner = len(line.words), line.reading.get("manner")
     targets = Targets(
         at_word=np.zeros((count, len(FAMILIES)), np.float32),
         nearby=np.zeros((count, len(FAMILIES)), np.float32),
@@ -95,11 +125,14 @@ def targets_of(line: DirectedLine) -> Targets:
         importance=np.ones(count, np.float32),
         head=np.zeros((count, len(HEAD)), np.float32),
         face=np.zeros((count, len(FACE)), np.float32),
+        gaze=np.zeros((count, len(GAZE)), np.float32),
+        manner=np.array([manner[key] for key in MANNER], np.float32) if manner else None,
     )
     for moment in line.reading["moments"]:
         _add_gesture(targets, moment)
         span = slice(moment["first"], moment["last"] + 1)
-        for kinds, names, key in ((targets.head, HEAD, "head"), (targets.face, FACE, "face")):
+        channels = (targets.head, HEAD, "head"), (targets.face, FACE, "face"), (targets.gaze, GAZE, "gaze")
+        for kinds, names, key in channels:
             for kind in moment.get(key) or ():
                 if kind in names:
                     kinds[span, names.index(kind)] = 1

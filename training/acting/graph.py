@@ -81,8 +81,8 @@ class _Graph:
 
 
 def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[str]]) -> Any:  # noqa: ANN401 - untyped
-    """The model, in float32: `pieces` (P,), and `words` (W, 2), the first and last piece of each word, to `likely`
-    (W, outputs), in [0, 1]. `named` are lists that go with it as metadata."""
+    """The model, in float32: `pieces` (P,), `words` (W, 2), the first and last piece of each word, and `heard` (P, H),
+    how each piece is said, to `likely` (W, outputs), in [0, 1]. `named` are lists that go with it as metadata."""
     graph = _Graph(weights)
     width = weights["positions"].shape[1]
     graph.constant("split", np.array([-1, ATTENTION_HEADS, width // ATTENTION_HEADS], np.int64))
@@ -93,7 +93,7 @@ def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[st
     for layer in range(sum(name.endswith(".query") for name in weights)):
         states = graph.layer(states, layer)
     words = graph.node("Reshape", [graph.node("Gather", [states, "words"]), "word"])
-    graph.node("Sigmoid", [graph.linear(words, "out")], "likely")
+    graph.node("Sigmoid", [graph.node("Add", [graph.linear(words, "out"), _direct(graph)])], "likely")
     model = helper.make_model(
         helper.make_graph(
             graph.nodes,
@@ -101,6 +101,7 @@ def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[st
             [
                 helper.make_tensor_value_info("pieces", TensorProto.INT64, ["P"]),
                 helper.make_tensor_value_info("words", TensorProto.INT64, ["W", 2]),
+                helper.make_tensor_value_info("heard", TensorProto.FLOAT, ["P", graph.weights["heard"].shape[1]]),
             ],
             [helper.make_tensor_value_info("likely", TensorProto.FLOAT, ["W", len(weights["out"])])],
             graph.constants,
@@ -114,14 +115,26 @@ def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[st
 
 
 def _placed(graph: _Graph) -> str:
-    """The table's row of each piece, and that of its place."""
+    """The table's row of each piece, that of its place, and how it is said."""
     table = graph.constant("pieces.table", graph.weights["pieces.table"])
     places = graph.constant("positions", graph.weights["positions"])
     start, step = graph.constant("start", np.array([0], np.int64)), graph.constant("step", np.array([1], np.int64))
     count = graph.node("Shape", ["pieces"])
-    return graph.node(
+    written = graph.node(
         "Add", [graph.node("Gather", [table, "pieces"]), graph.node("Slice", [places, start, count, start, step])]
     )
+    return graph.node("Add", [written, _told(graph, "heard", "heard")])
+
+
+def _direct(graph: _Graph) -> str:
+    """What how a word is said, as its first piece has it, adds to the word's outputs."""
+    first = graph.constant("first", np.array(0, np.int64))
+    return _told(graph, graph.node("Gather", ["heard", graph.node("Gather", ["words", first], axis=1)]), "direct")
+
+
+def _told(graph: _Graph, heard: str, name: str) -> str:
+    """A product that stays in float32, because its matrix is small and its input has values of very different size."""
+    return graph.node("MatMul", [heard, graph.constant(name, graph.weights[name].T)], f"{name}.product")
 
 
 def write_quantized(model: Any, path: Path) -> None:  # noqa: ANN401 - untyped
@@ -133,6 +146,8 @@ def write_quantized(model: Any, path: Path) -> None:  # noqa: ANN401 - untyped
         configuration = DefaultWeightOnlyQuantConfig(
             block_size=BLOCK, is_symmetric=True, accuracy_level=INTEGER_PRODUCTS, bits=BITS
         )
-        quantizer = MatMulNBitsQuantizer(onnx.load(tabled), algo_config=configuration)
+        quantizer = MatMulNBitsQuantizer(
+            onnx.load(tabled), algo_config=configuration, nodes_to_exclude=["heard.product", "direct.product"]
+        )
         quantizer.process()
         quantizer.model.save_model_to_file(str(path))

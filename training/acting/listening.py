@@ -1,0 +1,146 @@
+"""What the analysis hears of a delivery as it is written, so that the reader learns from what it will be told.
+
+Where recordings of a delivery were analysed (`training.acting.recordings`), a delivery is what was measured in one of
+them. Else it is guessed: the focus as likely found as the analysis finds it, the tone as one of its seven or a mixture,
+everything with noise. Lines that were directed without a delivery are read as words alone, or as said without any
+expression, or as their director seems to have imagined them (the focus on what has the stroke, the tone that of the
+face). Whatever is told is dropped at random, so that the reader does without it too.
+"""
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from understudy.acting.delivery import WORDS_ALONE, Delivery
+from understudy.model import Affect, LineAffect, Tone
+
+from .directed import DirectedLine, gesture_choices
+
+# fmt: off
+TONES: Mapping[str, tuple[tuple[float, float, float], dict[Tone, float]]] = {
+    "neutral": ((0.0, 0.0, 0.0), {Tone.NEUTRAL: 1.0}),
+    "angry": ((0.6, -0.5, 0.5), {Tone.ANGRY: 1.0}),
+    "sad": ((-0.5, -0.5, -0.4), {Tone.SAD: 1.0}),
+    "happy": ((0.4, 0.5, 0.2), {Tone.HAPPY: 1.0}),
+    "afraid": ((0.4, -0.5, -0.5), {Tone.AFRAID: 1.0}),
+    "disgusted": ((0.0, -0.5, 0.2), {Tone.DISGUSTED: 1.0}),
+    "amused": ((0.2, 0.4, 0.1), {Tone.HAPPY: 0.6, Tone.NEUTRAL: 0.3, Tone.SURPRISED: 0.1}),
+    "tender": ((-0.4, 0.1, -0.2), {Tone.NEUTRAL: 0.5, Tone.SAD: 0.5}),
+    "weary": ((-0.6, -0.2, -0.3), {Tone.SAD: 0.6, Tone.NEUTRAL: 0.4}),
+    "excited": ((0.7, 0.5, 0.3), {Tone.HAPPY: 0.6, Tone.SURPRISED: 0.4}),
+    "hesitant": ((-0.2, -0.1, -0.4), {Tone.NEUTRAL: 0.5, Tone.AFRAID: 0.25, Tone.SAD: 0.25}),
+    "commanding": ((0.4, -0.2, 0.6), {Tone.NEUTRAL: 0.4, Tone.ANGRY: 0.6}),
+}
+# fmt: on
+"""Activation, valence and dominance of the written tones, and what the seven tones of the analysis make of them."""
+
+FACE_TONES = {"smile": "amused", "frown": "angry", "sad": "sad", "disgust": "disgusted", "wide_eyes": "excited"}
+"""The tone in which a line is said with such a face, where nothing else is known of it."""
+
+FOCUS_HEARD, CONTENT_HEARD, FOCUS_NOISE = 3.0, 0.6, 1.0
+"""How much stronger than other words a focused word, or one of many letters, seems: with this noise the likeliest word
+of some twelve is the focused one in three of four deliveries, as the analysis finds it."""
+
+IMAGINED_FOCUS = 1.8
+"""The same for words of which a director's stroke lets us guess that he heard them stressed."""
+
+TONE_MISHEARD = 0.25
+DROPPED_WHOLE, DROPPED_PART = 0.2, 0.12
+WORDS_ALONE_SHARE, FLAT_SHARE = 0.4, 0.3
+"""Of the lines without a delivery, those read as words alone, and those read as said without expression."""
+
+
+def heard(line: DirectedLine, measured: Mapping[str, Sequence[Delivery]], chance: random.Random) -> Delivery:
+    """One way in which a line may be heard."""
+    if line.is_delivery:
+        known = measured.get(line.name)
+        whole = chance.choice(known) if known else _guessed(line, chance)
+        return _dropped(whole, chance)
+    lot = chance.random()
+    if lot < WORDS_ALONE_SHARE:
+        return WORDS_ALONE
+    return _dropped(_flat(line, chance) if lot < WORDS_ALONE_SHARE + FLAT_SHARE else _imagined(line, chance), chance)
+
+
+def as_written(line: DirectedLine, chance: random.Random) -> Delivery:
+    """A delivery as it is guessed that it would be measured, nothing dropped; the words alone for other lines."""
+    return _guessed(line, chance) if line.is_delivery else WORDS_ALONE
+
+
+def _guessed(line: DirectedLine, chance: random.Random) -> Delivery:
+    tone, loudness = line.reading["tone"], line.reading["loudness"]
+    activation = TONES[tone][0][0]
+    return Delivery(
+        focus=_focus(line, dict.fromkeys(line.reading["focus"], FOCUS_HEARD), chance),
+        affect=_affect(tone, loudness, chance),
+        loudness=_clipped(0.45 * loudness + 0.5 * activation + chance.gauss(0, 0.25)),
+    )
+
+
+def _flat(line: DirectedLine, chance: random.Random) -> Delivery:
+    """Said as a synthetic voice says it: an accent anywhere, no tone."""
+    return Delivery(
+        focus=_focus(line, {chance.randrange(len(line.words)): chance.choice((0.0, 1.5))}, chance),
+        affect=_affect("neutral", 0, chance),
+        loudness=_clipped(chance.gauss(0, 0.25)),
+    )
+
+
+def _imagined(line: DirectedLine, chance: random.Random) -> Delivery:
+    """Said as the director's choices suggest."""
+    moments = [each for each in line.reading["moments"] if gesture_choices(each) and each["stroke"] < len(line.words)]
+    strongest = max((each["importance"] for each in moments), default=0)
+    stressed = {each["stroke"]: IMAGINED_FOCUS for each in moments if each["importance"] == strongest}
+    faces = [face for each in line.reading["moments"] for face in each.get("face") or () if face in FACE_TONES]
+    tone = FACE_TONES[chance.choice(faces)] if faces and chance.random() < 0.6 else "neutral"
+    return Delivery(
+        focus=_focus(line, stressed, chance),
+        affect=_affect(tone, 0, chance),
+        loudness=_clipped(0.5 * TONES[tone][0][0] + chance.gauss(0, 0.3)),
+    )
+
+
+def _focus(line: DirectedLine, strength: Mapping[int, float], chance: random.Random) -> tuple[float, ...]:
+    scores = np.array(
+        [
+            strength.get(word, 0.0) + CONTENT_HEARD * (len(text.strip(".,;:!?")) > 3) + chance.gauss(0, FOCUS_NOISE)
+            for word, text in enumerate(line.words)
+        ]
+    )
+    shares = np.exp(chance.uniform(0.8, 1.6) * (scores - scores.max()))
+    return tuple(float(share) for share in shares / shares.sum())
+
+
+def _affect(tone: str, loudness: int, chance: random.Random) -> LineAffect:
+    """The tone as heard: its shares mixed with noise and, at times, quite another one's."""
+    taken = tone if chance.random() >= TONE_MISHEARD else chance.choice(("neutral", *TONES))
+    dimensions, shares = TONES[taken]
+    certainty, quiet = chance.uniform(0.8, 2.5), 0.06
+    scores = np.array([certainty * np.log(shares.get(each, 0.0) + quiet) + chance.gauss(0, 0.5) for each in Tone])
+    odds = np.exp(scores - scores.max())
+    activation, valence, dominance = (
+        _clipped(value * chance.uniform(0.4, 1.2) + chance.gauss(0, noise))
+        for value, noise in zip(dimensions, (0.15, 0.25, 0.2), strict=True)
+    )
+    return LineAffect(
+        Affect(
+            activation=_clipped(activation + 0.15 * loudness),
+            valence=valence,
+            dominance=_clipped(dominance + 0.1 * loudness),
+            tones=tuple(float(share) for share in odds / odds.sum()),
+        )
+    )
+
+
+def _dropped(delivery: Delivery, chance: random.Random) -> Delivery:
+    """The delivery, or without some of its parts."""
+    if chance.random() < DROPPED_WHOLE:
+        return WORDS_ALONE
+    parts = [name for name in ("focus", "affect", "loudness") if chance.random() < DROPPED_PART]
+    return replace(delivery, **dict.fromkeys(parts))
+
+
+def _clipped(value: float) -> float:
+    return max(-1.0, min(1.0, value))

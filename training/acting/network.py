@@ -1,0 +1,118 @@
+"""The reader as a PyTorch network with the weights of `graph.py` by their names, and the weights of a shipped model.
+
+The network is BERT's (Devlin et al. 2019) with an input of how the line is said (`app/acting/delivery.py`): its
+features are added to the embeddings of a word's pieces ("heard"), and to the word's outputs ("direct").
+"""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import onnx
+import torch
+from onnx import numpy_helper
+from torch import Tensor, nn
+from torch.nn.functional import gelu, layer_norm, scaled_dot_product_attention
+
+from understudy.acting.delivery import FEATURES
+from understudy.model import SingleArray
+
+from .graph import ATTENTION_HEADS, EPSILON
+
+ZERO_POINT = 128
+"""The eight-bit number that stands for 0 in the shipped matrices."""
+
+
+class Reader(nn.Module):  # type: ignore[misc]
+    """The encoder with its outputs; `frozen` layers, counted from the first, and the embeddings are not trained."""
+
+    def __init__(self, weights: Mapping[str, SingleArray], *, frozen: int = 0, dropout: float = 0.1) -> None:
+        super().__init__()
+        self.weights = nn.ParameterDict(
+            {name.replace(".", "/"): nn.Parameter(torch.from_numpy(np.array(value))) for name, value in weights.items()}
+        )
+        self.layers = sum(name.endswith(".query") for name in weights)
+        self.dropout = nn.Dropout(dropout)
+        for name, parameter in self.weights.items():
+            place = name.split("/")[0]
+            fixed = place in ("pieces", "positions") or (place.isdecimal() and int(place) < frozen)
+            parameter.requires_grad_(not fixed)
+
+    def forward(self, pieces: Tensor, mask: Tensor, ends: Tensor, heard: Tensor) -> Tensor:
+        """Logits (lines, words, outputs) of pieces (lines, pieces), of `ends` (lines, words, 2), the words' outer
+        pieces, and of `heard` (lines, pieces, features); `mask` (lines, pieces) is true for pieces."""
+        table = self._weight("pieces.table")[pieces] + self._weight("positions")[: pieces.shape[1]]
+        states = self._normalized(table + heard @ self._weight("heard").T, "start.norm")
+        seen = mask[:, None, None, :]
+        for layer in range(self.layers):
+            states = self._layer(self.dropout(states), layer, seen)
+        width = states.shape[-1]
+        outer = [states.gather(1, ends[..., end, None].expand(-1, -1, width)) for end in (0, 1)]
+        told = heard.gather(1, ends[..., 0, None].expand(-1, -1, heard.shape[-1]))
+        direct = told @ self._weight("direct").T
+        return (self._linear(self.dropout(torch.cat(outer, dim=-1)), "out") + direct).float()
+
+    def exported(self) -> dict[str, SingleArray]:
+        """The weights by their names."""
+        return {
+            name.replace("/", "."): parameter.detach().float().numpy().copy()
+            for name, parameter in self.weights.items()
+        }
+
+    def _weight(self, name: str) -> Tensor:
+        return self.weights[name.replace(".", "/")]
+
+    def _linear(self, states: Tensor, name: str) -> Tensor:
+        return nn.functional.linear(states, self._weight(name), self._weight(f"{name}.bias"))
+
+    def _normalized(self, states: Tensor, name: str) -> Tensor:
+        scale, shift = self._weight(f"{name}")
+        return layer_norm(states, states.shape[-1:], scale, shift, EPSILON)
+
+    def _layer(self, states: Tensor, layer: int, seen: Tensor) -> Tensor:
+        lines, count, width = states.shape
+        parts = [
+            self._linear(states, f"{layer}.{name}").view(lines, count, ATTENTION_HEADS, -1).transpose(1, 2)
+            for name in ("query", "key", "value")
+        ]
+        mixed = scaled_dot_product_attention(*parts, attn_mask=seen).transpose(1, 2).reshape(lines, count, width)
+        attended = self.dropout(self._linear(mixed, f"{layer}.attended"))
+        states = self._normalized(states + attended, f"{layer}.attended.norm")
+        narrowed = self._linear(gelu(self._linear(states, f"{layer}.wide")), f"{layer}.narrow")
+        return self._normalized(states + self.dropout(narrowed), f"{layer}.narrow.norm")
+
+
+def shipped_weights(path: Path) -> tuple[dict[str, SingleArray], dict[str, list[str]]]:
+    """The weights of a shipped model in float32, and the lists of its metadata."""
+    model = onnx.load(path)
+    stored = {each.name: numpy_helper.to_array(each) for each in model.graph.initializer}
+    weights: dict[str, SingleArray] = {}
+    for name, values in stored.items():
+        if name.endswith("_Q8"):
+            scales = stored[name.removesuffix("_Q8") + "_scales"].reshape(len(values), -1, 1)
+            matrix = (values.astype(np.float32) - ZERO_POINT) * scales
+            weights[name.removesuffix("_Q8")] = matrix.reshape(len(values), -1)
+        elif name.endswith(".scale"):
+            own = name.removesuffix(".scale")
+            weights[own] = np.stack([values, stored[f"{own}.shift"]])
+        elif name.endswith(".bias") or name in ("positions", "heard", "direct"):
+            weights[name] = np.array(values.T if name in ("heard", "direct") else values)
+    table = stored["pieces.table_quantized"].astype(np.float32) - stored["pieces.table_zero_point"]
+    weights["pieces.table"] = np.asarray(table * stored["pieces.table_scale"], np.float32)
+    return weights, {each.key: each.value.split("\n") for each in model.metadata_props}
+
+
+def with_delivery(weights: Mapping[str, SingleArray], outputs: int, kept: Mapping[int, int]) -> dict[str, SingleArray]:
+    """Weights with inputs for the delivery, at 0, and with `outputs` outputs; `kept` gives the old row of a new output,
+    the others begin near a probability of .02."""
+    width = weights["out"].shape[1]
+    out = np.random.default_rng(0).normal(0, 0.01, (outputs, width)).astype(np.float32)
+    bias = np.full(outputs, math.log(0.02 / 0.98), np.float32)
+    for new, old in kept.items():
+        out[new], bias[new] = weights["out"][old], weights["out.bias"][old]
+    none = {
+        "heard": np.zeros((weights["positions"].shape[1], FEATURES), np.float32),
+        "direct": np.zeros((outputs, FEATURES), np.float32),
+    }
+    return {**none, **weights, "out": out, "out.bias": bias}
