@@ -31,7 +31,7 @@ SHORT_FAMILIES = {
     "stop": "stop_refuse", "q": "question", "pre": "present", "give": "offer_give", "big": "size_big",
     "small": "size_small", "list": "list_item", "sweep": "all_sweep", "none": "none_empty", "prec": "precision",
     "con": "contrast_sides", "cmp": "compare_levels", "path": "through_path", "turn": "turn_over_change",
-    "end": "end_cut", "contain": "contain_in", "emb": "emblem_other", "ws": "word_search", "sorry": "apologise",
+    "end": "end_cut", "contain": "contain_in", "emb": "emblem_other", "ws": "word_search", "shr": "shrug", "sorry": "apologise",
 }
 CHANNELS = {
     "head": {"n": "nod", "s": "shake", "t": "tilt", "x": "toss", "u": "turn", "li": "lean_in", "lb": "lean_back",
@@ -50,7 +50,7 @@ AVOIDABLE = FAMILIES | {name for names in CHANNELS.values() for name in names.va
 
 
 class NotationError(ValueError):
-    """A line of notation that cannot be read; the message says where and why."""
+    """Lines of notation that cannot be read; the message says where and why."""
 
 
 @dataclass(slots=True)
@@ -69,16 +69,19 @@ class _Page:
 def records_of(path: Path, writer: str, counts: dict[str, int]) -> list[dict[str, Any]]:
     """The records of the notation in `path`; `writer` marks the names, `counts` numbers on by kind over several files.
 
-    Raises NotationError at the first line that cannot be read, with file and line.
+    Raises NotationError if lines cannot be read: each with its file, number and reason.
     """
-    page = _Page(writer, counts=counts)
+    page, wrong = _Page(writer, counts=counts), []
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         if line.strip() and not line.startswith("//"):
             try:
                 _read(page, line.strip())
             except (ValueError, KeyError, IndexError) as error:
-                message = f"{path}:{number}: {error!r} in {line!r} ({' '.join(page.words)})"
-                raise NotationError(message) from error
+                wrong.append(f"{path}:{number}: {error} in {line!r} ({' '.join(page.words)})")
+    if wrong:
+        raise NotationError("\n".join(wrong))
+    for record in page.records:
+        record["moments"].sort(key=lambda moment: (moment["stroke"], moment["first"]))
     return page.records
 
 
