@@ -31,7 +31,8 @@ SHORT_FAMILIES = {
     "stop": "stop_refuse", "q": "question", "pre": "present", "give": "offer_give", "big": "size_big",
     "small": "size_small", "list": "list_item", "sweep": "all_sweep", "none": "none_empty", "prec": "precision",
     "con": "contrast_sides", "cmp": "compare_levels", "path": "through_path", "turn": "turn_over_change",
-    "end": "end_cut", "contain": "contain_in", "emb": "emblem_other", "ws": "word_search", "shr": "shrug", "sorry": "apologise",
+    "end": "end_cut", "contain": "contain_in", "emb": "emblem_other", "ws": "word_search", "shr": "shrug",
+    "sorry": "apologise",
 }
 CHANNELS = {
     "head": {"n": "nod", "s": "shake", "t": "tilt", "x": "toss", "u": "turn", "li": "lean_in", "lb": "lean_back",
