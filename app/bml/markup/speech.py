@@ -28,10 +28,14 @@ class Speech:
     mark_times_s: Mapping[str, float]
 
 
+def block_of(document: Document) -> Element:
+    """The document's first block."""
+    return next((part for part in document.root.children if part.name == "bml"), document.root)
+
+
 def behaviors_of(document: Document) -> Iterator[Element]:
     """The behaviours and constraints of the document's block, including those in `required`."""
-    blocks = [part for part in document.root.children if part.name == "bml"]
-    for part in (blocks[0] if blocks else document.root).children:
+    for part in block_of(document).children:
         if part.name == "required":
             yield from part.children
         else:

@@ -3,7 +3,8 @@
 The record has the durations of each behaviour's phases as scheduled (`understudy.bml.writing.record`). Points that no
 longer agree with most of the others were moved. If that is a point up to the end of the stroke, the whole behaviour
 moves by as much, because strokes are never stretched; if it is `relax`, which lengthens or shortens a hold, `end` moves
-too; `end` moves alone. Points that were moved stay where they were put.
+too; `end` moves alone. Points that were moved stay where they were put. Points at 0 that are written a moment later
+(`FIRST_MOMENT_S`) were not moved.
 """
 
 from collections import Counter
@@ -14,6 +15,7 @@ from itertools import accumulate
 from ...model import Notice
 from ..markup.documents import Element, Reference, Time
 from ..markup.elements import OURS, ElementKind
+from ..markup.marks import FIRST_MOMENT_S
 from ..markup.mistakes import kind_of, typed_attributes
 from ..markup.values import text_of
 
@@ -89,7 +91,7 @@ def _move(behavior: str, stated: Mapping[str, Time], phases_s: tuple[float, ...]
     if len(stated) != len(phases_s) + 1 or len(stated) < _FEWEST or len(anchors) != 1:
         return None
     times_s = {name: time.offset_s if isinstance(time, Reference) else float(time) for name, time in stated.items()}
-    late_s = _late_s(times_s, phases_s)
+    late_s = _late_s(times_s, phases_s, moment_s=0.0 if None in anchors else FIRST_MOMENT_S)
     point = next((name for name in _FIRST_COUNTS if late_s.get(name)), None)
     if point is None:
         return None
@@ -101,10 +103,15 @@ def _move(behavior: str, stated: Mapping[str, Time], phases_s: tuple[float, ...]
     return _Move(behavior, point, late_s[point], points)
 
 
-def _late_s(times_s: Mapping[str, float], phases_s: tuple[float, ...]) -> dict[str, float]:
-    """How much later than scheduled each point is, relative to most of them."""
+def _late_s(times_s: Mapping[str, float], phases_s: tuple[float, ...], *, moment_s: float) -> dict[str, float]:
+    """How much later than scheduled each point is, relative to most of them; first points that are `moment_s` later
+    than others are not."""
     scheduled_s = accumulate(phases_s, initial=0.0)
     apart_s = {name: round(time_s - at_s, 3) for (name, time_s), at_s in zip(times_s.items(), scheduled_s, strict=True)}
+    first_s = next(iter(apart_s.values()))
+    written_s = round(first_s - moment_s, 3)
+    if written_s in apart_s.values():
+        apart_s = {name: written_s if each_s == first_s else each_s for name, each_s in apart_s.items()}
     usual_s = Counter(apart_s.values()).most_common(1)[0][0]
     return {name: round(each_s - usual_s, 3) for name, each_s in apart_s.items()}
 

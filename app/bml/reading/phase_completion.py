@@ -4,6 +4,7 @@ A behaviour without any times begins at 0. Missing points are placed at typical 
 proportionally between two of them. No time is negative: if relative times would be, the whole block is delayed.
 """
 
+from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -56,19 +57,34 @@ def resolve_times(
     stated: Sequence[StatedPoints], known: Mapping[tuple[str, str], float]
 ) -> tuple[Mapping[str, Points], tuple[str, ...]]:
     """The points of every behaviour by its id, and the ids of behaviours that cannot be resolved, because they refer to
-    unknown points or to each other in a cycle. `known` are the points of the speech, by its id and their names."""
+    unknown points or to each other in a cycle. `known` are points that are no behaviour's, by its id and their
+    names."""
+    found = relative_times(stated, known)
+    return _from_zero(found, stated), tuple(each.id for each in stated if each.id not in found)
+
+
+def relative_times(stated: Sequence[StatedPoints], known: Mapping[tuple[str, str], float]) -> dict[str, Points]:
+    """The points of those behaviours that can be resolved, of which some may be before 0."""
     told: dict[tuple[str, str], float] = dict(known)
     found: dict[str, Points] = {}
-    waiting = list(stated)
-    while waiting:
-        ready = [each for each in waiting if all(_is_told(time, told) for time in each.times.values())]
-        if not ready:
-            break
-        for each in ready:
+    following: dict[str, list[StatedPoints]] = {}
+    for each in stated:
+        for name in references_of(each):
+            following.setdefault(name, []).append(each)
+    ready = deque(stated)
+    while ready:
+        each = ready.popleft()
+        if each.id not in found and all(_is_told(time, told) for time in each.times.values()):
             found[each.id] = complete(each, {name: _seconds(time, told) for name, time in each.times.items()})
             told |= {(each.id, name): time_s for name, time_s in found[each.id].items()}
-        waiting = [each for each in waiting if each.id not in found]
-    return _from_zero(found, stated), tuple(each.id for each in waiting)
+            ready.extend(following.get(each.id, ()))
+    return found
+
+
+def references_of(stated: StatedPoints) -> tuple[str, ...]:
+    """The ids of the behaviours to which a behaviour's times refer, each once."""
+    refs = (time.behavior for time in stated.times.values() if isinstance(time, Reference))
+    return tuple(dict.fromkeys(refs))
 
 
 def _from_zero(found: Mapping[str, Points], stated: Sequence[StatedPoints]) -> Mapping[str, Points]:

@@ -8,9 +8,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from ...model import Behavior, Channel, Interval, Level, Notice, Phone, Word
+from ...model import Behavior, Channel, Interval, Level, Notice, Phone, SyncPoints, Word
 from ..markup.documents import Document, Element, Value
 from ..markup.elements import RECORD_TYPE
+from ..markup.marks import FIRST_MOMENT_S
 from ..markup.speech import behaviors_of, speech_of
 
 
@@ -35,6 +36,7 @@ class Record:
         gesture = behavior.kind is Channel.GESTURE
         return replace(
             behavior,
+            sync=_from_the_first_moment(behavior.sync, _text(found, "phases") or ""),
             priority=_number(found, "priority") or 0.0,
             first=_count(found, "first") or 0,
             last=_count(found, "last") or 0,
@@ -47,6 +49,14 @@ class Record:
             moment=_text(found, "moment"),
             reason=_text(found, "reason"),
         )
+
+
+def _from_the_first_moment(sync: SyncPoints, phases: str) -> SyncPoints:
+    """The points as scheduled: those at 0 are written at `FIRST_MOMENT_S` where times are relative to marks."""
+    lasting_s = sum(float(length) for length in phases.split())
+    if sync.start != FIRST_MOMENT_S or round(sync.end - lasting_s, 3) != 0:
+        return sync
+    return replace(sync, **{name: 0.0 for name, time_s in sync.in_order() if time_s == FIRST_MOMENT_S})
 
 
 def read_record(document: Document) -> Record | None:

@@ -18,8 +18,8 @@ from ..choice.speech.lead_in import later_word
 from ..choice.speech.visemes import OPENINGS
 from ..markup.documents import DialectName, Document, Element, Reference, Time
 from ..markup.elements import DIALECTS, SBM, ElementKind
-from ..markup.speech import Speech, behaviors_of, mark_s, speech_of
-from .constraints import synchronized, violated_constraints
+from ..markup.speech import Speech, behaviors_of, block_of, mark_s, speech_of
+from .constraints import synchronized, tied_points, violated_constraints
 from .element_behaviors import SHIFTS, to_behavior
 from .pawns import pawns_of, recorded_targets
 from .phase_completion import Points, StatedPoints, resolve_times, usual_s
@@ -63,18 +63,20 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
     speech = speech_of(document)
     spoken = _spoken(speech, words) if speech else None
     asked = list(_asked(document))
-    stated = synchronized([each.stated for each in asked], document)
-    points, lost = resolve_times([*([spoken] if spoken else []), *stated], {})
+    every = [*([spoken] if spoken else []), *(each.stated for each in asked)]
+    known = {(block_of(document).id or "", "start"): 0.0}
+    stated = synchronized(every, document, known=known, rigid=spoken.id if spoken else None)
+    points, lost = resolve_times(stated, known)
     elements = {each.stated.id: each.element for each in asked}
     aimed = recorded_targets(document.root)
     played = (replace(each, target=each.target or aimed.get(each.id)) for each in _behaviors(elements, points))
     behaviors = _lasting(list(played), document.dialect)
     start_s = points[spoken.id]["start"] if spoken and spoken.id in points else 0.0
     notices = (
-        *_guessed(stated, speech, words),
+        *_guessed([*tied_points(document), *(time for each in stated for time in each.times.values())], speech, words),
         *(Notice("bml_untimed", f"{name}: its times refer to what has none; it is not played") for name in lost),
         *_not_played(document, elements, behaviors, lost),
-        *violated_constraints(document, points),
+        *violated_constraints(document, points, known),
     )
     return Resolved(
         behaviors=tuple(sorted((_worded(each, words, start_s) for each in behaviors), key=_start_s)),
@@ -205,11 +207,11 @@ def _character(root: Element) -> str | None:
     return named if isinstance(named, str) else None
 
 
-def _guessed(stated: Sequence[StatedPoints], speech: Speech | None, words: tuple[Word, ...]) -> Iterator[Notice]:
+def _guessed(times: Iterable[Time], speech: Speech | None, words: tuple[Word, ...]) -> Iterator[Notice]:
     """A notice if any time depends on words with estimated times."""
     if speech is None or speech.mark_times_s or any(word.interval for word in words):
         return
-    refs = {ref.point for each in stated for ref in each.times.values() if _is_of(ref, speech.id)}
+    refs = {ref.point for ref in times if _is_of(ref, speech.id)}
     if refs - {"start"}:
         message = f"no recording tells when the words are spoken: {GUESSED_WORD_S} s is taken for each; send the audio"
         yield Notice("speech_untimed", message)

@@ -10,7 +10,7 @@ from tests.bml.writing.test_writer import everything
 from tests.support.bml_checker import check
 from tests.support.by_hand import spoken
 from understudy.bml.markup.documents import Document, Element, Reference, TimeForm
-from understudy.bml.markup.marks import time_formatter
+from understudy.bml.markup.marks import FIRST_MOMENT_S, time_formatter
 from understudy.bml.writing.writer import BmlForm, to_document, write_bml
 from understudy.model import SyncPoints
 
@@ -42,6 +42,18 @@ def test_what_comes_before_the_speech_is_told_from_its_start() -> None:
     assert times(SyncPoints(start=0.9, end=1.2))["end"] == Reference("speech1", "start", 0.4)
 
 
+@pytest.mark.parametrize("stroke_s", [0.6, 0.65, 0.7, 0.9])
+def test_nothing_resolves_below_a_thousandth(stroke_s: float) -> None:
+    """A realizer that adds up decimals drops what then begins at -5.6e-17 s."""
+    words = spoken("one two three", start_s=0.05)
+    starts = {f"w{word.index}": word.interval.start_s for word in words if word.interval}
+    sync = SyncPoints(start=0.0, ready=0.0, stroke_start=0.0004, stroke=stroke_s, relax=1.0, end=1.5)
+    times = time_formatter(words, TimeForm.SYNC, "w{}".format)(sync)
+    resolved = [starts[time.point] + time.offset_s for time in times.values() if isinstance(time, Reference)]
+    assert [round(time_s, 3) for time_s in resolved] == [0.001, 0.001, 0.001, stroke_s, 1.0, 1.5]
+    assert min(resolved) > 0
+
+
 def test_words_without_a_time_are_passed_over() -> None:
     words = (*spoken("one two"), replace(spoken("one two three")[2], interval=None))
     times = time_formatter(words, TimeForm.SYNC, "w{}".format)(SyncPoints(start=2.0, end=3.0))
@@ -56,7 +68,8 @@ def test_every_time_is_the_same_as_in_seconds() -> None:
         for name, value in told_from.attributes.items():
             seconds = told_s.attributes[name]
             if isinstance(value, Reference):
-                assert starts.get(value.point, 0.0) + value.offset_s == pytest.approx(seconds, abs=1e-9)
+                asked_s = max(FIRST_MOMENT_S, float(str(seconds)))
+                assert starts.get(value.point, 0.0) + value.offset_s == pytest.approx(asked_s, abs=1e-9)
             else:
                 assert value == seconds
 

@@ -1,6 +1,7 @@
 """Moving a point by hand moves the points that depend on it."""
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,7 @@ import pytest
 from tests.support.by_hand import FIGURE_8, spoken, utterance
 from understudy.bml.markup.documents import TimeForm
 from understudy.bml.reading.reader import read_bml
+from understudy.bml.reading.record import read_record
 from understudy.bml.reading.resolving import resolve
 from understudy.bml.writing.writer import BmlForm, write_bml
 from understudy.errors import WrongBmlError
@@ -81,3 +83,19 @@ def test_points_by_marks_follow_too() -> None:
 def test_what_is_out_of_order_then_is_told() -> None:
     with pytest.raises(WrongBmlError, match="relax comes before strokeEnd"):
         read(('relax="3.400"', 'relax="2.900"'))
+
+
+def test_points_at_the_very_start_are_not_taken_for_moved_ones() -> None:
+    """Relative to marks they are written a thousandth of a second later, and come back as they were."""
+    early = SyncPoints(start=0.0, ready=0.0, relax=0.4, end=0.9)
+    face = Behavior("face1", Channel.FACE, "RAISE_BROWS", early, 0, 0, 1.0, amount=0.5)
+    bml = write_bml(replace(LINE, behaviors=(face,)), BmlForm(timing=TimeForm.SYNC))
+    document, notices = read_bml(bml, Path("a.bml"))
+    record = read_record(document)
+    assert record is not None
+    assert notices == ()
+    (found,) = resolve(document, WORDS).behaviors
+    assert record.completed(found).sync == early
+    moved, (notice,) = read_bml(bml.replace(b'relax="speech1:start+0.4', b'relax="speech1:start+0.6'), Path("a.bml"))
+    assert "its relax is 0.200 s later" in notice.message
+    assert resolve(moved, WORDS).behaviors[0].sync == SyncPoints(start=0.001, ready=0.001, relax=0.6, end=1.1)
