@@ -5,9 +5,9 @@ from dataclasses import dataclass, field, fields, replace
 from typing import Self
 
 from .acoustic.agitation.speaker import SpeakerReference
-from .bml.choice.characters.characters import DEFAULT_CHARACTER
-from .bml.choice.speech.lead_in import LONGEST_LEAD_IN_S
-from .bml.choice.stillness import check_stillness
+from .behavior.characters.overlays import DEFAULT_CHARACTER
+from .behavior.idle.stillness import check_stillness
+from .behavior.speech.lead_in import LONGEST_LEAD_IN_S
 from .bml.writing.writer import CORE_FORM, BmlForm
 from .edits.values import NO_EDITS, Edits
 from .errors import InputError
@@ -26,9 +26,9 @@ from .model import (
     Utterance,
     Word,
 )
+from .model.targets import check_targets
 from .profiles.profile import Profile
 from .rules.knowledge import Fact
-from .targets import check_targets
 
 
 @dataclass(frozen=True, slots=True)

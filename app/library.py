@@ -12,12 +12,13 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import Any, Literal, TypedDict, Unpack
 
-from .bml.choice.speech.lead_in import with_lead_in
+from .behavior.speech.lead_in import with_lead_in
 from .bml.writing.smartbody_tables import VisemeNames
 from .edits.values import NO_EDITS, Edits
 from .errors import InputError
 from .model import Direction, GivenFunction, Level, Mode, Performance
-from .motion_formats import AudioFile
+from .model.motion_formats import AudioFile
+from .model.targets import targets_of
 from .performance import (
     AcousticModels,
     AlignedLine,
@@ -61,7 +62,6 @@ from .schemas.requests import RealizeOptions, check_options, check_realize_optio
 from .schemas.response_model import ResponseModel
 from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse
 from .settings import Settings, read_settings
-from .targets import targets_of
 
 FileSource = bytes | str | os.PathLike[str]
 """A file: its content, or its name."""

@@ -19,9 +19,9 @@ AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 """The suffixes of files that authors edit."""
 
 if TYPE_CHECKING:
-    from .acting.families import Families
-    from .bml.choice.characters.characters import Characters
-    from .gesture_limits import GestureTable
+    from .behavior.characters.overlays import Characters
+    from .behavior.reading.families import Families
+    from .model.gesture_limits import GestureTable
     from .profiles.profile import Profile
     from .realizer.gestures.library import Library
     from .realizer.realizing import Realizer
@@ -40,7 +40,7 @@ def load_function_rules() -> FunctionRules:
 
 def load_characters() -> Characters:
     """The current behaviour table and characters; raises AuthoringError with every mistake in them."""
-    from .bml.choice.characters.characters import Characters
+    from .behavior.characters.overlays import Characters
 
     lexicon = resource_folder("lexicon")
     files = [lexicon / "behaviors.yaml", *_authored(lexicon / "characters")]
@@ -49,8 +49,8 @@ def load_characters() -> Characters:
 
 def load_families(characters: Characters) -> Families:
     """The behaviours that show planned moments, by family; raises AuthoringError with every mistake in them."""
-    from .acting.families import load_families as load
-    from .bml.choice.characters.characters import DEFAULT_CHARACTER
+    from .behavior.characters.overlays import DEFAULT_CHARACTER
+    from .behavior.reading.families import load_families as load
 
     return load(resource_folder("lexicon") / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
 

@@ -9,35 +9,36 @@ from functools import partial, reduce
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Self
 
-from .acting.candidates import Stage, candidates_of
-from .acting.families import Families
-from .acting.notes import directed, unplayed_notes
-from .acting.planning import Planner, meanings, plan
-from .acting.targets import mentions, pointing_candidates, without_overlapped
 from .analysis import (
     Analysis,
     Options,
 )
-from .bml.choice.characters.characters import DEFAULT_CHARACTER, Character, Characters
-from .bml.choice.characters.gesture_forms import FormedCharacters
-from .bml.choice.listeners.addressees import addressed, placed_listeners
-from .bml.choice.listeners.head_rates import HeadRates
-from .bml.choice.listeners.listening import Listener, listen
-from .bml.choice.scheduling import numbered, schedule
-from .bml.choice.speech.lead_in import with_lead_in
-from .bml.choice.speech.visemes import visemes
-from .bml.choice.stillness import with_stillness
-from .bml.writing.writer import losses
-from .edits.applying import edited
-from .edits.values import WordMark
-from .edits.words import marked, unmarked, with_marked
-from .gesture_scripts import (
+from .behavior.candidates.notes import directed, unplayed_notes
+from .behavior.candidates.planned import Stage, candidates_of
+from .behavior.candidates.targets import mentions, pointing_candidates, without_overlapped
+from .behavior.characters.gesture_forms import FormedCharacters
+from .behavior.characters.overlays import DEFAULT_CHARACTER, Character, Characters
+from .behavior.choice.scheduling import numbered, schedule
+from .behavior.idle.stillness import with_stillness
+from .behavior.listeners.addressees import addressed, placed_listeners
+from .behavior.listeners.head_rates import HeadRates
+from .behavior.listeners.listening import Listener, listen
+from .behavior.reading.families import Families
+from .behavior.reading.planning import Planner, meanings, plan
+from .behavior.speaker_profiles.gesture_scripts import (
     gesture_script,
     repertoire_of,
     scripted_behaviors,
     without_chosen_gestures,
     without_planned_gestures,
 )
+from .behavior.speaker_profiles.habits import as_listener, as_speaker, listening_postures, speaking_postures
+from .behavior.speech.lead_in import with_lead_in
+from .behavior.speech.visemes import visemes
+from .bml.writing.writer import losses
+from .edits.applying import edited
+from .edits.values import WordMark
+from .edits.words import marked, unmarked, with_marked
 from .loading import (
     load_characters,
     load_families,
@@ -57,7 +58,6 @@ from .model import (
     Performance,
 )
 from .on_demand import OnDemand
-from .profile_habits import as_listener, as_speaker, listening_postures, speaking_postures
 from .profiles.generation.script import GestureScript
 from .profiles.profile import Profile
 from .progress import Progress, no_progress

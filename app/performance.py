@@ -15,7 +15,6 @@ from threadpoolctl import threadpool_limits
 
 from .acoustic.agitation.speaker import SpeakerReference
 from .acoustic.alignment.timings import to_ctm, to_textgrid
-from .acting.notes import check_direction, conflicts
 from .analysis import (
     AlignedLine,
     Analysis,
@@ -24,7 +23,8 @@ from .analysis import (
     SignalAnalysis,
     Timings,
 )
-from .bml.choice.characters.characters import DEFAULT_CHARACTER
+from .behavior.candidates.notes import check_direction, conflicts
+from .behavior.characters.overlays import DEFAULT_CHARACTER
 from .bml.markup.documents import DialectName, TimeForm
 from .bml.writing.writer import BmlForm, write_bml, write_bml_json, write_speech_file
 from .edits.values import WordEdit

@@ -9,7 +9,7 @@ from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from .acoustic.stress.emphasis import PROMINENT, STRESSED
 from .errors import InputError
-from .motion_limits import MotionLimits
+from .model.motion_limits import MotionLimits
 
 PREFIX = "UNDERSTUDY_"
 

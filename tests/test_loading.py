@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from understudy import loading
-from understudy.bml.choice.characters.characters import Characters
+from understudy.behavior.characters.overlays import Characters
 from understudy.errors import AuthoringError
 from understudy.performance import Understudy, find_functions
 from understudy.realizer.gestures.library import Library

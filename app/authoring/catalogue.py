@@ -9,8 +9,8 @@ from difflib import get_close_matches
 from enum import StrEnum
 from pathlib import Path
 
-from ..acting.families import Families, FamilyBehavior, family_rule
-from ..bml.choice.characters.characters import Character, Characters
+from ..behavior.characters.overlays import Character, Characters
+from ..behavior.reading.families import Families, FamilyBehavior, family_rule
 from ..errors import InputError
 from ..loading import load_characters, load_families, load_function_rules, load_gestures, load_mapping_rules
 from ..model import Level

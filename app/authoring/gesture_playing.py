@@ -4,8 +4,8 @@ line."""
 from dataclasses import dataclass, replace
 
 from ..errors import InputError
-from ..figures import PLAIN_MANNER, Manner
 from ..model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
+from ..model.figure import PLAIN_MANNER, Manner
 from ..realization import PreparedSchedule
 from ..realizer.gestures.clips import clip
 from ..realizer.gestures.gesture import Definition

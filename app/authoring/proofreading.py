@@ -8,13 +8,13 @@ from types import MappingProxyType
 from pydantic import RootModel
 
 from ..acoustic.pronunciation.normalisation import Normaliser
-from ..acting.authored_weights import load_weights
-from ..acting.choice_model import ChoiceModel
-from ..acting.families import load_families
-from ..acting.terms import TermTable
-from ..bml.choice.behavior_table.table import BehaviorEntry, load_table
-from ..bml.choice.characters.characters import Characters
-from ..bml.choice.listeners.head_rates import HeadRates
+from ..behavior.characters.overlays import Characters
+from ..behavior.listeners.head_rates import HeadRates
+from ..behavior.reading.authored_weights import load_weights
+from ..behavior.reading.choice_model import ChoiceModel
+from ..behavior.reading.families import load_families
+from ..behavior.reading.terms import TermTable
+from ..behavior.table.behavior_table import BehaviorEntry, load_table
 from ..bml.writing.smartbody_tables import FILE as SMARTBODY
 from ..bml.writing.smartbody_tables import SmartBodyTables
 from ..errors import AuthoringError, InputError, Mistake

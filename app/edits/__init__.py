@@ -4,5 +4,5 @@ words or the rules have changed (docs/edits.md). A Notice reports each change th
 `values.py` has the values. In the order of a performance: `words.py` finds words and turns marked ones into a
 director's notes, `word_times.py` corrects word times; `finding.py` finds the behaviours, `forms.py` changes them,
 `marks.py` moves their sync points, `room.py` makes room for them; `applying.py` runs these four. Imports the choice of
-BML (`understudy.bml.choice`), the directing vocabulary and the ground floor.
+behaviours (`understudy.behavior`), the directing vocabulary and the ground floor.
 """

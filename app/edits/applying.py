@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 from functools import partial
 from math import inf
 
-from ..bml.choice.behavior_table.table import SHIFT
-from ..bml.choice.characters.characters import Character
-from ..bml.choice.scheduling import numbered
+from ..behavior.characters.overlays import Character
+from ..behavior.choice.scheduling import numbered
+from ..behavior.table.behavior_table import SHIFT
 from ..model import Behavior, Channel, Notice, Performance, SyncPoints, Utterance, Word
 from .finding import find_behaviors
 from .forms import Formed, added, formed, forms_of, unplayed

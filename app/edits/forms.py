@@ -7,13 +7,13 @@ are as long as the table and the gesture library have them.
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from ..bml.choice.behavior_table.table import STROKED, BehaviorEntry
-from ..bml.choice.characters.characters import Character
-from ..bml.choice.characters.gesture_forms import stroke_timing
-from ..bml.choice.timing.candidates import asked
-from ..bml.choice.timing.phases import Placing, Window, placed, soonest, underway
-from ..gesture_limits import Forms
+from ..behavior.characters.gesture_forms import stroke_timing
+from ..behavior.characters.overlays import Character
+from ..behavior.table.behavior_table import STROKED, BehaviorEntry
+from ..behavior.timing.anchoring import asked
+from ..behavior.timing.phases import Placing, Window, placed, soonest, underway
 from ..model import Behavior, Channel, Hand, Movement, Notice, SyncPoints, Word
+from ..model.gesture_limits import Forms
 from ..yaml_files import did_you_mean
 from .values import BehaviorEdit
 

@@ -1,17 +1,17 @@
 """Makes room for edited behaviours: what overlaps them is shortened, starts later or is dropped (paper §3.5).
 
 Edited behaviours keep their place, except that a retraction the author did not move is cut where the next behaviour
-begins, as in the choice (`understudy.bml.choice.timing.conflicts`). Of two edits that overlap, the first wins. Between
+begins, as in the choice (`understudy.behavior.timing.conflicts`). Of two edits that overlap, the first wins. Between
 two gestures of one hand enough time is left for the transition.
 """
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
-from ..bml.choice.behavior_table.table import GLANCE, LOOK
-from ..bml.choice.timing.conflicts import compete
-from ..gesture_limits import Forms, transition_times
+from ..behavior.table.behavior_table import GLANCE, LOOK
+from ..behavior.timing.conflicts import compete
 from ..model import Behavior, Channel, SyncPoints
+from ..model.gesture_limits import Forms, transition_times
 
 INSTANT_S = 0.001
 """How long it takes at least to leave a posture: one that ends where it relaxes is held for good."""

@@ -6,7 +6,7 @@ A word is found by its number and text; if the text at that number is another, t
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from ..acting.vocabulary import STILL
+from ..behavior.candidates.vocabulary import STILL
 from ..model import DirectedMoment, Direction, Notice, Word
 from .values import WordEdit, WordMark, WordReference
 

@@ -1,13 +1,13 @@
 """Eyes by what is heard: blinks now and then and as a phrase ends, looks away as one begins; nods at the ends of what
-the other says. Times are seconds of the stream; the chances are those of lines (`bml/choice/idle`, `head_rates.yaml`).
+the other says. Times are seconds of the stream; the chances are those of lines (`behavior/idle`, `head_rates.yaml`).
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..bml.choice.idle.idle_behaviors import BLINKS_PER_MINUTE
-from ..bml.choice.listeners.head_rates import HeadRates
-from ..bml.choice.listeners.listening import SHORTEST_BETWEEN_NODS_S
+from ..behavior.idle.idle_behaviors import BLINKS_PER_MINUTE
+from ..behavior.listeners.head_rates import HeadRates
+from ..behavior.listeners.listening import SHORTEST_BETWEEN_NODS_S
 from ..model import Behavior
 from .phrases import PhraseEdge
 from .placing import Placer

@@ -3,7 +3,7 @@ open, by the spectrum of .025 s, every `SHIFT_S`. Windows do not look ahead, so 
 
 The spectrum's bands are judged by linear discriminants with one covariance for all shapes (`models/live/mouth.npz`,
 made by `training.live.mouth`), their levels beside the loudest lately. Where the words are known, their phones are the
-better mouth (`understudy.bml.choice.speech.visemes`).
+better mouth (`understudy.behavior.speech.visemes`).
 """
 
 import io
@@ -15,7 +15,7 @@ from typing import Self
 import numpy as np
 
 from ..acoustic.signal.mel import mel_filters
-from ..bml.choice.speech.visemes import LEAST_ARTICULATION, OPENINGS, SILENCE
+from ..behavior.speech.visemes import LEAST_ARTICULATION, OPENINGS, SILENCE
 from ..errors import ServiceError
 from ..model import SAMPLE_RATE_HZ, FloatArray
 

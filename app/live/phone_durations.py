@@ -10,7 +10,7 @@ from typing import Annotated, Self
 
 from pydantic import Field, RootModel
 
-from ..bml.choice.speech.visemes import PHONES
+from ..behavior.speech.visemes import PHONES
 from ..errors import AuthoringError, Mistake
 from ..model import Interval, Phone, Word
 from ..yaml_files import Source, did_you_mean

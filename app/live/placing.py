@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 from math import inf
 from random import Random
 
-from ..bml.choice.behavior_table.table import STROKED, BehaviorEntry
-from ..bml.choice.characters.characters import Character
-from ..bml.choice.timing.phases import Placing, Window, placed
+from ..behavior.characters.overlays import Character
+from ..behavior.table.behavior_table import STROKED, BehaviorEntry
+from ..behavior.timing.phases import Placing, Window, placed
 from ..model import Behavior, Channel
 
 LEAST_PRIORITY = 0.1

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ..bml.choice.characters.characters import DEFAULT_CHARACTER
+from ..behavior.characters.overlays import DEFAULT_CHARACTER
 from ..model import SAMPLE_RATE_HZ, Behavior
 from .body import BodyFrame
 from .mouth import MouthShape

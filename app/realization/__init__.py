@@ -3,7 +3,7 @@
 `bml` reads what a file has the body do, `motion` makes it move, `writing` writes the files.
 """
 
-from ..motion_formats import FileOptions, Keys, MotionFormat, format_of
+from ..model.motion_formats import FileOptions, Keys, MotionFormat, format_of
 from ..realizer.realizing import Realizer, realize
 from .bml import BmlInput, prepare_schedule
 from .motion import PreparedSchedule, Realized, realize_prepared, schedule_of

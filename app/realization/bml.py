@@ -11,11 +11,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..bml.choice.characters.characters import DEFAULT_CHARACTER
-from ..bml.choice.speech.delivery import emphases_s, phrases
-from ..bml.choice.speech.lead_in import later_s
-from ..bml.choice.speech.visemes import visemes
-from ..bml.choice.stillness import check_stillness, stilled
+from ..behavior.characters.overlays import DEFAULT_CHARACTER
+from ..behavior.idle.stillness import check_stillness, stilled
+from ..behavior.speech.lead_in import later_s
+from ..behavior.speech.phrasing import emphases_s, phrases
+from ..behavior.speech.visemes import visemes
 from ..bml.markup.documents import Document
 from ..bml.markup.speech import speech_of
 from ..bml.reading.pawns import scene_of
@@ -23,9 +23,9 @@ from ..bml.reading.reader import read_bml
 from ..bml.reading.record import Record, read_record
 from ..bml.reading.resolving import Resolved, resolve
 from ..model import Level, Notice, Schedule, Target, Word
-from ..motion_limits import MotionLimits
+from ..model.motion_limits import MotionLimits
+from ..model.targets import check_targets
 from ..progress import Progress, no_progress
-from ..targets import check_targets
 from ..transcript import read_transcript
 from .motion import PreparedSchedule, last_s
 

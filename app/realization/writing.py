@@ -12,7 +12,7 @@ from ..editorial.events import timeline_events, tracks_of
 from ..editorial.table import to_event_table
 from ..editorial.timeline import to_otio
 from ..model import FloatArray
-from ..motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat
+from ..model.motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat
 from ..realizer.exporting.arkit_csv import to_arkit_csv
 from ..realizer.exporting.avatar import to_avatar_glb
 from ..realizer.exporting.bvh import to_bvh

@@ -12,8 +12,8 @@ from types import MappingProxyType
 
 import numpy as np
 
-from ..figures import PLAIN, Figure, Looks
 from ..model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
+from ..model.figure import PLAIN, Figure, Looks
 from .arms.collisions import resolve_collisions
 from .body.motion import BodyMotion, Decision, Motion, check_tail
 from .body.movement_style import MovementStyle

@@ -4,7 +4,7 @@ The rules in `app/rules/behaviors/` each offer alternatives for a function. The 
 pool, in which every alternative gets a random draw. The draws depend only on the seed, the line's text, and the
 function's class, subtype and words: lines differ from each other, and adding or removing a function does not change the
 draws of others. Which alternative wins is decided over the whole line, with timing, hands and neighbours taken into
-account (`app/bml/choice/selection/choosing.py`).
+account (`app/behavior/choice/choosing.py`).
 """
 
 import random

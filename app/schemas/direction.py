@@ -1,7 +1,7 @@
 """A director's notes that come with a line (`--direction FILE`, the part `direction` of a request): checks their
 format. docs/directing.md explains them, docs/direction.schema.json is their JSON schema.
 
-Whether the families and words exist is checked where the line is known (`understudy.acting.notes`).
+Whether the families and words exist is checked where the line is known (`understudy.behavior.candidates.notes`).
 """
 
 import json
@@ -9,7 +9,7 @@ from typing import Annotated
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
-from ..acting.vocabulary import AVOIDABLE, FACES, GAZES, GESTURES, HEADS
+from ..behavior.candidates.vocabulary import AVOIDABLE, FACES, GAZES, GESTURES, HEADS
 from ..errors import InputError
 from ..model import Avoidance, DirectedMoment, Direction
 from .mistakes import mistakes_told

@@ -10,7 +10,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
-from ..bml.choice.behavior_table.table import GazeDirection
+from ..behavior.table.behavior_table import GazeDirection
 from ..edits.values import (
     MARKS,
     BehaviorEdit,

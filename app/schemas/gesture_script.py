@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from ..bml.choice.speech.visemes import visemes
+from ..behavior.speech.visemes import visemes
 from ..errors import InputError, UndecodableError
 from ..model import Agitation, Hand, Interval, Level, Parse, Performance, Phone, Utterance, Word
 from ..profiles.annotation.model import PathForm

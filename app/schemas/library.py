@@ -6,9 +6,9 @@ from typing import Self
 
 from pydantic import Field
 
-from ..acting.families import Families
 from ..authoring.catalogue import Character, Item, Kind, shown_path
-from ..bml.choice.characters.characters import Characters
+from ..behavior.characters.overlays import Characters
+from ..behavior.reading.families import Families
 from ..model import Channel, Hand, Level
 from ..realizer.gestures.clips import clip
 from ..realizer.gestures.gesture import Definition

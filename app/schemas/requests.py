@@ -11,14 +11,14 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
 
 from ..analysis import Options, Timings
-from ..bml.choice.speech.lead_in import LONGEST_LEAD_IN_S
+from ..behavior.speech.lead_in import LONGEST_LEAD_IN_S
 from ..bml.markup.documents import DialectName, TimeForm
 from ..bml.writing.smartbody_tables import VisemeNames
 from ..bml.writing.writer import BmlForm
 from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
 from ..model import Level, Mode
-from ..motion_formats import FileOptions, Keys
-from ..targets import MOST_TARGETS, NAME, targets_of
+from ..model.motion_formats import FileOptions, Keys
+from ..model.targets import MOST_TARGETS, NAME, targets_of
 from ..yaml_files import did_you_mean
 from .references import ReferenceForm
 

@@ -23,8 +23,8 @@ from itertools import islice, pairwise
 from pathlib import Path
 
 from benchmarks.bml.schedule import DATA, Stages
-from understudy.bml.choice.listeners.listening import Listener, listen
-from understudy.bml.choice.scheduling import schedule
+from understudy.behavior.choice.scheduling import schedule
+from understudy.behavior.listeners.listening import Listener, listen
 from understudy.model import Agitation, Behavior, Channel, Interval, Utterance, Word
 from understudy.rules.derivation import Understanding, understand
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.bml.schedule import Outcome, Stages, outcome
-from understudy.bml.choice.behavior_table.table import GAZE_LEXEMES
+from understudy.behavior.table.behavior_table import GAZE_LEXEMES
 from understudy.model import Behavior, Channel
 
 DIRECTED = Path(__file__).resolve().parents[3] / "shared" / "directing" / "dev-lines.jsonl"

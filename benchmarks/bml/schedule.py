@@ -20,10 +20,10 @@ from itertools import combinations, islice, pairwise
 from pathlib import Path
 
 from tests.support.bml_checker import check
-from understudy.acting.candidates import Stage, candidates_of
-from understudy.bml.choice.characters.characters import Character
-from understudy.bml.choice.scheduling import schedule
-from understudy.bml.choice.speech.visemes import visemes
+from understudy.behavior.candidates.planned import Stage, candidates_of
+from understudy.behavior.characters.overlays import Character
+from understudy.behavior.choice.scheduling import schedule
+from understudy.behavior.speech.visemes import visemes
 from understudy.bml.writing.writer import write_bml
 from understudy.model import (
     Agitation,

@@ -14,7 +14,7 @@ from itertools import product
 from pathlib import Path
 
 from tests.support.smartbody_checker import check_act, check_speech_file
-from understudy.bml.choice.behavior_table.table import load_table
+from understudy.behavior.table.behavior_table import load_table
 from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.writing.smartbody_tables import shipped_tables
 from understudy.bml.writing.writer import BmlForm, losses, write_bml, write_speech_file

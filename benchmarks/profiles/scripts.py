@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from training.profiles.make_examples import unspoken_analyses
-from understudy.gesture_scripts import gesture_script, repertoire_of
+from understudy.behavior.speaker_profiles.gesture_scripts import gesture_script, repertoire_of
 from understudy.model import Level, Parse, Token, Utterance
 from understudy.performance import Understudy
 from understudy.profiles.annotation.model import Annotation

@@ -21,12 +21,12 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.acting.directing import AFTER_STROKE_S, READERS, load_score
+from benchmarks.behavior.directing import AFTER_STROKE_S, READERS, load_score
 from benchmarks.prosody_gestures.tables import lived as committed
 from training.prosody_gestures.performed_lines import HANDS, STROKE, PerformedLine, learn, read_performed, strokes_of
 from training.prosody_gestures.train import CORPORA, FILE
 from understudy.acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
-from understudy.bml.choice.characters.characters import DEFAULT_CHARACTER
+from understudy.behavior.characters.overlays import DEFAULT_CHARACTER
 from understudy.live.events import LiveEvent
 from understudy.live.movements import Movements
 from understudy.live.placing import Placer

@@ -1,2 +1,1 @@
-"""The choice of movements, and writing and reading BML, room by room as in `app/bml`. Begin with
-`choice/test_scheduling.py`."""
+"""Writing and reading BML, room by room as in `app/bml`."""

@@ -4,8 +4,8 @@ import json
 import re
 from pathlib import Path
 
-from understudy.acting.notes import check_direction, conflicts
-from understudy.acting.vocabulary import KINDS
+from understudy.behavior.candidates.notes import check_direction, conflicts
+from understudy.behavior.candidates.vocabulary import KINDS
 from understudy.schemas.direction import read_direction
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "directing.md").read_text(encoding="utf-8")

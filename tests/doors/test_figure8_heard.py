@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.bml.choice.timing.candidates import stressed_vowel_s
+from understudy.behavior.timing.anchoring import stressed_vowel_s
 from understudy.model import Channel, DirectedMoment, Direction, Level, Performance
 from understudy.performance import Line, Options, Understudy, perform
 from understudy.realization import realize, schedule_of

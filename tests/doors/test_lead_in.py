@@ -17,8 +17,8 @@ from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
 from understudy.cli.main import main
 from understudy.errors import InputError
-from understudy.gesture_limits import LATEST_S
 from understudy.model import Behavior, Channel, GivenFunction, Performance
+from understudy.model.gesture_limits import LATEST_S
 from understudy.performance import (
     BmlForm,
     DialectName,

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from understudy.bml.choice.timing.conflicts import compete
+from understudy.behavior.timing.conflicts import compete
 from understudy.edits.applying import edited
 from understudy.edits.values import (
     MARKS,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE
-from understudy.bml.choice.speech.visemes import OPENINGS
+from understudy.behavior.speech.visemes import OPENINGS
 from understudy.errors import ServiceError
 from understudy.live.mouth import MouthModel, MouthShape, StreamingMouth
 from understudy.model import SAMPLE_RATE_HZ

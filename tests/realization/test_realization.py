@@ -13,7 +13,7 @@ import soundfile
 from tests.support.bml_records import without_record
 from understudy.errors import InputError
 from understudy.model import Channel, Level, Mode, Performance
-from understudy.motion_limits import MotionLimits
+from understudy.model.motion_limits import MotionLimits
 from understudy.performance import BmlForm, Line, Options, TimeForm, Understudy, perform, write_bml
 from understudy.realization import (
     BmlInput,

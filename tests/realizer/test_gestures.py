@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from understudy.bml.choice.behavior_table.table import BehaviorEntry
-from understudy.bml.choice.characters.characters import Characters
+from understudy.behavior.characters.overlays import Characters
+from understudy.behavior.table.behavior_table import BehaviorEntry
 from understudy.model import Channel, FloatArray, Hand, Level
 from understudy.realizer.arms.key_poses import key_poses
 from understudy.realizer.body.contacts import penetrations_m

@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.by_hand import FIGURE_8, figure_8, function, spoken, utterance
-from understudy.bml.choice.characters.characters import Characters
+from understudy.behavior.characters.overlays import Characters
 from understudy.errors import AuthoringError
 from understudy.model import BehaviorCandidates, Function, Level, Movement
 from understudy.rules.mapping import MappingRules, offer_movements

@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.shipped_rules import shipped_parser, shipped_rules
 from tests.support.utterances import words_of
-from understudy.bml.choice.characters.characters import Characters
+from understudy.behavior.characters.overlays import Characters
 from understudy.model import Utterance
 from understudy.rules.derivation import understand
 from understudy.rules.mapping import MappingRules, offer_movements

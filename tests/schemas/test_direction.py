@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.shared_data import SHARED, needs
-from understudy.acting.notes import check_direction
+from understudy.behavior.candidates.notes import check_direction
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Avoidance, DirectedMoment, Direction
 from understudy.schemas.direction import MOST_NOTES, direction_schema, read_direction

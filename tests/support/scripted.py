@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from understudy.gesture_limits import ArmEnds, GestureForm
 from understudy.model import Hand, Interval, Parse, Token, Utterance, Word
+from understudy.model.gesture_limits import ArmEnds, GestureForm
 from understudy.profiles.generation.repertoire import PlayableGesture, Repertoire
 from understudy.profiles.profile import (
     LexemeHabit,

@@ -1,8 +1,9 @@
 """Derives the terms of directed lines with rules and parser: `python -m training.acting.analyses OUT.pkl [--directing
 FOLDER]`
 
-The terms that `app/acting/terms.py` names, a frozenset for each word, by the line's name. There is no audio, so there
-are no terms of the voice. Takes some two minutes; the file is for `training.acting.weights` and the benchmark only.
+The terms that `app/behavior/reading/terms.py` names, a frozenset for each word, by the line's name. There is no audio,
+so there are no terms of the voice. Takes some two minutes; the file is for `training.acting.weights` and the benchmark
+only.
 """
 
 import argparse
@@ -10,7 +11,7 @@ import pickle
 from collections.abc import Sequence
 from pathlib import Path
 
-from understudy.acting.terms import TermTable, terms_of
+from understudy.behavior.reading.terms import TermTable, terms_of
 from understudy.performance import LanguageModels, find_functions_in_all
 from understudy.resources import resource_folder
 from understudy.settings import Settings

@@ -4,11 +4,11 @@
 
 READINGS are those of `training.acting.encoder read`, each line by a reader trained on other folds, so that the reading
 is trusted as far as it can be on new lines. The worth of a family with its stroke on a word, for the one director there
-is, is regressed on the reading's log-odds and the word's terms (`app/acting/choice_model.py`): logistic regression on
-soft targets, the weights of terms drawn to 0. Terms on fewer than `FEWEST` words are left out. Then the price of a
-gesture is set so that lines get `GESTURES_A_LINE`, and the likelihoods that head and face movements need, so that they
-are not missed, or are right often enough: a wrong shake, smile or frown says the contrary of what is meant, a wrong
-tilt hardly anything.
+is, is regressed on the reading's log-odds and the word's terms (`app/behavior/reading/choice_model.py`): logistic
+regression on soft targets, the weights of terms drawn to 0. Terms on fewer than `FEWEST` words are left out. Then the
+price of a gesture is set so that lines get `GESTURES_A_LINE`, and the likelihoods that head and face movements need, so
+that they are not missed, or are right often enough: a wrong shake, smile or frown says the contrary of what is meant, a
+wrong tilt hardly anything.
 """
 
 import argparse
@@ -23,11 +23,11 @@ import numpy as np
 from scipy.optimize import minimize
 from scipy.sparse import csr_matrix
 
-from understudy.acting.choice_model import log_odds_of
-from understudy.acting.decoding import gains, stretch_level, stretches_of, strokes
-from understudy.acting.families import load_families
-from understudy.acting.planning import expected_worth, lexeme_worth, shown_by_lexemes
-from understudy.bml.choice.behavior_table.table import load_table
+from understudy.behavior.reading.choice_model import log_odds_of
+from understudy.behavior.reading.decoding import gains, stretch_level, stretches_of, strokes
+from understudy.behavior.reading.families import load_families
+from understudy.behavior.reading.planning import expected_worth, lexeme_worth, shown_by_lexemes
+from understudy.behavior.table.behavior_table import load_table
 from understudy.model import FloatArray, SingleArray
 from understudy.resources import resource_folder
 
@@ -76,7 +76,7 @@ class Fitted:
 
 
 def expected(reading: SingleArray) -> SingleArray:
-    """The expected worth (W, F) that a reading (W, outputs) comes to, as in `app/acting/planning.py`."""
+    """The expected worth (W, F) that a reading (W, outputs) comes to, as in `app/behavior/reading/planning.py`."""
     count = len(FAMILIES)
     return expected_worth(reading[:, :count], reading[:, count : 2 * count])
 

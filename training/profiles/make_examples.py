@@ -17,7 +17,7 @@ from pathlib import Path
 from pydantic import RootModel
 
 from training.profiles.clock import spoken
-from understudy.gesture_scripts import repertoire_of
+from understudy.behavior.speaker_profiles.gesture_scripts import repertoire_of
 from understudy.model import Behavior, Channel, Function, Interval, Level, Word
 from understudy.performance import Analysis, Line, Options, Understudy, analyze, perform_analysis
 from understudy.profiles.annotation.elan import write_elan

@@ -10,7 +10,8 @@ from types import MappingProxyType
 from ...authoring.rule_edits import Edits, rules_wrong, with_edits
 from ...errors import AuthoringError, InputError, UnsupportedFormatError
 from ...model import Notice, Performance
-from ...motion_formats import AudioFile
+from ...model.motion_formats import AudioFile
+from ...model.targets import targets_of
 from ...performance import (
     Analysis,
     Line,
@@ -38,7 +39,6 @@ from ...schemas.requests import (
 )
 from ...schemas.responses import FunctionsResponse, PerformResponse
 from ...schemas.rules import read_rule_part
-from ...targets import targets_of
 from ..bodies import BML_TYPES, form_limits, media_type_of
 from ..negotiation import JSON, MOTION_TYPES, XML, chosen
 from . import authoring

@@ -10,11 +10,11 @@ from pydantic import Field, RootModel
 from ...errors import AuthoringError, InputError, Mistake
 from ...loading import usable_profile
 from ...model import Level, Target
+from ...model.targets import targets_of
 from ...performance import SpeakerReference
 from ...profiles.profile import Profile
 from ...schemas.references import read_reference
 from ...schemas.requests import Positions
-from ...targets import targets_of
 from ...yaml_files import Entry, Source, did_you_mean
 
 EVERYONE_ELSE = "*"

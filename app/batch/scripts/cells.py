@@ -9,9 +9,9 @@ from typing import TypeVar
 from ...edits.values import Edits
 from ...errors import InputError
 from ...model import Direction, Interval, Level, Target
+from ...model.targets import read_targets
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
-from ...targets import read_targets
 from ..model import Problem
 from .columns import Columns
 

@@ -13,7 +13,7 @@ import numpy as np
 from ...errors import InputError
 from ...library import write_ctm, write_json, write_textgrid
 from ...model import Channel, Performance
-from ...motion_formats import AudioFile, FileOptions, MotionFormat
+from ...model.motion_formats import AudioFile, FileOptions, MotionFormat
 from ...performance import (
     Analysis,
     BmlForm,

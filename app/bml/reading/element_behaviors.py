@@ -10,10 +10,10 @@ from dataclasses import replace
 from functools import partial
 from types import MappingProxyType
 
+from ...behavior.idle.stillness import to_thousandths
+from ...behavior.table.behavior_table import GLANCE, LOOK, SHIFT
+from ...behavior.table.face_lexemes import ACTION_UNITS
 from ...model import Behavior, Channel, Hand, SyncPoints
-from ..choice.behavior_table.faces import ACTION_UNITS
-from ..choice.behavior_table.table import GLANCE, LOOK, SHIFT
-from ..choice.stillness import to_thousandths
 from ..markup.documents import Element
 from ..markup.elements import SBM
 from ..writing.blocks import GAZE_RANGE_DEGREES, MODES

@@ -1,18 +1,18 @@
 """Pawns: the targets that a BML file places, and the check that every target of its behaviours is placed.
 
 Core BML names targets and leaves their positions to the scene. Ours has them in elements of our own namespace, which
-other realizers skip: `<pawn name="door" x="1.2" y="1.4" z="2.0"/>`, metres as in `understudy.targets`, in a description
-of the speech, as we write them, or in the block.
+other realizers skip: `<pawn name="door" x="1.2" y="1.4" z="2.0"/>`, metres as in `understudy.model.targets`, in a
+description of the speech, as we write them, or in the block.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from ...behavior.listeners.addressees import LISTENER
 from ...errors import InputError, WrongBmlError, shown
 from ...model import Behavior, Channel, Target
-from ...targets import check_targets, read_target
+from ...model.targets import check_targets, read_target
 from ...yaml_files import did_you_mean
-from ..choice.listeners.addressees import LISTENER
 from ..markup.documents import Element
 from ..markup.elements import OURS
 

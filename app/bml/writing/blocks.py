@@ -8,8 +8,8 @@ speech's description (`record.py`).
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
+from ...behavior.table.face_lexemes import ACTION_UNITS
 from ...model import Behavior, Channel, Hand, Performance, Word
-from ..choice.behavior_table.faces import ACTION_UNITS
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
 from ..markup.elements import BMLT
 from ..markup.marks import SPEECH, time_formatter, to_milli

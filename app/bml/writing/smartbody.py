@@ -11,9 +11,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
+from ...behavior.listeners.addressees import LISTENER
+from ...behavior.table.face_lexemes import ACTION_UNITS
 from ...model import Behavior, Channel, Level, Notice, Performance
-from ..choice.behavior_table.faces import ACTION_UNITS
-from ..choice.listeners.addressees import LISTENER
 from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
 from ..markup.elements import SBM
 from ..markup.marks import time_formatter, to_milli

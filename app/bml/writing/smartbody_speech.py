@@ -7,8 +7,8 @@ as text without escaping it, so that `&`, `<` and `>` in it cut it off.
 
 from collections.abc import Iterator, Mapping
 
+from ...behavior.speech.visemes import SILENCE
 from ...model import Performance, Viseme, Word
-from ..choice.speech.visemes import SILENCE
 from ..markup.documents import DialectName, Document, Element, TimeForm, Value
 from ..markup.marks import SPEECH, to_milli
 from .smartbody_tables import MouthShape

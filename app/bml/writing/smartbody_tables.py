@@ -14,11 +14,11 @@ from typing import Annotated
 
 from pydantic import Field
 
+from ...behavior.speech.visemes import OPENINGS, SILENCE
 from ...errors import AuthoringError, Mistake
 from ...model import Hand
 from ...resources import resource_folder
 from ...yaml_files import Entry, Source
-from ..choice.speech.visemes import OPENINGS, SILENCE
 
 FILE = "smartbody.yaml"
 

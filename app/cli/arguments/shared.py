@@ -5,7 +5,7 @@ import argparse
 from ...bml.markup.documents import DialectName, TimeForm
 from ...bml.writing.smartbody_tables import VisemeNames
 from ...model import Level, Mode
-from ...motion_formats import BapVersion, Keys
+from ...model.motion_formats import BapVersion, Keys
 from ...realizer.body.motion import FRAME_RATES_HZ
 from ..distinct_files import InputFile, OutputFile
 

@@ -22,8 +22,8 @@ from ...bml.writing.smartbody_tables import VisemeNames
 from ...bml.writing.writer import BmlForm
 from ...errors import InputError
 from ...model import Level, Mode
+from ...model.targets import read_targets
 from ...settings import Settings, read_settings
-from ...targets import read_targets
 from ..distinct_files import OutputFile, require_distinct
 from ..files import write_standard
 from ..inputs.early import require_character

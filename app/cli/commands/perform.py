@@ -11,10 +11,10 @@ from ...bml.writing.smartbody_tables import VisemeNames
 from ...bml.writing.writer import BmlForm, speech_file_name, write_bml, write_bml_json, write_speech_file
 from ...errors import InputError
 from ...model import Level, Mode, Performance
-from ...motion_formats import is_editorial
+from ...model.motion_formats import is_editorial
+from ...model.targets import read_targets
 from ...schemas.requests import listener_names
 from ...settings import Settings, read_settings
-from ...targets import read_targets
 from ..distinct_files import OutputFile, require_distinct
 from ..files import STANDARD, require_writable, write
 from ..inputs.early import require_character, require_usable

@@ -38,7 +38,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 
 def _learn(arguments: argparse.Namespace, log: Log) -> None:
-    from ...speakers import learn_profile
+    from ...authoring.profile_learning import learn_profile
 
     require_writable(arguments.output, field="output")
     annotations = read_annotations(map(Path, arguments.files), load_characters().gesture_lexemes, load_tags())

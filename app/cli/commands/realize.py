@@ -7,11 +7,11 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...bml.choice.stillness import check_stillness
+from ...behavior.idle.stillness import check_stillness
 from ...errors import InputError
 from ...model import Level
+from ...model.targets import read_targets
 from ...settings import Settings, read_settings
-from ...targets import read_targets
 from ..files import STANDARD, read_bytes
 from ..log import Log
 from ..outputs.motions import MotionOptions, recording, require_motions, write_motions

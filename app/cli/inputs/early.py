@@ -5,8 +5,8 @@ Loading spaCy, the aligner and their models takes most of the time of a short li
 
 from ...acoustic.alignment.timings import read_timings
 from ...acoustic.signal.decoding import decode
-from ...acting.notes import check_direction
 from ...analysis import Line
+from ...behavior.candidates.notes import check_direction
 from ...hearing import audio_limits
 from ...loading import load_characters
 from ...model import GivenFunction

@@ -18,8 +18,8 @@ from itertools import zip_longest
 from math import inf
 from statistics import fmean
 
-from ...gesture_limits import USUAL_AMOUNT, transition_times
 from ...model import Hand, Interval, Utterance, Word
+from ...model.gesture_limits import USUAL_AMOUNT, transition_times
 from ..annotation.model import TaggedWords
 from ..profile import Occurrence, Profile
 from ..space import size_of

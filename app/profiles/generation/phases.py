@@ -13,8 +13,8 @@ import random
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ...gesture_limits import LATEST_S
 from ...model import Hand, Interval, Word
+from ...model.gesture_limits import LATEST_S
 from ..profile import FormHabit, LexemeHabit, Profile, Spread
 from ..segments import time_of
 

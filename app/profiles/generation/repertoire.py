@@ -3,8 +3,8 @@
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-from ...gesture_limits import Forms
 from ...model import Hand, Interval
+from ...model.gesture_limits import Forms
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,8 +13,8 @@ from functools import lru_cache, reduce
 
 import numpy as np
 
-from ...figures import Manner
 from ...model import Hand
+from ...model.figure import Manner
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import from_rotation_vector, multiply, slerp
 from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType, KeyCurve

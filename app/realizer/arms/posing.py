@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...figures import PLAIN_MANNER, Manner
 from ...model import FloatArray, Hand
+from ...model.figure import PLAIN_MANNER, Manner
 from ..body.body_space import on_body_m
 from ..body.limits import MIRROR, swing_twist_deg
 from ..body.skeleton import Skeleton

@@ -16,8 +16,8 @@ from types import MappingProxyType
 
 import numpy as np
 
-from ...figures import Sex
 from ...model import FloatArray
+from ...model.figure import Sex
 from ..geometry.rotations import rotate
 from .skeleton import SIDES, Skeleton
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from ...figures import AVERAGE_HEIGHT_M, Physique, Sex
+from ...model.figure import AVERAGE_HEIGHT_M, Physique, Sex
 
 CROWN_M = 0.20
 """From the head's joint to the top of the hair."""

@@ -3,7 +3,7 @@
 from importlib.util import find_spec
 
 from ...errors import ServiceError
-from ...motion_formats import SCENES, MotionFormat
+from ...model.motion_formats import SCENES, MotionFormat
 from .fbx.conversion import blender_command
 
 

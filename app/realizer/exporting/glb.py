@@ -9,8 +9,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from ...figures import PLAIN, Looks
 from ...model import Behavior
+from ...model.figure import PLAIN, Looks
 from ..body.motion import Motion
 from ..body.skeleton import Skeleton
 from ..mannequin.carrying import t_pose_m

@@ -11,8 +11,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...figures import Manner
 from ...model import Hand, Level
+from ...model.figure import Manner
 from .gesture import ArmKey, Clip, ClipKey, Definition, Expressivity, Frame, FrameType, Markers
 from .gesture_space import sector_m
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
-from ...figures import PLAIN_MANNER, Manner
 from ...model import Hand, Level
+from ...model.figure import PLAIN_MANNER, Manner
 
 
 class Sideways(StrEnum):

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import inf
 
-from ...gesture_limits import playable_size
 from ...model import Hand, Level, SyncPoints
+from ...model.gesture_limits import playable_size
 from ..body.motion import Decision
 from .gesture import Clip, Markers
 
@@ -89,7 +89,7 @@ class PlacedGesture:
     @property
     def size(self) -> float:
         """The requested size, reduced where the stroke would be too fast, and then scaled: if all gestures are scaled
-        alike, none needs more time to come from another than it did (`understudy.gesture_limits`)."""
+        alike, none needs more time to come from another than it did (`understudy.model.gesture_limits`)."""
         return self.request.scale * playable_size(self.request.size, self.clip.stroke_speed_m_s)
 
     @property

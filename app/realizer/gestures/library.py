@@ -13,8 +13,8 @@ from pathlib import Path
 from types import MappingProxyType
 
 from ...errors import AuthoringError, InputError, Mistake
-from ...figures import Manner
 from ...model import Hand, Level
+from ...model.figure import Manner
 from .aliases import ALIASES, read_aliases
 from .checking import duplicate_names
 from .clips import clip

@@ -10,8 +10,8 @@ from enum import Enum, auto
 
 import numpy as np
 
-from ...figures import Legwear, Sex
 from ...model import FloatArray
+from ...model.figure import Legwear, Sex
 from ..body.skeleton import FINGERS, Offset, Skeleton
 from .carrying import t_pose_m
 from .surface import Capsule

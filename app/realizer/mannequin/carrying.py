@@ -9,8 +9,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from ...figures import Sex
 from ...model import FloatArray
+from ...model.figure import Sex
 from ..body.proportions import AVERAGE, Proportions
 from ..body.skeleton import Skeleton
 from .surface import Surface

@@ -5,8 +5,8 @@ from types import MappingProxyType
 
 import numpy as np
 
-from ...figures import Looks
 from ...model import FloatArray
+from ...model.figure import Looks
 
 Colour = tuple[float, float, float]
 

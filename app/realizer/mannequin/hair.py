@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from ...figures import Hair
+from ...model.figure import Hair
 from .surface import Capsule, Surface, mesh
 
 BLEND_M, GRID_M = 0.012, 0.010

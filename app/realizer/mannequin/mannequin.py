@@ -11,8 +11,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from ...figures import PLAIN, Hair, Legwear, Looks
 from ...model import FloatArray
+from ...model.figure import PLAIN, Hair, Legwear, Looks
 from ..body.motion import SHAPES
 from ..body.skeleton import SIDES, Skeleton, forward
 from ..geometry.rotations import length, rotate

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...figures import Looks
 from ...model import FloatArray, Hand
+from ...model.figure import Looks
 from ..arms.rest_poses import rest_pose
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import IDENTITY

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ...figures import PLAIN, Looks
 from ...model import Channel, FloatArray, Schedule, Word
+from ...model.figure import PLAIN, Looks
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton, forward
 from ..geometry.rotations import rotate

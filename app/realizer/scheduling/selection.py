@@ -16,8 +16,8 @@ from typing import Protocol
 
 import numpy as np
 
-from ...gesture_limits import LATEST_S, is_brief, size_of
 from ...model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
+from ...model.gesture_limits import LATEST_S, is_brief, size_of
 from ..body.motion import Decision
 from ..gestures.brief_strokes import brief
 from ..gestures.gesture import Clip

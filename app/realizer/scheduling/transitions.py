@@ -11,8 +11,8 @@ there are no units, and a rest takes no longer than hands at their fastest need 
 from dataclasses import dataclass
 from math import inf
 
-from ...gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
 from ...model import Hand, Interval
+from ...model.gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..gestures.gesture_plan import PlacedGesture
 from .rests import (

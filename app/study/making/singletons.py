@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from ...behavior.speaker_profiles.gesture_scripts import scripted_behaviors
 from ...errors import InputError
-from ...gesture_scripts import scripted_behaviors
 from ...model import Behavior, Channel, Interval, Performance, SyncPoints
 from ...performance import Understudy, perform_heard, script_analysis
 from ...profiles.generation.phases import Timed

@@ -24,8 +24,8 @@ from resource import RUSAGE_SELF, getrusage
 import numpy as np
 
 from tests.support.hand_made_motion import BODY, waving
-from understudy.figures import PLAIN, Looks
 from understudy.model import FloatArray
+from understudy.model.figure import PLAIN, Looks
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.exporting.arkit_csv import to_arkit_csv

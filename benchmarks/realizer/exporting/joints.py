@@ -27,7 +27,7 @@ from scipy.spatial.transform import Rotation
 from tests.support.mpeg4_reading import Body, read_parameters, world
 from understudy.errors import ServiceError
 from understudy.model import FloatArray
-from understudy.motion_formats import AudioFile, FileOptions, MotionFormat
+from understudy.model.motion_formats import AudioFile, FileOptions, MotionFormat
 from understudy.performance import Line, Options, Understudy, perform
 from understudy.realization import PreparedSchedule, Realized, Realizer, realize_prepared, write_motion
 from understudy.realizer.body.skeleton import Skeleton, forward

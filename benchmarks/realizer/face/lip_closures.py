@@ -22,7 +22,7 @@ from benchmarks.acoustic.alignment import TIMIT, aligned_words
 from benchmarks.realizer.face.lips import still_body
 from training.alignment.timit import Sentence, read_sentences
 from understudy.acoustic.alignment.alignment import Aligner
-from understudy.bml.choice.speech.visemes import visemes
+from understudy.behavior.speech.visemes import visemes
 from understudy.model import Interval, Schedule, Word
 from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import FaceTables

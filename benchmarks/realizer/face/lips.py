@@ -23,7 +23,7 @@ from pathlib import Path
 
 import numpy as np
 
-from understudy.bml.choice.speech.visemes import visemes
+from understudy.behavior.speech.visemes import visemes
 from understudy.hearing import align_words, analyze_signal
 from understudy.model import FRAME_SHIFT_S, FloatArray, Schedule, Viseme, Word
 from understudy.performance import Line, Understudy

@@ -3,8 +3,9 @@
     python -m benchmarks.realizer.head_and_gaze.targets
 
 Each character of the lexicon points and looks at targets 2 m away in all directions, from 0.3 to 2.2 m high, by the
-hand of their side (`understudy.acting.targets`). "Hand" is the angle at the shoulder between the target and the wrist
-when the stroke ends, "eyes" the angle between the line of sight and the target 0.3 s after the look has arrived.
+hand of their side (`understudy.behavior.candidates.targets`). "Hand" is the angle at the shoulder between the target
+and the wrist when the stroke ends, "eyes" the angle between the line of sight and the target 0.3 s after the look has
+arrived.
 """
 
 from collections.abc import Iterator

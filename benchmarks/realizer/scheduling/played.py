@@ -19,9 +19,9 @@ from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
-from understudy.gesture_limits import EASY_TRANSITION_S
 from understudy.loading import load_gestures
 from understudy.model import Agitation, Channel, Level, Mode
+from understudy.model.gesture_limits import EASY_TRANSITION_S
 from understudy.performance import Analysis, Line, Options, Understudy, analyze, perform_analysis
 from understudy.realization import schedule_of
 from understudy.realizer.gestures.gesture_plan import GesturePlan

@@ -17,7 +17,7 @@ from understudy.api.description.authoring_operations import AUTHORING_OPERATIONS
 from understudy.api.description.document import describe
 from understudy.api.description.operations import OPERATIONS
 from understudy.api.routes import router
-from understudy.bml.choice.speech.lead_in import LONGEST_LEAD_IN_S
+from understudy.behavior.speech.lead_in import LONGEST_LEAD_IN_S
 from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.model import Level, Mode
 from understudy.realizer.exporting.clip_json import to_clip_json

@@ -23,7 +23,7 @@ from understudy.edits.values import BehaviorEdit, Edits, WordReference
 from understudy.errors import InputError
 from understudy.model import Channel, DirectedMoment, Direction
 from understudy.model import Target as Place
-from understudy.motion_formats import MotionFormat
+from understudy.model.motion_formats import MotionFormat
 from understudy.performance import BmlForm, DialectName, Options, Understudy
 from understudy.profiles.annotation.reading import read_annotations
 from understudy.profiles.files.reading import read_profile_text

@@ -8,7 +8,7 @@ import pytest
 from tests.bml.writing.test_writer import everything
 from tests.support.by_hand import spoken
 from tests.support.shared_data import BML_SUITE, needs
-from understudy.bml.choice.behavior_table.table import STROKED
+from understudy.behavior.table.behavior_table import STROKED
 from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.resolving import Resolved, resolve

@@ -11,9 +11,9 @@ from tests.bml.writing.test_writer import PEAK, ROOT, STROKE, behavior, everythi
 from tests.support.by_hand import spoken
 from tests.support.smartbody_checker import GESTURES as FOUND
 from tests.support.smartbody_checker import STYLE, check_act, check_speech_file
-from understudy.bml.choice.behavior_table.faces import ACTION_UNITS, CORE_LEXEMES
-from understudy.bml.choice.characters.characters import Characters
-from understudy.bml.choice.speech.visemes import visemes
+from understudy.behavior.characters.overlays import Characters
+from understudy.behavior.speech.visemes import visemes
+from understudy.behavior.table.face_lexemes import ACTION_UNITS, CORE_LEXEMES
 from understudy.bml.markup.documents import DialectName, Document, Element, Reference, TimeForm
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.writing.smartbody import HEADS

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.bml.choice.speech.visemes import PHONES
+from understudy.behavior.speech.visemes import PHONES
 from understudy.bml.writing.smartbody_tables import FILE, SmartBodyTables, VisemeNames
 from understudy.errors import AuthoringError
 from understudy.resources import resource_folder

@@ -8,8 +8,8 @@ from lxml import etree
 from tests.support.bml_checker import check
 from tests.support.by_hand import FIGURE_8, spoken, utterance
 from tests.support.shared_data import SHARED, needs
-from understudy.bml.choice.behavior_table.table import GAZE_LEXEMES, STROKED
-from understudy.bml.choice.characters.characters import Characters
+from understudy.behavior.characters.overlays import Characters
+from understudy.behavior.table.behavior_table import GAZE_LEXEMES, STROKED
 from understudy.bml.markup.elements import CORE, CORE_EXTENSIONS
 from understudy.bml.writing.writer import BmlForm, write_bml
 from understudy.model import Behavior, Channel, Hand, Performance, SyncPoints, Word

@@ -5,8 +5,8 @@ from itertools import product
 import numpy as np
 import pytest
 
-from understudy.figures import Manner
 from understudy.model import FloatArray, Hand
+from understudy.model.figure import Manner
 from understudy.realizer.arms.arm_reach import ArmBones
 from understudy.realizer.arms.posing import WRIST_ROWS, arm_rotations, parts_of, pose_arm, pose_arms, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose

@@ -5,8 +5,8 @@ from itertools import product
 import numpy as np
 import pytest
 
-from understudy.figures import Physique, Sex
 from understudy.model import FloatArray, Hand
+from understudy.model.figure import Physique, Sex
 from understudy.realizer.arms.rest_poses import RESTS, rest_pose
 from understudy.realizer.body.body_space import on_body_m
 from understudy.realizer.body.contacts import penetrations_m

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from understudy.figures import Physique, Sex
+from understudy.model.figure import Physique, Sex
 from understudy.realizer.body.masses import centre_of_mass_m, mass_kg, parts_of
 from understudy.realizer.body.proportions import Proportions
 from understudy.realizer.body.skeleton import Skeleton, forward

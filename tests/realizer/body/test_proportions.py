@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from understudy.figures import Physique, Sex
+from understudy.model.figure import Physique, Sex
 from understudy.realizer.body.proportions import AVERAGE, CROWN_M, Proportions
 from understudy.realizer.body.skeleton import Skeleton
 

@@ -5,7 +5,7 @@ from itertools import pairwise
 import pytest
 
 from tests.support.speaking import SKELETON, TABLES, still, times
-from understudy.bml.choice.speech.visemes import visemes
+from understudy.behavior.speech.visemes import visemes
 from understudy.model import Interval, Phone, Schedule, Viseme, Word
 from understudy.realizer.face.diphthongs import GLIDES, with_glides
 from understudy.realizer.face.face import face_weights

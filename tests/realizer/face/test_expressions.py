@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.support.speaking import SKELETON, TABLES, faced, shape, shown, still, times
-from understudy.bml.choice.behavior_table.faces import ACTION_UNITS, CORE_LEXEMES
+from understudy.behavior.table.face_lexemes import ACTION_UNITS, CORE_LEXEMES
 from understudy.model import Channel, Schedule, SyncPoints
 from understudy.realizer.face.expressions import LEAST_RISE_S, realized_faces, unknown_faces
 from understudy.realizer.face.face import ASYMMETRY, face_weights

@@ -8,8 +8,8 @@ from tests.support.gesture_files import gesture
 from understudy.authoring.catalogue import load_gestures
 from understudy.bml.writing.smartbody_tables import shipped_tables
 from understudy.errors import AuthoringError, InputError
-from understudy.figures import Manner
 from understudy.model import Hand, Level
+from understudy.model.figure import Manner
 from understudy.realizer.gestures.library import LAST_RESORT, Library
 
 

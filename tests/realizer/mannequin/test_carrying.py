@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from understudy.figures import Hair, Legwear, Looks, Physique, Sex
 from understudy.model import FloatArray
+from understudy.model.figure import Hair, Legwear, Looks, Physique, Sex
 from understudy.realizer.body.build import build_of
 from understudy.realizer.body.proportions import Proportions
 from understudy.realizer.body.skeleton import Skeleton

@@ -2,7 +2,7 @@
 
 import pytest
 
-from understudy.figures import Looks
+from understudy.model.figure import Looks
 from understudy.realizer.mannequin.colours import MATERIALS, colours_of
 
 

@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from understudy.figures import Physique, Sex
+from understudy.model.figure import Physique, Sex
 from understudy.realizer.body.masses import mass_kg
 from understudy.realizer.body.proportions import Proportions
 from understudy.realizer.body.skeleton import Skeleton

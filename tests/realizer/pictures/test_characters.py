@@ -4,7 +4,7 @@ import io
 
 import pytest
 
-from understudy.figures import Looks, Physique
+from understudy.model.figure import Looks, Physique
 from understudy.realizer.body.proportions import Proportions
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.pictures.characters import draw_characters

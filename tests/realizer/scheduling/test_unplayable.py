@@ -3,7 +3,7 @@
 import pytest
 
 from tests.support.movements import behavior, schedule
-from understudy.bml.choice.characters.characters import Characters
+from understudy.behavior.characters.overlays import Characters
 from understudy.model import Channel
 from understudy.realizer.scheduling.unplayable import unplayable_behaviors
 from understudy.resources import resource_folder

@@ -15,9 +15,9 @@ from pathlib import Path, PurePath
 import soundfile
 from pxr import Kind, Sdf, Usd, UsdGeom, UsdMedia, UsdSkel, UsdUtils
 
-from ....figures import PLAIN, Looks
 from ....model import Behavior
-from ....motion_formats import AudioFile
+from ....model.figure import PLAIN, Looks
+from ....model.motion_formats import AudioFile
 from ...body.motion import Motion
 from ...body.skeleton import Skeleton
 from ...mannequin.mannequin import Mannequin, joined

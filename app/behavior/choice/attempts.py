@@ -1,0 +1,143 @@
+"""Tries an alternative beside what is kept: which parts of it fit, with which hand, and what is shortened for it.
+
+Planned moments, of which there are many more candidates than people make gestures, meet stricter conditions than what
+is asked for: the same gesture is not repeated within `PLANNED_REPEAT_S`, the hand is not switched within
+`HAND_SWITCH_S`, and there are no more than the character usually makes. What functions ask for by priority alone, or a
+director, is made if there is time for it (paper §3.5): if necessary with the other hand, or with a smaller and shorter
+stroke.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from ...model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Word
+from ..characters.overlays import Character
+from ..timing.anchoring import PlacedBehavior, asked
+from ..timing.conflicts import Fitted, fitted
+from ..timing.time_index import KeptByTime
+from .hands import (
+    HAND_SWITCH_S,
+    fitted_as_asked,
+    fitted_by_either_hand,
+    lost_to,
+    made_already,
+    stroke_s,
+    switches,
+    with_hand,
+)
+from .necessity import WEIGHT
+
+PLANNED_REPEAT_S = 1.2
+"""Within this time no planned gesture is repeated. It is short because directors do repeat a denial that is spoken
+twice."""
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """What the choice depends on besides the candidates: the timed words, the character, the most gestures (usual and
+    planned), and the most that functions may ask for by their priority alone."""
+
+    timed: tuple[Word, ...]
+    character: Character
+    most_gestures: int
+    most_asked: int
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """An alternative as it would be made: everything kept with it, its own part of that, and its behaviours that
+    lost."""
+
+    kept: KeptByTime
+    own: tuple[Fitted, ...]
+    lost: tuple[Behavior, ...]
+
+
+def attempted(
+    offer: BehaviorCandidates, alternative: Alternative, number: int, *, kept: KeptByTime, line: Line
+) -> Attempt:
+    """The attempt at one of the offer's alternatives, `number` in the order of their luck."""
+    own: list[Fitted] = []
+    lost: list[Behavior] = []
+    for place, movement in enumerate(alternative.movements):
+        name = f"{movement.moment or movement.function}.{number}.{place}"
+        entry = line.character.entries[movement.name]
+        candidate = asked(movement, entry, line.timed, name, may_be_brief=not is_planned(offer))
+        candidate = with_hand(candidate, kept, line.character.handedness)
+        outcome = _outcome(candidate, offer, kept, line, hand=entry.hand)
+        if isinstance(outcome, Fitted):
+            own.append(outcome)
+            kept = outcome.kept
+        else:
+            lost.append(outcome)
+    return Attempt(kept, tuple(own), tuple(lost))
+
+
+def _outcome(
+    candidate: PlacedBehavior, offer: BehaviorCandidates, kept: KeptByTime, line: Line, *, hand: Hand | None
+) -> Fitted | Behavior:
+    """The candidate among the kept, or its behaviour as a loser; a director's notes are not limited by the character's
+    rate. `hand` is that of the table."""
+    planned = is_planned(offer)
+    if not candidate.behavior.kept:
+        return candidate.behavior
+    if planned or offer.moment is None:
+        refused = _refused(candidate.behavior, kept, line, planned=planned)
+        if refused is not None:
+            return refused
+    if planned:
+        return fitted(candidate, kept)
+    return fitted_as_asked(candidate, kept, hand=hand, by_either_hand=_is_worth_a_hand(offer))
+
+
+def count_made(offers: Iterable[BehaviorCandidates], kept: KeptByTime, line: Line) -> int:
+    """How many of the offers that need the hands can be made one after the other, or are made already, beside the
+    kept."""
+    count = 0
+    for offer in offers:
+        with_it = next((made for each in offer.alternatives if (made := _with_gesture(each, kept, line))), None)
+        kept = with_it or kept
+        count += with_it is not None
+    return count
+
+
+def is_planned(offer: BehaviorCandidates) -> bool:
+    """Whether it comes from the plan, rather than from a function's priority alone or a director."""
+    return offer.moment is not None and offer.moment.note is None
+
+
+def _is_worth_a_hand(offer: BehaviorCandidates) -> bool:
+    """Whether the other hand may be used for it: not for functions that only give weight."""
+    return offer.function is None or offer.function.class_name not in WEIGHT
+
+
+def _with_gesture(alternative: Alternative, kept: KeptByTime, line: Line) -> KeptByTime | None:
+    """What is kept with the gesture of an alternative that is asked for; None where it cannot be made."""
+    for movement in alternative.movements:
+        entry = line.character.entries[movement.name]
+        candidate = asked(movement, entry, line.timed, "", may_be_brief=True)
+        candidate = with_hand(candidate, kept, line.character.handedness)
+        if entry.channel is Channel.GESTURE and candidate.behavior.kept:
+            if made_already(candidate.behavior, kept) is not None:
+                return kept
+            outcome = fitted_by_either_hand(candidate, kept, hand=entry.hand)
+            return outcome.kept if isinstance(outcome, Fitted) else None
+    return None
+
+
+def _refused(behavior: Behavior, kept: KeptByTime, line: Line, *, planned: bool) -> Behavior | None:
+    """The gesture as a loser, if the character would not make it beside those it makes; else None."""
+    if behavior.kind is not Channel.GESTURE:
+        return None
+    at_s, around_s = stroke_s(behavior), max(PLANNED_REPEAT_S, HAND_SWITCH_S)
+    for other in kept.gestures_near(at_s - around_s, at_s + around_s) if planned else ():
+        apart_s = abs(at_s - stroke_s(other))
+        if other.lexeme == behavior.lexeme and apart_s < PLANNED_REPEAT_S:
+            return lost_to(other, behavior, f"{other.lexeme} is made already within {PLANNED_REPEAT_S:g} s")
+        if switches(behavior, other) and apart_s < HAND_SWITCH_S:
+            return lost_to(other, behavior, f"the other hand is in use for {other.lexeme}")
+    most = line.most_gestures if planned else line.most_asked
+    if kept.gestures >= most:
+        reason = f"beyond the character's gesture rate, which gives this line {most}"
+        return replace(behavior, kept=False, reason=reason)
+    return None

@@ -1,0 +1,117 @@
+"""Fills the time in which nothing is asked of head and eyes: they are never quite still (paper §6).
+
+Between the movements that show something the head drifts by a few degrees and the eyes go aside and come back; where
+they stay aside for a while, and nothing else is asked of the head, it goes with them. These movements are placed where
+their channel is free, so they never compete. A still character drifts less often and less far. No drift is repeated
+immediately, and the eyes are back on the listener when the last word begins, to yield the turn (Kendon 1967).
+"""
+
+import random
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+from ...model import Behavior, Channel, Interval, Utterance, Word
+from ..characters.overlays import Character
+from ..idle.saccades import Habit, glances
+from ..table.behavior_table import DRIFTS, LOOK, BehaviorEntry
+from ..timing.anchoring import PlacedBehavior, filler, interval_of
+from ..timing.conflicts import Kept
+
+DRIFT_S = (2.5, 5.0)
+"""The duration of a drift, from the first movement to rest."""
+
+SHORTEST_DRIFT_S = 2.0
+"""In shorter gaps the head rests."""
+
+GAZE_RANGE_DEGREES = 60.0
+"""The angle of a gaze of amount 1."""
+
+LOOK_S, LOOK_DEGREES = 0.7, 10.0
+"""The head goes with eyes that stay aside at least this long, and then turns at least this far."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """What the fillers of a line depend on: its words, its end, the character and the random generator."""
+
+    words: tuple[Word, ...]
+    end_s: float
+    character: Character
+    generator: random.Random
+
+    @classmethod
+    def of(cls, utterance: Utterance, timed: tuple[Word, ...], character: Character, seed: str) -> "Rest":
+        ends = [word.interval.end_s for word in timed if word.interval is not None]
+        text = " ".join(word.text for word in utterance.words)
+        return cls(timed, utterance.duration_s or ends[-1], character, random.Random(f"{seed} {text}"))
+
+
+def fillers(kept: Kept, rest: Rest, habit: Habit) -> tuple[PlacedBehavior, ...]:
+    """Looks aside, with the eyes alone or with the head, and drifts of the head in the time that these and the kept
+    leave free."""
+    looks = tuple(_looks_aside(kept, rest, habit))
+    return (*_drifts((*kept, *looks), rest), *looks)
+
+
+def free(kept: Kept, channel: Channel, end_s: float) -> Iterator[Interval]:
+    """The intervals of a line in which nothing is kept on a channel; looks aside occupy the head as well."""
+    begin_s = 0.0
+    taken = (each.behavior.sync for each in kept if each.behavior.kind is channel or _has(each.behavior, channel))
+    for sync in sorted(taken, key=lambda sync: sync.start):
+        if sync.start > begin_s:
+            yield Interval(begin_s, sync.start)
+        begin_s = max(begin_s, sync.end)
+    if end_s > begin_s:
+        yield Interval(begin_s, end_s)
+
+
+def _drifts(kept: Kept, rest: Rest) -> Iterator[PlacedBehavior]:
+    activity = 1 - rest.character.stillness
+    name = ""
+    for gap in free(kept, Channel.HEAD, rest.end_s):
+        for interval in _parts(gap, rest.generator):
+            name = rest.generator.choice([other for other in DRIFTS if other != name])
+            entry = rest.character.entries[name]
+            amount = (entry.amount or 0.0) * rest.generator.uniform(0.5, 1.0) * activity
+            if rest.generator.random() < activity:
+                yield _filler(replace(entry, amount=amount), interval, rest, "the head is never quite still")
+
+
+def _parts(gap: Interval, generator: random.Random) -> Iterator[Interval]:
+    """A gap divided into drifts; a remainder that would be too short is added to the last."""
+    start_s = gap.start_s
+    while gap.end_s - start_s >= SHORTEST_DRIFT_S:
+        end_s = start_s + generator.uniform(*DRIFT_S)
+        if gap.end_s - end_s < SHORTEST_DRIFT_S:
+            end_s = gap.end_s
+        yield Interval(start_s, end_s)
+        start_s = end_s
+
+
+def _has(behavior: Behavior, channel: Channel) -> bool:
+    """Whether it is a look aside and the channel is the head, which it occupies as well."""
+    return channel is Channel.HEAD and behavior.lexeme == LOOK and behavior.direction is not None
+
+
+def _looks_aside(kept: Kept, rest: Rest, habit: Habit) -> Iterator[PlacedBehavior]:
+    for gap in free(kept, Channel.GAZE, interval_of(rest.words[-1]).start_s):
+        for glance in glances(gap, habit, rest.generator):
+            during, angle, name = glance.interval, glance.angle_degrees, "saccade"
+            free_head = _longest_within(free(kept, Channel.HEAD, rest.end_s), during)
+            if free_head.duration_s >= LOOK_S:
+                during, angle, name = free_head, max(angle, LOOK_DEGREES), "look_aside"
+            entry = rest.character.entries[name]
+            aside = replace(entry, direction=glance.direction, amount=angle / GAZE_RANGE_DEGREES)
+            yield _filler(aside, during, rest, "the eyes wander off and come back")
+
+
+def _longest_within(stretches: Iterable[Interval], whole: Interval) -> Interval:
+    """The longest part of the whole that is in one of the stretches; an empty interval if there is none."""
+    parts = (Interval(max(each.start_s, whole.start_s), min(each.end_s, whole.end_s)) for each in stretches)
+    return max(parts, key=lambda part: part.duration_s, default=Interval(0.0, 0.0))
+
+
+def _filler(entry: BehaviorEntry, interval: Interval, rest: Rest, reason: str) -> PlacedBehavior:
+    begun = [word.index for word in rest.words if word.interval and word.interval.start_s <= interval.start_s]
+    word = begun[-1] if begun else rest.words[0].index
+    return filler(entry, interval, word, reason)

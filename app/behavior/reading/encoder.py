@@ -1,0 +1,137 @@
+"""Reads a line in context: what each gesture family, head movement and face would be worth to a director at each word.
+
+A small transformer encoder (BERT architecture, Devlin et al. 2019), fine-tuned on directed lines (`training/acting`,
+models/acting/README.md) and run by ONNX Runtime in eight-bit integers. The vocabulary and the names of the outputs are
+in the file's metadata. Shapes: W words, P pieces, F gesture families, H head movements, K faces.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Protocol, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+<<<<<<< HEAD:app/acting/encoder.py
+from ..errors import ServiceError
+from ..model import SingleArray
+from .delivery import WORDS_ALONE, Delivery
+=======
+from ...errors import ServiceError
+from ...model import SingleArray
+>>>>>>> db19e04 (One room for choice: app/behavior has reading, candidates, choice, timing, idle, listeners, characters, the table and speakers' profiles; shared limits are values of the model):app/behavior/reading/encoder.py
+from .wordpieces import FIRST, LAST, pieces_of
+
+Integers: TypeAlias = NDArray[np.int64]
+
+MOST_PIECES = 126
+"""The most pieces between [CLS] and [SEP]; words beyond have worth 0."""
+
+_ONLY_ERRORS = 3
+"""The log severity of ONNX Runtime: errors, but no warnings about the machine."""
+
+
+class Session(Protocol):
+    """The part of ONNX Runtime's `InferenceSession` that we use; the library has no types."""
+
+    def run(
+        self, output_names: Sequence[str], input_feed: Mapping[str, "NDArray[np.int64]"]
+    ) -> Sequence[SingleArray]: ...
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Reading:
+    """What directors would want, in [0, 1]: the worth of a family with its stroke on a word (W, F) and within two words
+    of it (W, F), the probability of any stroke (W,), and of head movements (W, H) and faces (W, K) on a word."""
+
+    at_word: SingleArray
+    nearby: SingleArray
+    stroke: SingleArray
+    head: SingleArray
+    face: SingleArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Encoder:
+    """The trained network, its WordPiece vocabulary, and the names of its outputs."""
+
+    pieces: Mapping[str, int]
+    families: tuple[str, ...]
+    head: tuple[str, ...]
+    face: tuple[str, ...]
+    session: Session
+
+    @classmethod
+    def load(cls, path: Path) -> "Encoder":
+        """Raises ServiceError `model_unreadable` where the file is missing or not such a model."""
+        import onnxruntime
+
+        options = onnxruntime.SessionOptions()
+        # A line is too short to be shared among processors, and threads of its own would not survive a fork.
+        options.intra_op_num_threads = options.inter_op_num_threads = 1
+        options.log_severity_level = _ONLY_ERRORS
+        try:
+            session = onnxruntime.InferenceSession(path.read_bytes(), options, providers=["CPUExecutionProvider"])
+            named = session.get_modelmeta().custom_metadata_map
+            return cls(
+                pieces=MappingProxyType({piece: number for number, piece in enumerate(named["pieces"].split("\n"))}),
+                families=tuple(named["families"].split("\n")),
+                head=tuple(named["head"].split("\n")),
+                face=tuple(named["face"].split("\n")),
+                session=session,
+            )
+        except _load_errors() as error:
+            raise ServiceError("model_unreadable", f"{path} is no model for directing lines: {error}") from error
+
+    def read(self, words: Sequence[str], delivery: Delivery = WORDS_ALONE) -> Reading:  # noqa: ARG002 - weights follow
+        """The reading of a line as it is delivered; `words` are as written, with their punctuation.
+
+        The present weights know no delivery and read the words alone.
+        """
+        numbers, spans = self._numbered(words)
+        ends = np.array([span or (0, 0) for span in spans], np.int64).reshape(-1, 2)
+        (likely,) = self.session.run(["likely"], {"pieces": np.array(numbers, np.int64), "words": ends})
+        likely[[span is None for span in spans]] = 0.0
+        return self._outputs(likely)
+
+    def _numbered(self, words: Sequence[str]) -> tuple[list[int], list[tuple[int, int] | None]]:
+        """The line's pieces between [CLS] and [SEP], and each word's first and last piece; None for words that do not
+        fit."""
+        numbers, spans = [self.pieces[FIRST]], list[tuple[int, int] | None]()
+        for word in words:
+            own = pieces_of(word, self.pieces)
+            if len(numbers) + len(own) > MOST_PIECES + 1:
+                spans.append(None)
+                continue
+            spans.append((len(numbers), len(numbers) + len(own) - 1))
+            numbers += own
+        return [*numbers, self.pieces[LAST]], spans
+
+    def _outputs(self, likely: SingleArray) -> Reading:
+        families = len(self.families)
+        heads_from = 2 * families + 1
+        faces_from = heads_from + len(self.head)
+        return Reading(
+            at_word=likely[:, :families],
+            nearby=likely[:, families : 2 * families],
+            stroke=likely[:, 2 * families],
+            head=likely[:, heads_from:faces_from],
+            face=likely[:, faces_from:],
+        )
+
+
+def _load_errors() -> tuple[type[Exception], ...]:
+    """The errors for a file that is not a model, that ONNX Runtime cannot run, or that lacks our metadata."""
+    from onnxruntime.capi import onnxruntime_pybind11_state as state
+
+    return (
+        OSError,
+        KeyError,
+        state.Fail,
+        state.InvalidProtobuf,
+        state.InvalidGraph,
+        state.InvalidArgument,
+        state.NotImplemented,
+    )

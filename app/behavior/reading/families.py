@@ -1,0 +1,188 @@
+"""Loads which behaviours show what a director asks for: families of gestures, kinds of head movement, kinds of face.
+
+Read from `lexicon/acting/families.yaml`. A family ("self", "size_big", "list_item") is what an audience reads in a
+gesture, whatever its form; `shows` is the converse, what a gesture lexeme may be read as, the likeliest first. A
+behaviour may be listed under a gesture family only if its lexeme shows that family. All mistakes in the file are
+reported at once, with their places.
+"""
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Annotated, Protocol
+
+from pydantic import BeforeValidator, Field
+
+from ...errors import AuthoringError, Mistake
+from ...model import Channel, Level
+from ...yaml_files import Entry, Source, did_you_mean
+
+OTHER_FAMILY = 0.5
+"""The worth of a lexeme for a family that it shows, but not first (shared/directing/score.py)."""
+
+POINT = "point"
+POINTINGS = ("point_there", "point_here", "point_up")
+"""Families that are one family in a plan: the scene and the words' lemmas decide where a thing is, not the reading."""
+
+
+def merged(family: str) -> str:
+    """The family as named in plans."""
+    return POINT if family in POINTINGS else family
+
+
+class Playable(Protocol):
+    """What this stage needs to know of an entry of the behaviour table."""
+
+    @property
+    def channel(self) -> Channel: ...
+    @property
+    def lexeme(self) -> str: ...
+
+
+@dataclass(frozen=True, slots=True)
+class FamilyBehavior:
+    """A behaviour that shows a family, `name` in the table.
+
+    With `lemmas` it is for moments that have one of them, and is preferred to those without; `levels` are the levels of
+    agitation for which it is suitable.
+    """
+
+    name: str
+    lemmas: frozenset[str] = frozenset()
+    levels: frozenset[Level] = frozenset(Level)
+
+    def fits(self, lemmas: Collection[str], level: Level) -> bool:
+        """Whether it suits a moment with these lemmas, said at this level of agitation."""
+        return level in self.levels and (not self.lemmas or not self.lemmas.isdisjoint(lemmas))
+
+
+@dataclass(frozen=True, slots=True)
+class Families:
+    """Behaviours by family of gesture, kind of head movement and kind of face, the best first.
+
+    `shows` gives the families that a gesture lexeme may be read as, the likeliest first.
+    """
+
+    gesture: Mapping[str, tuple[FamilyBehavior, ...]]
+    head: Mapping[str, tuple[FamilyBehavior, ...]]
+    face: Mapping[str, tuple[FamilyBehavior, ...]]
+    gaze: Mapping[str, tuple[FamilyBehavior, ...]]
+    shows: Mapping[str, tuple[str, ...]]
+
+
+def family_rule(channel: str, family: str) -> str:
+    """The name given in place of a rule in the reason for a behaviour that shows a planned family and that no rule
+    offered."""
+    return f"{channel}_family_{family}"
+
+
+def fitting(behaviors: Collection[FamilyBehavior], lemmas: Collection[str], level: Level) -> tuple[str, ...]:
+    """The names of the behaviours that suit a moment: those that one of its lemmas asks for, then the general ones."""
+    fit = [behavior for behavior in behaviors if behavior.fits(lemmas, level)]
+    return tuple(behavior.name for behavior in sorted(fit, key=lambda behavior: not behavior.lemmas))
+
+
+def load_families(path: Path, behaviors: Mapping[str, Playable]) -> Families:
+    """The families in `path`, shown by entries of the table `behaviors`; raises AuthoringError with every mistake."""
+    source = Source(path)
+    file = source.validated(_FamiliesFile)
+    mistakes = tuple(_mistakes(source, file, behaviors))
+    if mistakes:
+        raise AuthoringError(mistakes)
+    return Families(
+        gesture=_behaviors(file.gesture),
+        head=_behaviors(file.head),
+        face=_behaviors(file.face),
+        gaze=_behaviors(file.gaze),
+        shows=MappingProxyType(file.shows),
+    )
+
+
+def _named(value: object) -> object:
+    """Lets a behaviour without conditions be written as its name alone."""
+    return {"behavior": value} if isinstance(value, str) else value
+
+
+_Name = Annotated[str, Field(pattern=r"^[a-z][a-z_]*$")]
+_Lexeme = Annotated[str, Field(pattern=r"^[A-Z][A-Z0-9_]*$")]
+_Lemma = Annotated[str, Field(pattern=r"^[^A-Z\s]+$")]
+
+
+class _Line(Entry):
+    behavior: str
+    lemmas: Annotated[tuple[_Lemma, ...], Field(min_length=1)] | None = None
+    agitation: Annotated[tuple[Level, ...], Field(min_length=1)] | None = None
+
+
+_Lines = tuple[Annotated[_Line, BeforeValidator(_named)], ...]
+"""Empty for a family that is shown by not moving, such as `still`."""
+
+
+class _FamiliesFile(Entry):
+    gesture: dict[_Name, _Lines]
+    head: dict[_Name, _Lines]
+    face: dict[_Name, _Lines]
+    gaze: dict[_Name, _Lines] = Field(default_factory=dict)
+    shows: dict[_Lexeme, Annotated[tuple[_Name, ...], Field(min_length=1)]]
+
+
+_CHANNELS: Mapping[str, frozenset[Channel]] = MappingProxyType(
+    {
+        "gesture": frozenset({Channel.GESTURE}),
+        "head": frozenset({Channel.HEAD, Channel.POSTURE}),
+        "face": frozenset({Channel.FACE}),
+        "gaze": frozenset({Channel.GAZE}),
+    }
+)
+"""What the behaviours of each part of the file may move: a lean of the trunk counts as a movement of the head."""
+
+
+def _behaviors(listed: Mapping[str, tuple[_Line, ...]]) -> Mapping[str, tuple[FamilyBehavior, ...]]:
+    return MappingProxyType({family: tuple(map(_behavior, lines)) for family, lines in listed.items()})
+
+
+def _behavior(line: _Line) -> FamilyBehavior:
+    levels = frozenset(Level if line.agitation is None else line.agitation)
+    return FamilyBehavior(line.behavior, frozenset(line.lemmas or ()), levels)
+
+
+def _mistakes(source: Source, file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterator[Mistake]:
+    for part in _CHANNELS:
+        for family, lines in getattr(file, part).items():
+            for position, line in enumerate(lines):
+                for message in _line_mistakes(part, line, behaviors):
+                    yield source.mistake((part, family, position), message)
+    for family, position, message in _unshown(file, behaviors):
+        yield source.mistake(("gesture", family, position), message)
+    for lexeme, families in file.shows.items():
+        for position, family in enumerate(families):
+            if family not in file.gesture:
+                told = f"{family!r} is no family of gestures{did_you_mean(family, file.gesture)}"
+                yield source.mistake(("shows", lexeme, position), told)
+    yield from (source.mistake(("shows",), message) for message in _unlisted(file, behaviors))
+
+
+def _line_mistakes(part: str, line: _Line, behaviors: Mapping[str, Playable]) -> Iterator[str]:
+    if line.behavior not in behaviors:
+        yield f"no behaviour is called {line.behavior!r}{did_you_mean(line.behavior, behaviors)}"
+    elif behaviors[line.behavior].channel not in _CHANNELS[part]:
+        allowed = " or ".join(sorted(_CHANNELS[part]))
+        yield f"{line.behavior} is a behaviour of {behaviors[line.behavior].channel}; {part} wants one of {allowed}"
+
+
+def _unshown(file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterator[tuple[str, int, str]]:
+    """Behaviours listed under a family that `shows` does not give for their lexeme."""
+    for family, lines in file.gesture.items():
+        for position, line in enumerate(lines):
+            lexeme = behaviors[line.behavior].lexeme if line.behavior in behaviors else None
+            if lexeme in file.shows and family not in file.shows[lexeme]:
+                shown = ", ".join(file.shows[lexeme])
+                yield family, position, f"{line.behavior} is a {lexeme}, which `shows` says is read as {shown}"
+
+
+def _unlisted(file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterator[str]:
+    """Gesture lexemes of the table that are missing in `shows`."""
+    lexemes = {each.lexeme for each in behaviors.values() if each.channel is Channel.GESTURE}
+    for lexeme in sorted(lexemes - file.shows.keys()):
+        yield f"{lexeme} is missing: say which families an audience may read in it, the likeliest first"

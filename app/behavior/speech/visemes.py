@@ -1,0 +1,155 @@
+"""Lip sync as data: which of fifteen mouth shapes falls when, and how far the mouth goes into it (paper §3.8).
+
+Departure from §3.8: the paper animates hand-made curves of diphones; its curves are not public, so we give the shapes
+of the single phones, with their times, for the character's own rig to blend. Shapes and phones as in
+`../shared/motion.md`, "Visemes"; HH, which has no shape of its own, takes that of the phone after it.
+
+The paper has "the word stress value drive the open-mouth shape" without a figure: here the vowels of a word reach
+`LEAST_ARTICULATION` of their shape without emphasis, and all of it with the greatest emphasis. Consonants always reach
+their shape, since lips that do not close are no P.
+
+The lips are shut in the first two thirds of a P before another sound: after the burst comes aspiration (58 ms in
+stressed syllables, Lisker & Abramson 1964), in which the mouth already has the next sound's shape. Aligners include it
+in the P; in TIMIT, whose closures and bursts are labelled separately, a third of the P is burst and aspiration.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+
+from ...model import Interval, Notice, Phone, Viseme, Word
+
+SILENCE = "sil"
+"""The mouth shape at rest."""
+
+LEAST_ARTICULATION = 0.6
+ASPIRATION = 1 / 3
+"""The share of a P after its burst."""
+
+PHONES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "PP": ("P", "B", "M"),
+        "FF": ("F", "V"),
+        "TH": ("TH", "DH"),
+        "DD": ("T", "D"),
+        "kk": ("K", "G", "NG"),
+        "CH": ("CH", "JH", "SH", "ZH"),
+        "SS": ("S", "Z"),
+        "nn": ("N", "L"),
+        "RR": ("R", "ER"),
+        "aa": ("AA", "AH", "AY", "AW"),
+        "E": ("EH", "AE", "EY"),
+        "I": ("IH", "IY", "Y"),
+        "O": ("AO", "OW", "OY"),
+        "U": ("UH", "UW", "W"),
+    }
+)
+"""The shapes other than silence, with their phones."""
+
+_SHAPES: Mapping[str, str] = MappingProxyType({phone: shape for shape, phones in PHONES.items() for phone in phones})
+
+OPENINGS: Mapping[str, float] = MappingProxyType(
+    {
+        SILENCE: 0.0,
+        "PP": 0.0,
+        "FF": 0.05,
+        "SS": 0.1,
+        "CH": 0.15,
+        "TH": 0.15,
+        "DD": 0.15,
+        "nn": 0.2,
+        "kk": 0.2,
+        "RR": 0.25,
+    }
+    | {"U": 0.2, "I": 0.3, "O": 0.5, "E": 0.6, "aa": 1.0}
+)
+"""How wide the jaw is open in each shape, relative to the widest; ordered as the heights of the vowels."""
+
+_VOWELS = frozenset({"aa", "E", "I", "O", "U"})
+
+
+def visemes(words: tuple[Word, ...], duration_s: float) -> tuple[tuple[Viseme, ...], tuple[Notice, ...]]:
+    """The mouth shapes from 0 to `duration_s`, one after the other without gaps or overlaps.
+
+    Timed words whose phones are not known are silent, with a Notice `visemes_missing`.
+    """
+    shapes = _merged([viseme for word in words for viseme in _of_word(word)])
+    mute = [word.text for word in words if word.interval and not word.phones]
+    return tuple(_with_silence(shapes, duration_s)), _missing(mute)
+
+
+def _of_word(word: Word) -> Iterator[Viseme]:
+    scale = _articulation(word.emphasis or 0.0)
+    for interval, label in zip(_intervals(word.phones), _labels(word.phones), strict=True):
+        if interval.duration_s > 0:
+            articulation = scale if label in _VOWELS else 1.0
+            yield Viseme(label, interval, articulation, OPENINGS[label] * articulation)
+
+
+def _intervals(phones: tuple[Phone, ...]) -> list[Interval]:
+    """The interval of each phone's shape; the aspiration of a P has the shape of the next phone."""
+    intervals = [phone.interval for phone in phones]
+    for index, phone in enumerate(phones[:-1]):
+        if phone.label == "P":
+            burst_s = round(phone.interval.end_s - ASPIRATION * phone.interval.duration_s, 3)
+            intervals[index] = replace(phone.interval, end_s=burst_s)
+            intervals[index + 1] = replace(intervals[index + 1], start_s=burst_s)
+    return intervals
+
+
+def _articulation(emphasis: float) -> float:
+    return LEAST_ARTICULATION + (1 - LEAST_ARTICULATION) * emphasis
+
+
+def _labels(phones: tuple[Phone, ...]) -> list[str]:
+    """The shape of each phone; one without a shape takes that of the next phone that has one, or else of the last."""
+    labels = [_SHAPES.get(phone.label) for phone in phones]
+    known = [label for label in labels if label]
+    following = known[-1] if known else SILENCE
+    filled = []
+    for label in reversed(labels):
+        following = label or following
+        filled.append(following)
+    return filled[::-1]
+
+
+def _merged(shapes: list[Viseme]) -> list[Viseme]:
+    """Merges equal shapes that touch."""
+    merged: list[Viseme] = []
+    for shape in shapes:
+        last = merged[-1] if merged else None
+        if last and last.label == shape.label and last.interval.end_s == shape.interval.start_s:
+            merged[-1] = replace(
+                max(last, shape, key=lambda each: each.articulation),
+                interval=Interval(last.interval.start_s, shape.interval.end_s),
+            )
+        else:
+            merged.append(shape)
+    return merged
+
+
+def _with_silence(shapes: list[Viseme], duration_s: float) -> Iterator[Viseme]:
+    """The shapes, cut where they overlap or exceed the end, with silence in the gaps."""
+    at_s = 0.0
+    for shape in shapes:
+        interval = Interval(max(shape.interval.start_s, at_s), min(shape.interval.end_s, duration_s))
+        if interval.duration_s <= 0:
+            continue
+        if interval.start_s > at_s:
+            yield _silence(at_s, interval.start_s)
+        yield shape if interval == shape.interval else replace(shape, interval=interval)
+        at_s = interval.end_s
+    if duration_s > at_s:
+        yield _silence(at_s, duration_s)
+
+
+def _silence(start_s: float, end_s: float) -> Viseme:
+    return Viseme(SILENCE, Interval(start_s, end_s), articulation=0.0, opening=0.0)
+
+
+def _missing(mute: list[str]) -> tuple[Notice, ...]:
+    if not mute:
+        return ()
+    shown = ", ".join(repr(text) for text in mute[:3]) + (", …" if len(mute) > 3 else "")
+    message = f"the mouth stays shut in {len(mute)} words whose phones are not known ({shown}); send words with phones"
+    return (Notice("visemes_missing", message),)

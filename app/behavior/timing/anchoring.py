@@ -1,0 +1,198 @@
+"""Converts a movement to a behaviour with times, before its neighbours are considered (paper §3.5).
+
+Its time is that of the word it is anchored to: the stressed vowel of that word, or the word's start where its phones
+are not known. Nothing happens before 0. If there is no time before the word even for the shortest preparation, a
+gesture begins with the hand already raised, and its reason says so; other behaviours come a little later. Retractions
+may run past the end. Times are seconds.
+"""
+
+from bisect import bisect_left
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from math import floor
+
+from ...model import Behavior, Channel, Hand, Interval, Movement, Phone, SyncPoints, Word
+from ...model.gesture_limits import LATEST_S, Forms
+from ..idle.idle_behaviors import IdleBehavior
+from ..table.behavior_table import STROKED, Anchor, BehaviorEntry, BriefGesture, Phase
+from .phases import Placing, Window, placed, soonest, underway
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedBehavior:
+    """A behaviour with the basis of its timing; a gesture with its forms by hand, and with its brief variant."""
+
+    behavior: Behavior
+    placing: Placing
+    forms: Mapping[Hand, Forms] = field(default_factory=dict)
+    brief: BriefGesture | None = None
+
+    @property
+    def own_forms(self) -> Forms:
+        """The forms for the behaviour's hand."""
+        return self.forms.get(self.behavior.hand or Hand.RIGHT, ())
+
+    @property
+    def firm_end_s(self) -> float:
+        """The earliest end without loss of stroke or hold."""
+        sync = self.behavior.sync
+        return min(sync.end, (sync.relax or sync.end) + self.placing.timing.retraction.shortest_s)
+
+    @property
+    def stroke_end_s(self) -> float:
+        """The earliest end without loss of stroke, with the shortest hold."""
+        sync, timing = self.behavior.sync, self.placing.timing
+        if sync.stroke_end is None:
+            return self.firm_end_s
+        return min(self.firm_end_s, sync.stroke_end + timing.hold.shortest_s + timing.retraction.shortest_s)
+
+
+def asked(
+    movement: Movement, entry: BehaviorEntry, timed: tuple[Word, ...], name: str, *, may_be_brief: bool = False
+) -> PlacedBehavior:
+    """The movement as `entry` defines it, with `name` as its id; kept is false where it cannot be timed.
+
+    With `may_be_brief` its stroke is shortened if it would otherwise be late, or if its neighbours require that.
+    """
+    brief = entry.brief if may_be_brief else None
+    if brief:
+        entry = replace(entry, timing=replace(entry.timing, hold=Phase(0.0, entry.timing.hold.usual_s)))
+    begin, past = words_before(timed, movement.first), words_before(timed, movement.last + 1)
+    words = timed[begin:past]
+    if words:
+        at_s, until_s = stressed_vowel_s(_stroke_word(movement, entry.anchor, words)), interval_of(words[-1]).end_s
+    else:
+        at_s = until_s = max((interval_of(word).end_s for word in timed[:begin]), default=0.0)
+    placing, sync, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
+    if brief and placing.at_s > at_s:
+        entry = replace(entry, timing=brief.timing, forms=brief.forms)
+        placing, sync, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
+    late_s = placing.at_s - at_s if entry.channel is Channel.GESTURE else 0.0
+    reason = _late(late_s) if late_s > LATEST_S else hurry if words else "none of its words is spoken"
+    behavior = _behavior(entry, name, sync, movement, reason=reason, kept=bool(words) and late_s <= LATEST_S)
+    return PlacedBehavior(behavior, placing, entry.forms, brief)
+
+
+def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:
+    """An idle behaviour, with the least priority."""
+    placing = _placing(entry, idle.at_s, idle.at_s)
+    placing, sync, _hurry = _in_time(placing, entry.channel)
+    return PlacedBehavior(_behavior(entry, name, sync, _unasked(entry, idle.word), reason=idle.reason), placing)
+
+
+def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> PlacedBehavior:
+    """An idle behaviour that fills a free interval, which must have room for its shortest phases."""
+    timing = entry.timing
+    retraction_s = min(timing.retraction.usual_s, interval.duration_s / 4)
+    at_s = interval.start_s + min(timing.preparation.usual_s + timing.stroke.usual_s, interval.duration_s / 2)
+    placing = Placing(timing, at_s, interval.end_s - retraction_s, entry.channel in STROKED)
+    sync = placed(placing, Window(interval.start_s, interval.end_s))
+    assert sync is not None, "the interval has room for it"
+    name = f"own.{entry.name}.{interval.start_s:.3f}"
+    return PlacedBehavior(_behavior(entry, name, sync, _unasked(entry, word), reason=reason), placing)
+
+
+def stressed_vowel_s(word: Word) -> float:
+    """The start of the vowel of a timed word's stressed syllable; the word's start if its vowels are not known.
+
+    The vowel with the primary stress; for phones without stress digits, the longest other than AH, because length is
+    the strongest cue of stress and AH is what English vowels weaken to (`../shared/alignment.md`, "Stress").
+    """
+    vowels = [phone for phone in word.phones if phone.label in _VOWELS]
+    if not vowels:
+        return interval_of(word).start_s
+    return max(vowels, key=_strength).interval.start_s
+
+
+def words_before(timed: Sequence[Word], index: int) -> int:
+    """How many of the timed words, which are in order, come before the word with this index."""
+    return bisect_left(timed, index, key=_index)
+
+
+def _index(word: Word) -> int:
+    return word.index
+
+
+def interval_of(word: Word) -> Interval:
+    """The interval of a word that has one."""
+    assert word.interval is not None, "only timed words are asked"
+    return word.interval
+
+
+_VOWELS = frozenset(["AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"])
+
+_DIGIT_RANKS = {None: 0, 0: 0, 2: 1, 1: 2}
+"""The strength of ARPABET's stress digits: 1 is the primary stress, 2 the secondary."""
+
+
+def _strength(vowel: Phone) -> tuple[int, bool, float]:
+    return _DIGIT_RANKS[vowel.stress], vowel.label != "AH", round(vowel.interval.duration_s, 3)
+
+
+def _stroke_word(movement: Movement, anchor: Anchor, words: Sequence[Word]) -> Word:
+    """The word a stroke falls on: the movement's own if it is spoken, else the anchor; of equally emphasised words the
+    last."""
+    for word in words:
+        if word.index == movement.stroke:
+            return word
+    if anchor is Anchor.FIRST:
+        return words[0]
+    if anchor is Anchor.LAST:
+        return words[-1]
+    return max(reversed(words), key=lambda word: word.emphasis or 0.0)
+
+
+def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> Placing:
+    stroked = entry.channel in STROKED
+    earliest_s = 0.0 if stroked else entry.timing.preparation.shortest_s
+    return Placing(entry.timing, max(floor(at_s * 1000) / 1000, earliest_s), until_s, stroked)
+
+
+def _in_time(placing: Placing, channel: Channel) -> tuple[Placing, SyncPoints, str | None]:
+    """The placing, or one that begins with the performance; its sync points; and the reason for the change."""
+    sync = placed(placing, Window())
+    if sync is not None:
+        return placing, sync, None
+    if channel is Channel.GESTURE:
+        placing, why = (
+            underway(placing),
+            "the hand is raised as the performance begins, for there is no time to raise it",
+        )
+    else:
+        placing, why = soonest(placing), "a little late, for there is no time before its word"
+    sync = placed(placing, Window())
+    assert sync is not None, "what begins at 0 has room"
+    return placing, sync, why
+
+
+def _late(late_s: float) -> str:
+    return f"its stroke would come {late_s:.2f} s after its word, for there is no time before; a lead-in would give it"
+
+
+def _unasked(entry: BehaviorEntry, word: int) -> Movement:
+    """An idle movement on a word, with the least priority."""
+    return Movement(entry.name, word, word, 0.0, "", None)
+
+
+def _behavior(
+    entry: BehaviorEntry, name: str, sync: SyncPoints, movement: Movement, *, reason: str | None, kept: bool = True
+) -> Behavior:
+    return Behavior(
+        id=name,
+        kind=entry.channel,
+        lexeme=entry.lexeme,
+        sync=sync,
+        first=movement.first,
+        last=movement.last,
+        priority=movement.priority,
+        rule=movement.rule or None,
+        function=movement.function,
+        moment=movement.moment,
+        hand=entry.hand,
+        amount=entry.amount,
+        target=movement.target or entry.target,
+        direction=entry.direction,
+        repetitions=entry.repetitions,
+        kept=kept,
+        reason=reason,
+    )

@@ -1,2 +1,0 @@
-"""The characters (lexicon/characters): who moves, with their own entries of the table, and the forms of their gestures
-at a level of agitation. Imports `behavior_table` and `idle`. Begin with `characters.py`."""

@@ -1,0 +1,117 @@
+"""The behaviours offered for a moment, with a small hand-made table of families."""
+
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from understudy.behavior.candidates.planned import Stage, candidates_of
+from understudy.behavior.reading.families import Families, FamilyBehavior
+from understudy.model import (
+    Alternative,
+    BehaviorCandidates,
+    Channel,
+    Function,
+    Moment,
+    Movement,
+    Parse,
+    Token,
+    Utterance,
+    Word,
+)
+
+
+@dataclass(frozen=True)
+class Entry:
+    channel: Channel
+    lexeme: str
+
+
+BEHAVIORS = {
+    "open_hand": Entry(Channel.GESTURE, "OPEN_HAND"),
+    "wipe": Entry(Channel.GESTURE, "NEGATION"),
+    "away": Entry(Channel.GESTURE, "DISMISS"),
+    "drink": Entry(Channel.GESTURE, "MIME_DRINK"),
+    "nod": Entry(Channel.HEAD, "NOD"),
+    "glance": Entry(Channel.GAZE, "GLANCE"),
+}
+FAMILIES = Families(
+    gesture=MappingProxyType(
+        {
+            "present": (FamilyBehavior("open_hand"),),
+            "negation": (FamilyBehavior("wipe"), FamilyBehavior("away")),
+            "emblem_other": (FamilyBehavior("drink", frozenset(["drink"])),),
+        }
+    ),
+    head=MappingProxyType({"nod": (FamilyBehavior("nod"),)}),
+    face=MappingProxyType({}),
+    gaze=MappingProxyType({}),
+    shows=MappingProxyType(
+        {
+            "OPEN_HAND": ("present",),
+            "NEGATION": ("negation",),
+            "DISMISS": ("dismiss", "negation"),
+            "MIME_DRINK": ("emblem_other",),
+        }
+    ),
+)
+STAGE = Stage(FAMILIES, BEHAVIORS, seed=0)
+
+
+def utterance(text: str) -> Utterance:
+    words = tuple(Word(index, word) for index, word in enumerate(text.split()))
+    tokens = tuple(
+        Token(word.index, word.index, word.text, word.text.lower(), "X", "X", "dep", word.index) for word in words
+    )
+    return Utterance(words, Parse(tokens, (), ()))
+
+
+def moment(*families: str, shares: tuple[float, ...], stroke: int = 1) -> Moment:
+    return Moment("moment.gesture.1", Channel.GESTURE, 0, 2, stroke, families, 0.5, shares)
+
+
+def offer(name: str, *, given: bool = False, first: int = 1, last: int = 1) -> BehaviorCandidates:
+    function = Function("f1", "negation", "plain", first, last, 5.0, "negation_word", given=given)
+    movement = Movement(name, first, last, 5.0, "show_negation", "f1")
+    return BehaviorCandidates(function, (Alternative((movement,), 1.0, 1.0),))
+
+
+def names(candidates: BehaviorCandidates) -> list[str]:
+    heaviest = sorted(candidates.alternatives, key=lambda each: -each.weight)
+    return [movement.name for each in heaviest for movement in each.movements]
+
+
+def test_the_behaviour_that_shows_the_likeliest_family_weighs_most() -> None:
+    (found,) = candidates_of(STAGE, utterance("no not those"), [moment("negation", "present", shares=(0.6, 0.4))], [])
+    assert names(found) == ["wipe", "open_hand", "away"]
+    assert {each.movements[0].stroke for each in found.alternatives} == {1}
+    assert {each.movements[0].rule for each in found.alternatives} == {"gesture_family_negation"}
+
+
+def test_a_mime_is_offered_where_its_lemma_is_and_not_elsewhere() -> None:
+    asked = moment("emblem_other", "present", shares=(0.6, 0.3))
+    (found,) = candidates_of(STAGE, utterance("you drink it"), [asked], [])
+    assert names(found)[0] == "drink"
+    (found,) = candidates_of(STAGE, utterance("you see it"), [asked], [])
+    assert names(found) == ["open_hand"]
+
+
+def test_what_a_rule_offers_for_these_words_goes_before_its_equals_and_names_rule_and_function() -> None:
+    asked = moment("negation", shares=(0.6,))
+    (found,) = candidates_of(STAGE, utterance("no not those"), [asked], [offer("wipe")])
+    best = max(found.alternatives, key=lambda each: each.weight).movements[0]
+    assert (best.name, best.rule, best.function, best.moment) == ("wipe", "show_negation", "f1", asked.id)
+
+
+def test_rules_keep_the_channels_that_nobody_plans_and_lose_the_others() -> None:
+    found = candidates_of(STAGE, utterance("no not those"), [], [offer("glance"), offer("nod"), offer("wipe")])
+    assert [names(each) for each in found] == [["glance"]]
+
+
+def test_a_function_that_the_caller_gave_is_shown_as_its_rule_says() -> None:
+    (found,) = candidates_of(STAGE, utterance("no not those"), [], [offer("wipe", given=True)])
+    assert names(found) == ["wipe"]
+
+
+def test_a_moment_of_the_head_is_shown_by_its_kind_alone() -> None:
+    nodded = Moment("moment.head.nod.0", Channel.HEAD, 0, 2, 1, ("nod",), 0.7, (0.7,))
+    (found,) = candidates_of(STAGE, utterance("yes of course"), [nodded], [offer("wipe")])
+    assert names(found) == ["nod"]

@@ -1,0 +1,88 @@
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from tests.support.by_hand import movement, offered, spoken, utterance
+from understudy.behavior.characters.overlays import Character, Characters
+from understudy.behavior.choice.scheduling import schedule
+from understudy.behavior.listeners.head_rates import HeadRates
+from understudy.behavior.listeners.listening import Listener, listen
+from understudy.model import Behavior, Channel, Interval, Word
+
+LEXICON = Path(__file__).resolve().parents[4] / "lexicon"
+CHARACTERS = Characters.load(LEXICON)
+RATES = HeadRates.load(LEXICON / "acting" / "head_rates.yaml")
+EAGER = HeadRates(nods_after_pause=1.0, nods_after_phrase=1.0, mirrored=1.0, delay_s=0.4, delay_spread_s=0.0)
+"""A listener who leaves nothing unanswered."""
+
+DEFAULT = CHARACTERS.named("default")
+WORDS = spoken(" ".join([*["word"] * 20, "word,", *["word"] * 39]))
+LINE = utterance(WORDS)
+SPOKEN = schedule([offered(movement("tilt_left", 10)), offered(movement("gesture_me", 30))], LINE, DEFAULT, seed=0)
+
+
+def heard(listener: Character = DEFAULT, seed: int = 0, rates: HeadRates = EAGER) -> list[Behavior]:
+    return list(listen(SPOKEN, LINE, Listener(listener, rates, "ada"), seed=seed))
+
+
+def test_the_head_is_mirrored_after_half_a_second() -> None:
+    (spoken_tilt,) = (behavior for behavior in SPOKEN if behavior.function and behavior.kind is Channel.HEAD)
+    (mirrored,) = (behavior for behavior in heard() if "mirrors" in (behavior.reason or ""))
+    assert (mirrored.lexeme, spoken_tilt.lexeme) == ("TILT_RIGHT", "TILT_LEFT")
+    for (name, at_s), (_, spoken_s) in zip(mirrored.sync.in_order(), spoken_tilt.sync.in_order(), strict=True):
+        assert at_s == pytest.approx(spoken_s + 0.5), name
+    assert (mirrored.amount or 0) < (spoken_tilt.amount or 0)
+
+
+def test_a_listener_keeps_the_hands_still_and_the_eyes_on_the_speaker() -> None:
+    behaviors = heard()
+    assert {behavior.kind for behavior in behaviors if behavior.kept} == {Channel.HEAD, Channel.GAZE, Channel.EYES}
+    gazes = [behavior for behavior in behaviors if behavior.kind is Channel.GAZE]
+    assert {gaze.target for gaze in gazes} == {"ada"}
+    aside_s = sum(gaze.sync.end - gaze.sync.start for gaze in gazes if gaze.direction)
+    assert aside_s < 0.6 * 24
+
+
+def test_a_listener_nods_at_phrase_ends_and_pauses() -> None:
+    (nod,) = (behavior for behavior in heard() if "phrase ends" in (behavior.reason or "") and behavior.lexeme == "NOD")
+    assert (nod.first, nod.lexeme) == (20, "NOD")
+    assert nod.sync.start > (WORDS[20].interval or Interval(0, 0)).end_s
+    words = tuple(Word(index, "word", Interval(index * 3.0, index * 3.0 + 1)) for index in range(5))
+    paused = listen((), utterance(words), Listener(DEFAULT, EAGER, "ada"), seed=0)
+    assert len([each for each in paused if each.reason == "nods as the speaker pauses"]) == 4
+
+
+def nods_at_pauses(rates: HeadRates, seed: int) -> tuple[int, int]:
+    """The nods at the pauses of a long line, and how many pauses there are."""
+    words = tuple(Word(index, f"word{seed}", Interval(index * 3.0, index * 3.0 + 1)) for index in range(101))
+    behaviors = listen((), utterance(words), Listener(DEFAULT, rates, "ada"), seed=seed)
+    return sum(each.reason == "nods as the speaker pauses" and each.kept for each in behaviors), 100
+
+
+def test_people_leave_most_pauses_and_movements_without_an_answer() -> None:
+    counts = [nods_at_pauses(RATES, seed) for seed in range(20)]
+    share = sum(nods for nods, _ in counts) / sum(pauses for _, pauses in counts)
+    assert share == pytest.approx(RATES.nods_after_pause, abs=0.04)
+    assert RATES.nods_after_phrase < RATES.nods_after_pause < 0.5
+    answered = sum("mirrors" in (each.reason or "") for seed in range(100) for each in heard(seed=seed, rates=RATES))
+    assert answered / 100 == pytest.approx(RATES.mirrored, abs=0.06)
+
+
+def test_nothing_overlaps_and_every_id_is_one() -> None:
+    behaviors = heard()
+    assert len({behavior.id for behavior in behaviors}) == len(behaviors)
+    for channel in Channel:
+        in_time = [behavior.sync for behavior in behaviors if behavior.kept and behavior.kind is channel]
+        assert all(one.end <= other.start for one, other in pairwise(in_time))
+    assert all(behavior.rule is None and behavior.function is None for behavior in behaviors)
+
+
+def test_listeners_differ_and_each_is_the_same_again() -> None:
+    reserved = CHARACTERS.named("reserved")
+    assert heard() == heard()
+    assert heard() != heard(reserved) != heard(reserved, seed=1)
+
+
+def test_without_times_there_is_nothing_to_listen_to() -> None:
+    assert listen((), utterance((Word(0, "Yes."),)), Listener(DEFAULT, RATES, "ada"), seed=0) == ()

@@ -1,0 +1,37 @@
+from pathlib import Path
+
+import pytest
+
+from understudy.behavior.reading.authored_weights import load_weights
+from understudy.errors import AuthoringError
+
+FAMILIES = ("present", "negation")
+TERMS = ("voice(stressed)", "function(negation)")
+
+
+def written(folder: Path, content: str) -> Path:
+    path = folder / "weights.yaml"
+    path.write_text(content)
+    return path
+
+
+def test_any_is_every_family_and_adds_to_their_own(tmp_path: Path) -> None:
+    path = written(tmp_path, "terms:\n  voice(stressed): {any: 0.5, negation: 1}\n")
+    assert load_weights(path, FAMILIES, TERMS) == {"voice(stressed)": {"present": 0.5, "negation": 1.5}}
+
+
+def test_every_mistake_is_told_with_its_place(tmp_path: Path) -> None:
+    path = written(tmp_path, "terms:\n  voice(stresed): {any: 1}\n  function(negation): {negatoin: 1}\n")
+    with pytest.raises(AuthoringError) as raised:
+        load_weights(path, FAMILIES, TERMS)
+    assert [(mistake.line, mistake.message) for mistake in raised.value.mistakes] == [
+        (2, "'voice(stresed)' is no term; did you mean 'voice(stressed)'?"),
+        (3, "'negatoin' is no family of gestures; did you mean 'negation'?"),
+    ]
+
+
+@pytest.mark.parametrize("weight", ["11", "much", ".nan"])
+def test_weights_are_numbers_that_do_not_settle_all(tmp_path: Path, weight: str) -> None:
+    path = written(tmp_path, f"terms:\n  voice(stressed): {{any: {weight}}}\n")
+    with pytest.raises(AuthoringError):
+        load_weights(path, FAMILIES, TERMS)

@@ -1,0 +1,101 @@
+from itertools import combinations, pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from understudy.behavior.reading.decoding import (
+    PLACE,
+    PRECISE,
+    STROKES_APART,
+    Span,
+    gains,
+    spans_of,
+    spread,
+    stretches_of,
+    strokes,
+)
+from understudy.model import SingleArray
+
+PRICE = 0.4
+
+
+def column(*values: float) -> SingleArray:
+    return np.array([[value] for value in values], np.float32).reshape(-1, 1)
+
+
+def test_nothing_is_taken_that_costs_more_than_it_gains() -> None:
+    assert strokes(column(0.1, 0.39, 0.2), PRICE) == []
+    assert strokes(column(), PRICE) == []
+
+
+def test_of_two_that_are_too_near_the_better_is_taken() -> None:
+    assert strokes(column(0.5, 0.1, 0.9, 0.1, 0.1, 0.1, 0.6), PRICE) == [2, 6]
+
+
+def test_two_good_ones_beat_a_better_one_between_them() -> None:
+    assert strokes(column(0.8, 0.1, 0.9, 0.1, 0.8), PRICE) == [0, 4]
+
+
+def test_no_stroke_falls_where_the_hands_are_to_be_still() -> None:
+    assert strokes(column(0.2, 0.9, 0.2), PRICE, still=[1]) == []
+
+
+@given(st.lists(st.floats(0, 1, width=32), max_size=9))
+def test_the_strokes_are_the_best_of_all_that_are_possible(values: list[float]) -> None:
+    over = [value - PRICE for value in values]
+    legal = [
+        places
+        for count in range(len(values) + 1)
+        for places in combinations(range(len(values)), count)
+        if all(later - earlier >= STROKES_APART for earlier, later in pairwise(places))
+    ]
+    best = max(sum(over[place] for place in places) for places in legal)
+    taken = strokes(column(*values), PRICE)
+    assert tuple(taken) in legal
+    assert sum(over[place] for place in taken) == pytest.approx(best, abs=1e-5)
+
+
+def test_a_stroke_earns_what_lies_within_two_words() -> None:
+    assert spread(column(0, 0, 1, 0, 0, 0))[:, 0].tolist() == [1, 1, 1, 1, 1, 0]
+
+
+def test_a_gain_counts_the_word_itself_and_likely_strokes_beside_the_worth() -> None:
+    found = gains(column(0.5, 0.5), column(1, 0), np.array([0.0, 0.2], np.float32))
+    assert found[:, 0] == pytest.approx([0.5 + PRECISE + PLACE * 0.2, 0.5 + PLACE * 0.2])
+
+
+@pytest.mark.parametrize(
+    ("text", "stretches"),
+    [
+        ("Well, I never said that. Did you?", [(0, 4), (5, 6)]),
+        ("No, not now, and not here, my friend!", [(0, 2), (3, 5), (6, 7)]),
+        ("one two three four five six seven eight nine ten", [(0, 4), (5, 9)]),
+        ("", []),
+    ],
+)
+def test_stretches_lie_between_punctuation_neither_short_nor_long(text: str, stretches: list[tuple[int, int]]) -> None:
+    assert stretches_of(text.split()) == stretches
+
+
+THRESHOLDS = {"nod": 0.3, "shake": 0.3, "tilt": 0.3, "smile": 0.3, "brows_up": 0.3}
+
+
+def spans(kinds: tuple[str, ...], *rows: tuple[float, ...]) -> list[Span]:
+    return list(spans_of(kinds, np.array(rows, np.float32), [(0, len(rows) - 1)], THRESHOLDS))
+
+
+def test_contrary_movements_are_not_made_in_one_stretch() -> None:
+    (only,) = spans(("nod", "shake"), (0.5, 0.9), (0.5, 0.9))
+    assert (only.kind, only.first, only.last) == ("shake", 0, 1)
+
+
+def test_two_head_movements_come_one_after_the_other() -> None:
+    made = spans(("nod", "tilt"), (0.4, 0.9), (0.4, 0.5), (0.5, 0.4), (0.9, 0.4))
+    assert [(each.kind, each.first, each.last) for each in made] == [("tilt", 0, 1), ("nod", 2, 3)]
+
+
+def test_a_mouth_and_brows_go_together() -> None:
+    made = spans(("smile", "brows_up"), (0.9, 0.8), (0.9, 0.8))
+    assert {(each.kind, each.first, each.last) for each in made} == {("smile", 0, 1), ("brows_up", 0, 1)}

@@ -1,0 +1,1 @@
+"""Lead-in, delivery and mouth shapes: `app/behavior/speech`. Begin with `test_visemes.py`."""

@@ -1,1 +1,0 @@
-"""The listeners and their behavior: `app/bml/choice/listeners`. Begin with `test_listening.py`."""
