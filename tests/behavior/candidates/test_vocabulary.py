@@ -6,7 +6,7 @@ from understudy.behavior.candidates.vocabulary import AVOIDABLE, FACES, GESTURES
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.reading.families import load_families
 
-LEXICON = Path(__file__).resolve().parents[2] / "lexicon"
+LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
 
 
 def test_whatever_can_be_asked_for_has_behaviours_that_show_it() -> None:

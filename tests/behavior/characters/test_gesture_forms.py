@@ -14,7 +14,7 @@ from understudy.model.gesture_limits import ArmEnds, GestureForm, GestureTable
 ENDS = ArmEnds((0.0, 0.0, 0.0), (0.3, 0.0, 0.0), (0.3, 0.0, 0.0))
 SHORT, LONG = (GestureForm(0.3, after_s, 0.6, {Hand.RIGHT: ENDS}) for after_s in (0.1, 0.2))
 TABLE = GestureTable({("NEGATION", Level.LOW, hand): (SHORT, LONG) for hand in Hand})
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[4] / "lexicon")
+CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 LIVELY = replace(CHARACTERS.named("default"), gestures_per_minute=60)
 
 

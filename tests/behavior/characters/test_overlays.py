@@ -8,7 +8,7 @@ from understudy.errors import AuthoringError, InputError
 from understudy.model import Hand
 from understudy.model.figure import PLAIN
 
-LEXICON = Path(__file__).resolve().parents[4] / "lexicon"
+LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
 SHEET = "description: Somebody.\nhandedness: left\ngestures_per_minute: 12\n"
 
 

@@ -12,7 +12,7 @@ from understudy.behavior.choice.attempts import Line
 from understudy.behavior.choice.choosing import EASILY_S, choose
 from understudy.model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Moment, Movement
 
-DEFAULT = Characters.load(Path(__file__).resolve().parents[4] / "lexicon").named("default")
+DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
 WORDS = spoken(" ".join(["word"] * 40))
 
 

@@ -12,7 +12,7 @@ from understudy.behavior.table.behavior_table import GLANCE, LOOK
 from understudy.behavior.timing.anchoring import asked
 from understudy.model import Behavior, Channel, Interval
 
-DEFAULT = Characters.load(Path(__file__).resolve().parents[4] / "lexicon").named("default")
+DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
 WORDS = spoken(" ".join(["word"] * 60), start_s=0.0)
 NODS = tuple(
     asked(movement("big_nod", word), DEFAULT.entries["big_nod"], WORDS, f"nod{word}") for word in range(3, 60, 8)

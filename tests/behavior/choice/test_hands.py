@@ -15,7 +15,7 @@ from understudy.behavior.timing.time_index import KeptByTime
 from understudy.loading import load_gesture_table
 from understudy.model import Behavior, Hand, Level
 
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[4] / "lexicon")
+CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 DEFAULT = with_forms(CHARACTERS.named("default"), load_gesture_table(CHARACTERS.gesture_lexemes), Level.MEDIUM)
 
 

@@ -10,7 +10,7 @@ from understudy.behavior.choice.modes import BEAT
 from understudy.behavior.choice.scheduling import schedule
 from understudy.model import Behavior, BehaviorCandidates, Channel, Mode
 
-DEFAULT = Characters.load(Path(__file__).resolve().parents[4] / "lexicon").named("default")
+DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
 LINE = utterance(spoken(" ".join(["word"] * 60), stressed=(8, 9, 30)))
 
 

@@ -14,7 +14,7 @@ from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.model import Behavior, BehaviorCandidates, Channel
 
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[4] / "lexicon")
+CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 DEFAULT = CHARACTERS.named("default")
 WORDS = 90
 CLASSES = ("emphasis", "negation", "affirmation", "initial_noun_phrase", "performance", "deixis")

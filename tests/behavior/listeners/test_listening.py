@@ -10,7 +10,7 @@ from understudy.behavior.listeners.head_rates import HeadRates
 from understudy.behavior.listeners.listening import Listener, listen
 from understudy.model import Behavior, Channel, Interval, Word
 
-LEXICON = Path(__file__).resolve().parents[4] / "lexicon"
+LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
 CHARACTERS = Characters.load(LEXICON)
 RATES = HeadRates.load(LEXICON / "acting" / "head_rates.yaml")
 EAGER = HeadRates(nods_after_pause=1.0, nods_after_phrase=1.0, mirrored=1.0, delay_s=0.4, delay_spread_s=0.0)

@@ -8,7 +8,7 @@ import pytest
 from understudy.behavior.reading.encoder import MOST_PIECES, Encoder
 from understudy.errors import ServiceError
 
-MODEL = Path(__file__).resolve().parents[2] / "models" / "acting" / "encoder.onnx"
+MODEL = Path(__file__).resolve().parents[3] / "models" / "acting" / "encoder.onnx"
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,7 @@ from understudy.errors import AuthoringError
 from understudy.model import Channel, Level
 from understudy.realizer.gestures.library import Library
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 LEXICON = ROOT / "lexicon"
 PAGE = ROOT / "docs" / "families.md"
 DIRECTING = SHARED / "directing"

@@ -9,7 +9,7 @@ from understudy.behavior.table.behavior_table import UNASKED, Anchor, load_table
 from understudy.errors import AuthoringError
 from understudy.model import Channel, Hand
 
-TABLE = Path(__file__).resolve().parents[4] / "lexicon" / "behaviors.yaml"
+TABLE = Path(__file__).resolve().parents[3] / "lexicon" / "behaviors.yaml"
 
 SMALLEST = """\
 timings:
