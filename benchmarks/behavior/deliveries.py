@@ -1,6 +1,6 @@
 """How far a performance follows the delivery: the same words said differently, each directed on its own.
 
-    python -m benchmarks.acting.deliveries [--directing FOLDER] [--choice terms|priority] [--as-written] [--seed N]
+    python -m benchmarks.behavior.deliveries [--directing FOLDER] [--choice terms|priority] [--as-written] [--seed N]
 
 Performs the recorded deliveries of the folder `deliveries` and prints the figures of its deliveries.py: agreement with
 the directors, deliveries told apart, strokes on the focus. With --as-written the performance is told the focus, tone
@@ -19,7 +19,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from benchmarks.acting.directing import gestures_of, load_score, others_of
+from benchmarks.behavior.directing import gestures_of, load_score, others_of
 from training.acting.listening import TONES
 from understudy.model import Affect, Agitation, LineAffect, Tone, Utterance
 from understudy.performance import Line, Options, Understudy, analyze, perform_analysis

@@ -28,9 +28,9 @@ import torch
 from torch import Tensor, nn
 from torch.nn.functional import binary_cross_entropy_with_logits
 
-from understudy.acting.delivery import Delivery, features_of
-from understudy.acting.encoder import MOST_PIECES
-from understudy.acting.wordpieces import FIRST, LAST, pieces_of
+from understudy.behavior.reading.delivery import Delivery, features_of
+from understudy.behavior.reading.encoder import MOST_PIECES
+from understudy.behavior.reading.wordpieces import FIRST, LAST, pieces_of
 from understudy.model import SingleArray
 
 from .directed import FACE, FAMILIES, GAZE, HEAD, MANNER, OUTPUTS, DirectedLine, Targets, read_lines, targets_of

@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from understudy.acting.delivery import WORDS_ALONE, Delivery
+from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery
 from understudy.model import Affect, LineAffect, Tone
 
 from .directed import DirectedLine, gesture_choices

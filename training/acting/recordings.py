@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from understudy.acting.delivery import Delivery
+from understudy.behavior.reading.delivery import Delivery
 from understudy.model import Affect, LineAffect, PhraseAffect
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..model import LineAffect, SingleArray, Tone, Utterance
+from ...model import LineAffect, SingleArray, Tone, Utterance
 
 NEIGHBOURS = (-2, -1, 1, 2)
 """The words around a word whose shares of the focus are features of it."""

@@ -14,14 +14,9 @@ from typing import Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-<<<<<<< HEAD:app/acting/encoder.py
-from ..errors import ServiceError
-from ..model import SingleArray
-from .delivery import WORDS_ALONE, Delivery
-=======
 from ...errors import ServiceError
 from ...model import SingleArray
->>>>>>> db19e04 (One room for choice: app/behavior has reading, candidates, choice, timing, idle, listeners, characters, the table and speakers' profiles; shared limits are values of the model):app/behavior/reading/encoder.py
+from .delivery import WORDS_ALONE, Delivery
 from .wordpieces import FIRST, LAST, pieces_of
 
 Integers: TypeAlias = NDArray[np.int64]

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from understudy.acting.delivery import FEATURES, NEIGHBOURS, WORDS_ALONE, Delivery, features_of
+from understudy.behavior.reading.delivery import FEATURES, NEIGHBOURS, WORDS_ALONE, Delivery, features_of
 from understudy.model import Affect, Agitation, LineAffect, Parse, PhraseAffect, Utterance, Word
 
 WORDS = tuple(Word(index, text) for index, text in enumerate(["I", "never", "said", "it."]))

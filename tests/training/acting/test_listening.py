@@ -7,7 +7,7 @@ import pytest
 
 from training.acting.directed import DirectedLine
 from training.acting.listening import as_written, heard
-from understudy.acting.delivery import WORDS_ALONE, Delivery
+from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery
 from understudy.model import Tone
 
 WORDS = ("I", "never", "said", "she", "took", "the", "money.")
