@@ -9,7 +9,8 @@
 
 A moment is a span (`first..last@stroke`, the stroke being the last word where it is not given), its importance, the
 families of gestures, the best first, codes of head, face and gaze, and the idea. Words are named by themselves or by
-their beginnings, the second `the` as `the#2`; a span that could be several is the shortest of them. `-` is nothing.
+their beginnings, the second `the` as `the#2`; a span that could be several is the shortest that holds
+its stroke. `-` is nothing.
 """
 
 import re
@@ -156,18 +157,16 @@ def _family(name: str) -> str:
 def _span(words: list[str], span: str) -> tuple[int, int, int]:
     ends, _, stroke = span.partition("@")
     first, _, last = ends.partition("..")
-    if not last:
-        start = end = _only(words, first)
-    else:
-        pairs = [(one, other) for one in _all(words, first) for other in _all(words, last) if one < other]
-        lengths = sorted(other - one for one, other in pairs)
-        if not pairs or lengths[:2] == [lengths[0]] * 2:
-            raise ValueError(f"{len(pairs)} spans {ends}")
-        start, end = min(pairs, key=lambda pair: pair[1] - pair[0])
-    at = [each for each in _all(words, stroke) if start <= each <= end] if stroke else [end]
-    if len(at) != 1:
-        raise ValueError(f"{len(at)} strokes {stroke} in {ends}")
-    return start, end, at[0]
+    starts = _all(words, first)
+    found = [(start, end) for start in starts for end in (_all(words, last) if last else [start])]
+    found = [(start, end) for start, end in found if start < end or not last]
+    strokes = _all(words, stroke) if stroke else [end for _, end in found]
+    spans = [(start, end, at) for start, end in found for at in strokes if start <= at <= end and (stroke or at == end)]
+    shortest = min((end - start for start, end, _ in spans), default=0)
+    spans = [each for each in spans if each[1] - each[0] == shortest]
+    if len(set(spans)) != 1:
+        raise ValueError(f"{len(spans)} spans {span}")
+    return spans[0]
 
 
 def _only(words: list[str], name: str) -> int:
