@@ -15,6 +15,8 @@ from ..behavior.reading.choice_model import ChoiceModel
 from ..behavior.reading.families import load_families
 from ..behavior.reading.terms import TermTable
 from ..behavior.table.behavior_table import BehaviorEntry, load_table
+from ..bml.reading.aliases import FILE as BML_ALIASES
+from ..bml.reading.aliases import LexemeAliases
 from ..bml.writing.smartbody_tables import FILE as SMARTBODY
 from ..bml.writing.smartbody_tables import SmartBodyTables
 from ..errors import AuthoringError, InputError, Mistake
@@ -111,6 +113,7 @@ def check_files_in_use() -> None:
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
         partial(SmartBodyTables.load, lexicon / SMARTBODY),
         partial(FapTable.load, lexicon / FAPS),
+        partial(LexemeAliases.load, lexicon / BML_ALIASES),
         lambda: LiveTable.load(lexicon / LIVE, load_characters().behavior_names),
         partial(PhoneDurations.load, lexicon / PHONE_DURATIONS),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),

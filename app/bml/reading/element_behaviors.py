@@ -17,6 +17,8 @@ from ...model import Behavior, Channel, Hand, SyncPoints
 from ..markup.documents import Element
 from ..markup.elements import SBM
 from ..writing.blocks import GAZE_RANGE_DEGREES, MODES
+from ..writing.smartbody_tables import shipped_tables
+from .aliases import shipped_aliases
 
 _HANDS: Mapping[str, Hand] = MappingProxyType({mode: hand for hand, mode in MODES.items()})
 _WORDS_OF_UNITS: Mapping[int, str] = MappingProxyType({unit: lexeme for lexeme, unit in ACTION_UNITS.items()})
@@ -54,8 +56,11 @@ def _blank(element: Element, name: str, sync: SyncPoints) -> Behavior:
 
 
 def _gesture(element: Element, blank: Behavior) -> Behavior | None:
-    lexeme = _text(element, "lexeme") or _text(element, "type")
-    return replace(blank, lexeme=lexeme) if lexeme else None
+    """SmartBody's `type` is the gesture and its `lexeme` the kind of it (`lexeme="DEICTIC" type="ME"`), where that is
+    no gesture itself."""
+    lexeme, kind = _text(element, "lexeme"), _text(element, "type")
+    found = kind if kind and (shipped_tables().knows_type(kind) or not shipped_tables().knows(lexeme)) else lexeme
+    return replace(blank, lexeme=found) if found else None
 
 
 def _pointing(element: Element, blank: Behavior) -> Behavior:
@@ -71,7 +76,7 @@ def _head(element: Element, blank: Behavior) -> Behavior | None:
     return replace(
         blank,
         kind=Channel.HEAD,
-        lexeme=lexeme,
+        lexeme=shipped_aliases().head(lexeme),
         amount=_USUAL_HEAD if amount is None else amount,
         repetitions=None if often is None else max(1, round(often)),
     )
@@ -98,7 +103,7 @@ def _face(element: Element, blank: Behavior) -> Behavior | None:
     face = replace(blank, kind=Channel.FACE, amount=1.0 if amount is None else amount)
     lexeme = _text(element, "lexeme")
     if lexeme:
-        return replace(face, lexeme=lexeme)
+        return replace(face, lexeme=shipped_aliases().face(lexeme))
     unit = str(element.attributes.get("au", ""))
     if not unit.isdecimal():
         return None

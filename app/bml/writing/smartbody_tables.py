@@ -82,6 +82,14 @@ class SmartBodyTables:
             visemes={names: MappingProxyType(shapes) for names, shapes in written.visemes.items()},
         )
 
+    def knows_type(self, name: str) -> bool:
+        """Whether a gesture map may have this type."""
+        return name in self.gesture_map
+
+    def knows(self, lexeme: str | None) -> bool:
+        """Whether this is a lexeme of ours or a type of the map."""
+        return lexeme in self.types or lexeme in self.gesture_map
+
     def gesture(self, lexeme: str, hand: Hand | None, style: str | None) -> GestureName:
         """The nearest gesture in the map: always of the lexeme's type, with hand and style if there is such an
         entry."""
