@@ -78,7 +78,7 @@ def prepare_schedule(
         agitation=agitation or schedule.agitation,
         character=character or resolved.character or DEFAULT_CHARACTER,
         stillness=_together(record.stillness if record else 0.0, stillness),
-        targets=scene_of(behaviors, targets, resolved.targets),
+        targets=scene_of(behaviors, targets, resolved.targets, resolved.places),
     )
     told = (*notices, *speech.notices, *resolved.notices, *lip_notices)
     recorded = record.seed if record and record.seed is not None else 0

@@ -20,6 +20,8 @@ SBM = "http://ict.usc.edu"
 """The namespace of SmartBody's additional attributes, `sbm:` in its files."""
 BMLT = "http://hmi.ewi.utwente.nl/bmlt"
 """The namespace of ASAP's additional elements, such as recordings."""
+BMLA = "http://www.asap-project.org/bmla"
+"""The namespace of ASAP's additional attributes of blocks."""
 OURS = "urn:understudy:performance"
 RECORD_TYPE = "application/vnd.understudy.performance+xml"
 """The namespace, and the type of the `description` of a speech, of what our realizer needs and the core cannot say

@@ -1,15 +1,28 @@
 """Parses untrusted XML into elements with expanded names, attributes as text, and the position of every start tag.
 
 UTF-8 only. A DOCTYPE is rejected immediately, so there are no entities but XML's own five and nothing is fetched; size
-and depth are limited. Comments and processing instructions are ignored.
+and depth are limited. Comments and processing instructions are ignored. SmartBody's `sbm:` is often used without a
+declaration, which its own parser does not need: it is bound then.
 """
 
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from xml.parsers import expat
 
 from .documents import Element, Place
+from .elements import BMLA, BMLT, SBM
 
 _SEPARATOR = "}"
+
+_UNBOUND_PREFIX = expat.errors.codes[expat.errors.XML_ERROR_UNBOUND_PREFIX]
+_NAMESPACES: Mapping[str, str] = MappingProxyType({"sbm": SBM, "bmlt": BMLT, "bmla": BMLA})
+"""The namespaces of usual prefixes."""
+
+_BOUND = "sbm"
+_PREFIX = re.compile(r"[\s<]([A-Za-z_][\w.-]*):[A-Za-z_]")
+_XML_DECLARATION = re.compile(r"\A\s*<\?xml\s.*?\?>", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +43,18 @@ class NotXmlError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
+class Parsed:
+    """The root element of a file with all its content; `is_bound` if `sbm:` had to be bound to its namespace."""
+
+    root: Element
+    is_bound: bool = False
+
+
+class _UnboundPrefixError(NotXmlError):
+    """A prefix is not declared."""
+
+
+@dataclass(frozen=True, slots=True)
 class _Open:
     """An element whose end tag has not been reached."""
 
@@ -42,8 +67,9 @@ class _Open:
 class _Builder:
     """Builds the elements from the parser's events."""
 
-    def __init__(self, max_depth: int) -> None:
+    def __init__(self, max_depth: int, *, lines_before: int = 0) -> None:
         self._max_depth = max_depth
+        self._lines_before = lines_before
         self._open = [_Open("", {}, [], Place(1, 1))]
         self._parser = expat.ParserCreate(namespace_separator=_SEPARATOR)
         self._parser.buffer_text = True
@@ -56,15 +82,16 @@ class _Builder:
         try:
             self._parser.Parse(text, True)
         except expat.ExpatError as error:
-            raise NotXmlError(
-                f"not well-formed XML: {expat.ErrorString(error.code)}", Place(error.lineno, error.offset + 1)
-            ) from None
+            place = Place(error.lineno - self._lines_before, error.offset + 1)
+            if error.code == _UNBOUND_PREFIX:
+                raise _UnboundPrefixError("not well-formed XML: a prefix is not declared", place) from None
+            raise NotXmlError(f"not well-formed XML: {expat.ErrorString(error.code)}", place) from None
         (root,) = self._open[0].content
         assert isinstance(root, Element)
         return root
 
     def _place(self) -> Place:
-        return Place(self._parser.CurrentLineNumber, self._parser.CurrentColumnNumber + 1)
+        return Place(self._parser.CurrentLineNumber - self._lines_before, self._parser.CurrentColumnNumber + 1)
 
     def _refuse_doctype(self, *_declaration: object) -> None:
         raise NotXmlError("BML has no DOCTYPE; leave it out", self._place())
@@ -84,15 +111,51 @@ class _Builder:
             self._open[-1].content.append(text.replace("\r", "\n"))
 
 
-def parse(content: bytes, limits: ReadingLimits) -> Element:
-    """The root element with all content. Raises NotXmlError. The caller must check the size."""
+def parse(content: bytes, limits: ReadingLimits) -> Parsed:
+    """The file as elements. Raises NotXmlError. The caller must check the size."""
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         column = error.start - content.rfind(b"\n", 0, error.start)
         raise NotXmlError("not UTF-8; write BML in UTF-8", Place(line, column)) from None
-    return _Builder(limits.max_depth).build(text)
+    try:
+        return Parsed(_Builder(limits.max_depth).build(text))
+    except _UnboundPrefixError as error:
+        if _prefix_at(text, error.place) != _BOUND:
+            raise _with_remedy(error, text) from None
+    try:
+        return Parsed(_with_bound_prefix(text, limits), is_bound=True)
+    except _UnboundPrefixError as error:
+        raise _with_remedy(error, text) from None
+
+
+def _prefix_at(text: str, place: Place) -> str | None:
+    """The first prefix in the tag at a place that is not declared, as far as one can see; what is bound comes last."""
+    lines = re.split(r"\r\n?|\n", text)[place.line - 1 :]
+    tag = "\n".join([lines[0][place.column - 1 :], *lines[1:]]).partition(">")[0]
+    names = [found[1] for found in _PREFIX.finditer(tag)]
+    unbound = [name for name in names if not name.startswith("xml") and f"xmlns:{name}=" not in text]
+    return next((name for name in unbound if name != _BOUND), _BOUND if unbound else None)
+
+
+def _with_remedy(error: NotXmlError, text: str) -> NotXmlError:
+    prefix = _prefix_at(text, error.place) or "PREFIX"
+    remedy = f'declare it in the outermost element: xmlns:{prefix}="{_NAMESPACES.get(prefix, "its namespace")}"'
+    return NotXmlError(f"{error.message}; {remedy}", error.place)
+
+
+def _with_bound_prefix(text: str, limits: ReadingLimits) -> Element:
+    """The file's root, read inside an element that declares the prefix."""
+    whole = _XML_DECLARATION.sub(
+        lambda found: "\n" * found[0].count("\n") + " " * len(found[0].rpartition("\n")[2]), text
+    )
+    around = f'<file xmlns:{_BOUND}="{_NAMESPACES[_BOUND]}">\n{whole}</file>'
+    file = _Builder(limits.max_depth + 1, lines_before=1).build(around)
+    roots = list(file.children)
+    if len(roots) != 1:
+        raise NotXmlError("not well-formed XML: one outermost element", file.place or Place(1, 1))
+    return roots[0]
 
 
 def _qualified(name: str) -> str:

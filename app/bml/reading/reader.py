@@ -15,9 +15,10 @@ from pathlib import Path
 from ...errors import Mistake, TooLargeError, WrongBmlError
 from ...model import Notice
 from ..markup.documents import Document, Element, Place, Value
-from ..markup.elements import DIALECTS, OURS, Dialect, ElementKind
+from ..markup.elements import DIALECTS, OURS, SBM, Dialect, ElementKind
 from ..markup.mistakes import is_foreign, kind_of, local_name, mistakes_of, typed_attributes
-from ..markup.parsing import NotXmlError, ReadingLimits, parse
+from ..markup.parsing import NotXmlError, Parsed, ReadingLimits, parse
+from .greta import in_core_bml
 from .moved_points import with_following_points
 
 MOST_MISTAKES = 100
@@ -31,19 +32,15 @@ _DEFAULT_LIMITS = ReadingLimits()
 def read_bml(
     content: bytes, path: Path, limits: ReadingLimits = _DEFAULT_LIMITS
 ) -> tuple[Document, tuple[Notice, ...]]:
-    """The document, a Notice `bml_point_moved` for every behaviour of ours of which a point was moved by hand, and a
-    Notice `bml_foreign` for every name that is not in its dialect.
+    """The document, and Notices: `bml_point_moved` for every behaviour of ours of which a point was moved by hand,
+    `bml_foreign` for every name that is not in its dialect, `bml_namespace` where a prefix was bound, and what was
+    changed to read Greta's.
 
     `path` names the file in messages. Raises WrongBmlError `bml_wrong` with all mistakes, and TooLargeError
     `bml_too_large`.
     """
-    if len(content) > limits.max_bytes:
-        message = f"{path}: {len(content)} bytes of BML; no more than {limits.max_bytes} are read"
-        raise TooLargeError("bml_too_large", message, field="bml")
-    try:
-        root = parse(content, limits)
-    except NotXmlError as error:
-        raise _wrong_bml(content, path, [(error.place, error.message)]) from None
+    parsed = _parsed(content, path, limits)
+    root, translated = in_core_bml(parsed.root)
     found = _dialect_of(root)
     if found is None:
         message = f"the outermost element is <{root.name[:100]}>; write <bml> of BML 1.0, or SmartBody's <act>"
@@ -53,7 +50,24 @@ def read_bml(
     mistakes = list(islice(mistakes_of(root, kind, dialect), MOST_MISTAKES))
     if mistakes:
         raise _wrong_bml(content, path, mistakes)
-    return Document(dialect.name, _element(root, kind)), (*moves, *_foreign(root, kind, dialect))
+    notices = (*translated, *_bound(parsed), *moves, *_foreign(root, kind, dialect))
+    return Document(dialect.name, _element(root, kind)), notices
+
+
+def _parsed(content: bytes, path: Path, limits: ReadingLimits) -> Parsed:
+    if len(content) > limits.max_bytes:
+        message = f"{path}: {len(content)} bytes of BML; no more than {limits.max_bytes} are read"
+        raise TooLargeError("bml_too_large", message, field="bml")
+    try:
+        return parse(content, limits)
+    except NotXmlError as error:
+        raise _wrong_bml(content, path, [(error.place, error.message)]) from None
+
+
+def _bound(parsed: Parsed) -> Iterator[Notice]:
+    if parsed.is_bound:
+        message = f'sbm: is not declared; it is taken as SmartBody\'s: write xmlns:sbm="{SBM}" in the outermost element'
+        yield Notice("bml_namespace", message)
 
 
 def _dialect_of(root: Element) -> tuple[Dialect, ElementKind] | None:

@@ -21,7 +21,7 @@ from ..markup.elements import DIALECTS, SBM, ElementKind
 from ..markup.speech import Speech, behaviors_of, block_of, mark_s, speech_of
 from .constraints import synchronized, tied_points, violated_constraints
 from .element_behaviors import SHIFTS, to_behavior
-from .pawns import pawns_of, recorded_targets
+from .pawns import pawns_of, placed_by_coordinates, recorded_targets
 from .phase_completion import Points, StatedPoints, resolve_times, usual_s
 
 GUESSED_WORD_S = 0.35
@@ -38,7 +38,7 @@ _UNPLAYED = ("a body alone has no way to play it", "one recording has one speech
 class Resolved:
     """A document's behaviours in order of time, and the words of its speech at times of the block, in which the speech
     starts at `speech_start_s`. Visemes, agitation and character are set if the document states them, as SmartBody's
-    dialect may."""
+    dialect may. `places` are the targets that behaviours name by their coordinates."""
 
     behaviors: tuple[Behavior, ...]
     words: tuple[Word, ...]
@@ -48,6 +48,7 @@ class Resolved:
     notices: tuple[Notice, ...]
     speech_start_s: float = 0.0
     targets: tuple[Target, ...] = ()
+    places: tuple[Target, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +71,7 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
     elements = {each.stated.id: each.element for each in asked}
     aimed = recorded_targets(document.root)
     played = (replace(each, target=each.target or aimed.get(each.id)) for each in _behaviors(elements, points))
-    behaviors = _lasting(list(played), document.dialect)
+    behaviors, places = placed_by_coordinates(_lasting(list(played), document.dialect))
     start_s = points[spoken.id]["start"] if spoken and spoken.id in points else 0.0
     notices = (
         *_guessed([*tied_points(document), *(time for each in stated for time in each.times.values())], speech, words),
@@ -87,6 +88,7 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
         notices=notices,
         speech_start_s=start_s,
         targets=pawns_of(document.root),
+        places=places,
     )
 
 

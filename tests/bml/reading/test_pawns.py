@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from understudy.bml.markup.elements import CORE, OURS
-from understudy.bml.reading.pawns import scene_of
+from understudy.bml.reading.pawns import placed_by_coordinates, scene_of
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.resolving import resolve
 from understudy.errors import InputError, WrongBmlError
@@ -74,3 +74,21 @@ def test_one_other_person_needs_no_place() -> None:
     assert scene_of([gaze("speaker"), gaze("speaker")], [DOOR], []) == (DOOR,)
     with pytest.raises(InputError, match="no target is called 'speaker'"):
         scene_of([gaze("speaker"), gaze("door")], [DOOR], [])
+
+
+@pytest.mark.parametrize("written", ["1,1.5,-2", " 1.0 , 1.5 , -2.0 ", "1 1.5 -2.0"])
+def test_a_target_may_be_a_place(written: str) -> None:
+    inside = f'<gaze id="a" target="{written}" start="1"/><pointing id="b" target="1,1.5,-2" start="3"/>'
+    core = 'xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b1" characterId="c"'
+    found = resolve(read_bml(f'<bml {core}>{inside}<gaze id="c" target="box"/></bml>'.encode(), Path("a.bml"))[0])
+    assert found.places == (Target("place1", (1.0, 1.5, -2.0)),)
+    assert {each.id: each.target for each in found.behaviors} == {"a": "place1", "b": "place1", "c": "box"}
+    assert scene_of(found.behaviors, (), found.targets, found.places) == found.places
+    with pytest.raises(InputError, match="no target is called 'box'"):
+        scene_of(found.behaviors, (Target("door", (0.0, 1.0, 2.0)),), found.targets, found.places)
+
+
+@pytest.mark.parametrize("written", ["1,2", "1,2,3,4", "1,2,two", "1,2,5000", "1e3,0,0"])
+def test_what_is_no_place_stays_a_name(written: str) -> None:
+    behavior = Behavior("a", Channel.GAZE, "LOOK", SyncPoints(0.0, 1.0), 0, 0, 0.0, target=written)
+    assert placed_by_coordinates([behavior]) == ((behavior,), ())
