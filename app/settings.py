@@ -83,7 +83,7 @@ class Settings(BaseSettings):
         default=None, gt=0, description="processes that perform lines, one line each at a time; one a core if unset"
     )
     queue: int | None = Field(
-        default=None, ge=0, description="requests that may wait, 503 beyond; half as many as workers if unset"
+        default=None, ge=0, description="requests that may wait, 503 beyond; four a worker if unset"
     )
     queue_s: float = Field(default=10.0, gt=0, description="a request that waits longer for a worker is answered 503")
     deadline_s: float = Field(default=60.0, gt=0, description="a request that takes longer is answered 504")
@@ -119,8 +119,16 @@ class Settings(BaseSettings):
     live_streams: int | None = Field(
         default=None, ge=0, description="live streams at the same time, refused beyond; eight a core if unset"
     )
-    live_s: float = Field(default=14_400.0, gt=0, description="longest live stream, seconds of sound")
+    live_streams_per_caller: int | None = Field(
+        default=None,
+        gt=0,
+        description="live streams of one key or address; if unset all, or three quarters where there are keys",
+    )
+    live_s: float = Field(default=14_400.0, gt=0, description="longest live stream, seconds of sound and by the clock")
     live_message_bytes: int = Field(default=256 * 1024, gt=0, description="largest message of a live stream, bytes")
+    live_message_s: float = Field(
+        default=10.0, gt=0, description="processor time that a message of a live stream may take, seconds"
+    )
     live_idle_s: float = Field(
         default=30.0, gt=0, description="a live stream on which nothing is sent for so long is ended"
     )
@@ -144,6 +152,18 @@ class Settings(BaseSettings):
         return 8 * (len(psutil.Process().cpu_affinity() or ()) or 1) if self.live_streams is None else self.live_streams
 
     @property
+    def live_streams_each(self) -> int:
+        """The most live streams of one caller: where no keys tell callers apart, as many as there may be."""
+        if self.live_streams_per_caller is not None:
+            return self.live_streams_per_caller
+        return max(1, 3 * self.live_stream_count // 4) if self.has_keys else self.live_stream_count
+
+    @property
+    def has_keys(self) -> bool:
+        """Whether callers are asked for a key."""
+        return self.api_keys is not None or self.api_keys_file is not None
+
+    @property
     def motion_limits(self) -> MotionLimits:
         """The limits on the motion in one response of the service."""
         return MotionLimits(self.max_motion_behaviors, self.max_motion_s, self.max_motion_frames, self.max_motion_bytes)
@@ -151,7 +171,7 @@ class Settings(BaseSettings):
     @property
     def queue_length(self) -> int:
         """The most requests that may wait."""
-        return (self.worker_count + 1) // 2 if self.queue is None else self.queue
+        return 4 * self.worker_count if self.queue is None else self.queue
 
 
 def read_settings() -> Settings:

@@ -9,11 +9,7 @@ import h11
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from ..settings import Settings
-from .problems import MEDIA_TYPE, problem
-
-_FULL = bytes(problem(503, "connections_full", "too many connections are open; try again in a moment").body)
-_REFUSAL = b"HTTP/1.1 503 Service Unavailable\r\ncontent-type: application/problem+json\r\nretry-after: 1\r\n"
-_REFUSAL += b"connection: close\r\ncontent-length: %d\r\n\r\n" % len(_FULL) + _FULL
+from .http_errors import bad_request, connections_full
 
 
 class LimitedProtocol(H11Protocol):
@@ -27,7 +23,7 @@ class LimitedProtocol(H11Protocol):
         self._unread_bytes = 0
         self._headers_due_s = self.loop.time() + self.settings.header_s
         if len(self.connections) > self.settings.max_connections:
-            transport.write(_REFUSAL)
+            transport.write(connections_full())
             transport.close()
             return
         self._check()
@@ -40,18 +36,19 @@ class LimitedProtocol(H11Protocol):
         super().data_received(data)
 
     def handle_websocket_upgrade(self, event: h11.Request) -> None:
-        """From here on the connection is a live stream's, which has limits of its own (`live.py`)."""
+        """From here on the connection has the limits of a WebSocket (`websockets.py`). A body would come after the
+        head, as if it were messages."""
+        headers = dict(self.headers)
+        if b"transfer-encoding" in headers or headers.get(b"content-length", b"0") != b"0":
+            self.send_400_response("an upgrade to a WebSocket has no body")
+            return
         if self._checking is not None:
             self._checking.cancel()
         super().handle_websocket_upgrade(event)
 
     def send_400_response(self, msg: str) -> None:
         """What is no HTTP is told so in the shape of every error, and the connection closed."""
-        body = bytes(problem(400, "http_error", msg).body)
-        headers = [("content-type", MEDIA_TYPE), ("connection", "close"), ("content-length", str(len(body)))]
-        head = h11.Response(status_code=400, headers=headers, reason="Bad Request")
-        for event in (head, h11.Data(data=body), h11.EndOfMessage()):
-            self.transport.write(self.conn.send(event) or b"")
+        self.transport.write(bad_request(msg))
         self.transport.close()
 
     def connection_lost(self, exc: Exception | None) -> None:

@@ -1,27 +1,37 @@
 """`WS /live`: passes a client's messages to the process of its stream, and back what that tells (docs/live.md).
 
 Nothing of a message is read here. A client that reads slowly gets fewer frames and is told so, but every other message;
-one that reads nothing, or sends nothing, for too long is let go.
+one that reads nothing, or sends nothing, for too long is let go. One that has left is noticed at once, whatever is
+being waited for, and its process ended.
 """
 
 import asyncio
 import logging
+from collections.abc import Mapping
 from contextlib import suppress
+from types import MappingProxyType
 
 from fastapi import APIRouter, WebSocket
 from starlette.websockets import WebSocketDisconnect, WebSocketState
 
-from ..errors import ServiceError, SlowClientError, TooManyError, UnderstudyError
+from ..errors import ServiceError, SlowClientError, TooLargeError, TooManyError, UnderstudyError
 from ..schemas.live import to_error
 from ..settings import Settings
+from .admission.callers import caller_of
 from .admission.keys import PROTOCOL, offers_protocol
 from .service import Service
 from .unsent import Unsent
+from .websockets import GONE
 from .workers.messages import LiveInput, LiveOutput, receive_soon, send_soon
 from .workers.processes import Worker
 from .workers.streams import stopping
 
-GOING_AWAY, ENDED, TRY_AGAIN, IDLE = 1001, 1000, 1013, 1008
+GOING_AWAY, ENDED, TRY_AGAIN, IDLE, ABNORMAL = 1001, 1000, 1013, 1008, 1006
+
+CLOSED_WITH: Mapping[str, int] = MappingProxyType(
+    {"service_stopping": GOING_AWAY, "live_idle": IDLE, "live_unread": IDLE, "live_too_long": ENDED}
+)
+"""By the code of the error; with `TRY_AGAIN` for any other."""
 
 _LOGGER = logging.getLogger("understudy.requests")
 
@@ -35,9 +45,9 @@ async def live(socket: WebSocket) -> None:
     await socket.accept(PROTOCOL if offers_protocol(socket.headers) else None)
     try:
         service.rates.take(socket.client.host if socket.client else "")
-        async with service.streams.process() as worker:
+        async with service.streams.process(caller_of(socket)) as worker:
             await _converse(socket, service, worker)
-    except (ServiceError, SlowClientError, TooManyError) as error:
+    except (ServiceError, SlowClientError, TooLargeError, TooManyError) as error:
         await _refuse(socket, error)
     except (WebSocketDisconnect, ConnectionError):
         pass
@@ -52,6 +62,8 @@ async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None
         asyncio.create_task(_hear(worker, told)),
         asyncio.create_task(_tell(socket, told, service.settings)),
         asyncio.create_task(_stop(service)),
+        asyncio.create_task(_expire(service.settings)),
+        asyncio.create_task(_leave(socket)),
     }
     try:
         done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -116,11 +128,23 @@ async def _stop(service: Service) -> None:
     raise stopping()
 
 
+async def _expire(settings: Settings) -> None:
+    """A stream lasts as long by the clock as by its sound, or it could hold a place for ever without any."""
+    await asyncio.sleep(settings.live_s)
+    raise TooLargeError("live_too_long", f"a stream lasts {settings.live_s:g} s at most; begin another")
+
+
+async def _leave(socket: WebSocket) -> None:
+    """Raises WebSocketDisconnect when the connection is lost, which `_listen` learns only when it next receives."""
+    gone: asyncio.Event = socket.scope.get("extensions", {}).get(GONE) or asyncio.Event()
+    await gone.wait()
+    raise WebSocketDisconnect(ABNORMAL)
+
+
 async def _refuse(socket: WebSocket, error: UnderstudyError) -> None:
-    """Says why, if anybody still listens."""
-    codes = {"service_stopping": GOING_AWAY, "live_idle": IDLE, "live_unread": IDLE}
+    """Says why, if anybody still listens; who reads nothing is cut off below (`websockets.py`)."""
     with suppress(RuntimeError, WebSocketDisconnect, TimeoutError, ConnectionError):
-        if socket.application_state is WebSocketState.CONNECTED and error.code != "live_unread":
-            async with asyncio.timeout(1.0):
+        async with asyncio.timeout(1.0):
+            if socket.application_state is WebSocketState.CONNECTED:
                 await socket.send_text(to_error(error))
-        await socket.close(codes.get(error.code, TRY_AGAIN))
+            await socket.close(CLOSED_WITH.get(error.code, TRY_AGAIN))

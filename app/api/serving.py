@@ -18,6 +18,7 @@ from fastapi import FastAPI
 
 from ..settings import Settings
 from .connections import limited_protocol
+from .websockets import limited_websocket
 
 _LOGGER = logging.getLogger(__name__)
 _ANSWERS_LEAVE_WITHIN_S = 2
@@ -70,7 +71,7 @@ def serve(
     config = uvicorn.Config(
         app,
         http=limited_protocol(settings),
-        ws="websockets-sansio",
+        ws=limited_websocket(settings),
         ws_max_size=settings.live_message_bytes,
         ws_ping_interval=None,  # a client that sends ahead answers late, and those that are gone are noticed without
         server_header=False,

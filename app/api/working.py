@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 from fastapi import Request, Response
 from starlette.requests import ClientDisconnect
 
+from .admission.callers import caller_of
 from .bodies import body_limit
 from .deadlines import Deadline
 from .service import Service
@@ -18,13 +19,14 @@ Result = TypeVar("Result")
 async def worked(request: Request, service: Service, task: Task) -> Response:
     """The answer of a worker. Raises UnderstudyError for whatever went wrong, ClientDisconnect."""
     service.rates.take(request.client.host if request.client else "")
-    service.pool.require_place()
+    caller = f"{caller_of(request)} {request.headers.get('x-request-id', '')[:64]}"
+    service.pool.require_place(caller)
     deadline = Deadline.starting_now(service.settings.deadline_s)
     content_type = request.headers.get("content-type", "")
     job = Job(task, content_type, request.headers.get("accept"))
     most_bytes = body_limit(task, content_type, service.settings)
     async with service.uploads.body(request.receive, most_bytes=most_bytes) as body:
-        answer, content = await _unless_gone(request, service.pool.run(job, body, deadline))
+        answer, content = await _unless_gone(request, service.pool.run(job, body, deadline, caller))
     return Response(bytes(content), media_type=answer.media_type, headers=dict(answer.headers))
 
 

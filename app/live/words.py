@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from ..analysis import Analysis, Options
-from ..errors import InputError
+from ..errors import InputError, shown
 from ..hearing import measure_stress
 from ..model import Behavior, Interval, Phone, Utterance, Viseme, Word
 from ..moving import move
@@ -26,6 +26,15 @@ LEAD_IN_S = 0.6
 """How long before its first word a phrase may begin to move."""
 
 BETWEEN_WORDS_S = 0.01
+LONGEST_WORD_S = 30.0
+"""However long somebody sings it."""
+
+LONGEST_SPAN_S = 600.0
+"""From the first word of a message to the end of its last."""
+
+OVERLAP_S = 0.001
+"""By less words may overlap: times are often sums of lengths, and rounded."""
+
 SOONEST_S = 0.15
 """What has its stroke, or its peak, no sooner than this from now can still be begun."""
 
@@ -50,18 +59,31 @@ class PerformedPhrase:
 
 def timed_words(models: LiveModels, timed: tuple[TimedText, ...], recent: RecentVoice) -> tuple[Word, ...]:
     """Words in order, with their sounds over the time of each, and how stressed they are. Raises InputError for times
-    that are not in order, and as `read_transcript` does."""
+    that are not in order or too long, and as `read_transcript` does."""
     limit = models.understudy.language.settings.max_text_characters
     if any(not _is_one_word(each.text) for each in timed):
         raise InputError("value_wrong", "words: each text is one word, without white space", field="words")
     words = read_transcript(" ".join(each.text for each in timed), max_characters=limit)
-    for before, after in pairwise(timed):
-        if after.interval.start_s < before.interval.end_s:
-            message = f"words: {after.text!r} begins before {before.text!r} ends; send them in order"
-            raise InputError("value_wrong", message, field="words")
+    _require_order(timed)
     spoken = models.understudy.acoustic.aligner.pronounce(words)
     placed = tuple(models.durations.spread(word, each.interval) for word, each in zip(spoken, timed, strict=True))
     return _stressed(models, placed, recent)
+
+
+def _require_order(timed: tuple[TimedText, ...]) -> None:
+    """Raises InputError `value_wrong` for words that are not one after the other, or last longer than any can."""
+    for before, after in pairwise(timed):
+        if after.interval.start_s < before.interval.end_s - OVERLAP_S:
+            message = f"words: {shown(after.text)} begins before {shown(before.text)} ends; send them in order"
+            raise InputError("value_wrong", message, field="words")
+    for each in timed:
+        if each.interval.duration_s > LONGEST_WORD_S:
+            message = f"words: {shown(each.text)} lasts {each.interval.duration_s:g} s; {LONGEST_WORD_S:g} s at most"
+            raise InputError("value_wrong", message, field="words")
+    span_s = timed[-1].interval.end_s - timed[0].interval.start_s
+    if span_s > LONGEST_SPAN_S:
+        message = f"words: they last {span_s:g} s; send {LONGEST_SPAN_S:g} s at most in a message"
+        raise InputError("value_wrong", message, field="words")
 
 
 def paced_words(models: LiveModels, text: str, start_s: float) -> tuple[Word, ...]:

@@ -107,6 +107,7 @@ class Admitted:
         headers = Headers(scope=scope)
         current_id.set(request_id(headers.get(HEADER)))
         server = scope.get("server")
+        scope.setdefault("state", {})["key"] = self._admission.keys.name(authorization(headers))
         refusal = self._admission.refusal(scope["path"], server[1] if server else None, headers)
         if scope["type"] == "websocket":
             await (
@@ -125,9 +126,9 @@ class Admitted:
         try:
             await (self._app if refusal is None else refusal)(scope, receive, marked)
         finally:
-            self._log(scope, headers, status, time.perf_counter() - begun_s)
+            self._log(scope, status, time.perf_counter() - begun_s)
 
-    def _log(self, scope: Scope, headers: Headers, status: int, took_s: float) -> None:
+    def _log(self, scope: Scope, status: int, took_s: float) -> None:
         client = scope.get("client")
         fields = {
             "method": scope["method"],
@@ -135,7 +136,7 @@ class Admitted:
             "status": status,
             "took_s": round(took_s, 3),
             "client": client[0] if client else None,
-            "key": self._admission.keys.name(authorization(headers)),
+            "key": scope["state"]["key"],
         }
         told = f"{fields['method']} {fields['path']!r} {status} in {took_s:.3f} s for {fields['client']}"
         level = logging.DEBUG if scope["path"] in PROBES and status == 200 else logging.INFO

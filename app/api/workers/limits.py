@@ -1,7 +1,11 @@
-"""How much memory a worker may take: set where the kernel refuses it more, and what is told then."""
+"""How much memory and processor time a worker may take, and what is told where the kernel refuses it more."""
 
 import resource
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Never
 
 from ...errors import TooLargeError
 
@@ -21,3 +25,30 @@ def too_large(limit_bytes: int) -> TooLargeError:
     return TooLargeError(
         "work_too_large", f"this takes more than the {limit_bytes} bytes of memory that a request may use; send less"
     )
+
+
+class ProcessorTimeError(BaseException):
+    """The time is up. Not an Exception, so that nothing on its way takes it for a mistake in what was sent."""
+
+
+@contextmanager
+def processor_time(limit_s: float) -> Iterator[None]:
+    """A block that may take so many seconds of the processor, its own threads and the kernel's work for it included.
+    Only in a process's main thread. Raises ProcessorTimeError."""
+    signal.signal(signal.SIGPROF, _stop)
+    signal.setitimer(signal.ITIMER_PROF, limit_s)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+def too_long(limit_s: float) -> TooLargeError:
+    """What is told of a message that takes more of the processor."""
+    return TooLargeError(
+        "work_too_large", f"this takes more than the {limit_s:g} s of a processor that a message may use"
+    )
+
+
+def _stop(*_signal: object) -> Never:
+    raise ProcessorTimeError

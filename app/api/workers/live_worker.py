@@ -15,7 +15,8 @@ from ...live.models import LiveModels
 from ...schemas.live import to_error
 from ...settings import Settings
 from .conversation import Conversation
-from .limits import limit_memory, too_large
+from .endings import end_with
+from .limits import ProcessorTimeError, limit_memory, processor_time, too_large, too_long
 from .messages import LiveInput, LiveOutput, Ready, receive, send
 
 _LOGGER = logging.getLogger(__name__)
@@ -28,6 +29,7 @@ FASTEST_CLOCK = 1.02
 
 def stream(service: socket.socket, models: LiveModels, settings: Settings) -> None:
     """Answers one client until its stream is over."""
+    end_with(service)
     limit_memory(settings.worker_memory_bytes)
     send(service, Ready(os.getpid(), psutil.Process().memory_info().rss))
     conversation, began_s = Conversation(models, settings), time.monotonic()
@@ -54,8 +56,12 @@ def _answer(
     frames: list[str] = []
     others: list[str] = []
     try:
-        for told in conversation.answer(content, is_text=is_text):
-            (frames if told.startswith(_FRAME) else others).append(told)
+        with processor_time(settings.live_message_s):
+            for told in conversation.answer(content, is_text=is_text):
+                (frames if told.startswith(_FRAME) else others).append(told)
+    except ProcessorTimeError:
+        conversation.ended = True
+        others.append(to_error(too_long(settings.live_message_s)))
     except MemoryError:
         conversation.ended = True
         others.append(to_error(too_large(settings.worker_memory_bytes)))

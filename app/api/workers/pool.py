@@ -12,13 +12,14 @@ from collections.abc import Iterable
 from contextlib import suppress
 from typing import Self
 
-from ...errors import ServiceError
+from ...errors import ServiceError, UnderstudyError
 from ...settings import Settings
 from ..deadlines import Deadline
 from .limits import too_large
 from .messages import Answer, Content, Failed, Job
 from .processes import Nursery, Worker, WorkerLostError, wait_until_gone
 from .service_times import ServiceTimes
+from .turns import Turns
 from .watch import Seen, is_stopped, look
 
 _LOGGER = logging.getLogger(__name__)
@@ -39,8 +40,8 @@ class Pool:
     """Runs jobs in worker processes. Belongs to the event loop that entered it."""
 
     def __init__(self, nursery: Nursery, settings: Settings) -> None:
-        """The nursery stays its giver's to close, but one that ends is replaced."""
-        self.nursery = nursery
+        """The nursery stays its giver's to close; one that replaces it when it ends is closed here."""
+        self.nursery = self._given = nursery
         self._settings = settings
         self._idle: deque[Worker] = deque()
         self._busy: set[Worker] = set()
@@ -49,7 +50,8 @@ class Pool:
         self._running: set[asyncio.Task[tuple[Answer, bytearray]]] = set()
         self._retired: set[int] = set()
         self._times = ServiceTimes()
-        self._nursery_turn = asyncio.Lock()
+        self._turns = Turns()
+        self._renewing: asyncio.Task[None] | None = None
         self._watch: asyncio.Task[None] | None = None
         self._seen: tuple[Seen, ...] = ()
         self._is_stopping = False
@@ -69,9 +71,13 @@ class Pool:
         for task in ending:
             task.cancel()
         await asyncio.gather(*ending, return_exceptions=True)
+        if self._renewing is not None:
+            await self._renewing
         workers = list(self._workers())
         for worker in workers:
             worker.end()
+        if self.nursery is not self._given:
+            self.nursery.close()
         wait_until_gone(workers)
 
     @property
@@ -94,12 +100,15 @@ class Pool:
         """When those that are being done or wait now will be done, as long as jobs have taken lately."""
         return self._times.mean_s * (self.busy + self.waiting) / self._settings.worker_count
 
-    def require_place(self) -> None:
-        """Raises ServiceError `service_full` when no more jobs may wait, `service_stopping`."""
+    def require_place(self, caller: str = "") -> None:
+        """Raises ServiceError `service_full` when no more jobs of this caller may wait, `service_stopping`. Up to half
+        of the queue is kept for those who were told to come again before."""
         if self._is_stopping:
             raise _stopping()
-        if not self._idle and self.waiting >= self._settings.queue_length + self._missing:
-            raise self._full()
+        length = self._settings.queue_length
+        free = length + self._missing - self.waiting
+        if not self._idle and free <= min(self._turns.before(caller), length // 2):
+            raise self._full(caller)
 
     async def trouble(self) -> str | None:
         """Why some worker cannot do what it should now; None when all can."""
@@ -107,18 +116,21 @@ class Pool:
             return "the service is stopping"
         await self._look()
         stopped = [each.trouble for each in self._seen if each.trouble]
+        if self._renewing is not None:
+            stopped.append("the process that forks workers is being started again")
         if self._missing:
             stopped.append(f"{self._missing} of {self._settings.worker_count} workers are being started")
         return "; ".join(stopped) or None
 
-    async def run(self, job: Job, content: Content, deadline: Deadline) -> tuple[Answer, bytearray]:
-        """The answer to a job and its body. When this is cancelled the job is stopped.
+    async def run(self, job: Job, content: Content, deadline: Deadline, caller: str = "") -> tuple[Answer, bytearray]:
+        """The answer to a job of a caller, and its body. When this is cancelled the job is stopped.
 
         Raises what the job raises, and ServiceError: `service_full`, `service_stopping`, `deadline_passed`,
         `worker_lost`.
         """
-        self.require_place()
-        task = asyncio.create_task(self._tried(job, content))
+        self.require_place(caller)
+        self._turns.take(caller)
+        task = asyncio.create_task(self._tried(job, content, caller))
         self._running.add(task)
         task.add_done_callback(self._running.discard)
         try:
@@ -147,17 +159,17 @@ class Pool:
         while self._idle:
             self._dismiss(self._idle.pop())
 
-    async def _tried(self, job: Job, content: Content) -> tuple[Answer, bytearray]:
+    async def _tried(self, job: Job, content: Content, caller: str) -> tuple[Answer, bytearray]:
         for _ in range(1 + _RETRIES):
             with suppress(WorkerLostError):
-                return await self._done(job, content)
+                return await self._done(job, content, caller)
             _LOGGER.warning("a worker was lost while it worked")
         raise ServiceError(
             "worker_lost", "the processes that worked on this ended; try again", retry_after_s=self.retry_after_s
         )
 
-    async def _done(self, job: Job, content: Content) -> tuple[Answer, bytearray]:
-        worker = await self._taken()
+    async def _done(self, job: Job, content: Content, caller: str) -> tuple[Answer, bytearray]:
+        worker = await self._taken(caller)
         began_s = asyncio.get_running_loop().time()
         try:
             answer, body = await worker.answer(job, content)
@@ -174,15 +186,15 @@ class Pool:
             raise WorkerLostError
         raise answer.error
 
-    async def _taken(self) -> Worker:
+    async def _taken(self, caller: str) -> Worker:
         """A worker, as soon as one is free. Raises ServiceError `service_full` when none was for too long."""
         while self._idle and self._idle[0].has_ended:
             self._dismiss(self._idle.popleft())
-        worker = await self._queued() if self._waiting or not self._idle else self._idle.popleft()
+        worker = await self._queued(caller) if self._waiting or not self._idle else self._idle.popleft()
         self._busy.add(worker)
         return worker
 
-    async def _queued(self) -> Worker:
+    async def _queued(self, caller: str) -> Worker:
         place: asyncio.Future[Worker] = asyncio.get_running_loop().create_future()
         self._waiting.append(place)
         try:
@@ -191,7 +203,7 @@ class Pool:
         except BaseException as error:
             self._leave_queue(place)
             if isinstance(error, TimeoutError):
-                raise self._full() from None
+                raise self._full(caller) from None
             raise
 
     def _leave_queue(self, place: "asyncio.Future[Worker]") -> None:
@@ -227,38 +239,49 @@ class Pool:
     def _make(self) -> None:
         if self._is_closed:
             return
-        task = asyncio.create_task(self._forked())
+        task = asyncio.create_task(self._made())
         self._making.add(task)
         task.add_done_callback(self._making.discard)
 
-    async def _forked(self) -> None:
-        """One more worker, however long that takes."""
+    async def _made(self) -> None:
+        self._offer(await self.forked())
+
+    async def forked(self, *, is_live: bool = False) -> Worker:
+        """One more worker, however long that takes; a nursery that has ended or hangs is replaced."""
         while True:
             nursery = self.nursery
             try:
                 async with asyncio.timeout(_FORK_WITHIN_S):
-                    worker = await Worker.forked(nursery, self._settings)
+                    return await Worker.forked(nursery, self._settings, is_live=is_live)
             except (OSError, EOFError, TimeoutError):
-                await self._renew_nursery(nursery)
-            else:
-                self._offer(worker)
-                return
+                await self._renewed(nursery)
 
-    async def _renew_nursery(self, failed: Nursery) -> None:
-        """Another nursery, unless that has happened since one failed."""
-        async with self._nursery_turn:
-            if failed is not self.nursery:
-                return
-            _LOGGER.warning("the process that forks workers has ended or hangs; it is started again")
-            try:
-                self.nursery = await asyncio.to_thread(failed.again)
-            except ServiceError as error:
-                _LOGGER.error("%s", error.message)
-                await asyncio.sleep(_AGAIN_AFTER_S)
+    async def _renewed(self, failed: Nursery) -> None:
+        """Returns when another nursery has taken the place of one that failed. Whoever does not wait so long leaves the
+        others what is being done."""
+        self._renew_soon(failed)
+        if self._renewing is not None:
+            await asyncio.shield(self._renewing)
 
-    def _full(self) -> ServiceError:
+    def _renew_soon(self, failed: Nursery) -> None:
+        if failed is self.nursery and self._renewing is None:
+            self._renewing = asyncio.create_task(self._renew(failed))
+
+    async def _renew(self, failed: Nursery) -> None:
+        _LOGGER.warning("the process that forks workers has ended or hangs; it is started again")
+        try:
+            self.nursery = await asyncio.to_thread(failed.again)
+        except UnderstudyError as error:
+            _LOGGER.error("%s", error.message)
+            await asyncio.sleep(_AGAIN_AFTER_S)
+        finally:
+            self._renewing = None
+
+    def _full(self, caller: str) -> ServiceError:
         message = f"{self.busy} requests are being worked on and {self.waiting} wait; try again later"
-        return ServiceError("service_full", message, retry_after_s=max(self.retry_after_s, self._times.mean_s))
+        again_after_s = max(self.retry_after_s, self._times.mean_s)
+        self._turns.keep(caller, again_after_s)
+        return ServiceError("service_full", message, retry_after_s=again_after_s)
 
     async def _keep_watch(self) -> None:
         while True:
@@ -273,6 +296,8 @@ class Pool:
         self._seen = await asyncio.to_thread(look, tuple(jobs), self._settings.worker_memory_bytes)
         if await asyncio.to_thread(is_stopped, nursery.pid):
             nursery.kill()
+        if nursery.has_ended and not self._is_closed:
+            self._renew_soon(nursery)
         for seen in self._seen:
             if seen.is_too_large and seen.worker.jobs == jobs[seen.worker]:  # else its job is another by now
                 seen.worker.given_up = too_large(self._settings.worker_memory_bytes)

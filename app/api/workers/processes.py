@@ -91,6 +91,11 @@ class Nursery:
     def pid(self) -> int:
         return self._process.pid
 
+    @property
+    def has_ended(self) -> bool:
+        """Whether the process has ended, for whatever reason."""
+        return self._process.poll() is not None
+
     def again(self) -> "Nursery":
         """Another in the place of this one, which is closed; raises as `start` does."""
         self.close()

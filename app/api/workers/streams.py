@@ -1,15 +1,18 @@
-"""The processes of live streams: how many there may be, one for each client, ended with it."""
+"""The processes of live streams: how many there may be, of one caller and of all; each ends with its stream."""
 
 import asyncio
+from collections import Counter
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
-from ...errors import ServiceError
+from ...errors import ServiceError, TooManyError
 from ...settings import Settings
 from .pool import Pool
 from .processes import Worker
 
-_FORK_WITHIN_S = 10.0
+_FORK_WITHIN_S = 20.0
+"""A nursery that has ended is started again meanwhile: some seconds."""
+
 _AGAIN_AFTER_S = 5.0
 
 
@@ -17,26 +20,22 @@ class Streams:
     """Gives each stream a process. Belongs to the event loop that made it."""
 
     def __init__(self, pool: Pool, settings: Settings) -> None:
-        """The pool's nursery forks them; it replaces one that has ended."""
+        """The pool has its nursery fork them."""
         self._pool, self._settings = pool, settings
-        self._count = 0
+        self._open = Counter[str]()
         self._stopping = asyncio.Event()
 
     @property
     def count(self) -> int:
         """How many streams there are."""
-        return self._count
+        return self._open.total()
 
     @asynccontextmanager
-    async def process(self) -> AsyncIterator[Worker]:
-        """A process for one stream, which ends with the block. Raises ServiceError `service_full`,
-        `service_stopping`, `worker_lost`."""
-        if self._stopping.is_set():
-            raise stopping()
-        if self._count >= self._settings.live_stream_count:
-            message = f"{self._count} live streams are open, as many as may be; try again later"
-            raise ServiceError("service_full", message, retry_after_s=_AGAIN_AFTER_S)
-        self._count += 1
+    async def process(self, caller: str) -> AsyncIterator[Worker]:
+        """A process for one stream of a caller, which ends with the block. Raises ServiceError `service_full`,
+        `service_stopping`, `worker_lost`, TooManyError `too_many_streams`."""
+        self._require_place(caller)
+        self._open[caller] += 1
         try:
             worker = await self._forked()
             try:
@@ -44,7 +43,9 @@ class Streams:
             finally:
                 worker.end()
         finally:
-            self._count -= 1
+            self._open[caller] -= 1
+            if not self._open[caller]:
+                del self._open[caller]
 
     async def stopped(self) -> None:
         """Returns when the service is being stopped."""
@@ -54,11 +55,21 @@ class Streams:
         """Has all streams end, and none begin."""
         self._stopping.set()
 
+    def _require_place(self, caller: str) -> None:
+        if self._stopping.is_set():
+            raise stopping()
+        if self.count >= self._settings.live_stream_count:
+            message = f"{self.count} live streams are open, as many as may be; try again later"
+            raise ServiceError("service_full", message, retry_after_s=_AGAIN_AFTER_S)
+        if self._open[caller] >= self._settings.live_streams_each:
+            message = f"{self._open[caller]} live streams of this key or address are open, as many as one may have"
+            raise TooManyError("too_many_streams", message, retry_after_s=_AGAIN_AFTER_S)
+
     async def _forked(self) -> Worker:
         try:
             async with asyncio.timeout(_FORK_WITHIN_S):
-                return await Worker.forked(self._pool.nursery, self._settings, is_live=True)
-        except (OSError, EOFError, TimeoutError):
+                return await self._pool.forked(is_live=True)
+        except TimeoutError:
             message = "no process could be started for this stream; try again"
             raise ServiceError("worker_lost", message, retry_after_s=1.0) from None
 

@@ -6,16 +6,14 @@ memory past its limit, which becomes an answer of its own.
 
 import logging
 import os
-import select
 import socket
-import threading
-from typing import Never
 
 import psutil
 
 from ...errors import ServiceError, UnderstudyError
 from ...performance import Understudy
 from .answering import answered
+from .endings import end, end_with
 from .limits import limit_memory, too_large
 from .messages import Answer, Failed, Job, Ready, receive, send
 
@@ -24,7 +22,7 @@ _LOGGER = logging.getLogger(__name__)
 
 def work(service: socket.socket, understudy: Understudy) -> None:
     """Answers jobs until there are no more."""
-    threading.Thread(target=_end_with, args=(service,), daemon=True).start()
+    end_with(service)
     settings = understudy.acoustic.settings
     limit_memory(settings.worker_memory_bytes)
     understudy.acoustic.aligner.warm_up()
@@ -38,7 +36,7 @@ def work(service: socket.socket, understudy: Understudy) -> None:
             send(service, answer, body)
         except (EOFError, OSError):
             break
-    _end()
+    end()
 
 
 def _answer(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer | Failed, bytes]:
@@ -51,16 +49,3 @@ def _answer(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer | 
     except Exception:
         _LOGGER.exception("a mistake of ours at a request to %s", job.task)
         return Failed(ServiceError("internal_error", "see the log")), b""
-
-
-def _end_with(service: socket.socket) -> None:
-    poller = select.poll()
-    poller.register(service, 0)
-    poller.poll()  # returns when the other end has gone
-    _end()
-
-
-def _end() -> Never:
-    for child in psutil.Process().children(recursive=True):
-        child.kill()
-    os._exit(0)

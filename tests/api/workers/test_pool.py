@@ -1,6 +1,7 @@
 """Places, queue, deadlines, and no job lost whatever happens to the processes. The processes are real."""
 
 import asyncio
+import math
 import os
 import signal
 from collections.abc import AsyncIterator, Awaitable, Callable
@@ -84,6 +85,41 @@ def test_jobs_past_the_queue_are_told_when_to_come_again_and_the_rest_wait(nurse
             assert (await second).media_type == "application/json"
 
     asyncio.run(scenario())
+
+
+def test_who_comes_again_when_told_is_served_before_who_comes_first(nursery: Nursery) -> None:
+    async def scenario() -> None:
+        async with _pool(nursery, queue=2) as pool:
+            running = await _begun(pool)
+            waiting = [asyncio.create_task(_short(pool)) for _ in range(2)]
+            await _until(lambda: pool.waiting == 2)
+            with pytest.raises(ServiceError) as caught:
+                pool.require_place("told")
+            assert caught.value.retry_after_s
+            waiting.pop().cancel()
+            await _until(lambda: pool.waiting == 1)
+            await asyncio.sleep(math.ceil(caught.value.retry_after_s))
+            with pytest.raises(ServiceError):
+                pool.require_place("newcomer")
+            pool.require_place("told")
+            running.cancel()
+            await waiting[0]
+
+    asyncio.run(scenario())
+
+
+def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it_and_that_is_told() -> None:
+    async def scenario(own: Nursery) -> None:
+        async with _pool(own) as pool:
+            os.kill(own.pid, signal.SIGKILL)
+            while "forks" not in (await pool.trouble() or ""):
+                await asyncio.sleep(0.01)
+            await _until(lambda: pool.nursery is not own)
+            await _short(pool)
+            assert await pool.trouble() is None
+
+    with Nursery.start(Settings()) as own:
+        asyncio.run(scenario(own))
 
 
 def test_waiting_ends(nursery: Nursery) -> None:
@@ -230,7 +266,6 @@ def test_a_nursery_that_hangs_is_ended_and_another_started() -> None:
             _kill(pool)
             await _short(pool)
             assert pool.nursery is not own
-            pool.nursery.close()
 
     with Nursery.start(Settings()) as own:
         asyncio.run(scenario(own))

@@ -1,0 +1,100 @@
+"""Limits on the connection of a WebSocket, below its messages: it is made in time or refused, and it is cut off when
+its client has left, or reads nothing of what is sent to it.
+
+A client that has left is noticed although nothing is read from it, as while its messages wait for a process: the kernel
+is asked. Whoever serves the WebSocket finds an event of that in its scope, under `GONE`.
+"""
+
+import asyncio
+import logging
+import select
+from asyncio.transports import BaseTransport
+from typing import Any
+
+from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+
+from ..settings import Settings
+from .http_errors import bad_request
+
+GONE = "understudy.gone"
+"""The extension of the ASGI scope that holds the event: set when the connection is lost."""
+
+LOOK_EVERY_S = 1.0
+
+_LOGGER = logging.getLogger("uvicorn.error.websocket")
+_LOGGER.setLevel(logging.WARNING)  # below that uvicorn logs queries, in which browsers' clients put their keys
+
+_LEFT = select.POLLHUP | select.POLLERR | getattr(select, "POLLRDHUP", 0)
+"""What a poll tells of a connection whose client has closed or reset it; without POLLRDHUP (not Linux), less."""
+
+
+class LimitedWebSocket(WebSocketsSansIOProtocol):
+    """uvicorn's WebSocket within the limits of `settings`."""
+
+    settings: Settings
+
+    def __init__(self, *arguments: Any, **named: Any) -> None:  # noqa: ANN401 - uvicorn's signature
+        super().__init__(*arguments, **named)
+        self.logger = _LOGGER
+        self.conn.debug = False  # it would log headers
+        self._gone = asyncio.Event()
+        self._stuck_since_s: float | None = None
+        self._looking: asyncio.TimerHandle | None = None
+
+    def connection_made(self, transport: BaseTransport) -> None:
+        super().connection_made(transport)
+        self._due_s = self.loop.time() + self.settings.header_s
+        self._look()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        if self._looking is not None:
+            self._looking.cancel()
+        self._gone.set()
+        super().connection_lost(exc)
+
+    def data_received(self, data: bytes) -> None:
+        """The first data is the whole head of the request, for the HTTP protocol has read it."""
+        if self.handshake_initiated:
+            super().data_received(data)
+            return
+        self.conn.receive_data(data)
+        self.handle_events()
+        if not self.handshake_initiated:
+            self.transport.write(bad_request("this request cannot become a WebSocket"))
+            self.transport.close()
+
+    def handle_connect(self, event: Any) -> None:  # noqa: ANN401 - of websockets
+        super().handle_connect(event)
+        if not self.close_sent:
+            self.scope["extensions"][GONE] = self._gone  # type: ignore[assignment]
+
+    def pause_writing(self) -> None:
+        self._stuck_since_s = self.loop.time()
+        super().pause_writing()
+
+    def resume_writing(self) -> None:
+        self._stuck_since_s = None
+        super().resume_writing()
+
+    def _look(self) -> None:
+        """Now and then: cuts off a connection that nobody is at the other end of."""
+        now_s = self.loop.time()
+        if self.transport.is_closing() and self._stuck_since_s is None:
+            self._stuck_since_s = now_s
+        is_late = not self.handshake_complete and now_s > self._due_s
+        is_stuck = self._stuck_since_s is not None and now_s > self._stuck_since_s + self.settings.idle_s
+        if is_late or is_stuck or self._client_has_left():
+            self.transport.abort()
+            return
+        self._looking = self.loop.call_later(min(LOOK_EVERY_S, self.settings.idle_s), self._look)
+
+    def _client_has_left(self) -> bool:
+        poller = select.poll()
+        poller.register(self.transport.get_extra_info("socket").fileno(), _LEFT)
+        return bool(poller.poll(0))
+
+
+def limited_websocket(settings: Settings) -> type[LimitedWebSocket]:
+    """The protocol with these settings, as uvicorn takes it: a class."""
+    members: dict[str, Any] = {"settings": settings}
+    return type("LimitedWebSocket", (LimitedWebSocket,), members)
