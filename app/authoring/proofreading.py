@@ -84,6 +84,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "head_rates.yaml": HeadRates.load,
         "columns.yaml": _check_column_names,
         SMARTBODY: SmartBodyTables.load,
+        BML_ALIASES: LexemeAliases.load,
         FAPS: FapTable.load,
         LIVE: lambda file: LiveTable.load(file, load_characters().behavior_names),
         PHONE_DURATIONS: PhoneDurations.load,
