@@ -39,7 +39,10 @@ from .network import Reader, shipped_weights, with_delivery
 from .recordings import read_measured
 
 SHIPPED = Path("models/acting/encoder.onnx")
-EPOCHS, RATE, NEW_RATE, BATCH, WEIGHT_DECAY, WARM_UP = 4, 6e-5, 1e-3, 32, 0.01, 0.06
+EPOCHS, BATCH, WEIGHT_DECAY, WARM_UP = 4, 32, 0.01, 0.06
+RATE, OUTPUT_RATE, NEW_RATE = 6e-5, 3e-4, 1e-3
+"""Of the layers, the outputs, and the inputs for the delivery, which began at 0."""
+
 FROZEN = 1
 OLD_SHARE = 0.4
 """How many of the lines that the shipped weights know are read again in an epoch."""
@@ -200,13 +203,15 @@ def read(
 
 def _optimizer(reader: Reader) -> torch.optim.Optimizer:
     named = [(name, each) for name, each in reader.weights.items() if each.requires_grad]
-    new = ("heard", "direct")
-    plain = [each for name, each in named if (name not in new and each.ndim == 1) or name.endswith("norm")]
-    matrices = [each for name, each in named if name not in new and each.ndim > 1 and not name.endswith("norm")]
+    new, outputs = ("heard", "direct"), ("out", "out.bias")
+    known = [(name, each) for name, each in named if name not in (*new, *outputs)]
+    plain = [each for name, each in known if each.ndim == 1 or name.endswith("norm")]
+    matrices = [each for name, each in known if each.ndim > 1 and not name.endswith("norm")]
     return torch.optim.AdamW(
         [
             {"params": matrices, "lr": RATE, "weight_decay": WEIGHT_DECAY},
             {"params": plain, "lr": RATE, "weight_decay": 0.0},
+            {"params": [each for name, each in named if name in outputs], "lr": OUTPUT_RATE, "weight_decay": 0.0},
             {"params": [each for name, each in named if name in new], "lr": NEW_RATE, "weight_decay": 0.0},
         ]
     )
@@ -257,7 +262,10 @@ def starting_weights(path: Path) -> tuple[dict[str, SingleArray], dict[str, int]
     kept = {place: place for place in range(heads)}
     kept |= {heads + HEAD.index(kind): heads + place for place, kind in enumerate(named["head"])}
     kept |= {heads + len(HEAD) + FACE.index(kind): heads + faces + place for place, kind in enumerate(named["face"])}
-    return (weights if "heard" in weights else with_delivery(weights, OUTPUTS, kept)), vocabulary
+    if "heard" not in weights:
+        weights = with_delivery(weights, OUTPUTS, kept)
+        weights["out.bias"][-len(MANNER) :] = 0
+    return weights, vocabulary
 
 
 def main() -> None:

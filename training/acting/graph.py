@@ -134,7 +134,7 @@ def _direct(graph: _Graph) -> str:
 
 def _told(graph: _Graph, heard: str, name: str) -> str:
     """A product that stays in float32, because its matrix is small and its input has values of very different size."""
-    return graph.node("MatMul", [heard, graph.constant(name, graph.weights[name].T)], f"{name}.product")
+    return graph.node("MatMul", [heard, graph.constant(f"{name}.matrix", graph.weights[name].T)], f"{name}.product")
 
 
 def write_quantized(model: Any, path: Path) -> None:  # noqa: ANN401 - untyped

@@ -97,8 +97,10 @@ def shipped_weights(path: Path) -> tuple[dict[str, SingleArray], dict[str, list[
         elif name.endswith(".scale"):
             own = name.removesuffix(".scale")
             weights[own] = np.stack([values, stored[f"{own}.shift"]])
-        elif name.endswith(".bias") or name in ("positions", "heard", "direct"):
-            weights[name] = np.array(values.T if name in ("heard", "direct") else values)
+        elif name.endswith(".matrix"):
+            weights[name.removesuffix(".matrix")] = np.array(values.T)
+        elif name.endswith(".bias") or name == "positions":
+            weights[name] = np.array(values)
     table = stored["pieces.table_quantized"].astype(np.float32) - stored["pieces.table_zero_point"]
     weights["pieces.table"] = np.asarray(table * stored["pieces.table_scale"], np.float32)
     return weights, {each.key: each.value.split("\n") for each in model.metadata_props}

@@ -1,8 +1,10 @@
-"""Reads a line in context: what each gesture family, head movement and face would be worth to a director at each word.
+"""Reads a delivery of a line in context: what each gesture family, head movement, face and gaze would be worth to a
+director at each word, and how big and fast the movements would be.
 
 A small transformer encoder (BERT architecture, Devlin et al. 2019), fine-tuned on directed lines (`training/acting`,
 models/acting/README.md) and run by ONNX Runtime in eight-bit integers. The vocabulary and the names of the outputs are
-in the file's metadata. Shapes: W words, P pieces, F gesture families, H head movements, K faces.
+in the file's metadata. What is not known of the delivery was left out at random in training, so that the words alone
+can be read too. Shapes: W words, P pieces, F gesture families, H head movements, K faces, G gazes.
 """
 
 from collections.abc import Mapping, Sequence
@@ -16,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...errors import ServiceError
 from ...model import SingleArray
-from .delivery import WORDS_ALONE, Delivery
+from .delivery import WORDS_ALONE, Delivery, features_of
 from .wordpieces import FIRST, LAST, pieces_of
 
 Integers: TypeAlias = NDArray[np.int64]
@@ -32,20 +34,24 @@ class Session(Protocol):
     """The part of ONNX Runtime's `InferenceSession` that we use; the library has no types."""
 
     def run(
-        self, output_names: Sequence[str], input_feed: Mapping[str, "NDArray[np.int64]"]
+        self, output_names: Sequence[str], input_feed: Mapping[str, "NDArray[np.int64] | SingleArray"]
     ) -> Sequence[SingleArray]: ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Reading:
     """What directors would want, in [0, 1]: the worth of a family with its stroke on a word (W, F) and within two words
-    of it (W, F), the probability of any stroke (W,), and of head movements (W, H) and faces (W, K) on a word."""
+    of it (W, F), the probability of any stroke (W,), and of head movements (W, H), faces (W, K) and gazes (W, G) on a
+    word; and how big and how fast movements would be beside those of the line said neutrally, in [-1, 1]."""
 
     at_word: SingleArray
     nearby: SingleArray
     stroke: SingleArray
     head: SingleArray
     face: SingleArray
+    gaze: SingleArray
+    size: float
+    speed: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,6 +62,7 @@ class Encoder:
     families: tuple[str, ...]
     head: tuple[str, ...]
     face: tuple[str, ...]
+    gaze: tuple[str, ...]
     session: Session
 
     @classmethod
@@ -75,19 +82,23 @@ class Encoder:
                 families=tuple(named["families"].split("\n")),
                 head=tuple(named["head"].split("\n")),
                 face=tuple(named["face"].split("\n")),
+                gaze=tuple(named["gaze"].split("\n")),
                 session=session,
             )
         except _load_errors() as error:
             raise ServiceError("model_unreadable", f"{path} is no model for directing lines: {error}") from error
 
-    def read(self, words: Sequence[str], delivery: Delivery = WORDS_ALONE) -> Reading:  # noqa: ARG002 - weights follow
-        """The reading of a line as it is delivered; `words` are as written, with their punctuation.
-
-        The present weights know no delivery and read the words alone.
-        """
+    def read(self, words: Sequence[str], delivery: Delivery = WORDS_ALONE) -> Reading:
+        """The reading of a line as it is delivered; `words` are as written, with their punctuation."""
         numbers, spans = self._numbered(words)
         ends = np.array([span or (0, 0) for span in spans], np.int64).reshape(-1, 2)
-        (likely,) = self.session.run(["likely"], {"pieces": np.array(numbers, np.int64), "words": ends})
+        features = features_of(delivery, len(words))
+        heard = np.zeros((len(numbers), features.shape[1]), np.float32)
+        for span, row in zip(spans, features, strict=True):
+            if span is not None:
+                heard[span[0] : span[1] + 1] = row
+        given = {"pieces": np.array(numbers, np.int64), "words": ends, "heard": heard}
+        (likely,) = self.session.run(["likely"], given)
         likely[[span is None for span in spans]] = 0.0
         return self._outputs(likely)
 
@@ -106,15 +117,10 @@ class Encoder:
 
     def _outputs(self, likely: SingleArray) -> Reading:
         families = len(self.families)
-        heads_from = 2 * families + 1
-        faces_from = heads_from + len(self.head)
-        return Reading(
-            at_word=likely[:, :families],
-            nearby=likely[:, families : 2 * families],
-            stroke=likely[:, 2 * families],
-            head=likely[:, heads_from:faces_from],
-            face=likely[:, faces_from:],
-        )
+        sizes = (families, families, 1, len(self.head), len(self.face), len(self.gaze), 2)
+        at_word, nearby, stroke, head, face, gaze, manner = np.split(likely, np.cumsum(sizes)[:-1], axis=1)
+        size, speed = 2 * manner.mean(axis=0) - 1 if len(likely) else (0.0, 0.0)
+        return Reading(at_word, nearby, stroke[:, 0], head, face, gaze, size=float(size), speed=float(speed))
 
 
 def _load_errors() -> tuple[type[Exception], ...]:
