@@ -44,11 +44,8 @@ RATE, OUTPUT_RATE, NEW_RATE = 6e-5, 3e-4, 1e-3
 """Of the layers, the outputs, and the inputs for the delivery, which began at 0."""
 
 FROZEN = 1
-OLD_SHARE = 0.4
+OLD_SHARE = 0.6
 """How many of the lines that the shipped weights know are read again in an epoch."""
-
-DELIVERIES_TIMES = 2
-"""How often a delivery is read in an epoch, each time heard otherwise."""
 
 SIZES = (len(FAMILIES), len(FAMILIES), 1, len(HEAD), len(FACE), len(GAZE), len(MANNER))
 LOSS_WEIGHTS = (1.0, 0.4, 0.5, 0.25, 0.25, 0.1, 0.0)
@@ -178,13 +175,7 @@ def _told(each: Encoded, measured: Mapping[str, Sequence[Delivery]], chance: ran
 
 def _drawn(lines: Sequence[Encoded], chance: random.Random) -> list[Encoded]:
     """The lines of an epoch."""
-    drawn: list[Encoded] = []
-    for each in lines:
-        if each.line.is_delivery:
-            drawn += [each] * DELIVERIES_TIMES
-        elif each.line.careful or chance.random() < OLD_SHARE:
-            drawn.append(each)
-    return drawn
+    return [each for each in lines if each.line.careful or chance.random() < OLD_SHARE]
 
 
 def read(

@@ -75,7 +75,7 @@ def _guessed(line: DirectedLine, chance: random.Random) -> Delivery:
     return Delivery(
         focus=_focus(line, dict.fromkeys(line.reading["focus"], FOCUS_HEARD), chance),
         affect=_affect(tone, loudness, chance),
-        loudness=_clipped(0.45 * loudness + 0.5 * activation + chance.gauss(0, 0.25)),
+        loudness=_loudness(0.6 * loudness + 0.8 * activation, chance),
     )
 
 
@@ -84,7 +84,7 @@ def _flat(line: DirectedLine, chance: random.Random) -> Delivery:
     return Delivery(
         focus=_focus(line, {chance.randrange(len(line.words)): chance.choice((0.0, 1.5))}, chance),
         affect=_affect("neutral", 0, chance),
-        loudness=_clipped(chance.gauss(0, 0.25)),
+        loudness=_loudness(0.0, chance),
     )
 
 
@@ -98,7 +98,7 @@ def _imagined(line: DirectedLine, chance: random.Random) -> Delivery:
     return Delivery(
         focus=_focus(line, stressed, chance),
         affect=_affect(tone, 0, chance),
-        loudness=_clipped(0.5 * TONES[tone][0][0] + chance.gauss(0, 0.3)),
+        loudness=_loudness(0.8 * TONES[tone][0][0], chance),
     )
 
 
@@ -120,18 +120,24 @@ def _affect(tone: str, loudness: int, chance: random.Random) -> LineAffect:
     certainty, quiet = chance.uniform(0.8, 2.5), 0.06
     scores = np.array([certainty * np.log(shares.get(each, 0.0) + quiet) + chance.gauss(0, 0.5) for each in Tone])
     odds = np.exp(scores - scores.max())
+    habit = chance.gauss(0, 0.15)
     activation, valence, dominance = (
         _clipped(value * chance.uniform(0.4, 1.2) + chance.gauss(0, noise))
         for value, noise in zip(dimensions, (0.15, 0.25, 0.2), strict=True)
     )
     return LineAffect(
         Affect(
-            activation=_clipped(activation + 0.15 * loudness),
+            activation=_clipped(activation + 0.15 * loudness + habit),
             valence=valence,
-            dominance=_clipped(dominance + 0.1 * loudness),
+            dominance=_clipped(dominance + 0.1 * loudness + habit),
             tones=tuple(float(share) for share in odds / odds.sum()),
         )
     )
+
+
+def _loudness(effort: float, chance: random.Random) -> float:
+    """How loud a line seems: speakers differ, and most synthetic voices seem lax when they say something neutrally."""
+    return _clipped(effort + chance.uniform(-0.9, 0.2) + chance.gauss(0, 0.15))
 
 
 def _dropped(delivery: Delivery, chance: random.Random) -> Delivery:

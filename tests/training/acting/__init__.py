@@ -1,3 +1,1 @@
-"""Corpora, degradations, choosing and the fuzzy support vector machine of `training/agitation`, on data made in the
-test. Begin with `test_choosing.py`.
-"""
+"""What the reader hears of directed lines while it is trained. Begin with `test_listening.py`."""
