@@ -40,7 +40,7 @@ from .recordings import read_measured
 
 SHIPPED = Path("models/acting/encoder.onnx")
 EPOCHS, BATCH, WEIGHT_DECAY, WARM_UP = 4, 32, 0.01, 0.06
-RATE, OUTPUT_RATE, NEW_RATE = 6e-5, 3e-4, 1e-3
+RATE, OUTPUT_RATE, NEW_RATE = 5e-5, 2e-4, 1e-3
 """Of the layers, the outputs, and the inputs for the delivery, which began at 0."""
 
 FROZEN = 1
