@@ -97,7 +97,11 @@ class Encoder:
         for span, row in zip(spans, features, strict=True):
             if span is not None:
                 heard[span[0] : span[1] + 1] = row
-        given = {"pieces": np.array(numbers, np.int64), "words": ends, "heard": heard}
+        given: dict[str, Integers | SingleArray] = {
+            "pieces": np.array(numbers, np.int64),
+            "words": ends,
+            "heard": heard,
+        }
         (likely,) = self.session.run(["likely"], given)
         likely[[span is None for span in spans]] = 0.0
         return self._outputs(likely)

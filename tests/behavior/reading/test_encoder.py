@@ -5,8 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from understudy.behavior.reading.delivery import Delivery
 from understudy.behavior.reading.encoder import MOST_PIECES, Encoder
 from understudy.errors import ServiceError
+from understudy.model import Affect, LineAffect
 
 MODEL = Path(__file__).resolve().parents[3] / "models" / "acting" / "encoder.onnx"
 
@@ -60,3 +62,30 @@ def test_a_broken_file_is_told(tmp_path: Path, content: bytes) -> None:
     path.write_bytes(content)
     with pytest.raises(ServiceError, match=r"encoder\.onnx is no model"):
         Encoder.load(path)
+
+
+def test_the_focus_draws_the_stroke(encoder: Encoder) -> None:
+    words = ["I", "never", "said", "she", "took", "the", "money."]
+    denied, other = ((0.02, 0.88, *(0.02,) * 5), (0.02, 0.02, 0.02, 0.88, *(0.02,) * 3))
+    first, second = (encoder.read(words, Delivery(focus=shares)) for shares in (denied, other))
+    assert first.stroke[1] > 2 * second.stroke[1]
+    assert second.stroke[3] > 2 * first.stroke[3]
+
+
+def test_the_tone_decides_the_face(encoder: Encoder) -> None:
+    words = ["He", "came", "home", "with", "the", "boys."]
+    angry = LineAffect(Affect(0.6, -0.5, 0.5, (0.1, 0, 0, 0.9, 0, 0, 0)))
+    happy = LineAffect(Affect(0.4, 0.5, 0.2, (0.1, 0.9, 0, 0, 0, 0, 0)))
+    frowns, smiles = (encoder.read(words, Delivery(affect=affect)) for affect in (angry, happy))
+    frown, smile = encoder.face.index("frown"), encoder.face.index("smile")
+    assert frowns.face[:, frown].max() > 2 * smiles.face[:, frown].max()
+    assert smiles.face[:, smile].max() > 2 * frowns.face[:, smile].max()
+
+
+def test_what_is_soft_and_weary_is_smaller_and_slower(encoder: Encoder) -> None:
+    words = ["We", "have", "to", "go", "on", "until", "the", "morning."]
+    weary = LineAffect(Affect(-0.6, -0.3, -0.3, (0.3, 0, 0.7, 0, 0, 0, 0)))
+    angry = LineAffect(Affect(0.7, -0.5, 0.5, (0.1, 0, 0, 0.9, 0, 0, 0)))
+    low, high = encoder.read(words, Delivery(None, weary, -0.9)), encoder.read(words, Delivery(None, angry, 0.8))
+    assert low.size < high.size
+    assert low.speed < high.speed
