@@ -89,6 +89,9 @@ __all__ = [
 ]
 
 if TYPE_CHECKING:
+    from .acoustic.agitation.speaker import SpeakerReference
+    from .acoustic.stage import AcousticModels
+    from .bml.markup.documents import DialectName, TimeForm
     from .errors import (
         AuthoringError,
         InputError,
@@ -119,6 +122,8 @@ if TYPE_CHECKING:
     )
     from .model import (
         Agitation,
+        AlignedLine,
+        Analysis,
         Avoidance,
         Because,
         Behavior,
@@ -142,22 +147,13 @@ if TYPE_CHECKING:
         Schedule,
         StressThresholds,
         SyncPoints,
+        Timings,
         Token,
         Utterance,
         Viseme,
         Word,
     )
-    from .performance import (
-        AcousticModels,
-        AlignedLine,
-        Analysis,
-        DialectName,
-        LanguageModels,
-        SpeakerReference,
-        TimeForm,
-        Timings,
-        Understudy,
-    )
+    from .models import LanguageModels, Understudy
     from .realization import MotionFormat, Realized, Realizer
     from .realizer.body.motion import Motion
     from .settings import Settings

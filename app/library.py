@@ -12,38 +12,38 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import Any, Literal, TypedDict, Unpack
 
+from .acoustic.agitation.speaker import SpeakerReference
+from .acoustic.alignment.timings import to_ctm, to_textgrid
+from .acoustic.stage import AcousticModels, analyze_signal
+from .acoustic.stage import align as _align
+from .acoustic.stage import make_reference as _make_reference
 from .behavior.speech.lead_in import with_lead_in
+from .bml.markup.documents import DialectName, TimeForm
 from .bml.writing.smartbody_tables import VisemeNames
+from .bml.writing.writer import BmlForm
+from .bml.writing.writer import write_bml as _write_bml
+from .bml.writing.writer import write_bml_json as _write_bml_json
+from .bml.writing.writer import write_listener as _write_listener
+from .bml.writing.writer import write_speech_file as _write_speech_file
 from .edits.values import NO_EDITS, Edits
 from .errors import InputError
-from .model import Direction, GivenFunction, Level, Mode, Performance
-from .model.motion_formats import AudioFile
-from .model.targets import targets_of
-from .performance import (
-    AcousticModels,
+from .model import (
     AlignedLine,
     Analysis,
-    BmlForm,
-    DialectName,
-    LanguageModels,
+    Direction,
+    GivenFunction,
+    Level,
     Line,
-    SpeakerReference,
-    TimeForm,
+    Mode,
+    Performance,
     Timings,
-    Understudy,
-    analyze_signal,
-    to_ctm,
-    to_textgrid,
 )
-from .performance import align as _align
+from .model.motion_formats import AudioFile
+from .model.targets import targets_of
+from .models import LanguageModels, Understudy
 from .performance import analyze as _analyze
 from .performance import find_functions as _find_functions
-from .performance import make_reference as _make_reference
 from .performance import perform as _perform
-from .performance import write_bml as _write_bml
-from .performance import write_bml_json as _write_bml_json
-from .performance import write_listener as _write_listener
-from .performance import write_speech_file as _write_speech_file
 from .realization import (
     AvatarOptions,
     BmlInput,

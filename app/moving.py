@@ -7,24 +7,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Self
+from typing import Self
 
-from .analysis import (
-    Analysis,
-    Options,
-)
 from .behavior.candidates.notes import directed, unplayed_notes
 from .behavior.candidates.planned import Stage, candidates_of
 from .behavior.candidates.targets import mentions, pointing_candidates, without_overlapped
-from .behavior.characters.gesture_forms import FormedCharacters
-from .behavior.characters.overlays import DEFAULT_CHARACTER, Character, Characters
+from .behavior.characters.overlays import DEFAULT_CHARACTER, Character
 from .behavior.choice.scheduling import numbered, schedule
 from .behavior.idle.stillness import with_stillness
 from .behavior.listeners.addressees import addressed, placed_listeners
-from .behavior.listeners.head_rates import HeadRates
 from .behavior.listeners.listening import Listener, listen
-from .behavior.reading.families import Families
-from .behavior.reading.planning import Planner, meanings, plan
+from .behavior.reading.planning import meanings, plan
 from .behavior.speaker_profiles.gesture_scripts import (
     gesture_script,
     repertoire_of,
@@ -39,15 +32,8 @@ from .bml.writing.writer import losses
 from .edits.applying import edited
 from .edits.values import WordMark
 from .edits.words import marked, unmarked, with_marked
-from .loading import (
-    load_characters,
-    load_families,
-    load_gesture_table,
-    load_mapping_rules,
-    load_profile,
-    profile_names,
-)
 from .model import (
+    Analysis,
     Behavior,
     BehaviorCandidates,
     Direction,
@@ -57,60 +43,12 @@ from .model import (
     Notice,
     Performance,
 )
-from .on_demand import OnDemand
+from .models import BehaviorModels
+from .options import Options
 from .profiles.generation.script import GestureScript
 from .profiles.profile import Profile
 from .progress import Progress, no_progress
-from .resources import resource_folder
-from .rules.mapping import MappingRules, offer_movements
-from .settings import Settings
-
-if TYPE_CHECKING:
-    pass
-
-
-@dataclass(frozen=True, slots=True)
-class BehaviorModels:
-    """The models that choose and schedule behaviours (paper §3.4, §3.5)."""
-
-    settings: Settings
-    characters: Characters
-    rules: MappingRules
-    families: Families
-    planner: Planner
-    head_rates: HeadRates
-    performers: FormedCharacters
-    profiles: Mapping[str, OnDemand[Profile]]
-
-    @classmethod
-    def load(cls, settings: Settings) -> Self:
-        """Raises AuthoringError with every mistake in characters, behaviour table, families and mapping rules,
-        ServiceError when a model is missing or broken."""
-        lexicon = resource_folder("lexicon")
-        characters = load_characters()
-        families = load_families(characters)
-        rules, models = load_mapping_rules(characters.behavior_names), resource_folder("models")
-        return cls(
-            settings=settings,
-            characters=characters,
-            rules=rules,
-            families=families,
-            planner=Planner.load(models / "acting", lexicon / "acting", families, rules.program.argument_counts),
-            head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
-            performers=FormedCharacters.of(characters, load_gesture_table(characters.gesture_lexemes)),
-            profiles={
-                name: OnDemand(partial(load_profile, name, characters.gesture_lexemes)) for name in profile_names()
-            },
-        )
-
-    def profile(self, profile: Profile | str | None) -> Profile | None:
-        """The profile, loaded from the lexicon if given by name; raises InputError `unknown_profile`."""
-        if not isinstance(profile, str):
-            return profile
-        if profile not in self.profiles:
-            return load_profile(profile, self.characters.gesture_lexemes)
-        return self.profiles[profile].get()
-
+from .rules.mapping import offer_movements
 
 QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
 """How the amount of movement is scaled at each level of agitation (paper §1)."""

@@ -7,7 +7,6 @@ import psutil
 from pydantic import Field, SecretStr, ValidationError
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
-from .acoustic.stress.emphasis import PROMINENT, STRESSED
 from .errors import InputError
 from .model.motion_limits import MotionLimits
 
@@ -33,12 +32,6 @@ class Settings(BaseSettings):
     )
     emphasis: Literal["prominence", "ratio"] = Field(
         default="prominence", description="what emphasises a word: our prominence, or the paper's stressed ratio"
-    )
-    emphasis_prominence: float = Field(
-        default=PROMINENT, ge=0, le=1, description="prominence above which a word is emphasised"
-    )
-    emphasis_ratio: float = Field(
-        default=STRESSED, ge=0, le=1, description="stressed ratio above which a word is emphasised"
     )
     agitation_features: Literal["paper", "full"] = Field(
         default="full", description="what agitation is judged by: the paper's 12 MFCC, or all that helps"

@@ -13,7 +13,11 @@ import time
 from collections import defaultdict
 from pathlib import Path
 
-from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.bml.writing.writer import write_bml
+from understudy.model import Line
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.settings import Settings
 
 LINES = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech" / "lines"

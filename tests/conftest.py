@@ -9,7 +9,7 @@ import pytest
 
 from tests.support.examples import USUALLY, examples
 from understudy.api.workers.processes import Nursery
-from understudy.performance import Understudy
+from understudy.models import Understudy
 from understudy.settings import Settings
 
 hypothesis.settings.register_profile("understudy", examples(USUALLY))

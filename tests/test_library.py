@@ -16,9 +16,12 @@ import pytest
 import understudy as library
 from tests.support.bml_checker import check
 from tests.support.bml_records import without_record
+from understudy.bml.writing.writer import write_bml
 from understudy.library import PerformKeywords, RealizeKeywords
-from understudy.model import Performance
-from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.model import Line, Performance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.schemas.requests import PerformOptions, RealizeOptions
 
 AUDIO = Path(__file__).parent / "audio" / "numbers.flac"

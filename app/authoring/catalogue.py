@@ -12,8 +12,14 @@ from pathlib import Path
 from ..behavior.characters.overlays import Character, Characters
 from ..behavior.reading.families import Families, FamilyBehavior, family_rule
 from ..errors import InputError
-from ..loading import load_characters, load_families, load_function_rules, load_gestures, load_mapping_rules
 from ..model import Level
+from ..models import (
+    load_characters,
+    load_families,
+    load_function_rules,
+    load_gestures,
+    load_mapping_rules,
+)
 from ..resources import RULES, resource_folder
 from ..rules.derivation import FunctionRules
 from ..rules.lexicon import SLOT, LexicalEntry

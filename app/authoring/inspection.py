@@ -8,19 +8,14 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
+from ..behavior.characters.overlays import DEFAULT_CHARACTER
 from ..errors import InputError
-from ..loading import load_function_rules, load_realizer
-from ..model import Function, Level, Moment, Utterance
+from ..model import Fact, Function, Level, Moment, Utterance
+from ..models import BehaviorModels, LanguageModels, Understudy, load_function_rules, load_realizer
 from ..moving import plan_moments
 from ..on_demand import OnDemand
-from ..performance import (
-    DEFAULT_CHARACTER,
-    BehaviorModels,
-    LanguageModels,
-    Understudy,
-    find_functions,
-)
-from ..rules.chaining.chainer import Derivation, Fact, derive
+from ..performance import find_functions
+from ..rules.chaining.chainer import Derivation, derive
 from ..rules.chaining.matching import FactBase
 from ..rules.chaining.tracing import RuleTrace, fires, trace_rule, trace_rules
 from ..rules.derivation import FunctionRules, derive_facts, understand

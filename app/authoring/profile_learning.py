@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from ..models import LanguageModels
 from ..on_demand import OnDemand
+from ..performance import find_functions_in_all
 from ..profiles.annotation.model import Annotation, TaggedWords
 from ..profiles.learning.learning import learn
 from ..profiles.profile import Profile
 from ..profiles.tags import tags_of
-from ..understanding import LanguageModels, find_functions_in_all
 
 
 def learn_profile(

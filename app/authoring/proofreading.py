@@ -24,7 +24,8 @@ from ..live.phone_durations import FILE as PHONE_DURATIONS
 from ..live.phone_durations import PhoneDurations
 from ..live.table import FILE as LIVE
 from ..live.table import LiveTable
-from ..loading import (
+from ..model import Channel, Hand, Level
+from ..models import (
     AUTHORED,
     load_characters,
     load_function_rules,
@@ -32,7 +33,6 @@ from ..loading import (
     load_mapping_rules,
     load_profile_file,
 )
-from ..model import Channel, Hand, Level
 from ..realizer.body.movement_style import MovementStyle
 from ..realizer.body.skeleton import Skeleton
 from ..realizer.exporting.mpeg4.fap import TABLE as FAPS

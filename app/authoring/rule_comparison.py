@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from ..errors import AuthoringError
 from ..model import Function, Utterance, Word
-from ..performance import Understudy
+from ..models import Understudy
 from ..resources import resource_folder
 from ..rules.derivation import understand
 from ..rules.lexicon import SLOT, Lexicon

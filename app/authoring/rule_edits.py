@@ -12,8 +12,7 @@ from tempfile import TemporaryDirectory
 from typing import TypeVar
 
 from ..errors import AuthoringError, InputError, Mistake, shown
-from ..loading import AUTHORED
-from ..performance import Understudy
+from ..models import AUTHORED, Understudy
 from ..resources import RULES, resource_folder
 from ..rules.derivation import FunctionRules
 from ..rules.mapping import MappingRules

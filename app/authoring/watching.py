@@ -10,7 +10,7 @@ from threading import Event
 
 from watchfiles import watch
 
-from ..loading import AUTHORED
+from ..models import AUTHORED
 from ..resources import RULES, resource_folder
 
 QUIET_MS = 200

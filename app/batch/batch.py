@@ -9,8 +9,8 @@ from contextlib import ExitStack, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from ..acoustic.agitation.speaker import SpeakerReference
 from ..on_demand import OnDemand
-from ..performance import SpeakerReference
 from ..settings import Settings
 from .casting.voices import keep_learnt, read_learnt
 from .manifest.entries import Entry, State, WrittenFile

@@ -5,10 +5,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
+from ..acoustic.agitation.speaker import SpeakerReference
 from ..edits.values import NO_EDITS
 from ..errors import InputError
-from ..loading import load_characters
-from ..performance import Options, SpeakerReference
+from ..models import load_characters
+from ..options import Options
 from .casting.cast_file import NOBODY_CAST, read_cast
 from .casting.casting import Casting
 from .casting.voices import reference_jobs, speaker_of

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..performance import Options
+from ..options import Options
 from .layout import Layout
 from .matching.joining import Choice
 from .matching.patterns import Pattern

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Self
 
-from ..performance import Understudy
+from ..models import Understudy
 from ..prosody_gestures.voice_model import VoiceModel
 from ..resources import resource_folder
 from .mouth import MouthModel

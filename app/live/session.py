@@ -10,9 +10,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..analysis import Options
 from ..errors import InputError
 from ..model import FloatArray, Word
+from ..options import Options
 from .agenda import REMEMBERED_S, WORDED, Agenda
 from .attention import Attention
 from .body import Asked, BodyFrame, LiveBody, Performing

@@ -11,12 +11,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from ..analysis import Analysis, Options
+from ..acoustic.stage import measure_stress
 from ..errors import InputError, shown
-from ..hearing import measure_stress
-from ..model import Behavior, Interval, Phone, Utterance, Viseme, Word
+from ..model import Analysis, Behavior, Interval, Phone, Utterance, Viseme, Word
+from ..models import Understudy
 from ..moving import move
-from ..performance import Understudy
+from ..options import Options
 from ..rules.derivation import understand
 from ..transcript import read_transcript
 from .models import LiveModels

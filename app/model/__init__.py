@@ -13,8 +13,10 @@ from .affect import NEUTRAL, Affect, LineAffect, PhraseAffect, Tone
 from .body import Channel, Hand
 from .choice import Alternative, BehaviorCandidates, Mode, Moment, Movement, Rejected, Term
 from .direction import Avoidance, DirectedMoment, Direction
+from .facts import Argument, Fact
 from .functions import PLAIN, Because, Function, GivenFunction
 from .language import Clause, Parse, Phrase, Token, Utterance
+from .line import AlignedLine, Analysis, Line, SignalAnalysis, Timings
 from .performance import Notice, Performance
 from .schedule import Behavior, Listening, Manner, Schedule, SyncPoints, Target, Viseme
 from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray
@@ -28,7 +30,10 @@ __all__ = [
     "SAMPLE_RATE_HZ",
     "Affect",
     "Agitation",
+    "AlignedLine",
     "Alternative",
+    "Analysis",
+    "Argument",
     "Audio",
     "Avoidance",
     "Because",
@@ -39,6 +44,7 @@ __all__ = [
     "Contours",
     "DirectedMoment",
     "Direction",
+    "Fact",
     "Filler",
     "FloatArray",
     "Function",
@@ -46,6 +52,7 @@ __all__ = [
     "Hand",
     "Interval",
     "Level",
+    "Line",
     "LineAffect",
     "Listening",
     "Manner",
@@ -60,11 +67,13 @@ __all__ = [
     "PhraseAffect",
     "Rejected",
     "Schedule",
+    "SignalAnalysis",
     "SingleArray",
     "StressThresholds",
     "SyncPoints",
     "Target",
     "Term",
+    "Timings",
     "Token",
     "Tone",
     "Utterance",

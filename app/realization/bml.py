@@ -30,7 +30,7 @@ from ..transcript import read_transcript
 from .motion import PreparedSchedule, last_s
 
 if TYPE_CHECKING:
-    from ..hearing import AcousticModels
+    from ..acoustic.stage import AcousticModels
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,14 +129,18 @@ def _recorded(record: Record) -> _Speech:
 
 def _duration_s(acoustic: AcousticModels, audio: bytes) -> float:
     from ..acoustic.signal.decoding import decode
-    from ..hearing import audio_limits
+    from ..acoustic.stage import audio_limits
 
     return decode(audio, audio_limits(acoustic.settings))[0].duration_s
 
 
 def _heard(acoustic: AcousticModels, audio: bytes, text: str, progress: Progress) -> _Speech:
     """What the recording says, and the words of the speech where it has them."""
-    from ..hearing import align_words, analyze_signal  # what hears takes long to import, and only recordings need it
+    from ..acoustic.stage import (  # what hears takes long to import, and only recordings need it
+        align_words,
+        analyze_signal,
+        measure_stress,
+    )
 
     heard = analyze_signal(acoustic, audio, progress)
     speech = _Speech((), heard.audio.duration_s, heard.agitation.level, heard.notices)
@@ -144,8 +148,11 @@ def _heard(acoustic: AcousticModels, audio: bytes, text: str, progress: Progress
         message = "the BML says no words to look for in the recording; give its <speech> a <text>"
         return replace(speech, notices=(*speech.notices, Notice("speech_missing", message)))
     transcript = read_transcript(text, max_characters=acoustic.settings.max_text_characters)
-    timed, _thresholds = align_words(acoustic, heard, transcript, None, progress)
-    return replace(speech, words=timed.words, notices=speech.notices + timed.notices)
+    progress("align")
+    timed = align_words(acoustic, heard.audio, transcript)
+    progress("stress")
+    words, _thresholds = measure_stress(acoustic, timed.words, heard.contours)
+    return replace(speech, words=words, notices=speech.notices + timed.notices)
 
 
 def _schedule(resolved: Resolved, speech: _Speech) -> tuple[Schedule, tuple[Notice, ...]]:

@@ -5,9 +5,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TypeAlias
 
-from ..model import Function
+from ..model import Fact, Function
 from ..yaml_files import Entry
-from .chaining.chainer import Fact
 
 _Kind: TypeAlias = tuple[str, str | None]
 """A class, and a subtype of it or None for all."""

@@ -12,9 +12,9 @@ from types import MappingProxyType
 from typing import TypeVar
 
 from ..errors import AuthoringError, Mistake
-from ..model import Because, Function, GivenFunction, Utterance
+from ..model import Because, Fact, Function, GivenFunction, Utterance
 from ..yaml_files import Source
-from .chaining.chainer import Derivation, Fact, derive
+from .chaining.chainer import Derivation, derive
 from .chaining.facts import utterance_facts
 from .conflicts import Conflicts, resolved
 from .given import GIVEN, GIVEN_RULE, given_facts

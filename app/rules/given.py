@@ -6,8 +6,7 @@ They take part in the derivation as facts, keep their own priority, and win ever
 from collections.abc import Mapping, Sequence
 
 from ..errors import InputError
-from ..model import Because, GivenFunction
-from .chaining.chainer import Fact
+from ..model import Because, Fact, GivenFunction
 from .priorities import Priorities
 
 GIVEN_PRIORITY = 10.0

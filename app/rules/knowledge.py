@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
 from ..errors import AuthoringError, Mistake
-from .language.tree import Argument
+from ..model.facts import Argument, Fact
 
 Environment: TypeAlias = list[Any]
 """The slots of a rule while it is matched: its constants, the values of its variables, the facts it joined."""
@@ -32,19 +32,6 @@ def pick(places: Sequence[int]) -> Pick:
 
 def _nothing(_row: Sequence[Any]) -> tuple[()]:
     return ()
-
-
-class Fact(NamedTuple):
-    """`predicate(arguments)`, without the annotation: two facts are one when predicate and arguments are equal.
-
-    A named tuple, unlike our other values: a line makes hundreds and hashes them thousands of times.
-    """
-
-    predicate: str
-    arguments: tuple[Argument, ...]
-
-    def __str__(self) -> str:
-        return f"{self.predicate}({', '.join(map(str, self.arguments))})"
 
 
 @dataclass(frozen=True, slots=True)

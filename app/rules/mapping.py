@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import AuthoringError, Mistake
-from ..model import Alternative, BehaviorCandidates, Function, Level, Movement, Utterance
-from .chaining.chainer import Call, Choice, Fact, derive
+from ..model import Alternative, BehaviorCandidates, Fact, Function, Level, Movement, Utterance
+from .chaining.chainer import Call, Choice, derive
 from .chaining.facts import utterance_facts
 from .passages import by_passage, passage_starts
 from .program.program import Program, load_program

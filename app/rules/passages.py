@@ -9,7 +9,7 @@ minute ago counts as new.
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 
-from .chaining.chainer import Fact
+from ..model import Fact
 from .chaining.facts import LONGEST_SENTENCE
 
 LONGEST_PASSAGE = LONGEST_SENTENCE

@@ -12,8 +12,8 @@ from typing import Annotated
 from pydantic import ConfigDict, Field, RootModel
 
 from ..errors import LONGEST_SHOWN, Mistake
+from ..model import Fact
 from ..yaml_files import Source
-from .chaining.chainer import Fact
 from .lexicon import LexicalEntry
 from .program.program import Rule
 

@@ -10,15 +10,15 @@ from typing import Annotated, Any, Literal, TypeVar
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
 
-from ..analysis import Options, Timings
 from ..behavior.speech.lead_in import LONGEST_LEAD_IN_S
 from ..bml.markup.documents import DialectName, TimeForm
 from ..bml.writing.smartbody_tables import VisemeNames
 from ..bml.writing.writer import BmlForm
 from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
-from ..model import Level, Mode
+from ..model import Level, Mode, Timings
 from ..model.motion_formats import FileOptions, Keys
 from ..model.targets import MOST_TARGETS, NAME, targets_of
+from ..options import Options
 from ..yaml_files import did_you_mean
 from .references import ReferenceForm
 

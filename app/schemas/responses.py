@@ -7,10 +7,9 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import Self
 
-from ..analysis import AlignedLine, Analysis
 from ..bml.writing.writer import SpeechFile
 from ..errors import UnderstudyError
-from ..model import Agitation, Contours, Function, Level, Notice, Performance, Utterance
+from ..model import Agitation, AlignedLine, Analysis, Contours, Function, Level, Notice, Performance, Utterance
 from .line_parts import (
     AudioResponse,
     BehaviorResponse,

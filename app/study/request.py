@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..analysis import Options
+from ..options import Options
 from .comparison import Comparison
 
 PAGE_FOLDER = "page"

@@ -20,7 +20,7 @@ import soxr
 
 from benchmarks.acoustic.alignment import processor_s
 from benchmarks.pipeline import Stopwatch
-from understudy.hearing import AcousticModels, align_words, analyze_signal
+from understudy.acoustic.stage import AcousticModels, align_words, analyze_signal
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word
 from understudy.settings import Settings
 from understudy.transcript import read_transcript
@@ -43,7 +43,8 @@ def main() -> None:
         acoustic.close()
         began_s, watch = processor_s(), Stopwatch()
         heard = analyze_signal(acoustic, content, watch)
-        found, _ = align_words(acoustic, heard, transcript, progress=watch)
+        watch("align")
+        found = align_words(acoustic, heard.audio, transcript)
         watch(None)
         peaks = [_peak_mb(pid) for pid in (os.getpid(), *_children())]
     spent_s = processor_s() - began_s

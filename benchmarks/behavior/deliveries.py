@@ -21,8 +21,10 @@ from typing import Any
 
 from benchmarks.behavior.directing import gestures_of, load_score, others_of
 from training.acting.listening import TONES
-from understudy.model import Affect, Agitation, LineAffect, Tone, Utterance
-from understudy.performance import Line, Options, Understudy, analyze, perform_analysis
+from understudy.model import Affect, Agitation, Line, LineAffect, Tone, Utterance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import analyze, perform_analysis
 from understudy.settings import Settings
 
 READERS = ("a.jsonl", "b.jsonl", "c.jsonl")

@@ -33,8 +33,11 @@ import numpy as np
 from training.acting.directed import FAMILIES, DirectedLine, folds_of, gesture_choices, read_lines
 from training.acting.weights import examples_of, fitted, lexeme_gains, price_of, read_readings
 from understudy.behavior.reading.decoding import strokes
-from understudy.model import Channel, Performance, SingleArray, Word
-from understudy.performance import Analysis, Line, Options, Understudy, analyze, perform_analysis, write_bml
+from understudy.bml.writing.writer import write_bml
+from understudy.model import Analysis, Channel, Line, Performance, SingleArray, Word
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import analyze, perform_analysis
 from understudy.schemas.direction import read_direction
 from understudy.settings import Settings
 

@@ -16,8 +16,10 @@ from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.writing.writer import BmlForm, write_bml
 from understudy.errors import InputError
-from understudy.model import Performance
-from understudy.performance import Line, Options, Understudy, perform
+from understudy.model import Line, Performance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.settings import Settings
 
 ROUNDS = 50

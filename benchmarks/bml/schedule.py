@@ -27,6 +27,7 @@ from understudy.behavior.speech.visemes import visemes
 from understudy.bml.writing.writer import write_bml
 from understudy.model import (
     Agitation,
+    Analysis,
     Behavior,
     BehaviorCandidates,
     Channel,
@@ -40,8 +41,8 @@ from understudy.model import (
     Utterance,
     Word,
 )
-from understudy.moving import BehaviorModels, plan_moments
-from understudy.performance import Analysis
+from understudy.models import BehaviorModels
+from understudy.moving import plan_moments
 from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules, Understanding, understand
 from understudy.rules.mapping import MappingRules, offer_movements

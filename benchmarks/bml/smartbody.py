@@ -18,8 +18,10 @@ from understudy.behavior.table.behavior_table import load_table
 from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.writing.smartbody_tables import shipped_tables
 from understudy.bml.writing.writer import BmlForm, losses, write_bml, write_speech_file
-from understudy.model import Channel, Performance
-from understudy.performance import Line, Options, Understudy, perform
+from understudy.model import Channel, Line, Performance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.resources import resource_folder
 from understudy.settings import Settings
 

@@ -27,14 +27,14 @@ import numpy as np
 from understudy.acoustic.pitch.streaming import StreamingPitch
 from understudy.acoustic.signal.decoding import decode
 from understudy.acoustic.signal.spectrum import energy_db
-from understudy.hearing import audio_limits
+from understudy.acoustic.stage import audio_limits
 from understudy.live.ear import Ear
 from understudy.live.events import LiveEvents
 from understudy.live.models import LiveModels
 from understudy.live.session import LiveSession
 from understudy.live.telling import LiveOptions, Moved
 from understudy.model import SAMPLE_RATE_HZ, Audio, Channel, FloatArray
-from understudy.performance import Understudy
+from understudy.models import Understudy
 from understudy.prosody_gestures.semi_markov import FRAME_S
 from understudy.schemas.live import to_json
 from understudy.settings import Settings

@@ -15,7 +15,9 @@ import numpy as np
 
 from benchmarks.realizer.liveliness import recorded_lines
 from understudy.model import FloatArray, Hand, Schedule
-from understudy.performance import Options, Understudy, perform
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import realize, schedule_of
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import forward

@@ -18,7 +18,9 @@ from statistics import median
 from benchmarks.realizer.liveliness import recorded_lines
 from benchmarks.realizer.storytellers import RATE_HZ, Take, storytellers
 from understudy.model import Channel, Interval
-from understudy.performance import Options, Understudy, perform
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.profiles.annotation.model import PhaseKind
 from understudy.profiles.proposing.bvh import WristPaths, read_wrists
 from understudy.profiles.proposing.phases import ProposedUnit, proposed_units

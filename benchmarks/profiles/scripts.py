@@ -7,7 +7,7 @@ from pathlib import Path
 from training.profiles.make_examples import unspoken_analyses
 from understudy.behavior.speaker_profiles.gesture_scripts import gesture_script, repertoire_of
 from understudy.model import Level, Parse, Token, Utterance
-from understudy.performance import Understudy
+from understudy.models import Understudy
 from understudy.profiles.annotation.model import Annotation
 from understudy.profiles.annotation.reading import read_annotations
 from understudy.profiles.generation.generating import Speaker, generate

@@ -32,8 +32,8 @@ from understudy.live.movements import Movements
 from understudy.live.placing import Placer
 from understudy.live.table import FILE as LIVE
 from understudy.live.table import LiveTable
-from understudy.loading import load_characters
 from understudy.model import FRAME_SHIFT_S, Behavior
+from understudy.models import load_characters
 from understudy.prosody_gestures.context import in_context
 from understudy.prosody_gestures.live_gestures import COMMITMENT, LiveGestures
 from understudy.prosody_gestures.prosody import features, raw_frames

@@ -15,7 +15,9 @@ from scipy.spatial import ConvexHull
 
 from benchmarks.realizer.liveliness import recorded_lines
 from understudy.model import FloatArray
-from understudy.performance import Options, Understudy, perform
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import realize, schedule_of
 from understudy.realizer.body.masses import centre_of_mass_m
 from understudy.realizer.body.motion import BodyMotion

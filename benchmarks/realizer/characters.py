@@ -21,9 +21,9 @@ import numpy as np
 
 from benchmarks.bml.schedule import Stages, performed, spoken_sentences
 from benchmarks.realizer.exporting.formats import judge
-from understudy.loading import load_characters, load_gestures
 from understudy.model import Hand, Level, Schedule
 from understudy.model.figure import PLAIN, Figure, Physique, Sex
+from understudy.models import load_characters, load_gestures
 from understudy.realization import Realizer, realize, schedule_of
 from understudy.realizer.arms.posing import pose_arm
 from understudy.realizer.body.body_space import on_body_m

@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 
 from benchmarks.realizer.liveliness import realized_lines, recorded_lines
-from understudy.loading import load_realizer
+from understudy.models import load_realizer
 from understudy.realizer.pictures.contact_sheet import draw_sheet
 
 LINES = ("jfk", "austen-0880", "meld-test-239-10", "meld-test-156-2", "style-dev-03", "style-dev-13")

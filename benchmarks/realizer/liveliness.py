@@ -23,9 +23,10 @@ import numpy as np
 from benchmarks.realizer.motion import Realized, realized_once, report_soundness, report_wrists, wrists_of
 from benchmarks.realizer.storytellers import RATE_HZ, Take, storytellers
 from benchmarks.realizer.wrist_measures import measured, together
-from understudy.loading import load_realizer
-from understudy.model import Channel, FloatArray, Interval
-from understudy.performance import Line, Options, Understudy, perform
+from understudy.model import Channel, FloatArray, Interval, Line
+from understudy.models import Understudy, load_realizer
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import Realizer, schedule_of
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.rotations import angle_between

@@ -30,9 +30,10 @@ import numpy as np
 
 from benchmarks.bml.schedule import Stages, performed, spoken_sentences
 from benchmarks.realizer.wrist_measures import WristMeasures, hellinger, measured, together
-from understudy.loading import load_realizer
-from understudy.model import Channel, FloatArray, Hand, Interval, Performance, Schedule, Viseme
-from understudy.performance import Line, Options, Understudy, perform
+from understudy.model import Channel, FloatArray, Hand, Interval, Line, Performance, Schedule, Viseme
+from understudy.models import Understudy, load_realizer
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import Realizer, realize, schedule_of
 from understudy.realizer.arms.arm_keys import arm_track
 from understudy.realizer.arms.posing import wrist_of

@@ -18,8 +18,9 @@ from dataclasses import dataclass
 
 from benchmarks.realizer.liveliness import recorded_lines
 from tests.support.soaking import Variant, broken_by, variants
-from understudy.analysis import Analysis
-from understudy.performance import Understudy, analyze
+from understudy.model import Analysis
+from understudy.models import Understudy
+from understudy.performance import analyze
 from understudy.settings import Settings
 
 

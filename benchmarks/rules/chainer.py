@@ -13,7 +13,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from understudy.rules.chaining.chainer import Fact, derive
+from understudy.model import Fact
+from understudy.rules.chaining.chainer import derive
 from understudy.rules.program.program import Program, load_program
 
 Result = TypeVar("Result")

@@ -12,7 +12,11 @@ from tests.cli.test_realize import BEAT
 from tests.support.bml_records import without_record
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
-from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.bml.writing.writer import write_bml
+from understudy.model import Line
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.settings import Settings
 
 AUDIO_FOLDER = Path(__file__).parents[1] / "audio"

@@ -31,7 +31,7 @@ def rules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def reading(rules: Path) -> Iterator[Nursery]:
     """One of our own, which reads the copy."""
     code = (
-        "import pathlib, socket, sys, understudy.loading as loading\n"
+        "import pathlib, socket, sys, understudy.models as loading\n"
         f"loading.RULES = pathlib.Path({str(rules)!r})\n"
         "from understudy.api.workers.nursery import main\n"
         "main(socket.socket(fileno=int(sys.argv[1])))"

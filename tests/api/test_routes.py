@@ -15,13 +15,15 @@ from fastapi.testclient import TestClient
 from httpx2 import Response
 
 from tests.support.jobs import LONG, LONG_BML
+from understudy.acoustic.stage import align
 from understudy.api.application import create_app
 from understudy.api.bodies import FORM_FIELDS
 from understudy.api.deadlines import Deadline
 from understudy.api.workers.messages import Task
 from understudy.api.workers.pool import Pool
 from understudy.api.workers.processes import Nursery
-from understudy.performance import Line, Understudy, align
+from understudy.model import Line
+from understudy.models import Understudy
 from understudy.schemas.requests import PerformOptions
 from understudy.schemas.responses import AlignResponse
 from understudy.settings import Settings

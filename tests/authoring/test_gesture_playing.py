@@ -8,7 +8,7 @@ from understudy.authoring.gesture_playing import BEFORE_S, BEHAVIOR, Playing, sc
 from understudy.authoring.gesture_texts import one_gesture
 from understudy.errors import InputError
 from understudy.model import Hand, Level
-from understudy.performance import Understudy
+from understudy.models import Understudy
 from understudy.realization import realize_prepared
 from understudy.realizer.body.skeleton import forward
 

@@ -13,7 +13,8 @@ from understudy.cli.inputs.corpus import read_corpus
 from understudy.cli.main import main
 from understudy.cli.outputs.traces import MOST_NEAR_MISSES, trace_lines
 from understudy.errors import InputError
-from understudy.performance import Understudy, find_functions
+from understudy.models import Understudy
+from understudy.performance import find_functions
 from understudy.rules.mapping import offer_movements
 
 TEXT = "No, that is a lot more important."

@@ -5,7 +5,7 @@ import pytest
 from tests.authoring.test_rule_edits import AGREEMENT, text_of
 from understudy.authoring.rule_comparison import compare, example_lines
 from understudy.errors import InputError
-from understudy.performance import Understudy
+from understudy.models import Understudy
 
 AFFIRMATION = "lexicon/en/affirmation.yaml"
 LINES = {"yes": "Yes, we can do that.", "no": "The door is open."}

@@ -4,7 +4,8 @@ import pytest
 
 from understudy.authoring.rule_edits import compile_edits, editable_files, mistakes_in, with_edits
 from understudy.errors import InputError
-from understudy.performance import Understudy, find_functions
+from understudy.models import Understudy
+from understudy.performance import find_functions
 
 WORDS = "lexicon/en/thanks.yaml"
 AGREEMENT = "app/rules/behaviors/agreement.rules"

@@ -15,8 +15,12 @@ from understudy.batch.manifest.entries import Entry, State
 from understudy.batch.request import BatchRequest
 from understudy.batch.watching import Nobody
 from understudy.batch.work.formats import LineFormat
+from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
-from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.model import Line
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.settings import Settings
 
 from ..support.batches import ThisProcess

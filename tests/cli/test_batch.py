@@ -16,7 +16,7 @@ from understudy.batch.batch import run_batch
 from understudy.batch.request import BatchRequest
 from understudy.batch.watching import Nobody
 from understudy.cli.main import main
-from understudy.performance import Understudy
+from understudy.models import Understudy
 from understudy.settings import Settings
 
 from ..support.batches import ThisProcess

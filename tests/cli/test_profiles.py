@@ -9,7 +9,7 @@ import pytest
 
 from tests.support.annotations import SPARING, SWEEPING
 from understudy.cli.main import main
-from understudy.loading import load_characters, load_profile_file, profile_names
+from understudy.models import load_characters, load_profile_file, profile_names
 from understudy.profiles.annotation.reading import read_tracks
 from understudy.profiles.annotation.tables import write_json_tracks
 from understudy.profiles.annotation.tracks import Track, merged

@@ -3,11 +3,12 @@
 import re
 from pathlib import Path
 
-from understudy.analysis import Options
 from understudy.edits.finding import find_behaviors
 from understudy.edits.words import find_word
-from understudy.model import Word
-from understudy.performance import Line, Understudy, perform
+from understudy.model import Line, Word
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.schemas.edits import read_edits
 
 ROOT = Path(__file__).parents[2]

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from understudy.rules.chaining.chainer import Argument, Fact, Limits, derive
+from understudy.model import Fact
+from understudy.rules.chaining.chainer import Argument, Limits, derive
 from understudy.rules.language.arithmetic import BUILTINS
 from understudy.rules.program.program import load_program
 

@@ -10,8 +10,10 @@ from pathlib import Path
 import pytest
 
 from understudy.behavior.timing.anchoring import stressed_vowel_s
-from understudy.model import Channel, DirectedMoment, Direction, Level, Performance
-from understudy.performance import Line, Options, Understudy, perform
+from understudy.model import Channel, DirectedMoment, Direction, Level, Line, Performance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import realize, schedule_of
 from understudy.settings import Settings
 

@@ -14,10 +14,13 @@ from understudy.api.workers.processes import Nursery
 from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.writing.smartbody_tables import VisemeNames
+from understudy.bml.writing.writer import BmlForm, write_bml, write_speech_file
 from understudy.cli.main import main
 from understudy.errors import InputError
-from understudy.model import Performance
-from understudy.performance import BmlForm, Line, Options, Understudy, perform, write_bml, write_speech_file
+from understudy.model import Line, Performance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.schemas.requests import read_options
 from understudy.schemas.responses import PerformanceResponse
 from understudy.settings import Settings

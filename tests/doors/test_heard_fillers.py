@@ -10,8 +10,10 @@ import soundfile
 
 from tests.support.by_hand import FIGURE_8, spoken
 from tests.support.shipped_rules import shipped_parser, shipped_rules
-from understudy.model import Channel, Filler, Interval, Utterance
-from understudy.performance import Line, Options, Understudy, perform
+from understudy.model import Channel, Filler, Interval, Line, Utterance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.rules.derivation import derive_functions
 from understudy.schemas.responses import PerformanceResponse
 

@@ -15,21 +15,15 @@ from lxml import etree
 from tests.support.bml_checker import check
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
+from understudy.bml.markup.documents import DialectName, TimeForm
+from understudy.bml.writing.writer import BmlForm, write_bml
 from understudy.cli.main import main
 from understudy.errors import InputError
-from understudy.model import Behavior, Channel, GivenFunction, Performance
+from understudy.model import Behavior, Channel, GivenFunction, Line, Performance, Timings
 from understudy.model.gesture_limits import LATEST_S
-from understudy.performance import (
-    BmlForm,
-    DialectName,
-    Line,
-    Options,
-    TimeForm,
-    Timings,
-    Understudy,
-    perform,
-    write_bml,
-)
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import BmlInput, Realized, prepare_schedule, realize, schedule_of, write_motion
 from understudy.realization import MotionFormat as Format
 from understudy.settings import Settings

@@ -12,9 +12,12 @@ from tests.support.bml_checker import check
 from tests.support.shared_data import SHARED_LINES, needs
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
+from understudy.bml.writing.writer import write_bml
 from understudy.cli.main import main
-from understudy.model import Performance
-from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.model import Line, Performance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.settings import Settings
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "example.flac"

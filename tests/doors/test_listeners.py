@@ -11,9 +11,12 @@ from fastapi.testclient import TestClient
 from tests.support.bml_checker import check
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
+from understudy.bml.writing.writer import write_listener
 from understudy.cli.main import main
-from understudy.model import Channel, Mode
-from understudy.performance import Line, Options, Understudy, perform, write_listener
+from understudy.model import Channel, Line, Mode
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.settings import Settings
 
 AUDIO = Path(__file__).parents[1] / "audio" / "figure8.flac"

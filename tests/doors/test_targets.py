@@ -12,9 +12,12 @@ import understudy as library
 from tests.support.bml_checker import check
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
+from understudy.bml.writing.writer import write_bml
 from understudy.cli.main import main
-from understudy.model import Channel, FloatArray, Performance, Target
-from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.model import Channel, FloatArray, Line, Performance, Target
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import BmlInput, Realized, prepare_schedule, realize, schedule_of
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.geometry.rotations import rotate

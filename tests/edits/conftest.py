@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from understudy.model import Interval, Performance, Word
-from understudy.performance import Analysis, Options, Understudy, perform_analysis
-from understudy.understanding import find_functions_in_all
+from understudy.model import Analysis, Interval, Performance, Word
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import find_functions_in_all, perform_analysis
 
 TEXT = "No, I told you that I have never seen so many people, and we all know it. What do you want from me?"
 WORD_S = 0.35

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from understudy.behavior.timing.conflicts import compete
+from understudy.bml.writing.writer import write_bml
 from understudy.edits.applying import edited
 from understudy.edits.values import (
     MARKS,
@@ -22,8 +23,10 @@ from understudy.edits.values import (
     WordMark,
     WordReference,
 )
-from understudy.model import Behavior, Channel, Hand, Level, Performance, Word
-from understudy.performance import Analysis, Options, Understudy, perform_analysis, write_bml
+from understudy.model import Analysis, Behavior, Channel, Hand, Level, Performance, Word
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform_analysis
 from understudy.realization import BmlInput, PreparedSchedule, prepare_schedule, realize_prepared
 from understudy.schemas.edits import read_edits, write_edits
 

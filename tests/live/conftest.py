@@ -3,7 +3,7 @@
 import pytest
 
 from understudy.live.models import LiveModels
-from understudy.performance import Understudy
+from understudy.models import Understudy
 
 
 @pytest.fixture(scope="session")

@@ -10,7 +10,7 @@ from understudy.live.blending import Pose
 from understudy.live.body import TAKE_S, Asked, BodyFrame, LiveBody, Performing
 from understudy.live.mouth import MouthShape
 from understudy.model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
-from understudy.performance import Understudy
+from understudy.models import Understudy
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.geometry.noise import _lattice
 from understudy.realizer.geometry.rotations import angle_between

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from understudy.analysis import Options
 from understudy.errors import InputError
 from understudy.live.models import LiveModels
 from understudy.live.voice import RecentVoice
 from understudy.live.words import TimedText, paced_words, perform_words, timed_words
 from understudy.model import FRAME_SHIFT_S, Interval, Word
+from understudy.options import Options
 
 NO = (TimedText("No,", Interval(2.0, 2.4)), TimedText("never.", Interval(2.5, 3.0)))
 

@@ -11,10 +11,14 @@ import pytest
 import soundfile
 
 from tests.support.bml_records import without_record
+from understudy.bml.markup.documents import TimeForm
+from understudy.bml.writing.writer import BmlForm, write_bml
 from understudy.errors import InputError
-from understudy.model import Channel, Level, Mode, Performance
+from understudy.model import Channel, Level, Line, Mode, Performance
 from understudy.model.motion_limits import MotionLimits
-from understudy.performance import BmlForm, Line, Options, TimeForm, Understudy, perform, write_bml
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import (
     BmlInput,
     MotionFormat,

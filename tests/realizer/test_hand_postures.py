@@ -2,8 +2,8 @@
 
 import pytest
 
-from understudy.loading import load_realizer
 from understudy.model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
+from understudy.models import load_realizer
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.realizing import Realizer, realize
 from understudy.realizer.scheduling.rests import POSTURES

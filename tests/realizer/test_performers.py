@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from tests.support.gltf_reading import read
-from understudy.loading import load_realizer
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
 from understudy.model.motion_formats import MotionFormat
+from understudy.models import load_realizer
 from understudy.realization import Realized, Realizer, realize, write_motion
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.body.limits import violations

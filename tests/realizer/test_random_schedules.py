@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from tests.support.examples import examples
 from tests.support.motion_limits import broken_limits
-from understudy.loading import load_realizer
 from understudy.model import Behavior, Channel, Hand, Interval, Level, Schedule, SyncPoints
+from understudy.models import load_realizer
 from understudy.realizer.head_and_gaze.gaze_targets import DIRECTIONS
 from understudy.realizer.head_and_gaze.head_movements import MOVEMENTS
 from understudy.realizer.realizing import Realizer, realize

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from understudy.errors import InputError
-from understudy.model import Channel
-from understudy.performance import Line, Options, Understudy, perform
+from understudy.model import Channel, Line
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import Realized, realize, schedule_of
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.body.limits import violations

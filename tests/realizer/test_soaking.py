@@ -6,9 +6,10 @@ import pytest
 
 from tests.support.shared_data import SHARED_LINES, needs
 from tests.support.soaking import Variant, broken_by, performed, variants
-from understudy.analysis import Analysis
-from understudy.model import Level
-from understudy.performance import Line, Options, Understudy, analyze, perform
+from understudy.model import Analysis, Level, Line
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import analyze, perform
 
 AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
 RECORDING = SHARED_LINES / "austen-0920.flac"

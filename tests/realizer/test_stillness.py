@@ -6,8 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from understudy.model import FloatArray, Schedule
-from understudy.performance import Line, Options, Understudy, perform
+from understudy.model import FloatArray, Line, Schedule
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import realize, schedule_of
 from understudy.realizer.body.motion import SHAPES, Motion
 from understudy.realizer.body.skeleton import Skeleton

@@ -8,8 +8,7 @@ import pytest
 from tests.support.operations import calls_of
 from tests.support.shipped_rules import shipped_parser, shipped_rules
 from tests.support.utterances import words_of
-from understudy.model import Function, Parse, Utterance
-from understudy.rules.chaining.chainer import Fact
+from understudy.model import Fact, Function, Parse, Utterance
 from understudy.rules.chaining.facts import utterance_facts
 from understudy.rules.derivation import derive_functions
 from understudy.rules.passages import LONGEST_PASSAGE, by_passage, passage_starts

@@ -3,8 +3,8 @@
 import pytest
 
 from understudy.errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError
-from understudy.model import Level
-from understudy.performance import Options, Timings
+from understudy.model import Level, Timings
+from understudy.options import Options
 from understudy.schemas.requests import (
     LARGEST_SEED,
     check_options,

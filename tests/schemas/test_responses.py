@@ -7,6 +7,8 @@ from typing import Any
 from understudy.errors import InputError
 from understudy.model import (
     Agitation,
+    AlignedLine,
+    Analysis,
     Because,
     Behavior,
     Channel,
@@ -26,7 +28,6 @@ from understudy.model import (
     Utterance,
     Word,
 )
-from understudy.performance import AlignedLine, Analysis
 from understudy.schemas.line_parts import BehaviorResponse, FunctionResponse, WordResponse
 from understudy.schemas.response_model import ResponseModel
 from understudy.schemas.responses import (

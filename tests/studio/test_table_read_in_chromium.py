@@ -16,7 +16,7 @@ from understudy.batch.request import BatchRequest
 from understudy.batch.watching import Nobody
 from understudy.batch.work.formats import formats_named
 from understudy.batch.work.jobs import MotionForm
-from understudy.performance import Understudy
+from understudy.models import Understudy
 from understudy.resources import resource_folder
 from understudy.settings import Settings
 

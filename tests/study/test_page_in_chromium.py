@@ -7,8 +7,8 @@ import pytest
 from playwright.sync_api import Browser, Page, ViewportSize
 
 from tests.studio.conftest import PATIENCE_MS, browser
-from understudy.analysis import Options
-from understudy.performance import Understudy
+from understudy.models import Understudy
+from understudy.options import Options
 from understudy.resources import resource_folder
 from understudy.study.comparison import DIMENSIONS, Comparison
 from understudy.study.making.making import make_study

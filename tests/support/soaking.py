@@ -8,9 +8,11 @@ import numpy as np
 
 from tests.support.bml_checker import check
 from tests.support.motion_limits import broken_limits
-from understudy.analysis import Analysis, Options
-from understudy.model import Agitation, Level, Performance
-from understudy.performance import Understudy, perform_analysis, write_bml
+from understudy.bml.writing.writer import write_bml
+from understudy.model import Agitation, Analysis, Level, Performance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform_analysis
 from understudy.realization import schedule_of
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.realizing import realize

@@ -12,7 +12,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from understudy.behavior.reading.terms import TermTable, terms_of
-from understudy.performance import LanguageModels, find_functions_in_all
+from understudy.models import LanguageModels
+from understudy.performance import find_functions_in_all
 from understudy.resources import resource_folder
 from understudy.settings import Settings
 from understudy.transcript import read_transcript

@@ -14,7 +14,7 @@ from types import MappingProxyType
 import numpy as np
 
 from understudy.acoustic.signal.decoding import decode
-from understudy.hearing import audio_limits
+from understudy.acoustic.stage import audio_limits
 from understudy.live.mouth import FEATURES, SHIFT_S, MouthFeatures
 from understudy.model import SAMPLE_RATE_HZ, FloatArray
 from understudy.settings import Settings

@@ -20,7 +20,7 @@ import numpy as np
 from understudy.acoustic.pitch.pitch import track_f0
 from understudy.acoustic.signal.decoding import decode
 from understudy.acoustic.signal.spectrum import energy_db
-from understudy.hearing import audio_limits
+from understudy.acoustic.stage import audio_limits
 from understudy.model import FloatArray
 from understudy.prosody_gestures.affect import DIMENSIONS, AffectModel, measures
 from understudy.prosody_gestures.prosody import raw_frames

@@ -20,8 +20,8 @@ import numpy as np
 from training.prosody_gestures.bvh import read_rotations
 from understudy.acoustic.contours import contours_of
 from understudy.acoustic.signal.decoding import decode
+from understudy.acoustic.stage import audio_limits
 from understudy.errors import InputError
-from understudy.hearing import audio_limits
 from understudy.model import FloatArray
 from understudy.prosody_gestures.prosody import features, raw_frames
 from understudy.prosody_gestures.semi_markov import FRAME_S

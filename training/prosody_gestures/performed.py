@@ -20,8 +20,10 @@ from pathlib import Path
 import numpy as np
 
 from understudy.errors import UnderstudyError
-from understudy.model import Mode, Performance
-from understudy.performance import Analysis, Line, Options, Understudy, analyze, perform_analysis
+from understudy.model import Analysis, Line, Mode, Performance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import analyze, perform_analysis
 from understudy.settings import Settings
 
 SPEECH = Path("../shared/data/speech")

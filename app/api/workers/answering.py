@@ -8,21 +8,14 @@ from pathlib import Path, PurePath
 from types import MappingProxyType
 
 from ...authoring.rule_edits import Edits, rules_wrong, with_edits
+from ...bml.writing.writer import write_bml, write_listener, write_speech_file
 from ...errors import AuthoringError, InputError, UnsupportedFormatError
-from ...model import Notice, Performance
+from ...model import Analysis, Line, Notice, Performance
 from ...model.motion_formats import AudioFile
 from ...model.targets import targets_of
-from ...performance import (
-    Analysis,
-    Line,
-    Options,
-    Understudy,
-    find_functions,
-    perform_heard,
-    write_bml,
-    write_listener,
-    write_speech_file,
-)
+from ...models import Understudy
+from ...options import Options
+from ...performance import find_functions, perform_heard
 from ...realization import AvatarOptions, BmlInput, prepare_schedule, realize_prepared, write_motion
 from ...realizer.body.motion import check_tail
 from ...realizer.exporting.extras import require_writer

@@ -8,7 +8,7 @@ from ...authoring.gesture_texts import check_text, one_gesture
 from ...authoring.rule_comparison import compare, example_lines
 from ...authoring.rule_edits import mistakes_in, with_edits
 from ...errors import InputError, TooLargeError, UnsupportedFormatError
-from ...performance import Understudy
+from ...models import Understudy
 from ...realization import OURS, realize_prepared, write_motion
 from ...realizer.exporting.avatar_pose import read_pose
 from ...schemas.avatar_pose import AvatarPoseResponse, read_pose_options

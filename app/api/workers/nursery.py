@@ -18,16 +18,19 @@ from typing import Never
 import numpy as np
 
 from ...acoustic.signal.decoding import decode
+from ...acoustic.stage import audio_limits
 from ...authoring.catalogue import Catalogue, Kind
 from ...authoring.inspection import read_again
 from ...authoring.rule_edits import editable_files
 from ...authoring.rule_files import read_rule_text
 from ...errors import UnderstudyError
-from ...hearing import audio_limits
 from ...live.models import LiveModels
 from ...live.session import LiveSession
 from ...live.telling import LiveOptions
-from ...performance import Line, Options, Understudy, perform
+from ...model import Line
+from ...models import Understudy
+from ...options import Options
+from ...performance import perform
 from ...realization import realize, schedule_of
 from ...resources import resource_folder
 from ...schemas.gesture_language import GestureLanguageResponse

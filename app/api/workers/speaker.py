@@ -3,8 +3,10 @@
 from dataclasses import replace
 from pathlib import PurePath
 
+from ...acoustic.stage import analyze_signal, make_reference
 from ...errors import InputError
-from ...performance import Options, Understudy, analyze_signal, make_reference
+from ...models import Understudy
+from ...options import Options
 from ...schemas.references import read_reference
 from .form import Part
 

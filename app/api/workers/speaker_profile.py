@@ -4,8 +4,8 @@ from dataclasses import replace
 from pathlib import PurePath
 
 from ...errors import AuthoringError, InputError
-from ...loading import load_tags
-from ...performance import Options, Understudy
+from ...models import Understudy, load_tags
+from ...options import Options
 from ...profiles.files.reading import read_profile_text
 from .form import Part
 

@@ -11,7 +11,7 @@ import socket
 import psutil
 
 from ...errors import ServiceError, UnderstudyError
-from ...performance import Understudy
+from ...models import Understudy
 from .answering import answered
 from .endings import end, end_with
 from .limits import limit_memory, too_large

@@ -7,11 +7,11 @@ from types import MappingProxyType
 
 from pydantic import Field, RootModel
 
+from ...acoustic.agitation.speaker import SpeakerReference
 from ...errors import AuthoringError, InputError, Mistake
-from ...loading import usable_profile
 from ...model import Level, Target
 from ...model.targets import targets_of
-from ...performance import SpeakerReference
+from ...models import usable_profile
 from ...profiles.profile import Profile
 from ...schemas.references import read_reference
 from ...schemas.requests import Positions

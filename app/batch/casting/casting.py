@@ -4,7 +4,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ...model import Target
-from ...performance import Options
+from ...options import Options
 from ...profiles.profile import Profile
 from ...schemas.requests import MOST_LISTENERS
 from ...yaml_files import did_you_mean

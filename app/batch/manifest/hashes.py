@@ -5,8 +5,8 @@ import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from ...acoustic.agitation.speaker import SpeakerReference
 from ...edits.values import NO_EDITS
-from ...performance import SpeakerReference
 from ...resources import RULES, resource_folder
 from ...settings import Settings
 from ...version import __version__
@@ -18,8 +18,6 @@ _OF_THE_RESULT = frozenset(
     {
         "parser",
         "emphasis",
-        "emphasis_prominence",
-        "emphasis_ratio",
         "agitation_features",
         "choice",
         "max_audio_s",

@@ -2,7 +2,7 @@
 
 from concurrent.futures import Future
 
-from ...performance import SpeakerReference
+from ...acoustic.agitation.speaker import SpeakerReference
 from ...settings import Settings
 from ..work.jobs import LineJob, LineOutcome
 from ..work.speaking import ReferenceJob

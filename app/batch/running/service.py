@@ -16,10 +16,11 @@ from typing import Any
 
 import requests
 
+from ...acoustic.agitation.speaker import SpeakerReference
+from ...bml.markup.documents import DialectName
 from ...edits.values import NO_EDITS
 from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
-from ...performance import DialectName, SpeakerReference
 from ...profiles.files.writing import profile_yaml
 from ...profiles.profile import Profile
 from ...schemas.edits import write_edits

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ...errors import InputError
 from ...model import Direction, Notice
-from ...performance import Options
+from ...options import Options
 from .audio import AudioSource
 from .formats import OutputFormat
 

@@ -10,23 +10,21 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...errors import InputError
-from ...library import write_ctm, write_json, write_textgrid
-from ...model import Channel, Performance
-from ...model.motion_formats import AudioFile, FileOptions, MotionFormat
-from ...performance import (
-    Analysis,
+from ...bml.markup.documents import DialectName
+from ...bml.writing.writer import (
     BmlForm,
-    DialectName,
-    Line,
-    Understudy,
     listener_part,
-    perform_heard,
     write_bml,
     write_bml_json,
     write_listener,
     write_speech_file,
 )
+from ...errors import InputError
+from ...library import write_ctm, write_json, write_textgrid
+from ...model import Analysis, Channel, Line, Performance
+from ...model.motion_formats import AudioFile, FileOptions, MotionFormat
+from ...models import Understudy
+from ...performance import perform_heard
 from ...realization import AvatarOptions, PreparedSchedule, Realized, realize_prepared, write_motion
 from .files import write_files
 from .formats import LineFormat, act_path, beside, needs_motion, recording_name

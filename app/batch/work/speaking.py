@@ -3,8 +3,10 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from ...acoustic.agitation.speaker import SpeakerReference
+from ...acoustic.stage import AcousticModels, analyze_signal, make_reference
 from ...errors import InputError
-from ...performance import AcousticModels, SignalAnalysis, SpeakerReference, analyze_signal, make_reference
+from ...model import SignalAnalysis
 from .audio import AudioSource
 
 

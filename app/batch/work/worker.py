@@ -3,7 +3,8 @@
 import gc
 from functools import cache
 
-from ...performance import SpeakerReference, Understudy
+from ...acoustic.agitation.speaker import SpeakerReference
+from ...models import Understudy
 from ...settings import Settings
 from ...version import __version__
 from .jobs import LineJob, LineOutcome

@@ -4,10 +4,10 @@
 `understudy.bml.markup.xml_writing` writes it as XML, `understudy.bml.writing.json_form` as JSON.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePath
 
-from ...model import Notice, Performance
+from ...model import Listening, Notice, Parse, Performance
 from ..markup.documents import DialectName, Document, TimeForm
 from ..markup.xml_writing import to_xml
 from .blocks import to_core
@@ -57,6 +57,18 @@ class SpeechFile:
 def write_bml(performance: Performance, form: BmlForm = CORE_FORM) -> bytes:
     """The BML document as UTF-8 XML."""
     return to_xml(to_document(performance, form))
+
+
+def listener_part(performance: Performance, listening: Listening) -> Performance:
+    """A listener's behaviour as a performance of its own, in which nothing is said."""
+    silent = replace(performance.utterance, words=(), parse=Parse((), (), ()))
+    return Performance(silent, (), listening.behaviors, listening.name, performance.seed)
+
+
+def write_listener(performance: Performance, listening: Listening, form: BmlForm) -> bytes:
+    """A listener's BML. Its times are always absolute, because a listener has no speech whose sync points they could
+    refer to."""
+    return write_bml(listener_part(performance, listening), replace(form, timing=TimeForm.ABSOLUTE, audio_file=None))
 
 
 def write_bml_json(performance: Performance, form: BmlForm = CORE_FORM) -> bytes:

@@ -2,7 +2,7 @@
 
 import argparse
 
-from ...hearing import AcousticModels
+from ...acoustic.stage import AcousticModels
 from ...schemas.responses import AgitationResponse
 from ...settings import read_settings
 from ..files import write_standard

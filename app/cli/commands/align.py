@@ -4,8 +4,8 @@ import argparse
 from pathlib import PurePath
 
 from ...acoustic.alignment.timings import to_ctm, to_textgrid
-from ...analysis import AlignedLine
-from ...hearing import AcousticModels, align
+from ...acoustic.stage import AcousticModels, align
+from ...model import AlignedLine
 from ...schemas.responses import AlignResponse
 from ...settings import read_settings
 from ..files import write_standard

@@ -20,7 +20,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         require_writable(arguments.plot, field="plot")
     require_reference(arguments.reference, settings)
     require_usable(line, settings)
-    from ...performance import Understudy, analyze  # now that all is told which can be told without it
+    from ...models import Understudy  # now that all is told which can be told without it
+    from ...performance import analyze
     from ...schemas.responses import AnalysisResponse
 
     level = arguments.agitation and Level(arguments.agitation)

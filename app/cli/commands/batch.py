@@ -4,7 +4,6 @@ import argparse
 import os
 from pathlib import Path
 
-from ...analysis import Options
 from ...batch.batch import entries_before, run_batch
 from ...batch.layout import OURS, USUAL, Layout
 from ...batch.manifest.entries import Entry, State
@@ -23,6 +22,7 @@ from ...bml.writing.writer import BmlForm
 from ...errors import InputError
 from ...model import Level, Mode
 from ...model.targets import read_targets
+from ...options import Options
 from ...settings import Settings, read_settings
 from ..distinct_files import OutputFile, require_distinct
 from ..files import write_standard

@@ -15,15 +15,15 @@ from dataclasses import dataclass, replace
 from typing import BinaryIO, TextIO
 
 from ...acoustic.signal.decoding import decode
+from ...acoustic.stage import audio_limits
 from ...errors import InputError
-from ...hearing import audio_limits
 from ...live.avatars.sending import FrameSender
 from ...live.body import BodyFrame
 from ...live.models import LiveModels
 from ...live.session import LiveSession
 from ...live.telling import LiveOptions, Told
 from ...model import SAMPLE_RATE_HZ, FloatArray
-from ...performance import Understudy
+from ...models import Understudy
 from ...schemas.live import read_samples, to_done, to_json, to_ready
 from ...settings import Settings, read_settings
 from ..files import STANDARD, read_bytes

@@ -5,14 +5,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
-from ...analysis import Line, Options
 from ...bml.markup.documents import DialectName, TimeForm
 from ...bml.writing.smartbody_tables import VisemeNames
 from ...bml.writing.writer import BmlForm, speech_file_name, write_bml, write_bml_json, write_speech_file
 from ...errors import InputError
-from ...model import Level, Mode, Performance
+from ...model import Level, Line, Mode, Performance
 from ...model.motion_formats import is_editorial
 from ...model.targets import read_targets
+from ...options import Options
 from ...schemas.requests import listener_names
 from ...settings import Settings, read_settings
 from ..distinct_files import OutputFile, require_distinct
@@ -67,7 +67,8 @@ def _options(arguments: argparse.Namespace) -> Options:
 def _performed(
     line: Line, options: Options, reference: Sequence[str] | None, settings: Settings, log: Log
 ) -> Performance:
-    from ...performance import Understudy, perform  # now that all is told which can be told without it
+    from ...models import Understudy  # now that all is told which can be told without it
+    from ...performance import perform
 
     with Understudy.load(settings) as understudy:
         options = replace(options, reference=speaker_reference(understudy.acoustic, reference, log))
@@ -76,7 +77,7 @@ def _performed(
 
 def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespace, log: Log) -> None:
     """Writes the trace, the BML, and the files beside it."""
-    from ...performance import write_listener
+    from ...bml.writing.writer import write_listener
     from ...schemas.responses import PerformanceResponse
 
     if arguments.trace:

@@ -8,7 +8,7 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 from ...errors import InputError
-from ...loading import load_characters, load_tags, profile_names
+from ...models import load_characters, load_tags, profile_names
 from ...on_demand import OnDemand
 from ...profiles.annotation.elan import write_elan
 from ...profiles.annotation.reading import LARGEST_BYTES, read_annotations, read_tracks
@@ -28,7 +28,7 @@ from ..log import Log
 from ..outputs.profile_listing import profile_lines
 
 if TYPE_CHECKING:
-    from ...understanding import LanguageModels
+    from ...models import LanguageModels
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -50,7 +50,7 @@ def _learn(arguments: argparse.Namespace, log: Log) -> None:
 
 
 def _language() -> LanguageModels:
-    from ...understanding import LanguageModels
+    from ...models import LanguageModels
 
     return LanguageModels.load(read_settings())
 

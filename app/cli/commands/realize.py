@@ -17,7 +17,7 @@ from ..log import Log
 from ..outputs.motions import MotionOptions, recording, require_motions, write_motions
 
 if TYPE_CHECKING:
-    from ...hearing import AcousticModels
+    from ...acoustic.stage import AcousticModels
     from ...realization import PreparedSchedule
 
 
@@ -65,6 +65,6 @@ def _prepared(
 
 
 def _acoustic(settings: Settings) -> AcousticModels:
-    from ...hearing import AcousticModels  # takes long to import, and only a recording needs it
+    from ...acoustic.stage import AcousticModels  # takes long to import, and only a recording needs it
 
     return AcousticModels.load(settings)

@@ -71,7 +71,7 @@ def _explain(arguments: argparse.Namespace, _log: Log) -> None:
 
 def _trace(arguments: argparse.Namespace, _log: Log) -> None:
     from ...authoring.inspection import trace, trace_one
-    from ...performance import BehaviorModels, LanguageModels
+    from ...models import BehaviorModels, LanguageModels
     from ...settings import read_settings
     from ..outputs.traces import trace_lines
 
@@ -86,7 +86,7 @@ def _trace(arguments: argparse.Namespace, _log: Log) -> None:
 
 def _unused(arguments: argparse.Namespace, _log: Log) -> None:
     from ...authoring.inspection import find_unused
-    from ...performance import BehaviorModels, LanguageModels
+    from ...models import BehaviorModels, LanguageModels
     from ...settings import read_settings
     from ..inputs.corpus import read_corpus
     from ..outputs.traces import unused_lines

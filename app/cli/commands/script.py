@@ -2,8 +2,8 @@
 
 import argparse
 
-from ...analysis import Options
 from ...model import Level
+from ...options import Options
 from ...schemas.gesture_script import script_json
 from ...settings import read_settings
 from ..files import require_writable, write
@@ -26,7 +26,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     )
     require_character(options.character)
     require_usable(line, settings)
-    from ...performance import Understudy, write_script  # now that all is told which can be told without it
+    from ...models import Understudy  # now that all is told which can be told without it
+    from ...performance import write_script
 
     with Understudy.load(settings) as understudy:
         performance, script = write_script(understudy, line, options, log.stage)

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path, PurePath
 
-from ...analysis import Options
 from ...errors import InputError
 from ...model import Notice
+from ...options import Options
 from ...profiles.profile import Profile
 from ...settings import read_settings
 from ...study.comparison import Comparison
@@ -35,7 +35,7 @@ def _make(arguments: argparse.Namespace, log: Log) -> None:
     require_character(options.character)
     source = Source(Path(arguments.lines), arguments.audio and Path(arguments.audio), Path(arguments.out))
     request = StudyRequest(source, comparison, options)
-    from ...performance import Understudy  # now that all is told which can be told without it
+    from ...models import Understudy  # now that all is told which can be told without it
     from ...study.making.making import make_study
 
     with Understudy.load(read_settings()) as understudy:

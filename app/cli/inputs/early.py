@@ -5,11 +5,10 @@ Loading spaCy, the aligner and their models takes most of the time of a short li
 
 from ...acoustic.alignment.timings import read_timings
 from ...acoustic.signal.decoding import decode
-from ...analysis import Line
+from ...acoustic.stage import audio_limits
 from ...behavior.candidates.notes import check_direction
-from ...hearing import audio_limits
-from ...loading import load_characters
-from ...model import GivenFunction
+from ...model import GivenFunction, Line
+from ...models import load_characters
 from ...resources import RULES
 from ...rules.given import given_facts
 from ...rules.priorities import Priorities

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from pathlib import PurePath
 
 from ...acoustic.agitation.speaker import SpeakerReference
-from ...analysis import SignalAnalysis
+from ...acoustic.stage import AcousticModels, analyze_signal, make_reference
 from ...errors import InputError
-from ...hearing import AcousticModels, analyze_signal, make_reference
+from ...model import SignalAnalysis
 from ...schemas.references import read_reference
 from ...settings import Settings
 from ..files import STANDARD, read_bytes

@@ -2,10 +2,9 @@
 
 import argparse
 
-from ...analysis import Line, Timings
 from ...edits.values import NO_EDITS, Edits
 from ...errors import InputError
-from ...model import Direction, GivenFunction
+from ...model import Direction, GivenFunction, Line, Timings
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions

@@ -1,6 +1,6 @@
 """Gesture profiles on the command line: by name in the lexicon, or as a file that ends in .yaml."""
 
-from ...loading import load_characters, load_profile, usable_profile
+from ...models import load_characters, load_profile, usable_profile
 from ...profiles.profile import Profile
 
 

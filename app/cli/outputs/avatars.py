@@ -6,7 +6,7 @@ from contextlib import ExitStack, closing
 from ...errors import InputError
 from ...live.avatars import live_link_face, vmc
 from ...live.avatars.sending import FrameSender, FrameWriter
-from ...performance import Understudy
+from ...models import Understudy
 
 AVATAR_FRAME_RATE_HZ = 60
 Address = tuple[str, int]

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...loading import load_realizer
 from ...model.motion_formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
+from ...models import load_realizer
 from ...realizer.body.motion import Decision, check_tail
 from ...realizer.body.skeleton import Skeleton
 from ...realizer.exporting.extras import require_writer

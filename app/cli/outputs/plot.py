@@ -30,7 +30,7 @@ from ...model import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ...analysis import Analysis, SignalAnalysis
+    from ...model import Analysis, SignalAnalysis
 
 FORMAT = ".png"
 INCHES_PER_S = 1.7

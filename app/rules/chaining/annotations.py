@@ -13,7 +13,8 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from ..knowledge import Claim, Fact
+from ...model import Fact
+from ..knowledge import Claim
 
 
 def annotate(claims: Sequence[Claim], annotations: dict[Fact, float]) -> None:

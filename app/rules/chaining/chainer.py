@@ -11,8 +11,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from ..knowledge import Alternative, Call, Choice, Fact, Knowledge, Limits, Reason
-from ..language.tree import Argument
+from ...model import Argument, Fact
+from ..knowledge import (
+    Alternative,
+    Call,
+    Choice,
+    Knowledge,
+    Limits,
+    Reason,
+)
 from ..program.program import Program, Stratum
 from .annotations import annotate
 

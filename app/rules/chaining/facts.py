@@ -9,8 +9,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
-from ...model import Token, Utterance, Word
-from .chainer import Fact
+from ...model import Fact, Token, Utterance, Word
 
 LONGEST_SENTENCE = 150
 """Words; longer sentences are cut there."""

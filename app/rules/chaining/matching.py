@@ -12,11 +12,10 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import TypeAlias
 
-from ..knowledge import Fact
+from ...model import Argument, Fact
 from ..language.arithmetic import ComputationError, apply_builtin, apply_operation, compare
 from ..language.tree import (
     Alternatives,
-    Argument,
     Atom,
     Computation,
     Constant,

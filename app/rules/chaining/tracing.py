@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import partial
 
-from ..knowledge import Fact
+from ...model import Fact
 from ..language.tree import Alternatives, Choice, Computation, Constant, Expression, Guard, Pattern, Statement
 from ..program.program import Program, Rule
 from ..program.stratification import asserted

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TypeAlias
 
-from .tree import Argument
+from ...model import Argument
 
 Number: TypeAlias = int | float
 

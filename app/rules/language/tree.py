@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeAlias
 
-Argument: TypeAlias = str | int | float
-"""An argument of a fact: a text (symbols are texts) or a number."""
+from ...model.facts import Argument
 
 
 @dataclass(frozen=True, slots=True)

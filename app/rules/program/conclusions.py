@@ -4,9 +4,18 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 
-from ..knowledge import Alternative, Call, Choice, Claim, Environment, Fact, Knowledge, Origin, Reason
+from ...model import Argument, Fact
+from ..knowledge import (
+    Alternative,
+    Call,
+    Choice,
+    Claim,
+    Environment,
+    Knowledge,
+    Origin,
+    Reason,
+)
 from ..language.arithmetic import ComputationError
-from ..language.tree import Argument
 from .steps import Evaluate
 
 

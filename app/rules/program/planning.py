@@ -9,11 +9,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
+from ...model import Argument
 from ..knowledge import Beginning, Environment, Index, Knowledge, Origin, Pick, pick
 from ..language.arithmetic import apply_builtin, apply_operation, compare
 from ..language.tree import (
     Alternatives,
-    Argument,
     Atom,
     Computation,
     Constant,

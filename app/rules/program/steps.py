@@ -8,9 +8,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
-from ..knowledge import Beginning, Environment, Fact, Knowledge, Origin, Pick
+from ...model import Argument, Fact
+from ..knowledge import (
+    Beginning,
+    Environment,
+    Knowledge,
+    Origin,
+    Pick,
+)
 from ..language.arithmetic import ComputationError
-from ..language.tree import Argument
 
 FEW = 16
 """For at most this many facts, looking at all is faster than a sorted lookup."""

@@ -10,7 +10,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from ..language.tree import Alternatives, Argument, Assertion, Atom, Constant, Expression, Pattern, RuleTree
+from ...model import Argument
+from ..language.tree import (
+    Alternatives,
+    Assertion,
+    Atom,
+    Constant,
+    Expression,
+    Pattern,
+    RuleTree,
+)
 
 Form: TypeAlias = tuple[frozenset[Argument] | None, ...]
 """The possible values at each position of a fact; None: any."""

@@ -12,7 +12,7 @@ import soundfile
 from ...errors import UndecodableError
 from ...model import Schedule
 from ...model.motion_formats import MotionFormat
-from ...performance import Understudy
+from ...models import Understudy
 from ...realization import PreparedSchedule, Realized, realize_prepared, write_motion
 
 FRAME_RATE_HZ = 30

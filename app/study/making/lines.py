@@ -5,12 +5,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ...analysis import Line, Options
 from ...batch.matching.recordings import find_recordings
 from ...batch.planning import plan_batch, without_audio
 from ...batch.request import BatchRequest
 from ...batch.work.jobs import LineJob
 from ...errors import InputError
+from ...model import Line
+from ...options import Options
 from ..request import Source
 
 

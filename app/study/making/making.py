@@ -15,7 +15,7 @@ from itertools import combinations
 from ...batch.work.files import write_whole
 from ...errors import InputError
 from ...model import Behavior, Channel, Notice
-from ...performance import Understudy
+from ...models import Understudy
 from ...realization import PreparedSchedule, Realized
 from ..comparison import CONDITIONS, Comparison
 from ..key import KEY_COLUMNS, KEY_NAME

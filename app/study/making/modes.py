@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from ...model import Behavior, Channel, Mode, Performance
-from ...performance import Understudy, perform_analysis, perform_heard
+from ...models import Understudy
+from ...performance import perform_analysis, perform_heard
 from .lines import StudyLine
 
 

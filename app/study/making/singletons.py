@@ -14,7 +14,8 @@ from itertools import pairwise
 from ...behavior.speaker_profiles.gesture_scripts import scripted_behaviors
 from ...errors import InputError
 from ...model import Behavior, Channel, Interval, Performance, SyncPoints
-from ...performance import Understudy, perform_heard, script_analysis
+from ...models import Understudy
+from ...performance import perform_heard, script_analysis
 from ...profiles.generation.phases import Timed
 from ...profiles.generation.script import GestureScript, ScriptedGesture
 from ...profiles.generation.units import bounds_of

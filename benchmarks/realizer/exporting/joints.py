@@ -26,9 +26,11 @@ from scipy.spatial.transform import Rotation
 
 from tests.support.mpeg4_reading import Body, read_parameters, world
 from understudy.errors import ServiceError
-from understudy.model import FloatArray
+from understudy.model import FloatArray, Line
 from understudy.model.motion_formats import AudioFile, FileOptions, MotionFormat
-from understudy.performance import Line, Options, Understudy, perform
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import PreparedSchedule, Realized, Realizer, realize_prepared, write_motion
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.settings import Settings, read_settings

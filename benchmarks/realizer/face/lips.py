@@ -23,10 +23,10 @@ from pathlib import Path
 
 import numpy as np
 
+from understudy.acoustic.stage import align_words, analyze_signal
 from understudy.behavior.speech.visemes import visemes
-from understudy.hearing import align_words, analyze_signal
-from understudy.model import FRAME_SHIFT_S, FloatArray, Schedule, Viseme, Word
-from understudy.performance import Line, Understudy
+from understudy.model import FRAME_SHIFT_S, FloatArray, Line, Schedule, Viseme, Word
+from understudy.models import Understudy
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.face.face import face_weights
@@ -63,7 +63,7 @@ def hear_lines(folders: Sequence[Path]) -> Iterator[Spoken]:
             line = Line(path.read_bytes(), path.with_suffix(".txt").read_text())
             heard = analyze_signal(understudy.acoustic, line.audio)
             transcript = read_transcript(line.text, max_characters=settings.max_text_characters)
-            alignment, _ = align_words(understudy.acoustic, heard, transcript)
+            alignment = align_words(understudy.acoustic, heard.audio, transcript)
             shapes, _ = visemes(alignment.words, heard.audio.duration_s)
             yield Spoken(alignment.words, shapes, heard.audio.duration_s, heard.contours.energy_db)
 

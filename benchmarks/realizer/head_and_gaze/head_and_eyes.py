@@ -15,7 +15,9 @@ import numpy as np
 from benchmarks.realizer.liveliness import recorded_lines
 from benchmarks.realizer.motion import Realized, realized_once
 from understudy.model import Behavior, Channel, FloatArray
-from understudy.performance import Options, Understudy, perform
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.realization import Realizer, schedule_of
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.angles import to_pitch_yaw_roll

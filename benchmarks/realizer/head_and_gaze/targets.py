@@ -13,8 +13,8 @@ from itertools import product
 
 import numpy as np
 
-from understudy.loading import load_realizer
 from understudy.model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints, Target
+from understudy.models import load_realizer
 from understudy.realization import Realizer, realize
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.geometry.rotations import rotate

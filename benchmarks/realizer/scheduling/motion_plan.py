@@ -18,8 +18,8 @@ from itertools import islice
 from pathlib import Path
 
 from benchmarks.realizer.motion import LINES, of_lines, of_sentences
-from understudy.loading import load_realizer
 from understudy.model import Channel, Performance, Schedule
+from understudy.models import load_realizer
 from understudy.realization import schedule_of
 from understudy.realizer.gestures.gesture_plan import ArmGesture, GesturePlan
 from understudy.realizer.gestures.library import Library

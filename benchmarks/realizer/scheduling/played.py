@@ -19,10 +19,11 @@ from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
-from understudy.loading import load_gestures
-from understudy.model import Agitation, Channel, Level, Mode
+from understudy.model import Agitation, Analysis, Channel, Level, Line, Mode
 from understudy.model.gesture_limits import EASY_TRANSITION_S
-from understudy.performance import Analysis, Line, Options, Understudy, analyze, perform_analysis
+from understudy.models import Understudy, load_gestures
+from understudy.options import Options
+from understudy.performance import analyze, perform_analysis
 from understudy.realization import schedule_of
 from understudy.realizer.gestures.gesture_plan import GesturePlan
 from understudy.realizer.scheduling.planning import plan_gestures

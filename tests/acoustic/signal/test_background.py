@@ -10,8 +10,9 @@ import soundfile
 
 from understudy.acoustic.signal.background import LEAST_TRUSTED_DB, above_background_db, doubts
 from understudy.acoustic.signal.spectrum import energy_db
+from understudy.acoustic.stage import analyze_signal
 from understudy.model import SAMPLE_RATE_HZ, Audio
-from understudy.performance import Understudy, analyze_signal
+from understudy.models import Understudy
 
 
 def words_in_noise(decibels: float) -> Audio:

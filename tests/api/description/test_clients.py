@@ -11,7 +11,11 @@ from types import ModuleType
 import pytest
 
 from tests.api.description.test_document import DOCUMENT
-from understudy.performance import Line, Options, Understudy, perform, write_bml
+from understudy.bml.writing.writer import write_bml
+from understudy.model import Line
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.schemas.responses import PerformResponse
 
 ROOT = Path(__file__).parents[3]

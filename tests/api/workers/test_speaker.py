@@ -8,9 +8,10 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
+from understudy.acoustic.stage import analyze_signal, make_reference
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
-from understudy.performance import Understudy, analyze_signal, make_reference
+from understudy.models import Understudy
 from understudy.schemas.references import to_json
 from understudy.settings import Settings
 

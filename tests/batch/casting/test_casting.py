@@ -10,7 +10,7 @@ from understudy.batch.casting.casting import Casting
 from understudy.batch.casting.partners import listener_name, neighbours
 from understudy.batch.model import Recording, ScriptLine, Take
 from understudy.model import Level, Target
-from understudy.performance import Options
+from understudy.options import Options
 
 OURS = ("default", "expansive", "ben")
 

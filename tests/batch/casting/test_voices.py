@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from understudy.acoustic.agitation.speaker import SpeakerReference
 from understudy.batch.casting.voices import (
     FEWEST_RECORDINGS,
     MOST_RECORDINGS,
@@ -12,7 +13,6 @@ from understudy.batch.casting.voices import (
     reference_jobs,
 )
 from understudy.batch.work.audio import AudioSource
-from understudy.performance import SpeakerReference
 
 
 def recordings(speaker: str, count: int) -> list[tuple[str, AudioSource]]:

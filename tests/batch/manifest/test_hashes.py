@@ -12,7 +12,7 @@ from understudy.batch.work.jobs import LineJob, MotionForm, Target
 from understudy.edits.values import Edits, WordEdit, WordMark, WordReference
 from understudy.model import Direction, Interval, Level, Mode
 from understudy.model import Target as Place
-from understudy.performance import Options
+from understudy.options import Options
 from understudy.settings import Settings
 
 JOB = LineJob("a", "No.", AudioSource(Path("a.wav")), Options(), (Target(LineFormat.BML, "a.bml"),))

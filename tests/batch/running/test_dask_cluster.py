@@ -15,7 +15,7 @@ from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, LineOutcome, Target
 from understudy.errors import InputError
-from understudy.performance import Options
+from understudy.options import Options
 from understudy.settings import Settings
 
 distributed = pytest.importorskip("distributed", reason="the extra `cluster` is not installed")

@@ -12,8 +12,8 @@ from understudy.behavior.choice.hands import fitted_as_asked
 from understudy.behavior.timing.anchoring import asked
 from understudy.behavior.timing.conflicts import Fitted
 from understudy.behavior.timing.time_index import KeptByTime
-from understudy.loading import load_gesture_table
 from understudy.model import Behavior, Hand, Level
+from understudy.models import load_gesture_table
 
 CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 DEFAULT = with_forms(CHARACTERS.named("default"), load_gesture_table(CHARACTERS.gesture_lexemes), Level.MEDIUM)

@@ -7,7 +7,8 @@ import pytest
 from understudy.behavior.reading.decoding import STROKES_APART
 from understudy.behavior.reading.planning import plan
 from understudy.model import Channel, Moment, Parse, Utterance
-from understudy.performance import Understudy, find_functions
+from understudy.models import Understudy
+from understudy.performance import find_functions
 
 LINES = (
     "I have never, ever seen a dog that big in my life.",

@@ -6,7 +6,8 @@ import pytest
 
 from understudy.behavior.reading.terms import TermTable, terms_of
 from understudy.errors import AuthoringError
-from understudy.performance import Understudy, find_functions
+from understudy.models import Understudy
+from understudy.performance import find_functions
 
 PREDICATES = {"mood": 4, "negated": 2}
 

@@ -7,8 +7,10 @@ from statistics import fmean
 
 import pytest
 
+from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
 from understudy.model import (
+    Analysis,
     Avoidance,
     Behavior,
     Channel,
@@ -20,10 +22,11 @@ from understudy.model import (
     Performance,
     Word,
 )
-from understudy.performance import Analysis, Options, Understudy, perform_analysis, script_analysis, write_bml
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import find_functions_in_all, perform_analysis, script_analysis
 from understudy.realization import BmlInput, PreparedSchedule, prepare_schedule, realize_prepared
 from understudy.schemas.gesture_script import read_script, script_json
-from understudy.understanding import find_functions_in_all
 
 TEXT = "No, I told you that I have never seen so many people, and we all know it. What do you want from me?"
 WORD_S = 0.35

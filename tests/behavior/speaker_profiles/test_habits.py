@@ -5,7 +5,6 @@ from dataclasses import replace
 import pytest
 
 from tests.support.annotations import SPARING, SWEEPING
-from understudy.analysis import Line, Options
 from understudy.behavior.listeners.head_rates import HeadRates
 from understudy.behavior.speaker_profiles.habits import (
     HEAD_MOVEMENTS_PER_MINUTE,
@@ -13,8 +12,10 @@ from understudy.behavior.speaker_profiles.habits import (
     listening_postures,
     speaking_postures,
 )
-from understudy.model import Behavior, Channel
-from understudy.performance import Understudy, perform
+from understudy.model import Behavior, Channel, Line
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import perform
 from understudy.profiles.annotation.reading import read_annotations
 from understudy.profiles.generation.behaviors import RESTS, STANCES
 from understudy.profiles.learning.learning import learn

@@ -18,7 +18,7 @@ BML = '<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b"><head id="h
 WATCHED = ("spacy", "pocketsphinx", "librosa", "numba", "sklearn", "scipy.fft", "scipy.ndimage", "matplotlib", "lark")
 LARGE = {"spacy", "pocketsphinx", "librosa", "numba", "sklearn", "scipy.fft", "scipy.ndimage", "matplotlib"}
 REALIZER = "understudy.realizer.realizing"
-HEARING, PARSER, RULES = "understudy.hearing", "understudy.syntax", "understudy.rules"
+HEARING, PARSER, RULES = "understudy.acoustic.stage", "understudy.syntax", "understudy.rules"
 STAGES = (HEARING, PARSER, RULES)
 
 

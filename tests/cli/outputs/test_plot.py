@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from tests.support.by_hand import spoken, utterance
 from understudy.cli.outputs.plot import EMPHASIS, MEMBERSHIPS, NARROWEST_INCHES, THRESHOLD, plot, require_plot
 from understudy.errors import InputError, ServiceError
-from understudy.model import Agitation, Audio, Contours, FloatArray, Level, StressThresholds
-from understudy.performance import Analysis, SignalAnalysis
+from understudy.model import Agitation, Analysis, Audio, Contours, FloatArray, Level, SignalAnalysis, StressThresholds
 
 DURATION_S = 3.0
 WORDS = spoken("I never said that", start_s=0.5, stressed=[1])

@@ -7,7 +7,7 @@ from pythonosc.osc_bundle import OscBundle
 from understudy.live.avatars.osc import MOST_BYTES, bundles, message, message_head
 from understudy.live.avatars.vmc import VmcFace, VmcParts, VmcWriter, unity_name
 from understudy.live.body import BodyFrame
-from understudy.performance import Understudy
+from understudy.models import Understudy
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.geometry.rotations import from_axis_angle

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from understudy.model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
-from understudy.performance import Understudy
+from understudy.models import Understudy
 from understudy.profiles.annotation.elan import write_elan
 from understudy.profiles.annotation.mistakes import AnnotationError
 from understudy.profiles.annotation.reading import annotation_of, read_annotations

@@ -5,9 +5,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from understudy.loading import load_gestures
 from understudy.model import Hand, Level
 from understudy.model.gesture_limits import brief_share
+from understudy.models import load_gestures
 from understudy.realizer.arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
 from understudy.realizer.gestures.brief_strokes import brief
 from understudy.realizer.gestures.gesture import Clip, Markers

@@ -14,9 +14,9 @@ from understudy.behavior.characters.gesture_forms import with_forms
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.idle.stillness import stilled
-from understudy.loading import load_gesture_table, load_gestures
 from understudy.model import Channel, Hand, Level, Schedule
 from understudy.model.gesture_limits import equal_transition_s, shortest_transition_s, transition_times
+from understudy.models import load_gesture_table, load_gestures
 from understudy.realizer.scheduling.gesture_table import gesture_table
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.scheduling.selection import clips_of, place_clip, requests_of

@@ -13,7 +13,13 @@ import pytest
 
 from tests.support.operations import operations_of
 from understudy.errors import AuthoringError
-from understudy.rules.chaining.chainer import Call, Derivation, Fact, Limits, derive
+from understudy.model import Fact
+from understudy.rules.chaining.chainer import (
+    Call,
+    Derivation,
+    Limits,
+    derive,
+)
 from understudy.rules.program.program import Program, load_program
 
 DECLARATIONS = """

@@ -14,7 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.examples import examples
-from understudy.rules.chaining.chainer import Fact, derive
+from understudy.model import Fact
+from understudy.rules.chaining.chainer import derive
 from understudy.rules.program.program import load_program
 
 LAYERS = 3

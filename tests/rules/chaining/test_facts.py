@@ -5,8 +5,7 @@ from dataclasses import replace
 import pytest
 
 from tests.support.utterances import utterance, words_of
-from understudy.model import Agitation, Clause, Filler, Interval, Phrase, Utterance
-from understudy.rules.chaining.chainer import Fact
+from understudy.model import Agitation, Clause, Fact, Filler, Interval, Phrase, Utterance
 from understudy.rules.chaining.facts import normalized_word, utterance_facts
 
 

@@ -6,8 +6,8 @@ import pytest
 
 from tests.support.shipped_rules import shipped_parser, shipped_rules
 from tests.support.utterances import words_of
-from understudy.model import Utterance
-from understudy.rules.chaining.chainer import Fact, derive
+from understudy.model import Fact, Utterance
+from understudy.rules.chaining.chainer import derive
 from understudy.rules.chaining.matching import FactBase
 from understudy.rules.chaining.tracing import ObstacleKind, RuleTrace, Said, fires, trace_rule, trace_rules
 from understudy.rules.derivation import derive_facts

@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import AuthoringError
-from understudy.rules.chaining.chainer import Fact, derive
+from understudy.model import Fact
+from understudy.rules.chaining.chainer import derive
 from understudy.rules.program.program import load_program
 
 RULES = """

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from understudy.analysis import Options
 from understudy.errors import InputError
+from understudy.options import Options
 from understudy.resources import resource_folder
 from understudy.study.making.lines import read_lines
 from understudy.study.request import Source

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from understudy.analysis import Line, Options
-from understudy.model import Channel, Performance
-from understudy.performance import Understudy
+from understudy.model import Channel, Line, Performance
+from understudy.models import Understudy
+from understudy.options import Options
 from understudy.realization import PreparedSchedule
 from understudy.realizer.body.motion import SHAPES
 from understudy.resources import resource_folder

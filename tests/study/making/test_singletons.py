@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from understudy.analysis import Line, Options
 from understudy.errors import InputError
-from understudy.performance import Understudy
+from understudy.model import Line
+from understudy.models import Understudy
+from understudy.options import Options
 from understudy.realization import Realized
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import forward

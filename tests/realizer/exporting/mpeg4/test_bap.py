@@ -6,9 +6,9 @@ from scipy.spatial.transform import Rotation
 
 from tests.support.hand_made_motion import BODY, X, Y, Z, turned, waving
 from tests.support.mpeg4_reading import COLUMNS, RAD, Body, greta_world, read_parameters, world
-from understudy.loading import load_realizer
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
 from understudy.model.motion_formats import BapVersion
+from understudy.models import load_realizer
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.exporting.mpeg4.angles import arms_down, euler_rad, thumb_hinge
 from understudy.realizer.exporting.mpeg4.bap import to_bap

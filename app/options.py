@@ -1,7 +1,6 @@
-"""The input of a performance, its options, and the result of analysing a line before any movement is chosen: values
-only."""
+"""How a line is to be performed: the options of a performance, whichever door they come through."""
 
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, fields, replace
 from typing import Self
 
 from .acoustic.agitation.speaker import SpeakerReference
@@ -12,43 +11,12 @@ from .bml.writing.writer import CORE_FORM, BmlForm
 from .edits.values import NO_EDITS, Edits
 from .errors import InputError
 from .model import (
-    Agitation,
-    Audio,
-    Contours,
-    Direction,
-    Filler,
-    Function,
-    GivenFunction,
     Level,
     Mode,
-    Notice,
     Target,
-    Utterance,
-    Word,
 )
 from .model.targets import check_targets
 from .profiles.profile import Profile
-from .rules.knowledge import Fact
-
-
-@dataclass(frozen=True, slots=True)
-class Timings:
-    """Words timed elsewhere: the file's content and its format, "json", "textgrid" or "ctm"."""
-
-    content: bytes
-    format: str
-
-
-@dataclass(frozen=True, slots=True)
-class Line:
-    """The input: the audio file's bytes, the transcript and, if the caller has them, word timings, communicative
-    functions and a director's notes."""
-
-    audio: bytes
-    text: str
-    timings: Timings | None = None
-    functions: tuple[GivenFunction, ...] = ()
-    direction: Direction | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,35 +63,3 @@ class Options:
         """The options with an author's edits, whose settings for the line override these."""
         settings = {part.name: getattr(edits.line, part.name) for part in fields(edits.line)}
         return replace(self, edits=edits, **{name: told for name, told in settings.items() if told is not None})
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class SignalAnalysis:
-    """What is measured in the signal alone."""
-
-    audio: Audio
-    contours: Contours
-    agitation: Agitation
-    notices: tuple[Notice, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class AlignedLine:
-    """The words with their times, and the fillers heard between them; `duration_s` is the audio's."""
-
-    words: tuple[Word, ...]
-    duration_s: float
-    notices: tuple[Notice, ...]
-    fillers: tuple[Filler, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Analysis:
-    """The utterance and its communicative functions, before any movement is chosen; `heard` is what was measured in the
-    recording, if there is one, `facts` are the facts that the rules derived."""
-
-    utterance: Utterance
-    functions: tuple[Function, ...]
-    notices: tuple[Notice, ...] = ()
-    heard: SignalAnalysis | None = field(default=None, repr=False, compare=False)
-    facts: tuple[Fact, ...] = field(default=(), repr=False, compare=False)

@@ -1,28 +1,25 @@
 """The acoustic stage: from a recording and its words to contours, agitation, and word times (paper §3.1)."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Self
 
-from .acoustic.agitation.agitation import AgitationModel
-from .acoustic.agitation.speaker import SpeakerReference
-from .acoustic.alignment.alignment import Aligner, Alignment
-from .acoustic.alignment.timings import read_fillers, read_timings
-from .acoustic.contours import contours_of
-from .acoustic.signal.background import doubts
-from .acoustic.signal.decoding import AudioLimits, decode
-from .acoustic.stress.emphasis import Measure, with_emphasis
-from .acoustic.stress.prominence import prominence
-from .acoustic.stress.stress import stress
-from .analysis import AlignedLine, Line, SignalAnalysis, Timings
-from .edits.values import WordEdit
-from .edits.word_times import corrected
-from .model import Audio, Contours, StressThresholds, Word
-from .on_demand import OnDemand
-from .progress import Progress, no_progress
-from .resources import resource_folder
-from .settings import Settings
-from .transcript import read_transcript
+from ..model import AlignedLine, Audio, Contours, Line, SignalAnalysis, StressThresholds, Timings, Word
+from ..on_demand import OnDemand
+from ..progress import Progress, no_progress
+from ..resources import resource_folder
+from ..settings import Settings
+from ..transcript import read_transcript
+from .agitation.agitation import AgitationModel
+from .agitation.speaker import SpeakerReference
+from .alignment.alignment import Aligner, Alignment
+from .alignment.timings import read_fillers, read_timings
+from .contours import contours_of
+from .signal.background import doubts
+from .signal.decoding import AudioLimits, decode
+from .stress.emphasis import Measure, with_emphasis
+from .stress.prominence import prominence
+from .stress.stress import stress
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,22 +78,15 @@ def analyze_signal(
 
 def align_words(
     acoustic: AcousticModels,
-    heard: SignalAnalysis,
+    audio: Audio,
     transcript: tuple[Word, ...],
     timings: Timings | None = None,
-    progress: Progress = no_progress,
-    *,
-    edits: Sequence[WordEdit] = (),
-) -> tuple[Alignment, StressThresholds]:
-    """The words with their times and prominence, and the utterance's own thresholds (paper §3.1.5); an author's `edits`
-    correct the times."""
-    progress("align")
-    timed = _timed(acoustic, heard.audio, transcript, timings)
-    words, notices = corrected(timed.words, edits, duration_s=heard.audio.duration_s)
-    timed = replace(timed, words=words, notices=timed.notices + notices)
-    progress("stress")
-    words, thresholds = measure_stress(acoustic, timed.words, heard.contours)
-    return replace(timed, words=words), thresholds
+) -> Alignment:
+    """The words with the times that the caller gave, else with the aligner's."""
+    if timings is None:
+        return acoustic.aligner.listen(audio, transcript)
+    words = read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s)
+    return Alignment(words, (), read_fillers(timings.content, timings.format, duration_s=audio.duration_s))
 
 
 def measure_stress(
@@ -105,7 +95,7 @@ def measure_stress(
     """Timed words with their stress, prominence and emphasis, and the utterance's own thresholds (paper §3.1.5)."""
     stressed, thresholds = stress(prominence(words, contours), contours)
     settings = acoustic.settings
-    measure = Measure(settings.emphasis, settings.emphasis_prominence, settings.emphasis_ratio)
+    measure = Measure(settings.emphasis)
     return with_emphasis(stressed, measure), thresholds
 
 
@@ -119,16 +109,8 @@ def align(acoustic: AcousticModels, line: Line) -> AlignedLine:
     """The times of the words and phones of a line."""
     transcript = read_transcript(line.text, max_characters=acoustic.settings.max_text_characters)
     signal, notices = decode(line.audio, audio_limits(acoustic.settings))
-    timed = _timed(acoustic, signal, transcript, line.timings)
+    timed = align_words(acoustic, signal, transcript, line.timings)
     return AlignedLine(timed.words, signal.duration_s, notices + timed.notices, timed.fillers)
-
-
-def _timed(acoustic: AcousticModels, audio: Audio, transcript: tuple[Word, ...], timings: Timings | None) -> Alignment:
-    """The words with the caller's times, else with the aligner's."""
-    if timings is None:
-        return acoustic.aligner.listen(audio, transcript)
-    words = read_timings(timings.content, timings.format, transcript, duration_s=audio.duration_s)
-    return Alignment(words, (), read_fillers(timings.content, timings.format, duration_s=audio.duration_s))
 
 
 def audio_limits(settings: Settings) -> AudioLimits:

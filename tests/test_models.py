@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from understudy import loading
+from understudy import models as loading
 from understudy.behavior.characters.overlays import Characters
 from understudy.errors import AuthoringError
-from understudy.performance import Understudy, find_functions
+from understudy.models import Understudy
+from understudy.performance import find_functions
 from understudy.realizer.gestures.library import Library
 from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules
@@ -60,7 +61,7 @@ def test_mapping_rules_are_read_again_when_a_behaviour_is_gone() -> None:
 def test_a_saved_rule_is_in_use_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     copy = tmp_path / "rules"
     shutil.copytree(RULES, copy, ignore=shutil.ignore_patterns("*.py", "__pycache__"))
-    monkeypatch.setattr("understudy.loading.RULES", copy)
+    monkeypatch.setattr("understudy.models.RULES", copy)
     before = loading.load_function_rules()
     saved = copy / "functions" / "comparison.rules"
     saved.write_text(f"{saved.read_text()}\n{SPOON}")

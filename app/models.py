@@ -1,4 +1,4 @@
-"""Loads the files that authors edit and all performances share: rules, words, characters, gestures.
+"""What is loaded once and shared by all performances: the models of the stages, and the files that authors edit.
 
 The compiled results are cached between processes (`understudy.cache`). Mistakes in files are not cached, so they are
 reported every time. Each function imports what it loads, because no command needs all of it.
@@ -6,12 +6,17 @@ reported every time. Each function imports what it loads, because no command nee
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
+
+from threadpoolctl import threadpool_limits
 
 from .cache import Cache
 from .errors import InputError, shown
+from .on_demand import OnDemand
 from .resources import RULES, resource_folder
 from .yaml_files import did_you_mean
 
@@ -19,14 +24,140 @@ AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 """The suffixes of files that authors edit."""
 
 if TYPE_CHECKING:
+    from .acoustic.stage import AcousticModels
+    from .behavior.characters.gesture_forms import FormedCharacters
     from .behavior.characters.overlays import Characters
+    from .behavior.listeners.head_rates import HeadRates
     from .behavior.reading.families import Families
+    from .behavior.reading.planning import Planner
     from .model.gesture_limits import GestureTable
     from .profiles.profile import Profile
     from .realizer.gestures.library import Library
     from .realizer.realizing import Realizer
     from .rules.derivation import FunctionRules
     from .rules.mapping import MappingRules
+    from .settings import Settings
+    from .syntax.parser import Parser
+
+
+@dataclass(frozen=True, slots=True)
+class Understudy:
+    """All models, loaded once and shared by threads. `close` (or a `with` block) ends the aligner's process.
+
+    The realizer is loaded on first use: most performances are never realized.
+    """
+
+    acoustic: AcousticModels
+    language: LanguageModels
+    behavior: BehaviorModels
+    when_realizing: OnDemand[Realizer]
+
+    @classmethod
+    def load(cls, settings: Settings) -> Self:
+        """Loads all but the realizer, authored files first because they may have mistakes. Raises as the loading of
+        each does.
+
+        From then on BLAS uses a single thread in the whole process: a line is too short to gain from more.
+        """
+        from .acoustic.stage import AcousticModels
+
+        threadpool_limits(limits=1, user_api="blas")
+        return cls(
+            behavior=BehaviorModels.load(settings),
+            language=LanguageModels.load(settings),
+            acoustic=AcousticModels.load(settings),
+            when_realizing=OnDemand(load_realizer),
+        )
+
+    @property
+    def realizer(self) -> Realizer:
+        """The realizer; on first use raises AuthoringError with the mistakes of gestures, face and rigs."""
+        return self.when_realizing.get()
+
+    def with_settings(self, settings: Settings) -> Self:
+        """The same models with other limits; settings of what is already loaded have no effect."""
+        return replace(
+            self,
+            acoustic=replace(self.acoustic, settings=settings),
+            language=replace(self.language, settings=settings),
+            behavior=replace(self.behavior, settings=settings),
+        )
+
+    def close(self) -> None:
+        self.acoustic.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self.close()
+
+
+@dataclass(frozen=True, slots=True)
+class LanguageModels:
+    """The models of the language stage (paper §3.2, §3.3)."""
+
+    settings: Settings
+    parser: Parser
+    rules: FunctionRules
+
+    @classmethod
+    def load(cls, settings: Settings) -> LanguageModels:
+        """Raises AuthoringError with every mistake in words and rules, ServiceError when the parser does not load."""
+        from .syntax.parser import Parser
+
+        return cls(
+            settings=settings,
+            parser=Parser.load(settings.parser or resource_folder("models") / "parser"),
+            rules=load_function_rules(),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class BehaviorModels:
+    """The models that choose and schedule behaviours (paper §3.4, §3.5)."""
+
+    settings: Settings
+    characters: Characters
+    rules: MappingRules
+    families: Families
+    planner: Planner
+    head_rates: HeadRates
+    performers: FormedCharacters
+    profiles: Mapping[str, OnDemand[Profile]]
+
+    @classmethod
+    def load(cls, settings: Settings) -> Self:
+        """Raises AuthoringError with every mistake in characters, behaviour table, families and mapping rules,
+        ServiceError when a model is missing or broken."""
+        from .behavior.characters.gesture_forms import FormedCharacters
+        from .behavior.listeners.head_rates import HeadRates
+        from .behavior.reading.planning import Planner
+
+        lexicon = resource_folder("lexicon")
+        characters = load_characters()
+        families = load_families(characters)
+        rules, models = load_mapping_rules(characters.behavior_names), resource_folder("models")
+        return cls(
+            settings=settings,
+            characters=characters,
+            rules=rules,
+            families=families,
+            planner=Planner.load(models / "acting", lexicon / "acting", families, rules.program.argument_counts),
+            head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
+            performers=FormedCharacters.of(characters, load_gesture_table(characters.gesture_lexemes)),
+            profiles={
+                name: OnDemand(partial(load_profile, name, characters.gesture_lexemes)) for name in profile_names()
+            },
+        )
+
+    def profile(self, profile: Profile | str | None) -> Profile | None:
+        """The profile, loaded from the lexicon if given by name; raises InputError `unknown_profile`."""
+        if not isinstance(profile, str):
+            return profile
+        if profile not in self.profiles:
+            return load_profile(profile, self.characters.gesture_lexemes)
+        return self.profiles[profile].get()
 
 
 def load_function_rules() -> FunctionRules:

@@ -1,0 +1,63 @@
+"""The input of a performance, and the result of analysing it before any movement is chosen."""
+
+from dataclasses import dataclass, field
+
+from .direction import Direction
+from .facts import Fact
+from .functions import Function, GivenFunction
+from .language import Utterance
+from .performance import Notice
+from .signal import Audio, Contours
+from .speech import Agitation, Filler, Word
+
+
+@dataclass(frozen=True, slots=True)
+class Timings:
+    """Words timed elsewhere: the file's content and its format, "json", "textgrid" or "ctm"."""
+
+    content: bytes
+    format: str
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """The input: the audio file's bytes, the transcript and, if the caller has them, word timings, communicative
+    functions and a director's notes."""
+
+    audio: bytes
+    text: str
+    timings: Timings | None = None
+    functions: tuple[GivenFunction, ...] = ()
+    direction: Direction | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SignalAnalysis:
+    """What is measured in the signal alone."""
+
+    audio: Audio
+    contours: Contours
+    agitation: Agitation
+    notices: tuple[Notice, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class AlignedLine:
+    """The words with their times, and the fillers heard between them; `duration_s` is the audio's."""
+
+    words: tuple[Word, ...]
+    duration_s: float
+    notices: tuple[Notice, ...]
+    fillers: tuple[Filler, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Analysis:
+    """The utterance and its communicative functions, before any movement is chosen; `heard` is what was measured in the
+    recording, if there is one, `facts` are the facts that the rules derived."""
+
+    utterance: Utterance
+    functions: tuple[Function, ...]
+    notices: tuple[Notice, ...] = ()
+    heard: SignalAnalysis | None = field(default=None, repr=False, compare=False)
+    facts: tuple[Fact, ...] = field(default=(), repr=False, compare=False)
