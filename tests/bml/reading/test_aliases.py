@@ -8,7 +8,7 @@ from understudy.bml.reading.aliases import LexemeAliases, shipped_aliases
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.resolving import resolve
 from understudy.errors import AuthoringError
-from understudy.loading import load_realizer
+from understudy.models import load_realizer
 from understudy.realizer.head_and_gaze.head_movements import MOVEMENTS
 
 CORE = 'xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="c"'
