@@ -127,7 +127,16 @@ def _check(beside: Path | None) -> int:
 
 def _write(notations: list[Path], writer: str) -> int:
     counts: dict[str, int] = {}
-    records = [record for path in notations for record in records_of(path, writer, counts)]
+    records: list[dict[str, Any]] = []
+    wrong = []
+    for path in notations:
+        try:
+            records += records_of(path, writer, counts)
+        except NotationError as error:
+            wrong.append(str(error))
+    if wrong:
+        print(*wrong, sep="\n", file=sys.stderr)
+        return 1
     files: dict[Path, list[str]] = {}
     for record in records:
         folder = DELIVERIES if "base" in record else OWN
@@ -151,11 +160,7 @@ def main() -> int:
     chosen = parser.parse_args()
     if chosen.verb == "check":
         return _check(chosen.beside)
-    try:
-        return _write(chosen.notations, chosen.writer)
-    except NotationError as error:
-        print(error, file=sys.stderr)
-        return 1
+    return _write(chosen.notations, chosen.writer)
 
 
 if __name__ == "__main__":
