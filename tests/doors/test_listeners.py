@@ -76,6 +76,12 @@ def test_the_command_line_writes_listeners_beside(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out.bml", "out.bob.bml", "out.reserved.bml"]
 
 
+def test_a_listeners_act_ends_as_the_speakers(tmp_path: Path) -> None:
+    act = tmp_path / "act.xml"
+    assert main([*COMMAND, "-o", str(act), "--dialect", "smartbody", "--listener", "anna"]) == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["act.anna.xml", "act.xml", "figure8.bml"]
+
+
 @pytest.mark.parametrize(
     "arguments",
     [("--listener", "bob"), ("-o", "o.bml", "--listener", "../b"), ("-o", "o.bml", *("--listener", "bob") * 2)],

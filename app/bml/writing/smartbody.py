@@ -125,7 +125,7 @@ def _elements(behavior: Behavior, times: Times, tables: SmartBodyTables, style: 
         case Channel.GAZE:
             yield from _gazes(behavior, times)
         case Channel.FACE | Channel.EYES:
-            yield from _faces(behavior, times)
+            yield from _faces(behavior, times, tables)
         case Channel.POSTURE:
             yield Element("body", {"id": behavior.id, "posture": behavior.lexeme, **_some(times, "start", "end")})
 
@@ -158,13 +158,19 @@ def _gazes(behavior: Behavior, times: Times) -> Iterator[Element]:
         yield Element("gaze", {"id": f"{behavior.id}back", **target, "start": times.get("relax", times["end"])})
 
 
-def _faces(behavior: Behavior, times: Times) -> Iterator[Element]:
-    """An element for each action unit, numbered from the second on."""
+def _faces(behavior: Behavior, times: Times, tables: SmartBodyTables) -> Iterator[Element]:
+    """An element for each action unit that the face has, or the one that stands in for it, numbered from the second
+    on."""
     side, units = _units(behavior.lexeme)
-    for number, unit in enumerate(units, start=1):
+    for number, shown in enumerate(map(tables.unit_shown, units), start=1):
         name = behavior.id if number == 1 else f"{behavior.id}unit{number}"
-        attributes: dict[str, Value] = {"id": name, "type": "facs", "au": str(unit), "side": side}
-        yield Element("face", {**attributes, **_amount(behavior), "priority": _priority(behavior), **times})
+        attributes: dict[str, Value] = {"id": name, "type": "facs", "au": str(shown.unit), "side": side}
+        amount = {} if behavior.amount is None and shown.share == 1 else {"amount": _share(behavior, shown.share)}
+        yield Element("face", {**attributes, **amount, "priority": _priority(behavior), **times})
+
+
+def _share(behavior: Behavior, share: float) -> float:
+    return to_milli(share * (1.0 if behavior.amount is None else behavior.amount))
 
 
 def _units(lexeme: str) -> tuple[str, tuple[int, ...]]:

@@ -1,4 +1,5 @@
-"""The gestures and visemes of SmartBody's shipped characters and our names for them, from `lexicon/smartbody.yaml`.
+"""What SmartBody's shipped characters have, gestures, action units and visemes, and our names for it, from
+`lexicon/smartbody.yaml`.
 
 SmartBody plays a gesture only if its character's gesture map has an entry with exactly this type, mode and style, and a
 viseme only if the face has a shape of that name.
@@ -37,6 +38,13 @@ class MouthShape(Entry):
     share: Annotated[float, Field(gt=0, le=1)] = 1.0
 
 
+class UnitShown(Entry):
+    """The action unit that is shown for another, and the share of its amount."""
+
+    unit: Annotated[int, Field(ge=1)]
+    share: Annotated[float, Field(gt=0, le=1)] = 1.0
+
+
 Styles = Annotated[list[str], Field(min_length=1)]
 
 
@@ -45,6 +53,7 @@ class SmartBodyFile(Entry):
 
     gesture_map: dict[str, Annotated[dict[Hand, Styles], Field(min_length=1)]]
     lexemes: dict[str, str]
+    action_units: dict[int, UnitShown]
     visemes: dict[VisemeNames, dict[str, MouthShape]]
 
 
@@ -59,10 +68,12 @@ class GestureName:
 
 @dataclass(frozen=True, slots=True)
 class SmartBodyTables:
-    """The gesture map as hands and styles of every type, the types of our lexemes, and mouth shapes."""
+    """The gesture map as hands and styles of every type, the types of our lexemes, the units that are shown for those
+    that the face lacks, and mouth shapes."""
 
     gesture_map: Mapping[str, Mapping[Hand, frozenset[str]]]
     types: Mapping[str, str]
+    units_shown: Mapping[int, UnitShown]
     visemes: Mapping[VisemeNames, Mapping[str, MouthShape]]
 
     @classmethod
@@ -79,8 +90,13 @@ class SmartBodyTables:
                 for name, hands in written.gesture_map.items()
             },
             types={lexeme: name for name, lexemes in written.lexemes.items() for lexeme in lexemes.split()},
+            units_shown=MappingProxyType(written.action_units),
             visemes={names: MappingProxyType(shapes) for names, shapes in written.visemes.items()},
         )
+
+    def unit_shown(self, unit: int) -> UnitShown:
+        """The action unit of the face that shows this one: itself, or the nearest that it has."""
+        return self.units_shown.get(unit, UnitShown(unit=unit))
 
     def knows_type(self, name: str) -> bool:
         """Whether a gesture map may have this type."""
@@ -115,6 +131,9 @@ def _mistakes(source: Source, written: SmartBodyFile) -> Iterator[Mistake]:
     lexemes = [lexeme for listed in written.lexemes.values() for lexeme in listed.split()]
     for lexeme in {one for one in lexemes if lexemes.count(one) > 1 or one in written.gesture_map}:
         yield source.mistake(("lexemes",), f"{lexeme} has more than one type")
+    for unit, shown in written.action_units.items():
+        if shown.unit in written.action_units:
+            yield source.mistake(("action_units", str(unit)), f"the face lacks unit {shown.unit} too")
     for names in VisemeNames:
         shapes = written.visemes.get(names, {})
         if shapes.keys() != OPENINGS.keys() - {SILENCE}:

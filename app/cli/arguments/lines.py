@@ -36,7 +36,7 @@ def add_perform(add: Adding) -> None:
         metavar="NAME",
         action="append",
         default=[],
-        help="who listens; the listener's BML goes to OUT.NAME.bml",
+        help="who listens; the listener's BML goes to OUT.NAME.bml (.xml for OUT.xml)",
     )
     add_form(parser)
     parser.add_argument(

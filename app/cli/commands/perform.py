@@ -118,8 +118,9 @@ def _beside_act(output: str, name: str) -> OutputFile:
 
 
 def _beside(output: str, name: str) -> OutputFile:
-    """OUT.NAME.bml for OUT.bml."""
-    return OutputFile(PurePath(output).with_suffix(f".{name}.bml"))
+    """OUT.NAME.bml for OUT.bml, OUT.NAME.xml for OUT.xml, and OUT.NAME.bml for any other OUT."""
+    ending = ".xml" if PurePath(output).suffix.lower() == ".xml" else ".bml"
+    return OutputFile(PurePath(output).with_suffix(f".{name}{ending}"))
 
 
 def _check_targets(arguments: argparse.Namespace, settings: Settings) -> None:

@@ -128,7 +128,7 @@ def test_heads_are_nods_shakes_and_tosses() -> None:
         ("BLINK", "both", ["45"]),
         ("RAISE_BROWS", "both", ["1", "2"]),
         ("RAISE_LEFT_BROW", "left", ["1", "2"]),
-        ("LOWER_RIGHT_MOUTH_CORNER", "right", ["15"]),
+        ("RAISE_RIGHT_MOUTH_CORNER", "right", ["12"]),
     ],
 )
 def test_faces_are_action_units(lexeme: str, side: str, units: list[str]) -> None:
@@ -141,8 +141,22 @@ def test_faces_are_action_units(lexeme: str, side: str, units: list[str]) -> Non
 
 
 @pytest.mark.parametrize("lexeme", sorted(CORE_LEXEMES | ACTION_UNITS.keys()))
-def test_every_face_has_units(lexeme: str) -> None:
-    assert written(behavior(Channel.FACE, lexeme))
+def test_every_face_has_units_that_brads_has(lexeme: str) -> None:
+    """As SmartBody's own scripts define it for ChrBrad and ChrRachel."""
+    units = {face.attributes["au"] for face in written(behavior(Channel.FACE, lexeme))}
+    assert units
+    assert units <= {"1", "2", "4", "5", "6", "7", "10", "12", "25", "26", "45"}
+
+
+@pytest.mark.parametrize(
+    ("lexeme", "amount", "unit", "shown"),
+    [("STRETCH_LIPS", 0.4, "12", 0.2), ("PRESS_LIPS", 0.4, "7", 0.2), ("STRETCH_LIPS", None, "12", 0.5)],
+)
+def test_what_the_face_lacks_is_shown_by_a_share_of_another_unit(
+    lexeme: str, amount: float | None, unit: str, shown: float
+) -> None:
+    (face,) = written(replace(behavior(Channel.FACE, lexeme), amount=amount))
+    assert (face.attributes["au"], face.attributes["amount"]) == (unit, shown)
 
 
 def test_a_gaze_aside_comes_back_for_it_would_stay() -> None:

@@ -22,6 +22,7 @@ SHIPPED = (resource_folder("lexicon") / FILE).read_text(encoding="utf-8")
         ("    PP: {name: Bump}", "    XX: {name: Bump}", "the shapes of facefx are"),
         ("WE: {right: [plain]}", "WE: {foot: [plain]}", "'left', 'right' or 'both'"),
         ("WE: {right: [plain]}", "WE: {right: []}", "at least 1"),
+        ("20: {unit: 12,", "20: {unit: 24,", "the face lacks unit 24 too"),
         ("share: 0.5", "share: 1.5", "less than or equal to 1"),
     ],
 )
