@@ -31,7 +31,8 @@ from typing import Any
 import numpy as np
 
 from training.acting.directed import FAMILIES, DirectedLine, folds_of, gesture_choices, read_lines
-from training.acting.weights import examples_of, fitted, lexeme_gains, price_of, read_readings
+from training.acting.thresholds import read_readings
+from training.acting.weights import examples_of, fitted, lexeme_gains, price_of
 from understudy.behavior.reading.decoding import strokes
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Analysis, Channel, Line, Performance, SingleArray, Word

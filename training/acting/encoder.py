@@ -44,7 +44,7 @@ RATE, OUTPUT_RATE, NEW_RATE = 5e-5, 2e-4, 1e-3
 """Of the layers, the outputs, and the inputs for the delivery, which began at 0."""
 
 FROZEN = 1
-OLD_SHARE = 0.6
+OLD_SHARE = 0.4
 """How many of the lines that the shipped weights know are read again in an epoch."""
 
 SIZES = (len(FAMILIES), len(FAMILIES), 1, len(HEAD), len(FACE), len(GAZE), len(MANNER))

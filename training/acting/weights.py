@@ -24,32 +24,21 @@ from scipy.optimize import minimize
 from scipy.sparse import csr_matrix
 
 from understudy.behavior.reading.choice_model import log_odds_of
-from understudy.behavior.reading.decoding import gains, stretch_level, stretches_of, strokes
+from understudy.behavior.reading.decoding import gains, strokes
 from understudy.behavior.reading.families import load_families
 from understudy.behavior.reading.planning import expected_worth, lexeme_worth, shown_by_lexemes
 from understudy.behavior.table.behavior_table import load_table
 from understudy.model import FloatArray, SingleArray
 from understudy.resources import resource_folder
 
-from .directed import FACE, FAMILIES, HEAD, DirectedLine, read_lines, targets_of
+from .directed import FAMILIES, DirectedLine, read_lines, targets_of
+from .thresholds import read_readings, thresholds
 
 FEWEST = 60
 PENALTY = 100.0
 """What a squared weight costs, in words."""
 
 GESTURES_A_LINE = 2.1
-READ_AS = {"squint": "frown"}
-"""What an audience reads in a face, where that is not what it is called."""
-
-LEAST_LIKELY_HEAD, LEAST_LIKELY_FACE = 0.18, 0.13
-"""No movement is made that is less likely wanted: it would be one among many that mean nothing."""
-
-BETA = 2.0
-"""How much more it matters that a movement is made than that every director wants it."""
-
-TONED_PRECISION = {"shake": 0.6} | dict.fromkeys(("smile", "frown", "sad", "disgust", "squint"), 0.45)
-"""How often movements that say something of their own must be what the one director wanted; of three, another one wants
-most of the others. A wrong shake denies what is said."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -136,21 +125,6 @@ def price_of(lines: Sequence[DirectedLine], gain: Sequence[SingleArray]) -> floa
     return round((low + high) / 2, 3)
 
 
-def threshold_of(kind: str, likely: FloatArray, wanted: FloatArray) -> float:
-    """The level (N,) of a stretch from which a movement is made: with F_beta on stretches at its best, for a toned one
-    where it is right often enough."""
-    best = (0.0, 0.9)
-    for threshold in np.arange(LEAST_LIKELY_HEAD if kind in HEAD else LEAST_LIKELY_FACE, 0.9, 0.02):
-        made = likely >= threshold
-        right = float((made * wanted).sum())
-        if kind in TONED_PRECISION and right >= TONED_PRECISION[kind] * made.sum() and made.any():
-            return round(float(threshold), 2)
-        score = (1 + BETA**2) * right / max(BETA**2 * wanted.sum() + made.sum(), 1e-9)
-        if kind not in TONED_PRECISION:
-            best = max(best, (score, float(threshold)))
-    return round(best[1], 2)
-
-
 def card(lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], examples: Examples) -> dict[str, object]:
     """All that models/acting/weights.json holds."""
     model = fitted(examples)
@@ -159,8 +133,8 @@ def card(lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], exa
         "reading": round(model.reading, 4),
         "bias": {family: round(float(bias), 3) for family, bias in zip(FAMILIES, model.bias, strict=True)},
         "price": price_of(lines, [gain for gain, _ in lexeme_gains(lines, readings, model.worth(examples))]),
-        "head": _thresholds(lines, readings, HEAD, 0, [targets_of(line).head for line in lines]),
-        "face": _thresholds(lines, readings, FACE, len(HEAD), [targets_of(line).face for line in lines]),
+        "head": thresholds(lines, readings, "head"),
+        "face": thresholds(lines, readings, "face"),
         "terms": {
             name: {
                 family: round(float(weight), 2)
@@ -184,30 +158,6 @@ def lexeme_gains(
     for line, own in zip(lines, np.split(worth.astype(np.float32), ends), strict=True):
         reading = readings[line.name]
         yield gains(lexeme_worth(own, shown), reading[:, :count] @ shown.T, reading[:, 2 * count]), shown
-
-
-def _thresholds(
-    lines: Sequence[DirectedLine],
-    readings: Mapping[str, SingleArray],
-    kinds: Sequence[str],
-    offset: int,
-    wanted: Sequence[SingleArray],
-) -> dict[str, float]:
-    first = 2 * len(FAMILIES) + 1 + offset
-    levels, asked = [], []
-    for line, target in zip(lines, wanted, strict=True):
-        likely = readings[line.name][:, first : first + len(kinds)]
-        for begin, end in stretches_of(line.words):
-            levels.append(stretch_level(likely[begin : end + 1]))
-            asked.append(target[begin : end + 1].max(axis=0))
-    level, any_asked = np.stack(levels), np.stack(asked)
-    read_as = [list(kinds).index(READ_AS.get(kind, kind)) for kind in kinds]
-    return {kind: threshold_of(kind, level[:, place], any_asked[:, read_as[place]]) for place, kind in enumerate(kinds)}
-
-
-def read_readings(path: Path) -> dict[str, SingleArray]:
-    with np.load(path) as stored:
-        return {name: stored[name].astype(np.float32) for name in stored.files}
 
 
 def main() -> None:
