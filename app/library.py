@@ -37,6 +37,7 @@ from .model import (
     Mode,
     Performance,
     Timings,
+    Tone,
 )
 from .model.motion_formats import AudioFile
 from .model.targets import targets_of
@@ -69,19 +70,24 @@ FileSource = bytes | str | os.PathLike[str]
 LevelName = Level | Literal["low", "medium", "high"]
 
 
+AffectName = Tone | Literal["neutral", "happy", "sad", "angry", "afraid", "disgusted", "surprised"]
+
+
 class PerformKeywords(TypedDict, total=False):
     """How a line is to be performed; for what is left out, the defaults of `Options` hold.
 
-    `character` names the performer (lexicon/characters), `agitation` overrides the measured level, `seed` chooses among
-    movements that fit equally well, `mode` says where gestures come from, `listener` has the names of the listeners,
-    and `reference` is how the speaker usually sounds (`make_reference`). The performance begins `lead_in_s` (0 to 3)
-    before the recording; `stillness` (0 to 1) reduces all movement. `targets` are the positions of things and
+    `character` names the performer (lexicon/characters), `agitation` overrides the measured level, `affect` the feeling
+    that is heard: a tone, activation, valence and dominance (-1 to 1), or rows of a time and these; `seed` chooses
+    among movements that fit equally well, `mode` says where gestures come from, `listener` has the names of the
+    listeners, and `reference` is how the speaker usually sounds (`make_reference`). The performance begins `lead_in_s`
+    (0 to 3) before the recording; `stillness` (0 to 1) reduces all movement. `targets` are the positions of things and
     listeners, [x, y, z] in metres by name: Y up, the character at the origin facing +Z, its left +X. `profile` names a
     gesture profile (docs/profiles.md).
     """
 
     character: str
     agitation: LevelName | None
+    affect: AffectName | Sequence[float] | Sequence[Sequence[float]] | None
     seed: int
     mode: Mode | Literal["semantic", "prosody", "random"]
     listener: Sequence[str]

@@ -11,6 +11,7 @@ from .bml.writing.writer import CORE_FORM, BmlForm
 from .edits.values import NO_EDITS, Edits
 from .errors import InputError
 from .model import (
+    AffectTrack,
     Level,
     Mode,
     Target,
@@ -23,7 +24,8 @@ from .profiles.profile import Profile
 class Options:
     """How the line is to be performed, and who listens.
 
-    `agitation` overrides the measured level, `reference` describes how the speaker usually sounds. `lead_in_s` is how
+    `agitation` overrides the measured level, `affect` the feeling that is heard, `reference` describes how the speaker
+    usually sounds. `lead_in_s` is how
     long before the recording the performance begins, `stillness` (0 to 1) reduces all movement, `targets` are the
     positions of things and listeners. `played_by` maps names of listeners that are not characters of ours to characters
     that play them. `profile` is a gesture profile, or the name of one in the lexicon; `listener_profiles` are
@@ -48,6 +50,7 @@ class Options:
     listener_profiles: tuple[tuple[str, Profile | str], ...] = ()
     contours: bool = False
     edits: Edits = NO_EDITS
+    affect: AffectTrack | None = None
 
     def __post_init__(self) -> None:
         if not 0 <= self.lead_in_s <= LONGEST_LEAD_IN_S:

@@ -9,13 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from .acoustic.affect.given import given_line
 from .acoustic.agitation.speaker import SpeakerReference
-from .acoustic.stage import align_words, analyze_signal, measure_stress
+from .acoustic.stage import align_words, analyze_signal, hear_affect, measure_stress
 from .behavior.candidates.notes import check_direction, conflicts
 from .edits.values import WordEdit
 from .edits.word_times import corrected
 from .errors import InputError
 from .model import (
+    AffectTrack,
     Agitation,
     Analysis,
     Direction,
@@ -94,6 +96,7 @@ def _heard(
         understudy,
         line,
         agitation=options.agitation,
+        affect=options.affect,
         reference=options.reference,
         edits=options.edits.words,
         progress=progress,
@@ -115,6 +118,7 @@ def analyze(
     line: Line,
     *,
     agitation: Level | None = None,
+    affect: AffectTrack | None = None,
     reference: SpeakerReference | None = None,
     edits: Sequence[WordEdit] = (),
     progress: Progress = no_progress,
@@ -136,6 +140,9 @@ def analyze(
         thresholds=thresholds,
         duration_s=heard.audio.duration_s,
         fillers=timed.fillers,
+        affect=given_line(affect, words, heard.audio.duration_s)
+        if affect
+        else hear_affect(acoustic, heard, words, reference),
     )
     progress("functions")
     known = understand(language.rules, utterance, given=line.functions)

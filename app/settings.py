@@ -36,6 +36,12 @@ class Settings(BaseSettings):
     agitation_features: Literal["paper", "full"] = Field(
         default="full", description="what agitation is judged by: the paper's 12 MFCC, or all that helps"
     )
+    affect_model: Path | None = Field(
+        default=None, description="your own ONNX model from the waveform to activation and valence; ours if unset"
+    )
+    affect_data: Literal["all", "free"] = Field(
+        default="all", description="what our model of affect was taught by: all corpora, or those free for any use"
+    )
     choice: Literal["terms", "priority"] = Field(
         default="terms", description="what is shown: what a director would choose, or the paper's functions by priority"
     )

@@ -2,16 +2,22 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Self
 
-from ..model import AlignedLine, Audio, Contours, Line, SignalAnalysis, StressThresholds, Timings, Word
+from ..model import AlignedLine, Audio, Contours, Line, LineAffect, SignalAnalysis, StressThresholds, Timings, Word
 from ..on_demand import OnDemand
 from ..progress import Progress, no_progress
 from ..resources import resource_folder
 from ..settings import Settings
 from ..transcript import read_transcript
+from .affect.affect_model import AffectModel
+from .affect.line_affect import AffectJudge, FeatureJudge, line_affect
+from .affect.stretch import Stretch
+from .affect.waveform_model import WaveformModel
 from .agitation.agitation import AgitationModel
 from .agitation.speaker import SpeakerReference
+from .agitation.voice_quality import voice_quality
 from .alignment.alignment import Aligner, Alignment
 from .alignment.timings import read_fillers, read_timings
 from .contours import contours_of
@@ -30,15 +36,17 @@ class AcousticModels:
     settings: Settings
     when_aligning: OnDemand[Aligner]
     agitation: AgitationModel
+    affect: AffectJudge
 
     @classmethod
     def load(cls, settings: Settings) -> "AcousticModels":
-        """Loads all but the aligner; raises ServiceError when the agitation model is missing or broken."""
+        """Loads all but the aligner; raises ServiceError when a model of agitation or affect is missing or broken."""
         models, lexicon = resource_folder("models"), resource_folder("lexicon")
         return cls(
             settings=settings,
             when_aligning=OnDemand(lambda: Aligner(models, lexicon / "en")),
             agitation=AgitationModel.load(models / "agitation", settings.agitation_features),
+            affect=_affect_judge(settings, models / "affect"),
         )
 
     @property
@@ -59,6 +67,13 @@ class AcousticModels:
         self.close()
 
 
+def _affect_judge(settings: Settings, folder: Path) -> AffectJudge:
+    """The user's own model of affect, else ours."""
+    if settings.affect_model is not None:
+        return WaveformModel.load(settings.affect_model)
+    return FeatureJudge(AffectModel.load(folder / f"{settings.affect_data}.npz"))
+
+
 def analyze_signal(
     acoustic: AcousticModels,
     audio: bytes,
@@ -66,14 +81,27 @@ def analyze_signal(
     *,
     reference: SpeakerReference | None = None,
 ) -> SignalAnalysis:
-    """Measures the signal alone: its contours and the speaker's agitation (paper §3.1.1 to §3.1.4)."""
+    """Measures the signal alone: its contours, the speaker's agitation (paper §3.1.1 to §3.1.4) and feeling."""
     progress("decode")
     signal, notices = decode(audio, audio_limits(acoustic.settings))
     progress("contours")
     contours = contours_of(signal)
     progress("agitation")
-    agitation = acoustic.agitation.agitation(signal, contours, reference)
-    return SignalAnalysis(signal, contours, agitation, notices + doubts(contours.energy_db))
+    stretch = Stretch(signal, contours, voice_quality(signal, contours.f0_hz))
+    agitation = acoustic.agitation.agitation(contours, stretch.quality, reference)
+    affect = acoustic.affect.affect_of(stretch, reference)
+    return SignalAnalysis(signal, contours, stretch.quality, agitation, affect, notices + doubts(contours.energy_db))
+
+
+def hear_affect(
+    acoustic: AcousticModels, heard: SignalAnalysis, words: tuple[Word, ...], reference: SpeakerReference | None = None
+) -> LineAffect:
+    """The feeling of the line and of each phrase of the timed words."""
+    return line_affect(acoustic.affect, _stretch(heard), heard.affect, words, reference)
+
+
+def _stretch(heard: SignalAnalysis) -> Stretch:
+    return Stretch(heard.audio, heard.contours, heard.quality)
 
 
 def align_words(
@@ -101,7 +129,7 @@ def measure_stress(
 
 def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis]) -> SpeakerReference:
     """How the speaker of these recordings, one or more, usually sounds."""
-    features = [acoustic.agitation.describe(heard.audio, heard.contours) for heard in recordings]
+    features = [acoustic.agitation.describe(heard.contours, heard.quality) for heard in recordings]
     return SpeakerReference.of(acoustic.agitation.feature_set, features)
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..edits.values import Edits
-from ..model import Direction, Interval, Level, Target
+from ..model import AffectTrack, Direction, Interval, Level, Target
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +33,7 @@ class ScriptLine:
     edits: Edits | None = None
     listeners: tuple[str, ...] | None = None
     agitation: Level | None = None
+    affect: AffectTrack | None = None
     seed: int | None = None
     targets: tuple[Target, ...] = ()
 

@@ -9,7 +9,7 @@ the words, `direction` and `choice` the plan and the candidates, `body` and `sch
 of it. Import the values from here.
 """
 
-from .affect import NEUTRAL, Affect, LineAffect, PhraseAffect, Tone
+from .affect import NEUTRAL, Affect, AffectTrack, LineAffect, PhraseAffect, Tone, mean_affect
 from .body import Channel, Hand
 from .choice import Alternative, BehaviorCandidates, Mode, Moment, Movement, Rejected, Term
 from .direction import Avoidance, DirectedMoment, Direction
@@ -19,7 +19,7 @@ from .language import Clause, Parse, Phrase, Token, Utterance
 from .line import AlignedLine, Analysis, Line, SignalAnalysis, Timings
 from .performance import Notice, Performance
 from .schedule import Behavior, Listening, Manner, Schedule, SyncPoints, Target, Viseme
-from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray
+from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray, VoiceQuality
 from .speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
 
 __all__ = [
@@ -29,6 +29,7 @@ __all__ = [
     "PLAIN",
     "SAMPLE_RATE_HZ",
     "Affect",
+    "AffectTrack",
     "Agitation",
     "AlignedLine",
     "Alternative",
@@ -78,5 +79,7 @@ __all__ = [
     "Tone",
     "Utterance",
     "Viseme",
+    "VoiceQuality",
     "Word",
+    "mean_affect",
 ]

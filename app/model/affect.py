@@ -5,6 +5,8 @@ activation, valence and dominance). The shares of the tones are in [0, 1] and su
 lean towards neutral.
 """
 
+from bisect import bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -41,6 +43,39 @@ class Affect:
 
 
 NEUTRAL = Affect()
+
+
+@dataclass(frozen=True, slots=True)
+class AffectTrack:
+    """A feeling over time, as an author gives it: `affects` are those at `times_s`, which rise; between two times it
+    changes evenly, before the first and after the last it stays."""
+
+    times_s: tuple[float, ...]
+    affects: tuple[Affect, ...]
+
+    def at(self, time_s: float) -> Affect:
+        """The feeling at a time."""
+        after = bisect_right(self.times_s, time_s)
+        if after == 0 or after == len(self.times_s):
+            return self.affects[min(after, len(self.affects) - 1)]
+        start_s, end_s = self.times_s[after - 1 : after + 1]
+        share = (time_s - start_s) / (end_s - start_s)
+        return mean_affect(self.affects[after - 1 : after + 1], (1 - share, share))
+
+
+def mean_affect(affects: Sequence[Affect], weights: Sequence[float]) -> Affect:
+    """The mean of several feelings, which count by `weights` (of a positive sum)."""
+    total = sum(weights)
+
+    def mean(values: Sequence[float]) -> float:
+        return sum(weight * value for weight, value in zip(weights, values, strict=True)) / total
+
+    return Affect(
+        activation=mean([each.activation for each in affects]),
+        valence=mean([each.valence for each in affects]),
+        dominance=mean([each.dominance for each in affects]),
+        tones=tuple(mean(shares) for shares in zip(*(each.tones for each in affects), strict=True)),
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,12 +2,13 @@
 
 from dataclasses import dataclass, field
 
+from .affect import Affect
 from .direction import Direction
 from .facts import Fact
 from .functions import Function, GivenFunction
 from .language import Utterance
 from .performance import Notice
-from .signal import Audio, Contours
+from .signal import Audio, Contours, VoiceQuality
 from .speech import Agitation, Filler, Word
 
 
@@ -37,7 +38,9 @@ class SignalAnalysis:
 
     audio: Audio
     contours: Contours
+    quality: VoiceQuality
     agitation: Agitation
+    affect: Affect
     notices: tuple[Notice, ...]
 
 

@@ -34,3 +34,21 @@ class Contours:
     f0_hz: FloatArray
     mfcc: FloatArray
     mel_db: SingleArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class VoiceQuality:
+    """Frame-wise measures, shape (frames,) each; the first is meaningful in voiced frames only.
+
+    harmonicity_db: harmonics-to-noise ratio (Boersma 1993), from the autocorrelation at the period, divided by that of
+        the window; the minimum where the frame is unvoiced.
+    cepstral_peak_db: cepstral peak prominence between 60 and 500 Hz over a regression line (Hillenbrand, Cleveland &
+        Erickson 1994).
+    tilt_db: power from 1 to 5 kHz over power from 50 Hz to 1 kHz.
+    peak_slope: slope of wavelet peaks over octaves (`understudy.acoustic.agitation.peak_slope`).
+    """
+
+    harmonicity_db: FloatArray
+    cepstral_peak_db: FloatArray
+    tilt_db: FloatArray
+    peak_slope: FloatArray

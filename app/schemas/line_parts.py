@@ -9,7 +9,7 @@ from typing import Annotated, Self
 import numpy as np
 from pydantic import AliasPath, BeforeValidator, Field
 
-from ..model import FRAME_SHIFT_S, PLAIN, Contours, Function, Word
+from ..model import FRAME_SHIFT_S, PLAIN, Affect, Contours, Function, LineAffect, Tone, Word
 from .response_model import Number, ResponseModel, Times
 
 
@@ -91,6 +91,57 @@ class MembershipsResponse(ResponseModel):
     low: Number
     medium: Number
     high: Number
+
+
+class TonesResponse(ResponseModel):
+    """The share of each tone of voice; they sum to 1."""
+
+    neutral: Number
+    happy: Number
+    sad: Number
+    angry: Number
+    afraid: Number
+    disgusted: Number
+    surprised: Number
+
+
+class AffectResponse(ResponseModel):
+    """How the voice sounds: activation, valence and dominance from -1 to 1, and the shares of tones."""
+
+    activation: Number
+    valence: Number
+    dominance: Number
+    tones: TonesResponse
+
+    @classmethod
+    def of(cls, affect: Affect) -> Self:
+        return cls.model_validate(_affect_fields(affect))
+
+
+class PhraseAffectResponse(AffectResponse):
+    """How the words `first` to `last` sound, between two pauses."""
+
+    first: int
+    last: int
+
+
+class LineAffectResponse(AffectResponse):
+    """How the line sounds, and each phrase between pauses; `given` is present, and true, if the author gave it."""
+
+    phrases: list[PhraseAffectResponse]
+    given: Annotated[bool | None, BeforeValidator(_if_so)] = None
+
+    @classmethod
+    def of_line(cls, affect: LineAffect) -> Self:
+        phrases = [
+            _affect_fields(phrase.affect) | {"first": phrase.first, "last": phrase.last} for phrase in affect.phrases
+        ]
+        return cls.model_validate(_affect_fields(affect.line) | {"phrases": phrases, "given": affect.given})
+
+
+def _affect_fields(affect: Affect) -> dict[str, object]:
+    dimensions = {name: getattr(affect, name) for name in ("activation", "valence", "dominance")}
+    return {**dimensions, "tones": dict(zip(Tone, affect.tones, strict=True))}
 
 
 class TokenResponse(ResponseModel):

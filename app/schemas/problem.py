@@ -27,6 +27,7 @@ CODES = MappingProxyType(
         422: (
             *("audio_empty", "audio_too_short", "audio_sample_rate", "audio_channels", "audio_bad_sample"),
             *("audio_silent", "text_empty", "text_word_too_long", "text_control_character", "text_surrogate"),
+            "affect_wrong",
             *("transcript_unspoken", "transcript_mismatch", "timings_words_differ", "timings_not_a_time"),
             *("timings_out_of_order", "timings_beyond_audio", "bml_wrong", "unknown_character", "unknown_avatar"),
             *("unknown_skeleton", "value_wrong", "functions_wrong", "functions_class", "functions_span"),
@@ -38,7 +39,8 @@ CODES = MappingProxyType(
         ),
         429: ("too_many_requests",),
         500: (
-            *("aligner_crashed", "model_unreadable", "model_damaged", "plot_unavailable", "parser_missing"),
+            *("aligner_crashed", "model_unreadable", "model_damaged", "affect_model_failed", "plot_unavailable"),
+            "parser_missing",
             *(
                 "parser_incomplete",
                 "parser_labels",

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal, TypeVar
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
 
+from ..acoustic.affect.given import affect_track
 from ..behavior.speech.lead_in import LONGEST_LEAD_IN_S
 from ..bml.markup.documents import DialectName, TimeForm
 from ..bml.writing.smartbody_tables import VisemeNames
@@ -40,6 +41,17 @@ Stillness = Annotated[
 ]
 AgitationName = Annotated[
     Annotated[Level, Field(strict=False)] | None, Field(description="Omitted or null: as measured in the voice.")
+]
+AffectValue = Annotated[
+    str
+    | Annotated[tuple[float, float, float], Field(strict=False)]
+    | Annotated[tuple[Annotated[tuple[float, float, float, float], Field(strict=False)], ...], Field(strict=False)]
+    | None,
+    Field(
+        description="How the voice sounds instead of as heard: a tone, [activation, valence, dominance] from -1 to 1, "
+        "or a track of [time_s, activation, valence, dominance]. Omitted or null: as heard.",
+        examples=["sad", [0.6, -0.5, 0.3]],
+    ),
 ]
 ListenerNames = Annotated[
     tuple[str, ...],
@@ -101,11 +113,13 @@ class PerformOptions(BaseModel):
     targets: Positions = {}
     profile: Annotated[str | None, Field(description="The name of a gesture profile.", examples=["sweeping"])] = None
     contours: Annotated[bool, Field(description="Adds f0 and energy every 10 ms to JSON.")] = False
+    affect: AffectValue = None
 
     def to_options(self) -> Options:
         return Options(
             character=self.character,
             agitation=self.agitation,
+            affect=None if self.affect is None else affect_track(self.affect),
             seed=self.seed,
             reference=self.reference.to_reference() if self.reference else None,
             mode=self.mode,

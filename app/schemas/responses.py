@@ -9,13 +9,15 @@ from typing import Self
 
 from ..bml.writing.writer import SpeechFile
 from ..errors import UnderstudyError
-from ..model import Agitation, AlignedLine, Analysis, Contours, Function, Level, Notice, Performance, Utterance
+from ..model import AlignedLine, Analysis, Contours, Function, Level, Notice, Performance, SignalAnalysis, Utterance
 from .line_parts import (
+    AffectResponse,
     AudioResponse,
     BehaviorResponse,
     ContoursResponse,
     FillerResponse,
     FunctionResponse,
+    LineAffectResponse,
     MembershipsResponse,
     MomentResponse,
     ParseResponse,
@@ -49,15 +51,17 @@ class AlignResponse(ResponseModel):
 
 
 class AgitationResponse(ResponseModel):
-    """The speaker's agitation in one file."""
+    """The speaker's agitation in one file, and how the voice sounds."""
 
     file: str
     agitation: Level
     memberships: MembershipsResponse
+    affect: AffectResponse
 
     @classmethod
-    def of(cls, file: str, agitation: Agitation) -> Self:
-        return cls.model_validate({"file": file, "agitation": agitation.level, "memberships": agitation})
+    def of(cls, file: str, heard: SignalAnalysis) -> Self:
+        level, affect = heard.agitation.level, AffectResponse.of(heard.affect)
+        return cls.model_validate({"file": file, "agitation": level, "memberships": heard.agitation, "affect": affect})
 
 
 class FunctionsResponse(ResponseModel):
@@ -98,6 +102,7 @@ class AnalysisResponse(ResponseModel):
     stress: StressResponse
     agitation: Level
     memberships: MembershipsResponse
+    affect: LineAffectResponse | None = None
     parse: ParseResponse
     functions: list[FunctionResponse]
     warnings: list[WarningResponse]
@@ -194,6 +199,7 @@ def _understood(utterance: Utterance, functions: Sequence[Function], notices: Se
         "stress": utterance.thresholds,
         "agitation": utterance.agitation and utterance.agitation.level,
         "memberships": utterance.agitation,
+        "affect": utterance.affect and LineAffectResponse.of_line(utterance.affect),
         "parse": utterance.parse,
         "functions": _functions(functions, utterance),
         "warnings": notices,

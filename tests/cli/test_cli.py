@@ -79,6 +79,19 @@ def test_an_analysis_in_json_with_its_stages_as_json_lines(capfdbinary: Captured
     assert {"event": "stage", "stage": "parse"} in events
 
 
+def test_a_feeling_that_is_given_replaces_the_one_heard(capfdbinary: Captured, tmp_path: Path) -> None:
+    track = tmp_path / "track.csv"
+    track.write_text("time_s,activation,valence,dominance\n0,0.6,-0.5,0.3\n", encoding="utf-8")
+    for told, tone in (("sad", "sad"), ("0.6,-0.5,0.3", "angry"), (str(track), "angry")):
+        code, out, _ = _run(capfdbinary, "analyze", AUDIO, "--text", TEXT, "--affect", told)
+        affect = json.loads(out)["affect"]
+        assert (code, affect["given"]) == (0, True)
+        assert max(affect["tones"], key=affect["tones"].get) == tone
+    code, out, err = _run(capfdbinary, "analyze", AUDIO, "--text", TEXT, "--affect", "furious")
+    assert (code, out) == (2, "")
+    assert "no tone" in err
+
+
 def test_an_analysis_is_drawn_beside_its_json(capfdbinary: Captured, tmp_path: Path) -> None:
     picture = tmp_path / "line.png"
     code, out, _ = _run(capfdbinary, "analyze", AUDIO, "--text", TEXT, "--plot", str(picture))
@@ -125,6 +138,8 @@ def test_agitation_is_told_line_by_line_and_the_wrong_file_is_named(capfdbinary:
     assert [line["file"] for line in lines] == [AUDIO, AUDIO]
     assert lines[0]["agitation"] in {"low", "medium", "high"}
     assert sum(lines[0]["memberships"].values()) == pytest.approx(1, abs=1e-5)
+    assert lines[0]["affect"].keys() == {"activation", "valence", "dominance", "tones"}
+    assert sum(lines[0]["affect"]["tones"].values()) == pytest.approx(1, abs=1e-5)
     assert str(wrong) in err
 
 

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from training.agitation.conditions import Condition
 from understudy.acoustic.agitation.utterance_features import FEATURE_SETS
+from understudy.acoustic.agitation.voice_quality import voice_quality
 from understudy.acoustic.contours import contours_of
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 
@@ -109,7 +110,8 @@ def _features(task: tuple[Path, Condition]) -> dict[str, FloatArray]:
     path, change = task
     audio = change(read_audio(path), np.random.default_rng(zlib.crc32(path.name.encode())))
     contours = contours_of(audio)
-    return {name: features(audio, contours) for name, features in FEATURE_SETS.items()}
+    quality = voice_quality(audio, contours.f0_hz)
+    return {name: features(contours, quality) for name, features in FEATURE_SETS.items()}
 
 
 def read_audio(path: Path) -> Audio:

@@ -20,7 +20,7 @@ from sklearn.svm import SVC
 from training.agitation.corpus import Samples
 from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm, squared_distances
 from understudy.acoustic.agitation.speaker import SpeakerReference, TypicalSpeaker
-from understudy.model import FloatArray, Level
+from understudy.model import FloatArray
 
 CALIBRATION_FOLDS = 4
 
@@ -84,12 +84,12 @@ def relative_features(samples: Samples, typical: TypicalSpeaker, feature_set: st
 
 
 def train_svm(samples: Samples, weights: FloatArray, recipe: Recipe) -> FuzzySvm:
-    """The F²SVM that samples with these `weights` (rows, 3) teach."""
+    """The F²SVM that samples with these `weights` (rows, classes) teach."""
     mean, scale = standards(samples.features, recipe)
     points = (samples.features - mean) / scale
     kernel = np.exp(-recipe.gamma * squared_distances(points, points))
     slopes, offsets = joint_logistic(held_out_values(kernel, weights, samples.speakers, recipe.cost), weights)
-    surfaces = [fit_fuzzy(kernel, *_sides(weights, index), recipe.cost) for index in range(len(Level))]
+    surfaces = [fit_fuzzy(kernel, *_sides(weights, index), recipe.cost) for index in range(weights.shape[1])]
     coefficients = np.stack([surface.coefficients for surface in surfaces], axis=1)
     supporting = coefficients.any(axis=1)
     return FuzzySvm(
@@ -111,7 +111,7 @@ def standards(features: FloatArray, recipe: Recipe) -> tuple[FloatArray, FloatAr
 
 
 def balanced_weights(samples: Samples, corpus_shares: Mapping[str, float]) -> FloatArray:
-    """Memberships scaled so that the levels of a corpus have the same sum, and corpora their share; shape (rows, 3).
+    """Memberships (rows, classes) scaled so that the classes of a corpus have the same sum, and corpora their share.
 
     They are 1 on average over recordings, whose conditions share that as `CONDITION_SHARES` has it.
     """
@@ -134,14 +134,14 @@ def speaker_folds(speakers: NDArray[np.str_], count: int) -> Iterator[NDArray[np
 
 
 def held_out_values(kernel: FloatArray, weights: FloatArray, speakers: NDArray[np.str_], cost: float) -> FloatArray:
-    """Decision values of each sample by machines that have not heard its speaker; shape (rows, 3).
+    """Decision values of each sample by machines that have not heard its speaker; shape (rows, classes).
 
     `kernel` (rows, rows) tells how alike the samples are.
     """
     values = np.zeros(weights.shape)
     for held_out in speaker_folds(speakers, CALIBRATION_FOLDS):
         among, towards = kernel[np.ix_(~held_out, ~held_out)], kernel[np.ix_(held_out, ~held_out)]
-        for index in range(len(Level)):
+        for index in range(weights.shape[1]):
             surface = fit_fuzzy(among, *_sides(weights[~held_out], index), cost)
             values[held_out, index] = towards @ surface.coefficients + surface.intercept
     return values
@@ -157,7 +157,7 @@ def joint_logistic(values: FloatArray, weights: FloatArray) -> tuple[FloatArray,
         gradient = np.concatenate([np.sum(errors * values, axis=0), errors.sum(axis=0)])
         return -float(np.sum(weights * log_memberships) / weights.sum()), gradient
 
-    slopes, offsets = np.split(minimize(surprise, np.repeat([1.0, 0.0], len(Level)), jac=True).x, 2)
+    slopes, offsets = np.split(minimize(surprise, np.repeat([1.0, 0.0], weights.shape[1]), jac=True).x, 2)
     return slopes, offsets
 
 

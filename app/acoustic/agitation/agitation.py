@@ -10,13 +10,9 @@ A model contains two of them: one for unknown speakers, and one on features rela
 more reference recordings of the speaker there are, the more weight the second gets. `training/agitation/` trains them;
 evaluation needs numpy only.
 
-On disk a model is `NAME.npz` (no pickles), named after its feature set, with `NAME.npz.sha256` beside it, in the format
-of `sha256sum`.
+On disk a model is `NAME.npz`, named after its feature set (`stored.py`).
 """
 
-import hashlib
-import io
-import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -25,9 +21,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import InputError, ServiceError
-from ...model import Agitation, Audio, Contours, FloatArray, Level
+from ...errors import InputError
+from ...model import Agitation, Contours, FloatArray, Level, VoiceQuality
 from .speaker import SpeakerReference, TypicalSpeaker
+from .stored import read_arrays, write_arrays
 from .utterance_features import FEATURE_SETS
 
 TRUST_RECORDINGS = 10
@@ -46,11 +43,11 @@ def squared_distances(points: FloatArray, others: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FuzzySvm:
-    """A trained F²SVM; arrays with one value per level are in the order of `Level`.
+    """A trained F²SVM; arrays with one value per class are in the order of `Level`, or of what else it was trained for.
 
     `mean` and `scale` standardize the features (an infinite scale disables a feature). The machines share
-    `support_vectors` (n, features), with `coefficients` (n, 3), 0 where a vector does not support a machine, and
-    `intercepts` (3,). `slopes` and `offsets` (3,) calibrate the decision values.
+    `support_vectors` (n, features), with `coefficients` (n, classes), 0 where a vector does not support a machine, and
+    `intercepts` (classes,). `slopes` and `offsets` (classes,) calibrate the decision values.
     """
 
     mean: FloatArray
@@ -63,14 +60,18 @@ class FuzzySvm:
     offsets: FloatArray
 
     def decision_values(self, features: FloatArray) -> FloatArray:
-        """The decision value of each machine (3,), positive on its level's side."""
-        point = (features - self.mean) / self.scale
-        likeness = np.exp(-self.gamma * squared_distances(point[np.newaxis], self.support_vectors)[0])
-        values: FloatArray = likeness @ self.coefficients + self.intercepts
+        """The decision value of each machine (classes,), positive on its class's side."""
+        values: FloatArray = self.likeness(features) @ self.coefficients + self.intercepts
         return values
 
+    def likeness(self, features: FloatArray) -> FloatArray:
+        """The value of the kernel with each support vector (n,), in [0, 1]."""
+        point = (features - self.mean) / self.scale
+        likeness: FloatArray = np.exp(-self.gamma * squared_distances(point[np.newaxis], self.support_vectors)[0])
+        return likeness
+
     def memberships(self, features: FloatArray) -> FloatArray:
-        """The memberships in the order of `Level`, which sum to 1."""
+        """The memberships in the order of the classes, which sum to 1."""
         evidence = self.slopes * self.decision_values(features) + self.offsets
         shares = np.exp(evidence - evidence.max())
         memberships: FloatArray = shares / shares.sum()
@@ -93,31 +94,23 @@ class AgitationModel:
         Raises ServiceError: `model_unreadable` if a file is missing or not such a model, `model_damaged` if the
         checksum differs.
         """
-        path, checksum = _paths(folder, feature_set)
-        try:
-            content = path.read_bytes()
-            expected = checksum.read_text(encoding="ascii").partition(" ")[0]
-        except (OSError, UnicodeDecodeError) as error:
-            raise _unreadable(path, error) from None
-        if hashlib.sha256(content).hexdigest() != expected:
-            raise ServiceError("model_damaged", f"{path} differs from its checksum in {checksum.name}; reinstall it")
-        try:
-            with np.load(io.BytesIO(content), allow_pickle=False) as arrays:
-                return _from_arrays(feature_set, arrays)
-        except (EOFError, KeyError, ValueError, TypeError, zipfile.BadZipFile) as error:
-            raise _unreadable(path, error) from None
+        return read_arrays(
+            _path(folder, feature_set), "agitation model", lambda arrays: _from_arrays(feature_set, arrays)
+        )
 
-    def agitation(self, audio: Audio, contours: Contours, reference: SpeakerReference | None = None) -> Agitation:
+    def agitation(
+        self, contours: Contours, quality: VoiceQuality, reference: SpeakerReference | None = None
+    ) -> Agitation:
         """The memberships of an utterance, optionally relative to the speaker's reference.
 
         Raises InputError `reference_other_features`.
         """
-        return self.judge(self.describe(audio, contours), reference)
+        return self.judge(self.describe(contours, quality), reference)
 
-    def describe(self, audio: Audio, contours: Contours) -> FloatArray:
+    def describe(self, contours: Contours, quality: VoiceQuality) -> FloatArray:
         """The features of the utterance (features,); undefined ones, such as pitch in a whisper, are set to the
         average."""
-        return self.typical.completed(FEATURE_SETS[self.feature_set](audio, contours))
+        return self.typical.completed(FEATURE_SETS[self.feature_set](contours, quality))
 
     def judge(self, features: FloatArray, reference: SpeakerReference | None = None) -> Agitation:
         """The memberships for these features; raises as `agitation` does."""
@@ -142,35 +135,29 @@ class AgitationModel:
 def save(model: AgitationModel, folder: Path) -> Path:
     """Write the model and its checksum to `folder` for `AgitationModel.load`; returns the model's path."""
     arrays: dict[str, NDArray[Any]] = {"mean": model.typical.mean, "deviation": model.typical.deviation}
-    arrays |= _to_arrays("unknown", model.unknown_speaker) | _to_arrays("known", model.known_speaker)
-    buffer = io.BytesIO()
-    np.savez(buffer, allow_pickle=False, **arrays)
-    folder.mkdir(parents=True, exist_ok=True)
-    path, checksum = _paths(folder, model.feature_set)
-    path.write_bytes(buffer.getvalue())
-    checksum.write_text(f"{hashlib.sha256(buffer.getvalue()).hexdigest()}  {path.name}\n", encoding="ascii")
+    arrays |= svm_arrays("unknown", model.unknown_speaker) | svm_arrays("known", model.known_speaker)
+    path = _path(folder, model.feature_set)
+    write_arrays(path, arrays)
     return path
 
 
-def _paths(folder: Path, feature_set: str) -> tuple[Path, Path]:
-    return folder / f"{feature_set}.npz", folder / f"{feature_set}.npz.sha256"
+def _path(folder: Path, feature_set: str) -> Path:
+    return folder / f"{feature_set}.npz"
 
 
-def _to_arrays(name: str, svm: FuzzySvm) -> dict[str, NDArray[Any]]:
+def svm_arrays(name: str, svm: FuzzySvm) -> dict[str, NDArray[Any]]:
+    """The machine as arrays whose names begin with `name`."""
     arrays = {f"{name}_{part.name}": np.asarray(getattr(svm, part.name)) for part in fields(svm)}
     return arrays | {f"{name}_{part}": arrays[f"{name}_{part}"].astype(np.float32) for part in _MANY}
 
 
 def _from_arrays(feature_set: str, arrays: Mapping[str, NDArray[Any]]) -> AgitationModel:
     typical = TypicalSpeaker(arrays["mean"], arrays["deviation"])
-    return AgitationModel(feature_set, typical, _svm("unknown", arrays), _svm("known", arrays))
+    return AgitationModel(feature_set, typical, svm_of("unknown", arrays), svm_of("known", arrays))
 
 
-def _svm(name: str, arrays: Mapping[str, NDArray[Any]]) -> FuzzySvm:
+def svm_of(name: str, arrays: Mapping[str, NDArray[Any]]) -> FuzzySvm:
+    """The machine in the arrays whose names begin with `name`."""
     parts: dict[str, Any] = {part.name: arrays[f"{name}_{part.name}"].astype(np.float64) for part in fields(FuzzySvm)}
     parts["gamma"] = float(parts["gamma"])
     return FuzzySvm(**parts)
-
-
-def _unreadable(path: Path, error: Exception) -> ServiceError:
-    return ServiceError("model_unreadable", f"{path} is no agitation model ({error}); reinstall understudy")

@@ -10,10 +10,9 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from ...model import FRAME_SHIFT_S, Audio, Contours, FloatArray
+from ...model import FRAME_SHIFT_S, Contours, FloatArray, VoiceQuality
 from .vocal_effort import effort_features
 from .vocal_motion import dynamics_features
-from .voice_quality import VoiceQuality, voice_quality
 
 ACTIVE_RANGE_DB = 20.0
 """Frames within this range of the loudest count as voice rather than background."""
@@ -27,7 +26,7 @@ _RANGE_PERCENT = (10, 90)
 _SMOOTHING = np.hanning(9) / np.hanning(9).sum()
 
 
-def paper_features(_audio: Audio, contours: Contours) -> FloatArray:
+def paper_features(contours: Contours, _quality: VoiceQuality) -> FloatArray:
     """The median MFCC over the active frames, shape (12,).
 
     The paper uses all frames. Pauses and background say nothing about the voice, and leaving them out is the largest
@@ -37,17 +36,16 @@ def paper_features(_audio: Audio, contours: Contours) -> FloatArray:
     return features
 
 
-def full_features(audio: Audio, contours: Contours) -> FloatArray:
+def full_features(contours: Contours, quality: VoiceQuality) -> FloatArray:
     """The paper's features and those of dynamics, pitch, voice quality and effort, shape (149,).
 
     Together these gain .08 on RAVDESS and .19 on EmoDB; they overlap, so that hardly any single group is missed alone
     (`python -m benchmarks.acoustic.agitation --ablation`).
     """
-    quality = voice_quality(audio, contours.f0_hz)
     spoken = _within(contours.energy_db, SPOKEN_RANGE_DB)
     active = _within(contours.energy_db, ACTIVE_RANGE_DB)
     groups = (
-        paper_features(audio, contours),
+        paper_features(contours, quality),
         _cepstral_motion(contours),
         _energy_and_tempo(contours),
         _of_the_voice(contours, quality),
@@ -57,7 +55,10 @@ def full_features(audio: Audio, contours: Contours) -> FloatArray:
     return np.concatenate(groups)
 
 
-FEATURE_SETS: Mapping[str, Callable[[Audio, Contours], FloatArray]] = {"paper": paper_features, "full": full_features}
+FEATURE_SETS: Mapping[str, Callable[[Contours, VoiceQuality], FloatArray]] = {
+    "paper": paper_features,
+    "full": full_features,
+}
 
 
 def _cepstral_motion(contours: Contours) -> FloatArray:

@@ -9,10 +9,9 @@ length matters. Levels are in dB, pitch in octaves, frames 10 ms apart. NaN if t
 import numpy as np
 from numpy.typing import NDArray
 
-from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Contours, FloatArray, SingleArray
+from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Contours, FloatArray, SingleArray, VoiceQuality
 from ..signal.mel import mel_filters
 from ..signal.spectrum import FRAME_SAMPLES, MEL_BANDS, MEL_MIN_HZ
-from .voice_quality import VoiceQuality
 
 Mask = NDArray[np.bool_]
 Indices = NDArray[np.intp]

@@ -9,9 +9,8 @@ Neither the recording's level nor the utterance's length matters.
 import numpy as np
 from numpy.typing import NDArray
 
-from ...model import Contours, FloatArray, SingleArray
+from ...model import Contours, FloatArray, SingleArray, VoiceQuality
 from .vocal_effort import spectral_flux_db, spectrum_db
-from .voice_quality import VoiceQuality
 
 Mask = NDArray[np.bool_]
 

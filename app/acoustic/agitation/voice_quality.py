@@ -6,12 +6,10 @@ cepstral peak by up to 0.4 dB in frames with hardly any treble, and its median o
 spread between recordings.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 import scipy
 
-from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
+from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray, VoiceQuality
 from ..signal.frames import blocks_of_frames
 from .peak_slope import peak_slope
 
@@ -34,24 +32,6 @@ _WINDOW_CORRELATION = np.correlate(_HANN, _HANN, "full")[_FRAME - 1 :]
 _WINDOW_LIKENESS = _WINDOW_CORRELATION / _WINDOW_CORRELATION[0]
 _SHORTEST_PERIOD, _LONGEST_PERIOD = SAMPLE_RATE_HZ // 500, SAMPLE_RATE_HZ // 60
 _TILT_BANDS_HZ = ((50, 1000), (1000, 5000))
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class VoiceQuality:
-    """Frame-wise measures, shape (frames,) each; the first is meaningful in voiced frames only.
-
-    harmonicity_db: harmonics-to-noise ratio (Boersma 1993), from the autocorrelation at the period, divided by that of
-        the window; the minimum where the frame is unvoiced.
-    cepstral_peak_db: cepstral peak prominence between 60 and 500 Hz over a regression line (Hillenbrand, Cleveland &
-        Erickson 1994).
-    tilt_db: power from 1 to 5 kHz over power from 50 Hz to 1 kHz.
-    peak_slope: slope of wavelet peaks over octaves (`understudy.acoustic.agitation.peak_slope`).
-    """
-
-    harmonicity_db: FloatArray
-    cepstral_peak_db: FloatArray
-    tilt_db: FloatArray
-    peak_slope: FloatArray
 
 
 def voice_quality(audio: Audio, f0_hz: FloatArray) -> VoiceQuality:

@@ -16,6 +16,7 @@ from typing import Any
 
 import requests
 
+from ...acoustic.affect.given import affect_rows
 from ...acoustic.agitation.speaker import SpeakerReference
 from ...bml.markup.documents import DialectName
 from ...edits.values import NO_EDITS
@@ -172,6 +173,8 @@ def _options(job: LineJob) -> dict[str, Any]:
     }
     if options.agitation is not None:
         told["agitation"] = options.agitation.value
+    if options.affect is not None:
+        told["affect"] = affect_rows(options.affect)
     if isinstance(options.profile, str):
         told["profile"] = options.profile
     if options.reference is not None:

@@ -6,9 +6,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
 
+from ...acoustic.affect.given import read_affect, read_affect_track
 from ...edits.values import Edits
 from ...errors import InputError
-from ...model import Direction, Interval, Level, Target
+from ...model import AffectTrack, Direction, Interval, Level, Target
 from ...model.targets import read_targets
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
@@ -50,6 +51,21 @@ class Row:
             self.wrong("agitation", "value_wrong", f"{told!r}; it is low, medium or high, or empty")
             return None
         return Level(told) if told else None
+
+    def affect(self) -> AffectTrack | None:
+        """A tone, activation, valence and dominance, or the name of a track beside the script."""
+        told = self.text("affect")
+        if not told:
+            return None
+        try:
+            if told.casefold().endswith(".csv"):
+                return read_affect_track((self.folder / told).read_bytes(), told)
+            return read_affect(told.casefold())
+        except InputError as error:
+            self.wrong("affect", error.code, error.message)
+        except OSError as error:
+            self.wrong("affect", "file_unreadable", f"{told}: cannot be read: {error.strerror}")
+        return None
 
     def interval(self) -> Interval | None:
         """The times, in seconds or h:mm:ss.ms; both start and end, or None."""

@@ -26,6 +26,7 @@ FIELDS = (
     "end",
     "listener",
     "agitation",
+    "affect",
     "seed",
     "target",
 )

@@ -81,6 +81,7 @@ def _read_row(row: Row) -> tuple[ScriptLine, list[Problem]]:
         edits=row.edits(),
         listeners=row.listeners(),
         agitation=row.level(),
+        affect=row.affect(),
         seed=row.whole_number("seed"),
         targets=row.targets(),
     )

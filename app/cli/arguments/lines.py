@@ -6,6 +6,7 @@ from .command import Adding
 from .shared import (
     AUDIO_HELP,
     MOTION_HELP,
+    add_affect,
     add_agitation,
     add_form,
     add_functions,
@@ -132,6 +133,7 @@ def add_analyses(add: Adding) -> None:
     add_line(analyze)
     add_functions(analyze)
     add_agitation(analyze)
+    add_affect(analyze)
     add_reference(analyze)
     analyze.add_argument("--plot", metavar="FILE", type=OutputFile, help="draw it too, as PNG (needs the extra `plot`)")
     align = add("align", "the times of words and phones")

@@ -4,7 +4,7 @@ import argparse
 
 from ...bml.markup.documents import DialectName, TimeForm
 from ...bml.writing.smartbody_tables import VisemeNames
-from ...model import Level, Mode
+from ...model import Level, Mode, Tone
 from ...model.motion_formats import BapVersion, Keys
 from ...realizer.body.motion import FRAME_RATES_HZ
 from ..distinct_files import InputFile, OutputFile
@@ -21,6 +21,7 @@ def add_manner(parser: argparse.ArgumentParser) -> None:
     """How lines are performed."""
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     add_agitation(parser)
+    add_affect(parser)
     parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
     parser.add_argument(
         "--profile", metavar="P", help="whose gestures: a profile's name (see profiles list), or its .yaml file"
@@ -139,6 +140,15 @@ def add_agitation(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--agitation", choices=levels, help="how agitated the speaker is (default: as the voice sounds)"
     )
+
+
+def add_affect(parser: argparse.ArgumentParser) -> None:
+    tones = ", ".join(Tone)
+    told = (
+        f"how the voice sounds: a tone ({tones}), activation,valence,dominance from -1 to 1, or a track as CSV "
+        "(time_s,activation,valence,dominance) (default: as heard)"
+    )
+    parser.add_argument("--affect", metavar="TONE|A,V,D|FILE.csv", help=told)
 
 
 def add_reference(parser: argparse.ArgumentParser) -> None:

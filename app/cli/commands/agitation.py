@@ -1,4 +1,4 @@
-"""`understudy agitation`: the speaker's agitation in each file, one JSON line a file, in order."""
+"""`understudy agitation`: the speaker's agitation and feeling in each file, one JSON line a file, in order."""
 
 import argparse
 
@@ -18,5 +18,5 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     reference = speaker_reference(acoustic, arguments.reference, log)
     for path in arguments.audio:
         heard = hear_file(acoustic, path, log, reference)
-        write_standard(AgitationResponse.of(shown(path), heard.agitation).to_json() + b"\n")
+        write_standard(AgitationResponse.of(shown(path), heard).to_json() + b"\n")
     return 0

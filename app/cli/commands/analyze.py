@@ -5,6 +5,7 @@ import argparse
 from ...model import Level
 from ...settings import read_settings
 from ..files import require_writable, write, write_standard
+from ..inputs.affect import optional_affect
 from ..inputs.early import require_usable
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import read_line
@@ -18,16 +19,17 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     if arguments.plot:
         require_plot(arguments.plot)
         require_writable(arguments.plot, field="plot")
+    level = arguments.agitation and Level(arguments.agitation)
+    affect = optional_affect(arguments.affect)
     require_reference(arguments.reference, settings)
     require_usable(line, settings)
     from ...models import Understudy  # now that all is told which can be told without it
     from ...performance import analyze
     from ...schemas.responses import AnalysisResponse
 
-    level = arguments.agitation and Level(arguments.agitation)
     with Understudy.load(settings) as understudy:
         reference = speaker_reference(understudy.acoustic, arguments.reference, log)
-        analysis = analyze(understudy, line, agitation=level, reference=reference, progress=log.stage)
+        analysis = analyze(understudy, line, agitation=level, affect=affect, reference=reference, progress=log.stage)
     if arguments.plot and analysis.heard is not None:
         write(arguments.plot, plot(analysis, analysis.heard))
     write_standard(AnalysisResponse.of(analysis).to_json(indent=2) + b"\n")

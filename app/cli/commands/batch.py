@@ -26,6 +26,7 @@ from ...options import Options
 from ...settings import Settings, read_settings
 from ..distinct_files import OutputFile, require_distinct
 from ..files import write_standard
+from ..inputs.affect import optional_affect
 from ..inputs.early import require_character
 from ..inputs.profiles import optional_profile
 from ..log import Log
@@ -88,6 +89,7 @@ def _options(arguments: argparse.Namespace) -> Options:
     return Options(
         character=arguments.character,
         agitation=arguments.agitation and Level(arguments.agitation),
+        affect=optional_affect(arguments.affect),
         seed=arguments.seed,
         mode=Mode(arguments.mode),
         form=BmlForm(

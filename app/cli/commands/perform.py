@@ -17,6 +17,7 @@ from ...schemas.requests import listener_names
 from ...settings import Settings, read_settings
 from ..distinct_files import OutputFile, require_distinct
 from ..files import STANDARD, require_writable, write
+from ..inputs.affect import optional_affect
 from ..inputs.early import require_character, require_usable
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import edits_of, read_line
@@ -53,6 +54,7 @@ def _options(arguments: argparse.Namespace) -> Options:
     return Options(
         character=arguments.character,
         agitation=arguments.agitation and Level(arguments.agitation),
+        affect=optional_affect(arguments.affect),
         seed=arguments.seed,
         mode=Mode(arguments.mode),
         listeners=listener_names(arguments.listener),

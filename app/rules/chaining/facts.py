@@ -9,7 +9,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
-from ...model import Fact, Token, Utterance, Word
+from ...model import Fact, LineAffect, Token, Tone, Utterance, Word
 
 LONGEST_SENTENCE = 150
 """Words; longer sentences are cut there."""
@@ -178,6 +178,19 @@ def _heard_facts(utterance: Utterance) -> Iterator[Fact]:
         yield Fact("heard_filler", (filler.text, timed[later].index if later < len(timed) else len(utterance.words)))
     if utterance.agitation is not None:
         yield Fact("agitation", (utterance.agitation.level.value,))
+    if utterance.affect is not None:
+        yield from _affect_facts(utterance.affect)
+
+
+def _affect_facts(affect: LineAffect) -> Iterator[Fact]:
+    """The line's tones and dimensions, and the likeliest tone of each phrase."""
+    for tone in Tone:
+        yield Fact("tone", (tone.value, round(affect.line.share(tone), 3)))
+    for name in ("activation", "valence", "dominance"):
+        yield Fact(name, (round(getattr(affect.line, name), 3),))
+    for phrase in affect.phrases:
+        tone = phrase.affect.tone
+        yield Fact("phrase_tone", (tone.value, phrase.first, phrase.last + 1, round(phrase.affect.share(tone), 3)))
 
 
 def _start_s(word: Word) -> float:

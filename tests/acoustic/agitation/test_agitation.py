@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 import soundfile
 
+from tests.support.measured import measured
 from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm, save
 from understudy.acoustic.agitation.speaker import SpeakerReference, TypicalSpeaker
 from understudy.acoustic.agitation.utterance_features import FEATURE_SETS
-from understudy.acoustic.contours import contours_of
 from understudy.errors import InputError, ServiceError
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 from understudy.resources import resource_folder
@@ -144,7 +144,7 @@ def test_the_shipped_models_load_without_scikit_learn() -> None:
 @pytest.mark.parametrize("samples", [np.zeros(1), np.zeros(SAMPLE_RATE_HZ), np.eye(1, 400)[0]])
 def test_the_shipped_models_judge_whatever_they_hear(samples: FloatArray, feature_set: str) -> None:
     audio = Audio(samples)
-    agitation = AgitationModel.load(MODEL_FOLDER, feature_set).agitation(audio, contours_of(audio))
+    agitation = AgitationModel.load(MODEL_FOLDER, feature_set).agitation(*measured(audio))
     assert agitation.low + agitation.medium + agitation.high == pytest.approx(1)
     assert min(agitation.low, agitation.medium, agitation.high) >= 0
 
@@ -154,5 +154,5 @@ def test_recording_level_changes_nothing(feature_set: str) -> None:
     model = AgitationModel.load(MODEL_FOLDER, feature_set)
     samples, _ = soundfile.read(Path(__file__).parents[2] / "audio" / "figure8.flac")
     loud, quiet = Audio(samples), Audio(samples * 0.01)
-    heard, whispered = (model.agitation(audio, contours_of(audio)) for audio in (loud, quiet))
+    heard, whispered = (model.agitation(*measured(audio)) for audio in (loud, quiet))
     assert (heard.low, heard.high) == pytest.approx((whispered.low, whispered.high), abs=1e-4)

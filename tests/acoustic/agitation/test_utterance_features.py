@@ -1,13 +1,11 @@
 """Features of utterances: from frames near the loudest, independent of level and length, NaN without a voice."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
+from tests.support.measured import measured
 from understudy.acoustic.agitation.utterance_features import full_features, paper_features
-from understudy.acoustic.contours import contours_of
-from understudy.model import SAMPLE_RATE_HZ, Audio, Contours
+from understudy.model import SAMPLE_RATE_HZ, Audio, Contours, VoiceQuality
 
 PITCH = 40
 """Where the median of f0, in octaves above 1 Hz, stands in the full set."""
@@ -30,34 +28,34 @@ def voice(f0_hz: float = 150.0, seconds: float = 1.0) -> Audio:
 def test_only_frames_near_the_loudest_speak_for_the_voice() -> None:
     mfcc = np.repeat([[1.0] * 12, [5.0] * 12], [3, 10], axis=0)
     energy_db = np.repeat([0.0, -20.1], [3, 10])
-    assert paper_features(Audio(np.zeros(1920)), contours(energy_db, mfcc)) == pytest.approx(np.ones(12))
+    quality = VoiceQuality(*np.zeros((4, 13)))
+    assert paper_features(contours(energy_db, mfcc), quality) == pytest.approx(np.ones(12))
 
 
 def test_the_full_set_begins_with_the_papers() -> None:
-    audio = voice()
-    heard = contours_of(audio)
-    assert full_features(audio, heard)[:12] == pytest.approx(paper_features(audio, heard))
+    heard = measured(voice())
+    assert full_features(*heard)[:12] == pytest.approx(paper_features(*heard))
 
 
 def test_an_octave_higher_is_one_more() -> None:
-    low, high = (full_features(audio, contours_of(audio))[PITCH] for audio in (voice(110), voice(220)))
+    low, high = (full_features(*measured(audio))[PITCH] for audio in (voice(110), voice(220)))
     assert high - low == pytest.approx(1, abs=0.02)
 
 
 def test_length_changes_little() -> None:
     """But for the decline, a line through a few swells, whose ends tilt it."""
-    short, long = (full_features(audio, contours_of(audio)) for audio in (voice(seconds=2), voice(seconds=6)))
+    short, long = (full_features(*measured(audio)) for audio in (voice(seconds=2), voice(seconds=6)))
     assert np.delete(long, DECLINE) == pytest.approx(np.delete(short, DECLINE), abs=1.0)
 
 
 def test_swells_are_counted_as_syllables() -> None:
     audio = voice(seconds=5)
-    assert full_features(audio, contours_of(audio))[38] == pytest.approx(4, abs=0.5)
+    assert full_features(*measured(audio))[38] == pytest.approx(4, abs=0.5)
 
 
 def test_a_whisper_has_no_pitch_and_says_so() -> None:
     whisper = Audio(np.random.default_rng(0).normal(0, 0.05, SAMPLE_RATE_HZ))
-    features = full_features(whisper, replace(contours_of(whisper), f0_hz=np.zeros(101)))
+    features = full_features(*measured(whisper, np.zeros(101)))
     assert np.isnan(features[PITCH])
     assert features[39] == 0
     assert not np.isnan(features[:39]).any()

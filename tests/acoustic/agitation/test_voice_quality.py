@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from understudy.acoustic.agitation.voice_quality import VoiceQuality, voice_quality
-from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
+from understudy.acoustic.agitation.voice_quality import voice_quality
+from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, VoiceQuality
 
 F0_HZ = 125.0
 TIME_S = np.arange(SAMPLE_RATE_HZ) / SAMPLE_RATE_HZ

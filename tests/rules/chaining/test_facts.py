@@ -5,7 +5,18 @@ from dataclasses import replace
 import pytest
 
 from tests.support.utterances import utterance, words_of
-from understudy.model import Agitation, Clause, Fact, Filler, Interval, Phrase, Utterance
+from understudy.model import (
+    Affect,
+    Agitation,
+    Clause,
+    Fact,
+    Filler,
+    Interval,
+    LineAffect,
+    Phrase,
+    PhraseAffect,
+    Utterance,
+)
 from understudy.rules.chaining.facts import normalized_word, utterance_facts
 
 
@@ -97,6 +108,14 @@ def test_what_is_heard_becomes_facts_and_short_gaps_are_no_pauses() -> None:
     assert arguments(spoken, "prominence") == {(0.75, 0, 1)}
     assert arguments(spoken, "pause") == {(0.3, 2)}
     assert arguments(spoken, "agitation") == {("high",)}
+
+
+def test_how_a_line_and_its_phrases_sound_becomes_facts() -> None:
+    sad = Affect(-0.4, -0.5, 0.1, (0.25, 0.0, 0.75, 0.0, 0.0, 0.0, 0.0))
+    spoken = replace(utterance("so it", ""), affect=LineAffect(sad, (PhraseAffect(0, 1, sad),)))
+    assert {("sad", 0.75), ("neutral", 0.25), ("angry", 0.0)} <= arguments(spoken, "tone")
+    assert arguments(spoken, "activation") == {(-0.4,)}
+    assert arguments(spoken, "phrase_tone") == {("sad", 0, 2, 0.75)}
 
 
 def test_a_filler_stands_at_the_boundary_before_the_word_that_follows_it() -> None:

@@ -1,0 +1,90 @@
+"""Trains the experts of the model of affect, one a corpus, and the gate between them.
+
+An expert's machines between tones are those of agitation (`training/agitation/fuzzy_svm.py`): fuzzy support vector
+machines, whose decision values become shares by a softmax that is fitted on speakers the machines have not heard. That
+is what makes the shares neutral where nothing is certain. The dimensions are a ridge regression on the same kernel
+values. The gate is a logistic regression between the corpora.
+"""
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+
+import numpy as np
+from sklearn.linear_model import LogisticRegression
+
+from training.affect.corpus import Taught
+from training.agitation.fuzzy_svm import Recipe, balanced_weights, relative_features, train_svm, typical_speaker
+from understudy.acoustic.affect.affect_model import FEATURE_SET, AffectModel, Expert, Gate, KernelMachines
+from understudy.acoustic.agitation.agitation import FuzzySvm, squared_distances
+from understudy.model import FloatArray, Tone
+
+RIDGE = 3.0
+"""Of the dimensions, on kernel values."""
+
+GATE_PENALTY = 0.01
+FAMILIAR_PERCENT = 99.0
+"""So many of the recordings are familiar."""
+
+
+@dataclass(frozen=True, slots=True)
+class AffectRecipe:
+    """`reach` of the kernel and `cost` of slack, as in `Recipe`."""
+
+    reach: float = 0.12
+    cost: float = 2.0
+
+    def of(self, corpus: str, features: int) -> Recipe:
+        return Recipe(features, self.reach, self.cost, {corpus: 1.0})
+
+
+def train_affect(material: Taught, corpora: Collection[str], recipe: AffectRecipe) -> AffectModel:
+    """The model that the recordings of `corpora` teach."""
+    material = material.where(np.isin(material.samples.corpora, list(corpora)))
+    typical = typical_speaker(material.samples)
+    material = material.with_features(typical.completed(material.samples.features))
+    relative = material.with_features(relative_features(material.samples, typical, FEATURE_SET))
+    gate = train_gate(material, list(corpora))
+    distances = np.mean(((material.samples.features - gate.mean) / gate.scale) ** 2, axis=1)
+    experts = []
+    for corpus in corpora:
+        own = material.samples.corpora == corpus
+        tones, unknown = train_machines(material.where(own), recipe)
+        experts.append(Expert(corpus, tones, unknown, train_machines(relative.where(own), recipe)[1]))
+    return AffectModel(typical, gate, tuple(experts), float(np.percentile(distances, FAMILIAR_PERCENT)))
+
+
+def train_machines(material: Taught, recipe: AffectRecipe) -> tuple[tuple[Tone, ...], KernelMachines]:
+    """The tones of one corpus, and the machines that it teaches."""
+    toned = material.where(material.samples.levels >= 0)
+    present = np.flatnonzero(toned.samples.memberships.sum(axis=0))
+    samples = replace(toned.samples, memberships=toned.samples.memberships[:, present])
+    told = recipe.of(str(samples.corpora[0]), samples.features.shape[1])
+    svm = train_svm(samples, balanced_weights(samples, told.corpus_shares), told)
+    tones = tuple(list(Tone)[place] for place in present)
+    return tones, KernelMachines(svm, *fit_dimensions(svm, material))
+
+
+def fit_dimensions(svm: FuzzySvm, material: Taught) -> tuple[FloatArray, FloatArray]:
+    """Coefficients (n, 3) of the kernel values and intercepts (3,) that give the dimensions."""
+    points = (material.samples.features - svm.mean) / svm.scale
+    kernel = np.exp(-svm.gamma * squared_distances(points, svm.support_vectors))
+    origin, middle = material.dimensions.mean(axis=0), kernel.mean(axis=0)
+    centred = kernel - middle
+    within = centred.T @ centred + RIDGE * np.eye(len(middle))
+    coefficients = np.linalg.solve(within, centred.T @ (material.dimensions - origin))
+    return coefficients, origin - middle @ coefficients
+
+
+def train_gate(material: Taught, corpora: list[str]) -> Gate:
+    """The gate between the corpora, in this order; they count the same."""
+    features = material.samples.features
+    mean, scale = features.mean(axis=0), features.std(axis=0)
+    if len(corpora) == 1:
+        return Gate(mean, scale, np.zeros((features.shape[1], 1)), np.zeros(1))
+    numbers = [corpora.index(corpus) for corpus in material.samples.corpora.tolist()]
+    regression = LogisticRegression(C=GATE_PENALTY, class_weight="balanced", max_iter=500)
+    regression.fit((features - mean) / scale, numbers)
+    weights, bias = regression.coef_.T, regression.intercept_
+    if len(corpora) == 2:
+        weights, bias = np.column_stack([-weights, weights]) / 2, np.append(-bias, bias) / 2
+    return Gate(mean, scale, weights, bias)
