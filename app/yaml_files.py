@@ -2,20 +2,34 @@
 
 Scalars stay strings as the author typed them ("no" and "yes" are words, not booleans); the pydantic schema of the file
 turns them into numbers where it wants numbers. Tags, anchors and aliases are refused, so that the value is what the
-file shows.
+file shows. Files also come from strangers, by the service: depth and size are checked before anything is built.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import replace
 from difflib import get_close_matches
+from itertools import islice
 from pathlib import Path
 from typing import Protocol, TypeAlias, TypeVar
 
 import yaml
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from .errors import LONGEST_SHOWN, AuthoringError, Mistake
+from .errors import LONGEST_SHOWN, AuthoringError, Mistake, shown
 
 Plain: TypeAlias = "str | list[Plain] | dict[str, Plain]"
+DEEPEST = 32
+"""How deep lists and mappings may stand in each other; those of ours stand five deep."""
+
+MOST_NODES = 50_000
+"""Keys, values, lists and mappings of one file; the largest of ours has 5,000."""
+
+MOST_MISTAKES = 100
+"""That are told of one file; with more something else is wrong with it."""
+
+_LONGEST_LINE = 500
+"""Characters of a line that is quoted with a mistake in it."""
+
 Schema = TypeVar("Schema", bound=BaseModel)
 Value = TypeVar("Value")
 
@@ -51,7 +65,7 @@ class Source:
         self._text = _read(path) if text is None else text
         self.lines = self._text.splitlines()
         self._root = self._compose()
-        self._refuse_what_is_not_shown()
+        self._refuse_repeated_keys()
         self.value = _plain(self._root)
 
     def validated(self, schema: type[Schema]) -> Schema:
@@ -59,9 +73,8 @@ class Source:
         try:
             return schema.model_validate(self.value)
         except ValidationError as error:
-            raise AuthoringError(
-                tuple(self.mistake(tuple(found["loc"]), _readable(found["msg"])) for found in error.errors())
-            ) from None
+            found = [(tuple(each["loc"]), _readable(each["msg"])) for each in error.errors()]
+            raise _wrong(self.mistake(*each) for each in found) from None
 
     def mistake(self, location: Sequence[str | int], message: str) -> Mistake:
         """A mistake at `location`, a path of keys and list positions; the deepest part that exists gives line and
@@ -73,6 +86,7 @@ class Source:
 
     def _compose(self) -> yaml.Node:
         try:
+            self._check_events()
             node = yaml.compose(self._text, Loader=yaml.CSafeLoader)
         except yaml.MarkedYAMLError as error:
             raise AuthoringError((self._at(error.problem_mark, f"not YAML: {error.problem}"),)) from None
@@ -82,24 +96,43 @@ class Source:
             raise AuthoringError((Mistake(self.path, 1, 1, "the file is empty"),))
         return node
 
-    def _refuse_what_is_not_shown(self) -> None:
-        """Refuses anchors, aliases and tags, and keys that a later one of the same name would override."""
+    def _check_events(self) -> None:
+        """Refuses anchors, aliases and tags; and at once what is too deep or too large, for to build that, or only to
+        read on, may take all memory or for ever."""
+        depth, nodes, hidden = 0, 0, list[Mistake]()
+        for event in yaml.parse(self._text, Loader=yaml.CSafeLoader):
+            depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+            nodes += isinstance(event, yaml.NodeEvent)
+            if depth > DEEPEST:
+                raise AuthoringError((self._at(event.start_mark, f"more than {DEEPEST} levels in each other"),))
+            if nodes > MOST_NODES:
+                raise AuthoringError((self._at(event.start_mark, f"more than {MOST_NODES} keys and values"),))
+            if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None) or getattr(event, "tag", None):
+                hidden.append(self._at(event.start_mark, "anchors, aliases and tags are not allowed"))
+        if hidden:
+            raise _wrong(hidden)
+
+    def _refuse_repeated_keys(self) -> None:
+        """Refuses keys that a later one of the same name would override."""
         mistakes = [
-            self._at(event.start_mark, "anchors, aliases and tags are not allowed")
-            for event in yaml.parse(self._text, Loader=yaml.CSafeLoader)
-            if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None) or getattr(event, "tag", None)
+            self._at(key.start_mark, f"the key {shown(key.value)} stands here a second time")
+            for key in _repeated_keys(self._root)
         ]
-        if not mistakes:
-            mistakes = [
-                self._at(key.start_mark, f"the key {key.value!r} stands here a second time")
-                for key in _repeated_keys(self._root)
-            ]
         if mistakes:
-            raise AuthoringError(tuple(mistakes))
+            raise _wrong(mistakes)
 
     def _at(self, place: _Place | None, message: str) -> Mistake:
         line, column = (place.line, place.column) if place else (0, 0)
-        return Mistake(self.path, line + 1, column + 1, message, self.lines[line] if line < len(self.lines) else "")
+        quoted = self.lines[line] if line < len(self.lines) else ""
+        return Mistake(self.path, line + 1, column + 1, message, quoted if len(quoted) <= _LONGEST_LINE else "")
+
+
+def _wrong(mistakes: Iterable[Mistake]) -> AuthoringError:
+    """With all mistakes, or with the first and how many more there are."""
+    told = list(islice(mistakes, MOST_MISTAKES + 1))
+    if len(told) > MOST_MISTAKES:
+        told[-1] = replace(told[-1], message="and more mistakes; correct these first")
+    return AuthoringError(tuple(told))
 
 
 def all_or_every_mistake(results: Iterable[Value | AuthoringError]) -> tuple[Value, ...]:

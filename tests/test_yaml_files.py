@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import AuthoringError, Mistake
-from understudy.yaml_files import Entry, Source, all_or_every_mistake
+from understudy.yaml_files import DEEPEST, MOST_MISTAKES, MOST_NODES, Entry, Source, all_or_every_mistake
 
 
 class Dish(Entry):
@@ -68,3 +68,33 @@ def test_the_mistakes_of_several_files_come_together() -> None:
         all_or_every_mistake([errors[0], 1, errors[1]])
     assert [mistake.path.name for mistake in caught.value.mistakes] == ["a", "b"]
     assert all_or_every_mistake([1, 2]) == (1, 2)
+
+
+@pytest.mark.parametrize(
+    "text", ["[" * 100_000, "{a: " * 3000, "- " * 3000, "\n".join(" " * n + "a:" for n in range(600))]
+)
+def test_what_is_too_deep_is_refused_before_it_is_built(tmp_path: Path, text: str) -> None:
+    [(_line, _column, message)] = _mistakes(tmp_path, text)
+    assert message == f"more than {DEEPEST} levels in each other"
+
+
+def test_as_deep_as_may_be_is_read(tmp_path: Path) -> None:
+    assert _source(tmp_path, "[" * DEEPEST + "]" * DEEPEST).value
+
+
+@pytest.mark.parametrize(
+    "text", ["\n".join(f"k{n}: v" for n in range(MOST_NODES // 2 + 1)), "[" + "a," * MOST_NODES + "]"]
+)
+def test_what_is_too_large_is_refused_at_once(tmp_path: Path, text: str) -> None:
+    [(_line, _column, message)] = _mistakes(tmp_path, text)
+    assert message == f"more than {MOST_NODES} keys and values"
+
+
+@pytest.mark.parametrize("apart", ["\n", ", "])
+def test_of_very_many_mistakes_the_first_are_told_and_no_line_without_end(tmp_path: Path, apart: str) -> None:
+    keys = apart.join(f"k{n}: v" for n in range(MOST_NODES // 2 - 10))
+    with pytest.raises(AuthoringError) as caught:
+        _source(tmp_path, keys if apart == "\n" else f"{{{keys}}}").validated(Dish)
+    assert len(caught.value.mistakes) == MOST_MISTAKES + 1
+    assert "more mistakes" in caught.value.mistakes[-1].message
+    assert len(caught.value.message) < 200 * MOST_MISTAKES
