@@ -10,14 +10,15 @@ from types import MappingProxyType
 from typing import Self
 
 from .behavior.candidates.notes import directed, unplayed_notes
-from .behavior.candidates.planned import Stage, candidates_of
+from .behavior.candidates.planned import candidates_of
 from .behavior.candidates.targets import mentions, pointing_candidates, without_overlapped
 from .behavior.characters.overlays import DEFAULT_CHARACTER, Character
 from .behavior.choice.scheduling import numbered, schedule
 from .behavior.idle.stillness import with_stillness
 from .behavior.listeners.addressees import addressed, placed_listeners
 from .behavior.listeners.listening import Listener, listen
-from .behavior.reading.planning import meanings, plan
+from .behavior.reading.planning import Plan, Understood, meanings, plan
+from .behavior.reading.player import Player
 from .behavior.speaker_profiles.gesture_scripts import (
     gesture_script,
     repertoire_of,
@@ -87,77 +88,80 @@ def move(
 
     Raises InputError `unknown_character`, `unknown_profile`.
     """
-    performer = _Performer.of(behavior, _level(analysis), options, direction)
+    performer = _Performer.of(behavior, analysis.utterance.level, options, direction)
     progress("plan")
-    performer = replace(performer, direction=_with_marked(performer, analysis))
-    moments = plan_moments(behavior, analysis, performer.character, performer.direction)
-    if performer.profile:
-        moments = without_planned_gestures(moments)
+    player = _player(performer, analysis)
+    line = _understood(performer, analysis)
+    performer = replace(performer, direction=_with_marked(performer, analysis, line, player))
+    planned = _planned(performer, line, player)
     analysis = replace(analysis, utterance=with_lead_in(analysis.utterance, options.lead_in_s))
     progress("mapping")
-    candidates, moments = _offered(performer, analysis, moments)
+    candidates, moments = _offered(performer, analysis, planned, player, line)
     progress("schedule")
     behaviors, script = _scheduled(performer, analysis, candidates)
     return _told(performer, analysis, moments, behaviors), script
 
 
-def plan_moments(
-    behavior: BehaviorModels, analysis: Analysis, character: Character, direction: Direction | None = None
-) -> tuple[Moment, ...]:
+def _player(performer: _Performer, analysis: Analysis) -> Player:
+    """The character as the choice sees it. How much it does depends on the speaker's agitation too (paper §1)."""
+    character = performer.character
+    quantity = QUANTITY[analysis.utterance.level] * character.liveliness
+    return Player(performer.behavior.families, character.entries, performer.options.seed, quantity)
+
+
+def _understood(performer: _Performer, analysis: Analysis) -> Understood:
+    """The line, with what the mapping rules offer for it."""
+    utterance, functions, facts = analysis.utterance, analysis.functions, analysis.facts
+    offers = offer_movements(performer.behavior.rules, utterance, functions, seed=performer.options.seed, facts=facts)
+    return Understood(utterance, functions, facts, offers)
+
+
+def _planned(performer: _Performer, line: Understood, player: Player) -> Plan:
     """The plan of the line: what its phrases mean for gestures, with a director's notes first; the notes alone where
-    functions choose by priority, as in the paper.
-
-    How much is planned depends on the speaker's agitation (paper §1) and on the character.
-    """
-    moments: tuple[Moment, ...] = ()
-    if behavior.settings.choice == "terms":
-        agitation = analysis.utterance.agitation
-        quantity = QUANTITY[agitation.level if agitation else Level.MEDIUM] * character.liveliness
-        moments = plan(behavior.planner, analysis.utterance, analysis.functions, analysis.facts, quantity=quantity)
-    return moments if direction is None else directed(direction, moments)
+    functions choose by priority, as in the paper."""
+    behavior, direction = performer.behavior, performer.direction
+    planned = plan(behavior.planner, line, player) if behavior.settings.choice == "terms" else Plan()
+    moments = planned.moments if direction is None else directed(direction, planned.moments)
+    return replace(planned, moments=without_planned_gestures(moments) if performer.profile else moments)
 
 
-def _with_marked(performer: _Performer, analysis: Analysis) -> Direction | None:
+def plan_line(behavior: BehaviorModels, analysis: Analysis, options: Options) -> Plan:
+    """The plan of an analysed line, as it would be performed."""
+    performer = _Performer.of(behavior, analysis.utterance.level, options, None)
+    return _planned(performer, _understood(performer, analysis), _player(performer, analysis))
+
+
+def _with_marked(performer: _Performer, analysis: Analysis, line: Understood, player: Player) -> Direction | None:
     """The director's notes, and one for each word that the author marked. An important word gets the meaning that the
     plan would give it; where nothing is planned, it is stressed with a beat."""
     edits, words, behavior = performer.options.edits.words, analysis.utterance.words, performer.behavior
     important = {index for mark, index in marked(edits, words) if mark is WordMark.IMPORTANT}
     meant: Mapping[int, tuple[str, ...]] = dict.fromkeys(important, PLAIN_EMPHASIS)
     if important and behavior.settings.choice == "terms":
-        meant = meanings(behavior.planner, analysis.utterance, analysis.functions, analysis.facts, words=important)
+        meant = meanings(behavior.planner, line, player, important)
     return with_marked(performer.direction, edits, words, meant)
 
 
-def _level(analysis: Analysis) -> Level:
-    agitation = analysis.utterance.agitation
-    return agitation.level if agitation else Level.MEDIUM
-
-
 def _offered(
-    performer: _Performer, analysis: Analysis, moments: tuple[Moment, ...]
+    performer: _Performer, analysis: Analysis, planned: Plan, player: Player, line: Understood
 ) -> tuple[tuple[BehaviorCandidates, ...], tuple[Moment, ...]]:
     """The candidates for the functions or the moments, and those that point at things the words name."""
-    candidates = _candidates(performer, analysis, moments)
+    candidates = _candidates(performer, planned, player, line)
     if performer.profile:
         candidates = tuple(without_chosen_gestures(candidates, performer.character.lexemes))
     named = mentions(analysis.utterance, performer.options.targets)
     pointing = tuple(pointing_candidates(named, analysis.functions))
     candidates = (*without_overlapped(candidates, named), *pointing)
-    return candidates, moments + tuple(each.moment for each in pointing if each.moment)
+    return candidates, planned.moments + tuple(each.moment for each in pointing if each.moment)
 
 
 def _candidates(
-    performer: _Performer, analysis: Analysis, moments: tuple[Moment, ...]
+    performer: _Performer, planned: Plan, player: Player, line: Understood
 ) -> tuple[BehaviorCandidates, ...]:
     """The candidates for the functions, or for the moments of a line that is planned."""
-    behavior, seed = performer.behavior, performer.options.seed
-    candidates = offer_movements(
-        behavior.rules, analysis.utterance, analysis.functions, seed=seed, facts=analysis.facts
-    )
-    if not moments and behavior.settings.choice != "terms":
-        return candidates
-    stage = Stage(behavior.families, performer.character.entries, seed)
-    return candidates_of(stage, analysis.utterance, moments, candidates)
+    if not planned.moments and performer.behavior.settings.choice != "terms":
+        return tuple(line.offers)
+    return candidates_of(player, line.utterance, planned, line.offers)
 
 
 def _scheduled(

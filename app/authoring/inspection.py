@@ -8,12 +8,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
-from ..behavior.characters.overlays import DEFAULT_CHARACTER
 from ..errors import InputError
 from ..model import Fact, Function, Level, Moment, Utterance
 from ..models import BehaviorModels, LanguageModels, Understudy, load_function_rules, load_realizer
-from ..moving import plan_moments
+from ..moving import plan_line
 from ..on_demand import OnDemand
+from ..options import Options
 from ..performance import find_functions
 from ..rules.chaining.chainer import Derivation, derive
 from ..rules.chaining.matching import FactBase
@@ -51,7 +51,7 @@ def trace(language: LanguageModels, behavior: BehaviorModels, text: str) -> Trac
         utterance,
         trace_rules(language.rules.program, found.facts),
         trace_rules(behavior.rules.program, mapped.facts),
-        plan_moments(behavior, analysis, behavior.characters.named(DEFAULT_CHARACTER)),
+        plan_line(behavior, analysis, Options()).moments,
     )
 
 

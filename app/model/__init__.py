@@ -11,13 +11,14 @@ of it. Import the values from here.
 
 from .affect import NEUTRAL, Affect, AffectTrack, LineAffect, PhraseAffect, Tone, mean_affect
 from .body import Channel, Hand
-from .choice import Alternative, BehaviorCandidates, Mode, Moment, Movement, Rejected, Term
+from .choice import Alternative, BehaviorCandidates, Mode, Moment, Movement, Rejected
 from .direction import Avoidance, DirectedMoment, Direction
 from .facts import Argument, Fact
 from .functions import PLAIN, Because, Function, GivenFunction
 from .language import Clause, Parse, Phrase, Token, Utterance
 from .line import AlignedLine, Analysis, Line, SignalAnalysis, Timings
 from .performance import Notice, Performance
+from .reasons import Term
 from .schedule import Behavior, Listening, Manner, Schedule, SyncPoints, Target, Viseme
 from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray, VoiceQuality
 from .speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word

@@ -5,6 +5,7 @@ from enum import StrEnum
 
 from .body import Channel
 from .functions import Function
+from .reasons import Term
 
 
 class Mode(StrEnum):
@@ -13,14 +14,6 @@ class Mode(StrEnum):
     SEMANTIC = "semantic"
     PROSODY = "prosody"
     RANDOM = "random"
-
-
-@dataclass(frozen=True, slots=True)
-class Term:
-    """One reason for or against a choice: a fact about the words, and its weight (log-odds)."""
-
-    name: str
-    weight: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +55,8 @@ class Movement:
     neighbours.
 
     Its stroke falls on word `stroke`; if that is None, on the word of its span that the table says. `moment` is the id
-    of the moment it shows, `target` its target if that is not the table's.
+    of the moment it shows, `target` its target if that is not the table's. `decided_by` are the named parts of its
+    worth in log-odds, the largest first.
     """
 
     name: str
@@ -74,6 +68,7 @@ class Movement:
     stroke: int | None = None
     moment: str | None = None
     target: str | None = None
+    decided_by: tuple[Term, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

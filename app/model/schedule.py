@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 
 from .body import Channel, Hand
 from .functions import Function
+from .reasons import Term
 from .speech import Interval, Level, Word
 
 
@@ -51,7 +52,8 @@ class Behavior:
     conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words. `after_strokes_s` are the
     ends of a gesture's strokes after its main one, seconds after that; None leaves them to the realizer. The stroke of
     one that is `curved` is an arc, others' are as the library has them. `edit` is the number of the author's edit that
-    made or changed it, `manner` how it is made."""
+    made or changed it, `manner` how it is made. `decided_by` are the named parts
+    of its worth in log-odds, the largest first; `limit` names what forbade one that was offered."""
 
     id: str
     kind: Channel
@@ -75,6 +77,8 @@ class Behavior:
     curved: bool = False
     edit: int | None = None
     manner: Manner | None = None
+    decided_by: tuple[Term, ...] = ()
+    limit: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,7 +33,7 @@ import numpy as np
 from training.acting.directed import FAMILIES, DirectedLine, folds_of, gesture_choices, read_lines
 from training.acting.thresholds import read_readings
 from training.acting.weights import examples_of, fitted, lexeme_gains, price_of
-from understudy.behavior.reading.decoding import strokes
+from understudy.behavior.reading.decoding import strokes, usual_times_s
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Analysis, Channel, Line, Performance, SingleArray, Word
 from understudy.models import Understudy
@@ -167,7 +167,13 @@ def _planned(
     price = price_of(training, [gain for gain, _ in lexeme_gains(training, readings, model.worth(examples))])
     worth = model.worth(examples_of(test, readings, terms, examples.names))
     for line, (gain, shown) in zip(test, lexeme_gains(test, readings, worth), strict=True):
-        yield line, [(word, _families(shown[int(gain[word].argmax())])) for word in strokes(gain, price)]
+        yield (
+            line,
+            [
+                (word, _families(shown[int(gain[word].argmax())]))
+                for word in strokes(gain, price, usual_times_s(len(gain)))
+            ],
+        )
 
 
 def _families(shown: SingleArray) -> list[str]:

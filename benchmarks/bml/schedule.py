@@ -20,14 +20,15 @@ from itertools import combinations, islice, pairwise
 from pathlib import Path
 
 from tests.support.bml_checker import check
-from understudy.behavior.candidates.planned import Stage, candidates_of
+from understudy.behavior.candidates.planned import candidates_of
 from understudy.behavior.characters.overlays import Character
 from understudy.behavior.choice.scheduling import schedule
+from understudy.behavior.reading.planning import Understood, plan
+from understudy.behavior.reading.player import Player
 from understudy.behavior.speech.visemes import visemes
 from understudy.bml.writing.writer import write_bml
 from understudy.model import (
     Agitation,
-    Analysis,
     Behavior,
     BehaviorCandidates,
     Channel,
@@ -42,7 +43,6 @@ from understudy.model import (
     Word,
 )
 from understudy.models import BehaviorModels
-from understudy.moving import plan_moments
 from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules, Understanding, understand
 from understudy.rules.mapping import MappingRules, offer_movements
@@ -107,9 +107,9 @@ class Stages:
     def candidates(self, utterance: Utterance, known: Understanding, seed: int) -> tuple[BehaviorCandidates, ...]:
         """What could show the functions and the moments planned, as in `understudy.moving.move`."""
         offers = offer_movements(self.mapping, utterance, known.functions, seed=seed, facts=known.facts)
-        analysis = Analysis(utterance, known.functions, facts=known.facts)
-        moments = plan_moments(self.behavior, analysis, self.character)
-        return candidates_of(Stage(self.behavior.families, self.character.entries, seed), utterance, moments, offers)
+        who = Player(self.behavior.families, self.character.entries, seed, self.character.liveliness)
+        planned = plan(self.behavior.planner, Understood(utterance, known.functions, known.facts, offers), who)
+        return candidates_of(who, utterance, planned, offers)
 
 
 def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) -> Outcome:

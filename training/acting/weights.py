@@ -24,9 +24,10 @@ from scipy.optimize import minimize
 from scipy.sparse import csr_matrix
 
 from understudy.behavior.reading.choice_model import log_odds_of
-from understudy.behavior.reading.decoding import gains, strokes
+from understudy.behavior.reading.decoding import gains, strokes, usual_times_s
 from understudy.behavior.reading.families import load_families
-from understudy.behavior.reading.planning import expected_worth, lexeme_worth, shown_by_lexemes
+from understudy.behavior.reading.planning import expected_worth
+from understudy.behavior.reading.worths import lexeme_worth, shown_by_lexemes
 from understudy.behavior.table.behavior_table import load_table
 from understudy.model import FloatArray, SingleArray
 from understudy.resources import resource_folder
@@ -120,7 +121,7 @@ def price_of(lines: Sequence[DirectedLine], gain: Sequence[SingleArray]) -> floa
     low, high = 0.01, 1.5
     for _ in range(10):
         middle = (low + high) / 2
-        taken = sum(len(strokes(each, middle)) for each in gain)
+        taken = sum(len(strokes(each, middle, usual_times_s(len(each)))) for each in gain)
         low, high = (middle, high) if taken > GESTURES_A_LINE * len(lines) else (low, middle)
     return round((low + high) / 2, 3)
 
@@ -152,7 +153,7 @@ def lexeme_gains(
     """What each lexeme on each word of each line gains (W, L), and how much each shows each family (L, F)."""
     lexicon = resource_folder("lexicon")
     families = load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines)
-    shown = shown_by_lexemes(families, FAMILIES)
+    shown = shown_by_lexemes(families.shows, FAMILIES)
     ends = np.cumsum([len(line.words) for line in lines])[:-1]
     count = len(FAMILIES)
     for line, own in zip(lines, np.split(worth.astype(np.float32), ends), strict=True):

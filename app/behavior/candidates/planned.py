@@ -1,46 +1,34 @@
 """The candidate behaviours for each moment, among which timing, free hands and neighbours decide (paper §3.5).
 
-The worth of a lexeme sums the worths that its families have at the moment: in full for the family that an audience
-reads in it first, by half for the others. Where a mapping rule offers a lexeme for a function of the same words, the
-rule and its function are named and the lexeme is preferred, because rules take the words into account ("two fingers",
-"to the left").
+Candidates come from the reading, as behaviours of the moment's families, and from the mapping rules, for functions of
+the same words. The same behaviour from both is one candidate with two supports. Each has its worth in log-odds, with
+the named parts of that sum.
 """
 
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
+from math import exp, log
 
-from ...model import (
-    Alternative,
-    BehaviorCandidates,
-    Channel,
-    Function,
-    Level,
-    Moment,
-    Movement,
-    Utterance,
-)
-from ..reading.families import (
-    OTHER_FAMILY,
-    POINT,
-    POINTINGS,
-    Families,
-    FamilyBehavior,
-    Playable,
-    family_rule,
-    fitting,
-    merged,
-)
+from ...model import Alternative, BehaviorCandidates, Channel, Moment, Movement, Term, Utterance
+from ..reading.families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyBehavior, family_rule, fitting, merged
+from ..reading.planning import Plan
+from ..reading.player import Player
+from ..reading.supports import Support, strongest, supports_of
 
 LATER_CHOICE = 0.4
 """The worth of each further choice in a director's note, relative to the previous one."""
 
-OFFERED = 1.2
-ASKED_BY_LEMMA = 1.3
+ASKED_BY_LEMMA = 0.26
+"""What a word that asks for the very behaviour adds to its log-odds."""
+
 MOST_ALTERNATIVES = 6
 STEEPNESS = 4.0
-"""How much the better of two alternatives is preferred: weights are worths to this power."""
+"""How much the better of two alternatives is preferred: weights are odds to this power."""
+
+LEAST_ODDS = -9.0
+"""What is less likely than this is no alternative."""
 
 LEAST_PRIORITY, PRIORITY_OF_SURE = 2.0, 10.0
 """Priorities of moments with importance 0 and 1, on the scale of functions (rules/functions/priorities.yaml)."""
@@ -49,31 +37,20 @@ RULED = frozenset({Channel.GAZE, Channel.EYES, Channel.POSTURE})
 """The channels that mapping rules alone decide; hands, head and face are planned."""
 
 
-@dataclass(frozen=True, slots=True)
-class Stage:
-    """What the choice of behaviours depends on besides the moment: the families, the table of behaviours, and the
-    seed."""
-
-    families: Families
-    behaviors: Mapping[str, Playable]
-    seed: int
-
-
 def candidates_of(
-    stage: Stage, utterance: Utterance, moments: Iterable[Moment], offers: Sequence[BehaviorCandidates]
+    player: Player, utterance: Utterance, plan: Plan, offers: Sequence[BehaviorCandidates]
 ) -> tuple[BehaviorCandidates, ...]:
     """The candidates for every moment, and what rules offer on the channels that are not planned.
 
     Functions that the caller gave are shown on all channels, because the caller asked for them.
     """
-    level = utterance.level
-    by_rank = sorted(offers, key=lambda each: each.rank, reverse=True)
-    planned = (_of_moment(stage, utterance, moment, by_rank, level) for moment in moments)
-    ruled = (_ruled(stage, offer) for offer in offers)
+    supports = tuple(supports_of(offers))
+    planned = (_of_moment(player, utterance, moment, plan, supports) for moment in plan.moments)
+    ruled = (_ruled(player, offer) for offer in offers)
     return tuple(each for each in (*planned, *ruled) if each is not None)
 
 
-def _ruled(stage: Stage, offer: BehaviorCandidates) -> BehaviorCandidates | None:
+def _ruled(player: Player, offer: BehaviorCandidates) -> BehaviorCandidates | None:
     """A rule's offer restricted to the channels that are not planned: alternatives that also move others are left
     out."""
     if offer.function and offer.function.given:
@@ -81,41 +58,57 @@ def _ruled(stage: Stage, offer: BehaviorCandidates) -> BehaviorCandidates | None
     alternatives = tuple(
         alternative
         for alternative in offer.alternatives
-        if all(stage.behaviors[movement.name].channel in RULED for movement in alternative.movements)
+        if all(player.behaviors[movement.name].channel in RULED for movement in alternative.movements)
     )
     return replace(offer, alternatives=alternatives) if alternatives else None
 
 
 def _of_moment(
-    stage: Stage, utterance: Utterance, moment: Moment, offers: Sequence[BehaviorCandidates], level: Level
+    player: Player, utterance: Utterance, moment: Moment, plan: Plan, supports: Sequence[Support]
 ) -> BehaviorCandidates | None:
-    lemmas = frozenset(
-        token.lemma.lower() for token in utterance.parse.tokens if moment.first <= token.word <= moment.last
-    )
-    offered = dict(_offered(stage, moment, offers))
-    shares = _shares(moment)
-    worths: dict[str, float] = {}
-    for family in moment.families:
-        listed = _behaviors_of(stage.families, moment.channel, family)
-        asking = {each.name for each in listed if each.lemmas}
-        for name in fitting(listed, lemmas, level):
-            worth = _worth(stage, moment.channel, shares, name) * (ASKED_BY_LEMMA if name in asking else 1.0)
-            worths[name] = max(worths.get(name, 0.0), worth * (OFFERED if name in offered else 1.0))
-    for name in offered:
-        worths.setdefault(name, OFFERED * _worth(stage, moment.channel, shares, name))
-    generator = random.Random(f"{stage.seed} {moment.id} {utterance.words[moment.stroke].text}")
-    best = sorted(worths.items(), key=lambda item: (-item[1], item[0]))[:MOST_ALTERNATIVES]
-    function = _function_at(moment, offers)
+    offered = _offered(player, moment, supports)
+    asking = dict(_asking(player, utterance, moment))
+    rated = {name: _rated(player, moment, plan, name, offered.get(name)) for name in (*asking, *offered)}
+    for name, asked in asking.items():
+        if asked:
+            odds, parts = rated[name]
+            rated[name] = odds + ASKED_BY_LEMMA, (*parts, Term("a word that asks for it", ASKED_BY_LEMMA))
+    generator = random.Random(f"{player.seed} {moment.id} {utterance.words[moment.stroke].text}")
+    able = {name: each for name, each in rated.items() if not player.banned(name, moment.first, moment.last)}
+    best = sorted(able.items(), key=lambda item: (-item[1][0], item[0]))[:MOST_ALTERNATIVES]
     alternatives = tuple(
         Alternative(
-            (_movement(moment, name, *offered.get(name, (family_rule(moment.channel, moment.families[0]), function))),),
-            weight=max(worth, 1e-3) ** STEEPNESS,
+            (_movement(moment, name, offered.get(name), parts),),
+            weight=exp(STEEPNESS * (odds - best[0][1][0])),
             lot=generator.uniform(0.9, 1.1),
         )
-        for name, worth in best
-        if worth > 0
+        for name, (odds, parts) in best
+        if odds > LEAST_ODDS
     )
     return BehaviorCandidates(None, alternatives, moment) if alternatives else None
+
+
+def _asking(player: Player, utterance: Utterance, moment: Moment) -> Iterator[tuple[str, bool]]:
+    """The behaviours of the moment's families that suit it, and whether one of its words asks for each."""
+    tokens = utterance.parse.tokens
+    lemmas = frozenset(token.lemma.lower() for token in tokens if moment.first <= token.word <= moment.last)
+    for family in moment.families:
+        listed = _behaviors_of(player.families, moment.channel, family)
+        asking = {each.name for each in listed if each.lemmas}
+        for name in fitting(listed, lemmas, utterance.level):
+            yield name, name in asking
+
+
+def _rated(
+    player: Player, moment: Moment, plan: Plan, name: str, support: Support | None
+) -> tuple[float, tuple[Term, ...]]:
+    """The log-odds of a behaviour at a moment, and their parts; from the plan's sum, if a gesture was weighed there."""
+    lexeme = player.behaviors[name].lexeme
+    weighed = plan.worths and moment.channel is Channel.GESTURE and moment.note is None and moment.set_against is None
+    if weighed and plan.worths and (odds := plan.worths.of(moment.stroke, lexeme)) is not None:
+        return odds, plan.worths.parts(moment.stroke, lexeme)
+    worth = max(_worth(player, moment.channel, _shares(moment), name), 1e-6)
+    return log(worth) + (support.log_odds if support else 0.0), (*moment.terms, *(support.parts if support else ()))
 
 
 def _behaviors_of(families: Families, channel: Channel, family: str) -> tuple[FamilyBehavior, ...]:
@@ -143,14 +136,14 @@ def _shares(moment: Moment) -> Mapping[str, float]:
     return shares
 
 
-def _worth(stage: Stage, channel: Channel, shares: Mapping[str, float], name: str) -> float:
+def _worth(player: Player, channel: Channel, shares: Mapping[str, float], name: str) -> float:
     """The worth of a behaviour: for gestures, of all families it may be read as; for others, of its own kind alone."""
     if channel is not Channel.GESTURE:
-        kinds = _listed(stage.families, channel)
+        kinds = _listed(player.families, channel)
         return max(
             (share for kind, share in shares.items() if any(each.name == name for each in kinds[kind])), default=0.0
         )
-    shown = _all_merged(stage.families.shows.get(stage.behaviors[name].lexeme, ()))
+    shown = _all_merged(player.families.shows.get(player.behaviors[name].lexeme, ()))
     return sum((1.0 if not place else OTHER_FAMILY) * shares.get(family, 0.0) for place, family in enumerate(shown))
 
 
@@ -160,35 +153,26 @@ def _all_merged(families: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(map(merged, families)))
 
 
-def _offered(
-    stage: Stage, moment: Moment, offers: Sequence[BehaviorCandidates]
-) -> Iterator[tuple[str, tuple[str, str | None]]]:
-    """The behaviours that rules offer for functions on the stroke's word: name, rule and function, the most important
-    function last."""
-    for offer in offers:
-        if offer.function is None or not offer.function.first <= moment.stroke <= offer.function.last:
-            continue
-        for alternative in offer.alternatives:
-            for movement in alternative.movements:
-                if stage.behaviors[movement.name].channel is moment.channel:
-                    yield movement.name, (movement.rule, movement.function)
+def _offered(player: Player, moment: Moment, supports: Iterable[Support]) -> dict[str, Support]:
+    """The behaviours that rules offer on the moment's channel for functions on the stroke's word, with the strongest
+    support of each."""
+    return strongest(
+        each
+        for each in supports
+        if each.function.first <= moment.stroke <= each.function.last
+        and player.behaviors[each.name].channel is moment.channel
+    )
 
 
-def _function_at(moment: Moment, offers: Sequence[BehaviorCandidates]) -> str | None:
-    """The most important function on the stroke's word, which the moment shows too."""
-    functions: list[Function] = [offer.function for offer in offers if offer.function is not None]
-    on_word = [each for each in functions if each.first <= moment.stroke <= each.last]
-    return max(on_word, key=lambda each: (each.priority, each.id)).id if on_word else None
-
-
-def _movement(moment: Moment, name: str, rule: str, function: str | None) -> Movement:
+def _movement(moment: Moment, name: str, support: Support | None, parts: tuple[Term, ...]) -> Movement:
     return Movement(
         name=name,
         first=moment.first,
         last=moment.last,
         priority=round(LEAST_PRIORITY + (PRIORITY_OF_SURE - LEAST_PRIORITY) * moment.importance, 1),
-        rule=rule,
-        function=function,
+        rule=support.rule if support else family_rule(moment.channel, moment.families[0]),
+        function=support.function.id if support else None,
         stroke=moment.stroke,
         moment=moment.id,
+        decided_by=parts,
     )

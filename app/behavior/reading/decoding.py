@@ -2,9 +2,11 @@
 stretches.
 
 Worths are expected values in [0, 1] of shape (W, N): what a director would give for a gesture with its stroke on a
-word, N being families or lexemes. Spacing is counted in words.
+word, N being families or lexemes. Strokes are spaced in seconds, so that slow talk is not starved and quick talk not
+crowded.
 """
 
+from bisect import bisect_right
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -12,8 +14,11 @@ import numpy as np
 
 from ...model import SingleArray
 
-STROKES_APART = 4
-"""Least words from one stroke to the next: a hand has time for one idea a phrase (shared/directing/GUIDE.md)."""
+USUAL_WORD_S = 0.3
+"""Seconds a word, with the pauses, where nothing was heard."""
+
+STROKES_APART_S = 1.0
+"""The least time from one stroke to the next: the hand has to come, show something and be seen."""
 
 NEAR = 2
 """Words around a director's stroke within which a stroke still belongs to the same idea."""
@@ -29,6 +34,8 @@ MOST_KINDS = 2
 
 MOUTH = frozenset(("smile", "sad", "lips_pressed", "disgust"))
 """The kinds of face made with the mouth; the others are made with brows and lids."""
+
+_SLACK_S = 1e-6
 
 _CONTRARY = (
     frozenset(("nod", "shake")),
@@ -57,13 +64,18 @@ def gains(worth: SingleArray, at_word: SingleArray, stroke: SingleArray) -> Sing
     return np.asarray(worth + PRECISE * at_word + PLACE * spread(stroke[:, None], 1), np.float32)
 
 
-def strokes(gain: SingleArray, price: float, *, still: Collection[int] = ()) -> list[int]:
+def strokes(gain: SingleArray, price: float, times_s: Sequence[float], *, still: Collection[int] = ()) -> list[int]:
     """The words on which strokes fall, in order, such that the sum of their gains (W, N) minus the price is greatest.
 
-    No stroke falls on a word of `still`.
+    `times_s` are the times of the words, in order. No stroke falls on a word of `still`.
     """
     best = gain.max(axis=1) - price if len(gain) else np.zeros(0, np.float32)
-    return _best_apart([float(value) if word not in still else -1.0 for word, value in enumerate(best)])
+    return _best_apart([float(value) if word not in still else -1.0 for word, value in enumerate(best)], times_s)
+
+
+def usual_times_s(count: int) -> list[float]:
+    """The times of words of which none was heard."""
+    return [word * USUAL_WORD_S for word in range(count)]
 
 
 def spread(values: SingleArray, near: int = NEAR) -> SingleArray:
@@ -136,20 +148,21 @@ def _one_after_another(taken: Sequence[tuple[str, SingleArray]], first: int, las
         yield Span(kind, begin, end, float(likely.max()))
 
 
-def _best_apart(values: Sequence[float]) -> list[int]:
-    """The places with the greatest sum of values that are at least `STROKES_APART` apart, by dynamic programming."""
+def _best_apart(values: Sequence[float], times_s: Sequence[float]) -> list[int]:
+    """The places with the greatest sum of values that are at least `STROKES_APART_S` apart, by dynamic programming."""
     best = [0.0]
+    before = [bisect_right(times_s, time_s - STROKES_APART_S + _SLACK_S) for time_s in times_s]
     taken: list[bool] = []
     for place, value in enumerate(values):
-        with_it = best[max(0, place + 1 - STROKES_APART)] + value
+        with_it = best[before[place]] + value
         taken.append(value > 0 and with_it > best[-1])
-        best.append(max(best[-1], with_it) if value > 0 else best[-1])
+        best.append(with_it if taken[-1] else best[-1])
     places: list[int] = []
-    place = len(values) - 1
-    while place >= 0:
-        if taken[place]:
-            places.append(place)
-            place -= STROKES_APART
+    place = len(values)
+    while place > 0:
+        if taken[place - 1]:
+            places.append(place - 1)
+            place = before[place - 1]
         else:
             place -= 1
     return places[::-1]

@@ -1,29 +1,32 @@
 """Plans a line: its moments, one idea a phrase, each with its meaning and the reasons (paper §3.4, and beyond it).
 
-People gesture on ideas, not on words: on the new, contrasted or stressed part of a phrase, and on most words not at all
-(shared/directing/GUIDE.md). So the plan computes the worth of every family of gesture with its stroke on every word,
-takes strokes, a few words apart, whose gain exceeds the price of a gesture, and leaves the rest of the line still. Head
-movements and faces are planned for the stretches in which directors would likely want them.
+People gesture on ideas, not on words: on the new, contrasted or stressed part of a phrase, and on most words not at
+all. So the plan sums up the worth of every gesture with its stroke on every word (`worths.py`), takes strokes, some
+time apart, whose gain exceeds the price of a gesture, and leaves the rest of the line still. Head movements and faces
+are planned for the stretches in which directors would likely want them.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
+from itertools import accumulate, chain
 from math import exp, log
 from pathlib import Path
 from types import MappingProxyType
 
 import numpy as np
 
-from ...model import Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
+from ...model import BehaviorCandidates, Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
 from .authored_weights import load_weights
 from .choice_model import READING, ChoiceModel, log_odds_of, worth_of
-from .contrasts import CONTRAST, PlacedStroke, placed_strokes, with_placed
-from .decoding import NEAR, gains, spans_of, spread, stretches_of, strokes
+from .contrasts import CONTRAST, Ground, PlacedStroke, placed_strokes, with_placed
+from .decoding import NEAR, USUAL_WORD_S, gains, spans_of, spread, stretches_of, strokes, usual_times_s
 from .delivery import Delivery
 from .encoder import Encoder, Reading
-from .families import OTHER_FAMILY, Families, merged
+from .families import Families, merged
+from .player import Player
+from .supports import Support, supports_of
 from .terms import Fact, TermTable, terms_of
+from .worths import LineWorths, chance_of, focus_of, lexeme_worth, shown_by_lexemes, summed
 
 AT_WORD_SHARE = 0.5
 """The share of the words' own worths in the reading's expected worth, the rest coming from the nearby worths: measured
@@ -32,8 +35,14 @@ by `python -m benchmarks.behavior.directing`."""
 QUANTITY_WEIGHT = 0.5
 """How much a gesture's price falls as the quantity doubles, and rises as it halves, divided by ln 2."""
 
-OTHER_SHARE = 0.7
-"""The share of the worth of a lexeme's further families that its first family does not already include."""
+PACE_WEIGHT = 1.0
+"""How much the quantity of a word follows its time: slow talk has more gestures a word, and as many a second."""
+
+SLOWEST, FASTEST = 2.0, 0.6
+"""Pauses and haste count up to these multiples of the usual time of a word."""
+
+FORBIDDEN = -30.0
+"""The log-odds of what is never made."""
 
 FULL_GAIN = 1.6
 """The gain at which a gesture has importance 1."""
@@ -45,11 +54,12 @@ REJECTED_TOLD = 3
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Planner:
-    """The models of planning, loaded once: the encoder, the weights, how much each lexeme shows each family (L, F), and
-    the lemmas without which a family cannot be shown (mimes: "drink", "phone")."""
+    """The models of planning, loaded once: the encoder, the weights, how much each lexeme shows each family (L, F) with
+    the lexemes' names, and the lemmas without which a family cannot be shown (mimes: "drink", "phone")."""
 
     encoder: Encoder
     choice: ChoiceModel
+    lexemes: Mapping[str, int]
     shown: SingleArray
     needed_lemmas: Mapping[str, frozenset[str]]
     terms: TermTable
@@ -66,67 +76,67 @@ class Planner:
         return cls(
             encoder=Encoder.load(models / "encoder.onnx"),
             choice=choice.with_weights(authored),
-            shown=shown_by_lexemes(families, choice.families),
+            lexemes=MappingProxyType({lexeme: column for column, lexeme in enumerate(families.shows)}),
+            shown=shown_by_lexemes(families.shows, choice.families),
             needed_lemmas=MappingProxyType(dict(_needed_lemmas(families))),
             terms=TermTable.load(lexicon / "terms.yaml", predicates),
         )
 
 
+@dataclass(frozen=True, slots=True)
+class Understood:
+    """What a plan is made from: the utterance, its functions, the facts of the rules, and what the mapping rules
+    offer."""
+
+    utterance: Utterance
+    functions: Sequence[Function]
+    facts: Iterable[Fact] = ()
+    offers: Sequence[BehaviorCandidates] = ()
+
+
 @dataclass(frozen=True, slots=True, eq=False)
-class _Weighed:
-    """The worths in a line: of each family with its stroke on each word, by the reading alone and with all terms (W,
-    F); and the gain of each lexeme (W, L)."""
+class Plan:
+    """The moments of a line in order of their words, and the worths by which the gestures among them were chosen; None
+    where nothing was weighed."""
 
-    read: SingleArray
-    worth: SingleArray
-    gain: SingleArray
-    terms: tuple[frozenset[str], ...]
+    moments: tuple[Moment, ...] = ()
+    worths: LineWorths | None = None
 
 
-def plan(
-    planner: Planner,
-    utterance: Utterance,
-    functions: Sequence[Function],
-    facts: Iterable[Fact] = (),
-    *,
-    quantity: float = 1.0,
-    still: Sequence[int] = (),
-) -> tuple[Moment, ...]:
-    """The moments of a line (gestures, head, face) in order of their words.
-
-    `quantity` scales how much is planned: 1 is as much as directors want, 0 nothing. No stroke falls on the words
-    `still`.
-    """
-    if quantity <= 0 or not utterance.words:
-        return ()
-    texts = [word.text for word in utterance.words]
-    reading, choice = planner.encoder.read(texts, Delivery.of(utterance)), planner.choice
-    weighed = _weighed(planner, reading, utterance, terms_of(utterance, functions, planner.terms.of_facts(facts)))
-    taken = strokes(weighed.gain, choice.price - QUANTITY_WEIGHT * log(quantity), still=still)
-    placed = _placed(planner, weighed, functions, taken, still)
-    taken = with_placed(taken, placed.values())
-    stretches = stretches_of(texts)
+def plan(planner: Planner, line: Understood, player: Player, *, still: Sequence[int] = ()) -> Plan:
+    """The plan of a line: gestures, head, face. No stroke falls on the words `still`."""
+    utterance = line.utterance
+    if player.quantity <= 0 or not utterance.words:
+        return Plan()
+    reading = planner.encoder.read([word.text for word in utterance.words], Delivery.of(utterance))
+    worths = _worths(planner, reading, line, player)
+    ground = Ground(times_s_of(utterance), _gains(planner, reading, worths), still)
+    quantity = player.quantity * pace_of(utterance) ** PACE_WEIGHT
+    price = planner.choice.price - QUANTITY_WEIGHT * log(quantity)
+    taken = strokes(ground.gain[:, None], price, ground.times_s, still=still)
+    placed = _placed(planner, worths, line.functions, taken, ground)
+    taken = with_placed(taken, placed.values(), ground)
     moments = chain(
-        (_in_place(moment, placed) for moment in _gestures(planner, weighed, utterance, taken)),
-        _spans(Channel.HEAD, reading.head, stretches, planner.encoder.head, _at_quantity(choice.head, quantity)),
-        _spans(Channel.FACE, reading.face, stretches, planner.encoder.face, _at_quantity(choice.face, quantity)),
+        (_in_place(moment, placed) for moment in _gestures(worths, utterance, taken, ground)),
+        _heads_and_faces(planner, reading, utterance, player),
     )
-    return tuple(sorted(moments, key=lambda moment: (moment.stroke, moment.channel, moment.first)))
+    return Plan(tuple(sorted(moments, key=lambda moment: (moment.stroke, moment.channel, moment.first))), worths)
 
 
-def meanings(
-    planner: Planner,
-    utterance: Utterance,
-    functions: Sequence[Function],
-    facts: Iterable[Fact],
-    *,
-    words: Collection[int],
-) -> dict[int, tuple[str, ...]]:
+def _heads_and_faces(planner: Planner, reading: Reading, utterance: Utterance, player: Player) -> Iterator[Moment]:
+    stretches, choice = stretches_of([word.text for word in utterance.words]), planner.choice
+    of_head, of_face = _at_quantity(choice.head, player.quantity), _at_quantity(choice.face, player.quantity)
+    yield from _spans(Channel.HEAD, reading.head, stretches, planner.encoder.head, of_head)
+    yield from _spans(Channel.FACE, reading.face, stretches, planner.encoder.face, of_face)
+
+
+def meanings(planner: Planner, line: Understood, player: Player, words: Collection[int]) -> dict[int, tuple[str, ...]]:
     """The families of gestures with the highest worth for a stroke on each of these words, the best first, whether or
     not a gesture is planned there."""
+    utterance = line.utterance
     reading = planner.encoder.read([word.text for word in utterance.words], Delivery.of(utterance))
-    weighed = _weighed(planner, reading, utterance, terms_of(utterance, functions, planner.terms.of_facts(facts)))
-    return {word: tuple(planner.choice.families[place] for place in _best(weighed.worth[word])) for word in words}
+    worths = _worths(planner, reading, line, player)
+    return {word: tuple(planner.choice.families[place] for place in _best(worths.family[word])) for word in words}
 
 
 def expected_worth(at_word: SingleArray, nearby: SingleArray) -> SingleArray:
@@ -134,31 +144,67 @@ def expected_worth(at_word: SingleArray, nearby: SingleArray) -> SingleArray:
     return np.asarray(AT_WORD_SHARE * spread(at_word) + (1 - AT_WORD_SHARE) * nearby, np.float32)
 
 
-def shown_by_lexemes(families: Families, names: Sequence[str]) -> SingleArray:
-    """How much each lexeme shows each family (L, F): 1 for its first family, `OTHER_FAMILY` for the others."""
-    rows = []
-    for shown in families.shows.values():
-        row = np.zeros(len(names), np.float32)
-        for place, family in enumerate(dict.fromkeys(merged(each) for each in shown)):
-            if family in names:
-                row[names.index(family)] = OTHER_FAMILY if place else 1.0
-        rows.append(row)
-    return np.unique(np.stack(rows), axis=0)
+def times_s_of(utterance: Utterance) -> list[float]:
+    """The times at which the words begin; a word that was not heard has the time of the one before it, and where none
+    was heard, all have usual times."""
+    begun = [word.interval.start_s if word.interval else 0.0 for word in utterance.words]
+    return list(accumulate(begun, max)) if any(begun) else usual_times_s(len(begun))
 
 
-def lexeme_worth(worth: SingleArray, shown: SingleArray) -> SingleArray:
-    """The worth of each lexeme (W, L): that of its first family, and a share of that of its other families."""
-    first, others = (shown == 1).astype(np.float32), np.where(shown < 1, shown, 0)
-    certain = np.clip(worth @ first.T, 0, 1)
-    return np.asarray(certain + OTHER_SHARE * (worth @ others.T), np.float32)
+def pace_of(utterance: Utterance) -> float:
+    """How long a word takes, pauses included, relative to the usual; 1 where nothing was heard."""
+    heard = [word.interval for word in utterance.words if word.interval]
+    if len(heard) < 2:
+        return 1.0
+    of_word_s = (heard[-1].end_s - heard[0].start_s) / len(heard)
+    return min(max(of_word_s / USUAL_WORD_S, FASTEST), SLOWEST)
 
 
-def _weighed(planner: Planner, reading: Reading, utterance: Utterance, terms: tuple[frozenset[str], ...]) -> _Weighed:
+def _worths(planner: Planner, reading: Reading, line: Understood, player: Player) -> LineWorths:
+    utterance, choice = line.utterance, planner.choice
+    terms = terms_of(utterance, line.functions, planner.terms.of_facts(line.facts))
     read = expected_worth(reading.at_word, reading.nearby)
-    worth = worth_of(planner.choice.log_odds(read, terms)) * _possible(planner, utterance)
+    worth = worth_of(choice.log_odds(read, terms)) * _possible(planner, utterance)
+    supports = _supports(planner, line.offers, player)
+    focus = focus_of([word.focus for word in utterance.words])
+    text = " ".join(word.text for word in utterance.words)
+    chance = chance_of(player.seed, text, (len(worth), len(planner.lexemes)))
+    total = summed(lexeme_worth(worth, planner.shown), supports, planner.lexemes, chance + focus[:, None])
+    for column in _unplayable(planner, player):
+        total[:, column] = FORBIDDEN
+    for ban, lexemes in player.banned_lexemes():
+        total[ban.first : ban.last + 1, [planner.lexemes[each] for each in lexemes if each in planner.lexemes]] = (
+            FORBIDDEN
+        )
+    return LineWorths(choice, planner.lexemes, planner.shown, read, terms, worth, supports, focus, chance, total)
+
+
+def _unplayable(planner: Planner, player: Player) -> list[int]:
+    """The columns of lexemes for which the character has no behaviour."""
+    own = player.lexemes()
+    return [column for lexeme, column in planner.lexemes.items() if lexeme not in own]
+
+
+def _supports(
+    planner: Planner, offers: Iterable[BehaviorCandidates], player: Player
+) -> Mapping[tuple[int, str], Support]:
+    """The strongest support of each gesture by word and lexeme."""
+    best: dict[tuple[int, str], Support] = {}
+    for support in supports_of(offers):
+        entry = player.behaviors[support.name]
+        if entry.channel is not Channel.GESTURE or entry.lexeme not in planner.lexemes:
+            continue
+        for word in range(support.function.first, support.function.last + 1):
+            held = best.get((word, entry.lexeme))
+            if held is None or support.log_odds > held.log_odds:
+                best[word, entry.lexeme] = support
+    return best
+
+
+def _gains(planner: Planner, reading: Reading, worths: LineWorths) -> SingleArray:
+    """The most that any gesture gains with its stroke on each word (W,)."""
     at_word = reading.at_word @ planner.shown.T
-    gain = gains(lexeme_worth(worth, planner.shown), at_word, reading.stroke)
-    return _Weighed(read, worth, gain, terms)
+    return np.asarray(gains(worth_of(worths.log_odds), at_word, reading.stroke).max(axis=1), np.float32)
 
 
 def _possible(planner: Planner, utterance: Utterance) -> SingleArray:
@@ -180,14 +226,15 @@ def _needed_lemmas(families: Families) -> Iterator[tuple[str, frozenset[str]]]:
             yield merged(family), frozenset[str]().union(*(behavior.lemmas for behavior in behaviors))
 
 
-def _gestures(planner: Planner, weighed: _Weighed, utterance: Utterance, taken: Sequence[int]) -> Iterator[Moment]:
-    families = planner.choice.families
+def _gestures(worths: LineWorths, utterance: Utterance, taken: Sequence[int], ground: Ground) -> Iterator[Moment]:
+    families = worths.choice.families
+    names = list(worths.lexemes)
     bounds = [-1, *taken, len(utterance.words)]
     for number, stroke in enumerate(taken):
-        worth = weighed.worth[stroke]
-        order = _best(worth)
+        worth = worths.family[stroke]
+        best = int(worths.log_odds[stroke].argmax())
+        order = _best(worth, first=int(worths.shown[best].argmax()))
         first, last = _phrase_about(utterance, stroke, bounds[number], bounds[number + 2])
-        terms = planner.choice.explained(weighed.read[stroke], weighed.terms[stroke], families[order[0]])
         yield Moment(
             id=f"moment.gesture.{stroke}",
             channel=Channel.GESTURE,
@@ -195,28 +242,28 @@ def _gestures(planner: Planner, weighed: _Weighed, utterance: Utterance, taken: 
             last=last,
             stroke=stroke,
             families=tuple(families[place] for place in order),
-            importance=round(min(1.0, float(weighed.gain[stroke].max()) / FULL_GAIN), 3),
+            importance=round(min(1.0, float(ground.gain[stroke]) / FULL_GAIN), 3),
             shares=tuple(round(float(worth[place]), 3) for place in order),
-            terms=terms[:TERMS_TOLD],
-            rejected=tuple(_rejected(families, weighed, (first, stroke, last), order)),
+            terms=worths.parts(stroke, names[best])[:TERMS_TOLD],
+            rejected=tuple(_rejected(worths, ground, (first, stroke, last), order)),
         )
 
 
-def _best(worth: SingleArray) -> list[int]:
-    """The families with the highest worth, given the worths (F,) on a word."""
-    return [int(place) for place in np.argsort(-worth, kind="stable")[:FAMILIES_TOLD]]
+def _best(worth: SingleArray, first: int | None = None) -> list[int]:
+    """The families with the highest worth, given the worths (F,) on a word; `first` before all others."""
+    order = [int(place) for place in np.argsort(-worth, kind="stable")[:FAMILIES_TOLD]]
+    return order if first is None else [first, *(place for place in order if place != first)][:FAMILIES_TOLD]
 
 
 def _placed(
-    planner: Planner, weighed: _Weighed, functions: Sequence[Function], taken: Sequence[int], still: Sequence[int]
+    planner: Planner, worths: LineWorths, functions: Sequence[Function], taken: Sequence[int], ground: Ground
 ) -> dict[int, PlacedStroke]:
     """The strokes, by word, for the two sides of a contrast, where a stroke would fall near either."""
-    worth = weighed.worth[:, planner.choice.families.index(CONTRAST)]
+    worth = worths.family[:, planner.choice.families.index(CONTRAST)]
     near = [word for word in range(len(worth)) if any(abs(word - stroke) <= NEAR for stroke in taken)]
     reached = np.zeros_like(worth)
     reached[near] = worth[near]
-    placed = placed_strokes(functions, reached, weighed.gain.max(axis=1), still=still)
-    return {each.word: each for each in placed}
+    return {each.word: each for each in placed_strokes(functions, reached, ground)}
 
 
 def _in_place(moment: Moment, placed: Mapping[int, PlacedStroke]) -> Moment:
@@ -238,19 +285,20 @@ def _in_place(moment: Moment, placed: Mapping[int, PlacedStroke]) -> Moment:
 
 
 def _rejected(
-    families: Sequence[str], weighed: _Weighed, span: tuple[int, int, int], order: Sequence[int]
+    worths: LineWorths, ground: Ground, span: tuple[int, int, int], order: Sequence[int]
 ) -> Iterator[Rejected]:
     """The families that lost on the stroke's word, and the family and word of the span with the second-best stroke."""
     first, stroke, last = span
+    families = worths.choice.families
     for place in order[1 : 1 + REJECTED_TOLD]:
-        worth = round(float(weighed.worth[stroke, place]), 3)
+        worth = round(float(worths.family[stroke, place]), 3)
         yield Rejected((families[place],), worth, f"{families[order[0]]} is worth more on the same word")
     beside = [word for word in range(first, last + 1) if word != stroke]
     if beside:
-        word = max(beside, key=lambda each: float(weighed.gain[each].max()))
-        place = int(weighed.worth[word].argmax())
+        word = max(beside, key=lambda each: float(ground.gain[each]))
+        place = int(worths.family[word].argmax())
         reason = f"a stroke on word {word} would be too near the one on word {stroke}"
-        yield Rejected((families[place],), round(float(weighed.worth[word, place]), 3), reason)
+        yield Rejected((families[place],), round(float(worths.family[word, place]), 3), reason)
 
 
 def _phrase_about(utterance: Utterance, stroke: int, after: int, before: int) -> tuple[int, int]:

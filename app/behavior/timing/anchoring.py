@@ -195,4 +195,5 @@ def _behavior(
         repetitions=entry.repetitions,
         kept=kept,
         reason=reason,
+        decided_by=movement.decided_by,
     )

@@ -3,8 +3,10 @@
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from understudy.behavior.candidates.planned import Stage, candidates_of
+from understudy.behavior.candidates.planned import candidates_of
 from understudy.behavior.reading.families import Families, FamilyBehavior
+from understudy.behavior.reading.planning import Plan
+from understudy.behavior.reading.player import Ban, Player
 from understudy.model import (
     Alternative,
     BehaviorCandidates,
@@ -53,7 +55,7 @@ FAMILIES = Families(
         }
     ),
 )
-STAGE = Stage(FAMILIES, BEHAVIORS, seed=0)
+PLAYER = Player(FAMILIES, BEHAVIORS)
 
 
 def utterance(text: str) -> Utterance:
@@ -80,7 +82,9 @@ def names(candidates: BehaviorCandidates) -> list[str]:
 
 
 def test_the_behaviour_that_shows_the_likeliest_family_weighs_most() -> None:
-    (found,) = candidates_of(STAGE, utterance("no not those"), [moment("negation", "present", shares=(0.6, 0.4))], [])
+    (found,) = candidates_of(
+        PLAYER, utterance("no not those"), Plan((moment("negation", "present", shares=(0.6, 0.4)),)), []
+    )
     assert names(found) == ["wipe", "open_hand", "away"]
     assert {each.movements[0].stroke for each in found.alternatives} == {1}
     assert {each.movements[0].rule for each in found.alternatives} == {"gesture_family_negation"}
@@ -88,30 +92,45 @@ def test_the_behaviour_that_shows_the_likeliest_family_weighs_most() -> None:
 
 def test_a_mime_is_offered_where_its_lemma_is_and_not_elsewhere() -> None:
     asked = moment("emblem_other", "present", shares=(0.6, 0.3))
-    (found,) = candidates_of(STAGE, utterance("you drink it"), [asked], [])
+    (found,) = candidates_of(PLAYER, utterance("you drink it"), Plan((asked,)), [])
     assert names(found)[0] == "drink"
-    (found,) = candidates_of(STAGE, utterance("you see it"), [asked], [])
+    (found,) = candidates_of(PLAYER, utterance("you see it"), Plan((asked,)), [])
     assert names(found) == ["open_hand"]
 
 
 def test_what_a_rule_offers_for_these_words_goes_before_its_equals_and_names_rule_and_function() -> None:
     asked = moment("negation", shares=(0.6,))
-    (found,) = candidates_of(STAGE, utterance("no not those"), [asked], [offer("wipe")])
+    (found,) = candidates_of(PLAYER, utterance("no not those"), Plan((asked,)), [offer("wipe")])
     best = max(found.alternatives, key=lambda each: each.weight).movements[0]
     assert (best.name, best.rule, best.function, best.moment) == ("wipe", "show_negation", "f1", asked.id)
+    assert [part.name for part in best.decided_by] == ["priority 5 of negation"]
+
+
+def test_a_function_is_named_only_for_what_its_rule_offers() -> None:
+    asked = moment("negation", shares=(0.6,))
+    (found,) = candidates_of(PLAYER, utterance("no not those"), Plan((asked,)), [offer("open_hand")])
+    functions = {each.movements[0].name: each.movements[0].function for each in found.alternatives}
+    assert functions == {"wipe": None, "away": None}
+
+
+def test_what_is_banned_on_its_words_is_no_candidate() -> None:
+    asked = moment("negation", shares=(0.6,))
+    player = Player(FAMILIES, BEHAVIORS, bans=(Ban(2, 5, frozenset({"wipe"}), "never"),))
+    (found,) = candidates_of(player, utterance("no not those"), Plan((asked,)), [offer("wipe")])
+    assert names(found) == ["away"]
 
 
 def test_rules_keep_the_channels_that_nobody_plans_and_lose_the_others() -> None:
-    found = candidates_of(STAGE, utterance("no not those"), [], [offer("glance"), offer("nod"), offer("wipe")])
+    found = candidates_of(PLAYER, utterance("no not those"), Plan(), [offer("glance"), offer("nod"), offer("wipe")])
     assert [names(each) for each in found] == [["glance"]]
 
 
 def test_a_function_that_the_caller_gave_is_shown_as_its_rule_says() -> None:
-    (found,) = candidates_of(STAGE, utterance("no not those"), [], [offer("wipe", given=True)])
+    (found,) = candidates_of(PLAYER, utterance("no not those"), Plan(), [offer("wipe", given=True)])
     assert names(found) == ["wipe"]
 
 
 def test_a_moment_of_the_head_is_shown_by_its_kind_alone() -> None:
     nodded = Moment("moment.head.nod.0", Channel.HEAD, 0, 2, 1, ("nod",), 0.7, (0.7,))
-    (found,) = candidates_of(STAGE, utterance("yes of course"), [nodded], [offer("wipe")])
+    (found,) = candidates_of(PLAYER, utterance("yes of course"), Plan((nodded,)), [offer("wipe")])
     assert names(found) == ["nod"]

@@ -8,13 +8,14 @@ from hypothesis import strategies as st
 from understudy.behavior.reading.decoding import (
     PLACE,
     PRECISE,
-    STROKES_APART,
+    STROKES_APART_S,
     Span,
     gains,
     spans_of,
     spread,
     stretches_of,
     strokes,
+    usual_times_s,
 )
 from understudy.model import SingleArray
 
@@ -25,21 +26,29 @@ def column(*values: float) -> SingleArray:
     return np.array([[value] for value in values], np.float32).reshape(-1, 1)
 
 
+def taken(gain: SingleArray, **options: list[int]) -> list[int]:
+    """The strokes at the usual times of words: four words apart."""
+    return strokes(gain, PRICE, usual_times_s(len(gain)), **options)
+
+
 def test_nothing_is_taken_that_costs_more_than_it_gains() -> None:
-    assert strokes(column(0.1, 0.39, 0.2), PRICE) == []
-    assert strokes(column(), PRICE) == []
+    assert taken(column(0.1, 0.39, 0.2)) == []
+    assert taken(column()) == []
 
 
 def test_of_two_that_are_too_near_the_better_is_taken() -> None:
-    assert strokes(column(0.5, 0.1, 0.9, 0.1, 0.1, 0.1, 0.6), PRICE) == [2, 6]
+    assert taken(column(0.5, 0.1, 0.9, 0.1, 0.1, 0.1, 0.6)) == [2, 6]
 
 
 def test_two_good_ones_beat_a_better_one_between_them() -> None:
-    assert strokes(column(0.8, 0.1, 0.9, 0.1, 0.8), PRICE) == [0, 4]
+    assert taken(column(0.8, 0.1, 0.9, 0.1, 0.8)) == [0, 4]
 
 
 def test_no_stroke_falls_where_the_hands_are_to_be_still() -> None:
-    assert strokes(column(0.2, 0.9, 0.2), PRICE, still=[1]) == []
+    assert taken(column(0.2, 0.9, 0.2), still=[1]) == []
+
+
+TIMES_S = [0.0, 0.4, 0.6, 1.1, 1.45, 1.7, 2.9, 3.0, 3.2]
 
 
 @given(st.lists(st.floats(0, 1, width=32), max_size=9))
@@ -49,12 +58,18 @@ def test_the_strokes_are_the_best_of_all_that_are_possible(values: list[float]) 
         places
         for count in range(len(values) + 1)
         for places in combinations(range(len(values)), count)
-        if all(later - earlier >= STROKES_APART for earlier, later in pairwise(places))
+        if all(TIMES_S[later] - TIMES_S[earlier] >= STROKES_APART_S for earlier, later in pairwise(places))
     ]
     best = max(sum(over[place] for place in places) for places in legal)
-    taken = strokes(column(*values), PRICE)
-    assert tuple(taken) in legal
-    assert sum(over[place] for place in taken) == pytest.approx(best, abs=1e-5)
+    chosen = strokes(column(*values), PRICE, TIMES_S[: len(values)])
+    assert tuple(chosen) in legal
+    assert sum(over[place] for place in chosen) == pytest.approx(best, abs=1e-5)
+
+
+def test_slow_words_have_room_for_more_strokes_and_quick_ones_for_fewer() -> None:
+    gain = column(*[0.9] * 9)
+    counts = [len(strokes(gain, PRICE, [word * word_s for word in range(9)])) for word_s in (0.15, 0.3, 0.6)]
+    assert counts == [2, 3, 5]
 
 
 def test_a_stroke_earns_what_lies_within_two_words() -> None:

@@ -1,12 +1,17 @@
 """The shipped plan of plain lines, and properties of every plan."""
 
+import math
+from collections.abc import Sequence
 from itertools import pairwise
 
 import pytest
 
-from understudy.behavior.reading.decoding import STROKES_APART
-from understudy.behavior.reading.planning import plan
-from understudy.model import Channel, Moment, Parse, Utterance
+from understudy.behavior.characters.overlays import DEFAULT_CHARACTER
+from understudy.behavior.reading.decoding import STROKES_APART_S, usual_times_s
+from understudy.behavior.reading.planning import Plan, Understood, plan
+from understudy.behavior.reading.player import Player
+from understudy.behavior.reading.supports import WEIGHT_SCALE
+from understudy.model import Alternative, BehaviorCandidates, Channel, Function, Moment, Movement, Parse, Utterance
 from understudy.models import Understudy
 from understudy.performance import find_functions
 
@@ -18,9 +23,20 @@ LINES = (
 )
 
 
-def planned(understudy: Understudy, text: str, quantity: float = 1.0) -> tuple[Moment, ...]:
+def player(understudy: Understudy, quantity: float = 1.0, seed: int = 0) -> Player:
+    behavior = understudy.behavior
+    entries = behavior.characters.named(DEFAULT_CHARACTER).entries
+    return Player(behavior.families, entries, seed, quantity)
+
+
+def plan_of(understudy: Understudy, text: str, who: Player, still: Sequence[int] = ()) -> Plan:
     analysis = find_functions(understudy.language, text)
-    return plan(understudy.behavior.planner, analysis.utterance, analysis.functions, quantity=quantity)
+    line = Understood(analysis.utterance, analysis.functions)
+    return plan(understudy.behavior.planner, line, who, still=still)
+
+
+def planned(understudy: Understudy, text: str, quantity: float = 1.0) -> tuple[Moment, ...]:
+    return plan_of(understudy, text, player(understudy, quantity)).moments
 
 
 @pytest.mark.parametrize("text", LINES)
@@ -28,8 +44,9 @@ def test_moments_are_in_order_within_the_line_and_strokes_are_apart(understudy: 
     moments = planned(understudy, text)
     count = len(text.split())
     assert all(0 <= each.first <= each.stroke <= each.last < count for each in moments)
-    strokes = [each.stroke for each in moments if each.channel is Channel.GESTURE]
-    assert all(later - earlier >= STROKES_APART for earlier, later in pairwise(strokes))
+    times_s = usual_times_s(count)
+    strokes = [times_s[each.stroke] for each in moments if each.channel is Channel.GESTURE]
+    assert all(later - earlier >= STROKES_APART_S - 1e-6 for earlier, later in pairwise(strokes))
     assert len({each.id for each in moments}) == len(moments)
 
 
@@ -57,14 +74,13 @@ def test_how_much_is_done_follows_the_quantity(understudy: Understudy) -> None:
 
 
 def test_words_that_are_to_be_still_have_no_stroke(understudy: Understudy) -> None:
-    analysis = find_functions(understudy.language, LINES[0])
-    still = range(len(LINES[0].split()))
-    moments = plan(understudy.behavior.planner, analysis.utterance, analysis.functions, still=still)
+    moments = plan_of(understudy, LINES[0], player(understudy), still=range(len(LINES[0].split()))).moments
     assert not [each for each in moments if each.channel is Channel.GESTURE]
 
 
 def test_nothing_is_planned_for_no_words(understudy: Understudy) -> None:
-    assert plan(understudy.behavior.planner, Utterance((), Parse((), (), ())), ()) == ()
+    nothing = Understood(Utterance((), Parse((), (), ())), ())
+    assert plan(understudy.behavior.planner, nothing, player(understudy)).moments == ()
 
 
 def test_a_mime_wants_a_word_that_says_what_is_mimed(understudy: Understudy) -> None:
@@ -86,3 +102,41 @@ def test_what_is_set_against_each_other_is_placed_left_then_right(understudy: Un
     assert (one.families[:2], other.families[:2]) == (("contrast_sides", "left"), ("contrast_sides", "right"))
     assert (one.set_against, other.set_against) == (other.stroke, one.stroke)
     assert one.last < other.first
+
+
+def test_the_parts_told_are_the_sum(understudy: Understudy) -> None:
+    found = plan_of(understudy, LINES[0], player(understudy, seed=3))
+    assert found.worths is not None
+    for moment in found.moments:
+        if moment.channel is Channel.GESTURE and moment.set_against is None:
+            lexeme = max(found.worths.lexemes, key=lambda each: found.worths.of(moment.stroke, each) or -99.0)
+            parts = found.worths.parts(moment.stroke, lexeme)
+            assert sum(part.weight for part in parts) == pytest.approx(found.worths.of(moment.stroke, lexeme), abs=0.5)
+            assert [abs(part.weight) for part in parts] == sorted((abs(part.weight) for part in parts), reverse=True)
+
+
+def test_a_mapping_rules_weight_moves_its_gesture(understudy: Understudy) -> None:
+    """The same gesture, offered with more weight for the same function, is planned where it was not."""
+    analysis = find_functions(understudy.language, "Whatever you say, it goes in the book.")
+    entry = understudy.behavior.characters.named(DEFAULT_CHARACTER).entries["gesture_dismiss"]
+    function = Function("f1", "negation", "plain", 0, 0, 3.0, "own")
+
+    def log_odds(weight: float) -> float:
+        movement = Movement("gesture_dismiss", 0, 0, 3.0, "own", "f1")
+        offer = BehaviorCandidates(function, (Alternative((movement,), weight, 1.0),))
+        line = Understood(analysis.utterance, analysis.functions, (), (offer,))
+        worths = plan(understudy.behavior.planner, line, player(understudy)).worths
+        assert worths is not None
+        return worths.of(0, entry.lexeme) or 0.0
+
+    assert log_odds(100.0) - log_odds(1.0) == pytest.approx(WEIGHT_SCALE * math.log(100), abs=1e-3)
+
+
+def test_seed_0_is_the_best_take_and_others_are_drawn_near_it(understudy: Understudy) -> None:
+    def strokes(seed: int) -> list[tuple[int, str]]:
+        found = plan_of(understudy, LINES[2], player(understudy, seed=seed)).moments
+        return [(each.stroke, each.families[0]) for each in found if each.channel is Channel.GESTURE]
+
+    assert strokes(0) == strokes(0)
+    assert strokes(5) == strokes(5)
+    assert len({tuple(strokes(seed)) for seed in range(6)}) > 1

@@ -1,0 +1,128 @@
+"""The worth of every gesture on every word of a line: one sum of named parts in log-odds.
+
+    log-odds(word, lexeme) = those of its families (reading, how common they are, terms) + a mapping rule's support
+                             + the focus on the word + chance
+
+So the reading, the paper's rules, the voice, the author and chance are heard at once, and each choice can name what
+decided it. Shapes: W words, F families, L lexemes.
+"""
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import log
+
+import numpy as np
+
+from ...model import SingleArray, Term
+from .choice_model import ChoiceModel, log_odds_of
+from .families import OTHER_FAMILY, merged
+from .supports import Support
+
+OTHER_SHARE = 0.7
+"""The share of the worth of a lexeme's further families that its first family does not already include."""
+
+FOCUS_WEIGHT = 0.5
+"""How much the odds of a stroke follow the share of its word in the focus, relative to an even share."""
+
+LEAST_SHARE, MOST_SHARE = 0.25, 6.0
+"""The focus counts between these multiples of an even share."""
+
+TEMPERATURE = 0.2
+"""The size of chance in log-odds: the scale of the logistic draws of every seed but 0, which takes the best set."""
+
+LEAST_WORTH = 5e-4
+MOST_WORTH = 0.98
+FAINT = 0.05
+"""Parts that are smaller are not told."""
+
+CHANCE, FOCUS, OTHER_READINGS = "chance", "focus of the voice", "what else it may be read as"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LineWorths:
+    """The worths of a line: `read` the reading's expected worth and `family` the worth with all terms (W, F), `terms`
+    the terms of each word, `log_odds` the whole sum (W, L), with `supports` and `focus` (W,) and `chance` (W, L) as its
+    further parts. `lexemes` are the columns, `shown` (L, F) how much each shows each family."""
+
+    choice: ChoiceModel
+    lexemes: Mapping[str, int]
+    shown: SingleArray
+    read: SingleArray
+    terms: tuple[frozenset[str], ...]
+    family: SingleArray
+    supports: Mapping[tuple[int, str], Support]
+    focus: SingleArray
+    chance: SingleArray
+    log_odds: SingleArray
+
+    def of(self, word: int, lexeme: str) -> float | None:
+        """The log-odds of a lexeme with its stroke on a word; None for one that nobody has said how it is read."""
+        column = self.lexemes.get(lexeme)
+        return None if column is None else float(self.log_odds[word, column])
+
+    def parts(self, word: int, lexeme: str) -> tuple[Term, ...]:
+        """The named parts of that sum, the largest first."""
+        column = self.lexemes[lexeme]
+        shown = self.shown[column]
+        first = int(shown.argmax())
+        of_family = float(self.family[word, first])
+        whole = float(lexeme_worth(self.family[word : word + 1], self.shown[column : column + 1])[0, 0])
+        parts = [*self.choice.explained(self.read[word], self.terms[word], self.choice.families[first])]
+        parts.append(Term(OTHER_READINGS, round(_log_odds(whole) - _log_odds(of_family), 2)))
+        parts.append(Term(FOCUS, round(float(self.focus[word]), 2)))
+        parts.append(Term(CHANCE, round(float(self.chance[word, column]), 2)))
+        support = self.supports.get((word, lexeme))
+        parts += support.parts if support else ()
+        heavy = (part for part in parts if abs(part.weight) >= FAINT)
+        return tuple(sorted(heavy, key=lambda part: (-abs(part.weight), part.name)))
+
+
+def lexeme_worth(worth: SingleArray, shown: SingleArray) -> SingleArray:
+    """The worth of each lexeme (W, L): that of its first family, and a share of that of its other families."""
+    first, others = (shown == 1).astype(np.float32), np.where(shown < 1, shown, 0)
+    certain = np.clip(worth @ first.T, 0, 1)
+    return np.asarray(certain + OTHER_SHARE * (worth @ others.T), np.float32)
+
+
+def shown_by_lexemes(shows: Mapping[str, Sequence[str]], names: Sequence[str]) -> SingleArray:
+    """How much each lexeme shows each family (L, F): 1 for its first family, `OTHER_FAMILY` for the others; `shows` are
+    the families of each lexeme, likeliest first."""
+    shown = np.zeros((len(shows), len(names)), np.float32)
+    for row, families in zip(shown, shows.values(), strict=True):
+        for place, family in enumerate(dict.fromkeys(map(merged, families))):
+            if family in names:
+                row[names.index(family)] = OTHER_FAMILY if place else 1.0
+    return shown
+
+
+def focus_of(shares: Sequence[float | None]) -> SingleArray:
+    """What the focus adds on each word (W,), by its share; 0 where the focus is not known."""
+    known = [share for share in shares if share is not None]
+    if not known or len(known) < len(shares):
+        return np.zeros(len(shares), np.float32)
+    relative = np.clip(np.array(known) * len(known), LEAST_SHARE, MOST_SHARE)
+    return np.asarray(FOCUS_WEIGHT * np.log(relative), np.float32)
+
+
+def chance_of(seed: int, text: str, shape: tuple[int, int]) -> SingleArray:
+    """The draws (W, L) of a seed for a text; none for seed 0."""
+    if not seed:
+        return np.zeros(shape, np.float32)
+    generator = np.random.default_rng(random.Random(f"{seed} {text}").getrandbits(64))
+    return np.asarray(generator.logistic(0.0, TEMPERATURE, shape), np.float32)
+
+
+def summed(
+    worth: SingleArray, supports: Mapping[tuple[int, str], Support], columns: Mapping[str, int], others: SingleArray
+) -> SingleArray:
+    """The log-odds (W, L): of worths (W, L), of supports by word and lexeme, and of all other parts (W, L) together."""
+    total = log_odds_of(np.clip(worth, LEAST_WORTH, MOST_WORTH)) + others
+    for (word, lexeme), support in supports.items():
+        total[word, columns[lexeme]] += support.log_odds
+    return np.asarray(total, np.float32)
+
+
+def _log_odds(worth: float) -> float:
+    kept_off = min(max(worth, LEAST_WORTH), MOST_WORTH)
+    return log(kept_off / (1 - kept_off))
