@@ -23,7 +23,7 @@ from .running.engine import Engine
 from .running.supervising import Done, supervise
 from .thumbnails import read_thumbnails, remove_other_thumbnails, thumbnail_jobs, thumbnail_paths
 from .watching import Watcher
-from .work.files import clear_unfinished, write_files
+from .work.files import clear_unfinished, unwritable, write_files
 from .work.formats import extension_of
 from .work.jobs import Failure, LineJob, LineOutcome
 from .work.speaking import ReferenceJob
@@ -47,6 +47,16 @@ def run_batch(
     """
     plan = plan_batch(request)
     watcher.planned(plan)
+    try:
+        return _run(plan, request, settings, make_engine, watcher)
+    except OSError as error:
+        raise unwritable(error, request.out) from None
+
+
+def _run(
+    plan: Plan, request: BatchRequest, settings: Settings, make_engine: Callable[[], Engine], watcher: Watcher
+) -> tuple[Entry, ...]:
+    """As `run_batch`; raises OSError where a report, a reference or a picture cannot be written."""
     with Manifest(request.out) as manifest, ExitStack() as stack:
         engine = OnDemand(lambda: stack.enter_context(closing(make_engine())))
         clear_unfinished(request.out)
@@ -189,7 +199,7 @@ def _entry(done: Done[Work, LineOutcome], out: Path) -> Entry:
     try:
         files = write_files(out, outcome.files)
     except OSError as error:
-        return replace(entry, state=State.FAILED, failure=Failure("file_unwritable", str(error)))
+        return replace(entry, state=State.FAILED, failure=Failure.of(unwritable(error, out)))
     return replace(
         entry,
         state=State.DONE,

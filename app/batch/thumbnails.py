@@ -37,7 +37,9 @@ def thumbnail_jobs(jobs: Sequence[LineJob], paths: dict[str, str], out: Path) ->
 
 
 def remove_other_thumbnails(paths: dict[str, str], out: Path) -> None:
-    """Removes sheets of lines that are no longer pictured."""
+    """Removes sheets of lines that are no longer pictured; a linked folder, which may hold others, is left alone."""
+    if (out / FOLDER).is_symlink():
+        return
     kept = {out / path for path in paths.values()}
     for path in (out / FOLDER).glob("*.png"):
         if path not in kept:

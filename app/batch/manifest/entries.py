@@ -5,6 +5,8 @@ from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Any
 
+from pydantic import TypeAdapter
+
 from ...model import Notice
 from ..work.jobs import Failure, Measures
 
@@ -78,6 +80,11 @@ COLUMNS = (
 )
 
 
+_OF_A_FILE = ("form", "listener", "path", "size")
+_OF_A_NOTICE = ("code", "message")
+_ENTRY = TypeAdapter(Entry)
+
+
 def to_row(entry: Entry) -> tuple[object, ...]:
     """The values of `COLUMNS`."""
     plain = [getattr(entry, name) for name in COLUMNS[:12]]
@@ -94,14 +101,20 @@ def to_row(entry: Entry) -> tuple[object, ...]:
 
 
 def of_row(row: tuple[Any, ...]) -> Entry:
-    """The entry that `to_row` stored."""
+    """The entry that `to_row` stored. Raises ValueError for a row that it cannot have stored."""
     state, outputs, warnings, measures, error_code, error, seconds = row[12:]
-    return Entry(
-        **dict(zip(COLUMNS[:12], row[:12], strict=True)),
-        state=State(state),
-        outputs=tuple(WrittenFile(*file) for file in json.loads(outputs)),
-        warnings=tuple(Notice(*notice) for notice in json.loads(warnings)),
-        measures=None if measures is None else Measures(**json.loads(measures)),
-        failure=None if error_code is None else Failure(error_code, error),
-        seconds=seconds,
-    )
+    try:
+        files = [dict(zip(_OF_A_FILE, file, strict=True)) for file in json.loads(outputs)]
+        notices = [dict(zip(_OF_A_NOTICE, notice, strict=True)) for notice in json.loads(warnings)]
+        told = None if measures is None else json.loads(measures)
+    except (TypeError, RecursionError) as wrong:
+        raise ValueError(str(wrong)) from None
+    values = dict(zip(COLUMNS[:12], row[:12], strict=True)) | {
+        "state": state,
+        "outputs": files,
+        "warnings": notices,
+        "measures": told,
+        "failure": None if error_code is None else {"code": error_code, "message": error},
+        "seconds": seconds,
+    }
+    return _ENTRY.validate_python(values)

@@ -3,6 +3,7 @@
 That folder is inside the output folder, so that renaming is atomic and a killed process leaves nothing elsewhere.
 """
 
+import errno
 import os
 import shutil
 from collections.abc import Iterable
@@ -10,9 +11,12 @@ from dataclasses import replace
 from pathlib import Path
 from uuid import uuid4
 
+from ...errors import InputError
 from .jobs import OutputFile
 
 UNFINISHED = ".unfinished"
+
+_FULL = frozenset({errno.ENOSPC, errno.EDQUOT})
 
 
 def write_whole(folder: Path, relative: str, content: bytes) -> None:
@@ -36,6 +40,14 @@ def write_files(folder: Path, files: Iterable[OutputFile]) -> tuple[OutputFile, 
             write_whole(folder, file.path, file.content)
         written.append(replace(file, content=None))
     return tuple(written)
+
+
+def unwritable(error: OSError, folder: Path) -> InputError:
+    """What a file that could not be written means to people: `disk_full` or `file_unwritable`."""
+    if error.errno in _FULL:
+        message = f"{folder}: the disk is full; free some space and run the same command again: nothing done is lost"
+        return InputError("disk_full", message, field="out")
+    return InputError("file_unwritable", f"{folder}: cannot be written to: {error}", field="out")
 
 
 def clear_unfinished(folder: Path) -> None:

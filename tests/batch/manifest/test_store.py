@@ -9,7 +9,7 @@ import pytest
 
 from understudy.batch.manifest.entries import Entry, State, WrittenFile
 from understudy.batch.manifest.hashes import KnownRecording
-from understudy.batch.manifest.store import FILE, Manifest
+from understudy.batch.manifest.store import FILE, VERSION, Manifest
 from understudy.batch.work.jobs import Failure, Measures
 from understudy.errors import InputError
 from understudy.model import Notice
@@ -86,3 +86,81 @@ def test_recordings_are_read_again_only_when_they_changed(tmp_path: Path) -> Non
         assert manifest.known_recordings() == {"a.wav": known}
     recording.write_bytes(b"three")
     assert KnownRecording.of(recording, known).hash != known.hash
+
+
+@pytest.mark.parametrize("path", ["../../victim", "/etc/hostname", "a/../../victim", "linked/victim", "..", "", "a\0b"])
+def test_files_outside_the_folder_are_not_the_manifests(path: str, tmp_path: Path) -> None:
+    """A batch removes the files of a line's former version, and a folder may come from anybody."""
+    out = tmp_path / "deep" / "out"
+    with Manifest(out) as manifest:
+        manifest.put([replace(DONE, outputs=(WrittenFile("bml", "", path, 1),))])
+    (out / "linked").symlink_to(tmp_path, target_is_directory=True)
+    with Manifest(out) as manifest, pytest.raises(InputError) as raised:
+        manifest.entries()
+    assert raised.value.code == "manifest_unreadable"
+    assert "'b'" in raised.value.message
+
+
+@pytest.mark.parametrize(
+    ("column", "value"),
+    [
+        ("outputs", "[[1, 2]]"),
+        ("outputs", "no JSON"),
+        ("outputs", '[["bml", "", 7, 12]]'),
+        ("outputs", "[" * 100_000),
+        ("measures", '{"words": "many"}'),
+        ("measures", "[]"),
+        ("place", "first"),
+        ("warnings", "7"),
+    ],
+)
+def test_rows_that_nobody_of_us_wrote_are_told(column: str, value: str, tmp_path: Path) -> None:
+    with Manifest(tmp_path) as manifest:
+        manifest.put([DONE])
+    with closing(sqlite3.connect(tmp_path / FILE)) as other, other:
+        other.execute(f"UPDATE lines SET {column} = ?", (value,))
+    with Manifest(tmp_path) as manifest, pytest.raises(InputError) as raised:
+        manifest.entries()
+    assert raised.value.code == "manifest_unreadable"
+    assert "\n" not in raised.value.message
+
+
+def test_the_manifest_of_a_later_version_is_refused_and_left_alone(tmp_path: Path) -> None:
+    Manifest(tmp_path).close()
+    with closing(sqlite3.connect(tmp_path / FILE)) as other, other:
+        assert other.execute("PRAGMA user_version").fetchone() == (VERSION,)
+        other.execute(f"PRAGMA user_version = {VERSION + 1}")
+    before = (tmp_path / FILE).read_bytes()
+    with pytest.raises(InputError) as raised:
+        Manifest(tmp_path)
+    assert raised.value.code == "manifest_newer"
+    assert "remove it" not in raised.value.message
+    assert (tmp_path / FILE).read_bytes() == before
+
+
+def test_a_full_disk_is_no_broken_manifest(tmp_path: Path) -> None:
+    with Manifest(tmp_path) as manifest:
+        manifest.put([DONE])
+        manifest._connection.execute("PRAGMA max_page_count = 1")  # as SQLite's own tests fill a disk
+        with pytest.raises(InputError) as raised:
+            manifest.put(replace(DONE, id=f"l{number}", text="x" * 4000) for number in range(100))
+    assert raised.value.code == "disk_full"
+    assert "remove it" not in raised.value.message
+    with Manifest(tmp_path) as manifest:
+        assert list(manifest.entries()) == ["b"]
+
+
+def test_a_manifest_that_another_program_locks_or_that_is_read_only_is_told(tmp_path: Path) -> None:
+    with Manifest(tmp_path) as manifest:
+        manifest.put([DONE])
+        manifest._connection.execute("PRAGMA busy_timeout = 0")
+        with closing(sqlite3.connect(tmp_path / FILE, isolation_level=None)) as other:
+            other.execute("BEGIN IMMEDIATE")
+            with pytest.raises(InputError) as raised:
+                manifest.remove(["b"])
+        assert raised.value.code == "out_in_use"
+        manifest._connection.execute("PRAGMA query_only = 1")
+        with pytest.raises(InputError) as raised:
+            manifest.remove(["b"])
+        assert raised.value.code == "file_unwritable"
+        assert list(manifest.entries()) == ["b"]
