@@ -38,7 +38,8 @@ class RecordingFile:
 
 
 def find_recordings(folder: Path, *, without: Path) -> tuple[RecordingFile, ...]:
-    """The recordings under `folder`, sorted by name, except hidden ones and those under `without` (our output folder).
+    """The recordings under `folder`, sorted by name, except hidden ones, those under `without` (our output folder) and
+    what is no regular file, such as a pipe.
 
     Raises InputError `file_unreadable`.
     """
@@ -51,5 +52,6 @@ def find_recordings(folder: Path, *, without: Path) -> tuple[RecordingFile, ...]
             name for name in folders if not name.startswith(".") and Path(parent, name).resolve() != written
         )
         names = [name for name in files if not name.startswith(".") and Path(name).suffix.lower() in SUFFIXES]
-        found += [RecordingFile.of(Path(parent, name), folder) for name in names]
+        paths = (Path(parent, name) for name in names)
+        found += [RecordingFile.of(path, folder) for path in paths if path.is_file()]
     return tuple(sorted(found, key=lambda each: each.relative))

@@ -12,11 +12,10 @@ from pathlib import Path
 from ...errors import UndecodableError
 from ..model import Script
 from .columns import ColumnNames
-from .sheets import ROWS_BEFORE_HEADINGS, heading_place, read_sheet
+from .sheets import LONGEST_CELL, ROWS_BEFORE_HEADINGS, heading_place, read_sheet, within_limits
 from .text_files import decode_text
 
 SEPARATORS = (",", ";", "\t", "|")
-LONGEST_CELL = 1 << 20
 
 
 def read_delimited(content: bytes, path: Path, named: Mapping[str, str]) -> Script:
@@ -24,7 +23,7 @@ def read_delimited(content: bytes, path: Path, named: Mapping[str, str]) -> Scri
     `script_empty` and `columns_missing`."""
     file = decode_text(content, str(path))
     names = ColumnNames.load()
-    rows = read_rows(file.text, separator_of(file.text, names, named), path)
+    rows = within_limits(read_rows(file.text, separator_of(file.text, names, named), path), path)
     return read_sheet(rows, path, names=names, named=named, remarks=[file.remark] if file.remark else [])
 
 
@@ -33,7 +32,10 @@ def separator_of(text: str, names: ColumnNames, named: Mapping[str, str]) -> str
     first = [line for line in text.splitlines() if line.strip()][:ROWS_BEFORE_HEADINGS]
 
     def headings(separator: str) -> tuple[int, int]:
-        rows = list(csv.reader(first, delimiter=separator))
+        try:
+            rows = list(csv.reader(first, delimiter=separator))
+        except csv.Error:
+            return 0, 0
         cells = rows[heading_place(rows, names, named)] if rows else []
         return names.recognised(cells) + sum(cell in named.values() for cell in cells), len(cells)
 

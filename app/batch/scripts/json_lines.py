@@ -33,7 +33,10 @@ def read_json_lines(content: bytes, path: Path, named: Mapping[str, str]) -> Scr
 
 
 def _object(line: str) -> dict[str, object]:
-    value = json.loads(line)
+    try:
+        value = json.loads(line)
+    except RecursionError:
+        raise ValueError("nested too deeply") from None
     if not isinstance(value, dict):
         raise ValueError("no JSON object in braces")
     return value

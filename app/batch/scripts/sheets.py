@@ -4,10 +4,10 @@ Rows before the headings (a title, a date) are skipped: the headings are the row
 names.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path, PurePath
 
-from ...errors import InputError
+from ...errors import InputError, TooLargeError
 from ..model import Problem, Script, ScriptLine
 from .cells import Row
 from .columns import ColumnNames, Columns, find_columns
@@ -16,6 +16,33 @@ from .dialects import dialect_of
 Cells = Sequence[str]
 
 ROWS_BEFORE_HEADINGS = 10
+
+
+MOST_ROWS = 200_000
+MOST_COLUMNS = 500
+MOST_CELLS = 4_000_000
+LONGEST_CELL = 1 << 20
+"""The most of a sheet that is read, rows and cells without empty ones; nobody's script comes near."""
+
+
+def within_limits(rows: Iterable[list[str]], path: Path) -> Iterator[list[str]]:
+    """The rows as they come. Raises TooLargeError `sheet_too_large`."""
+    filled = cells = 0
+    for number, row in enumerate(rows, start=1):
+        width = next((place for place in range(len(row), 0, -1) if row[place - 1]), 0)
+        filled, cells = filled + (width > 0), cells + width
+        longest = max(map(len, row), default=0)
+        limits = (
+            (filled, MOST_ROWS, "rows"),
+            (width, MOST_COLUMNS, "columns"),
+            (cells, MOST_CELLS, "cells"),
+            (longest, LONGEST_CELL, "letters in a cell"),
+        )
+        for count, most, what in limits:
+            if count > most:
+                message = f"{path}: more than {most:,} {what} by row {number}; divide it, or delete what is no script"
+                raise TooLargeError("sheet_too_large", message, field="script")
+        yield row
 
 
 def read_sheet(
