@@ -5,7 +5,7 @@ import warnings
 import zlib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Protocol, cast
+from typing import Protocol
 from zipfile import BadZipFile, ZipFile
 
 from openpyxl import load_workbook
