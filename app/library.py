@@ -43,7 +43,6 @@ from .model.motion_formats import AudioFile
 from .model.targets import targets_of
 from .models import LanguageModels, Understudy
 from .performance import analyze as _analyze
-from .performance import find_functions as _find_functions
 from .performance import perform as _perform
 from .realization import (
     AvatarOptions,
@@ -58,6 +57,7 @@ from .realization import (
     realize_prepared,
 )
 from .realization import write_motion as _write_motion
+from .rules.stage import find_functions as _find_functions
 from .schemas.edits import read_edits
 from .schemas.requests import RealizeOptions, check_options, check_realize_options, read_timings
 from .schemas.response_model import ResponseModel

@@ -6,7 +6,7 @@ is loaded once into an `Understudy` and never changes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from .acoustic.affect.given import given_line
@@ -26,9 +26,8 @@ from .model import (
     Notice,
     Performance,
     Utterance,
-    Word,
 )
-from .models import LanguageModels, Understudy
+from .models import Understudy
 from .moving import move
 from .options import Options
 from .profiles.generation.script import GestureScript
@@ -152,19 +151,3 @@ def analyze(
 def _certain(level: Level) -> Agitation:
     """Full membership in the level that the caller gave."""
     return Agitation(**{name.value: float(name is level) for name in Level})
-
-
-def find_functions(language: LanguageModels, text: str) -> Analysis:
-    """The communicative functions of the words alone; without a recording, nothing has a time (paper §3.2, §3.3)."""
-    [analysis] = find_functions_in_all(
-        language, [read_transcript(text, max_characters=language.settings.max_text_characters)]
-    )
-    return analysis
-
-
-def find_functions_in_all(language: LanguageModels, lines: Sequence[tuple[Word, ...]]) -> Iterator[Analysis]:
-    """The same for several lines, which are parsed together: that takes half the time."""
-    for words, parse in zip(lines, language.parser.parse_all(lines), strict=True):
-        utterance = Utterance(words=words, parse=parse)
-        known = understand(language.rules, utterance)
-        yield Analysis(utterance, known.functions, facts=known.facts)

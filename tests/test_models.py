@@ -10,11 +10,11 @@ from understudy import models as loading
 from understudy.behavior.characters.overlays import Characters
 from understudy.errors import AuthoringError
 from understudy.models import Understudy
-from understudy.performance import find_functions
 from understudy.realizer.gestures.library import Library
 from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules
 from understudy.rules.mapping import MappingRules
+from understudy.rules.stage import find_functions
 
 SPOON = "rule spoon\nforeach\n  word(spoon, $s, $e)\nassert\n  fcn(negation, plain, $s, $e)\n"
 LEXICON = resource_folder("lexicon")

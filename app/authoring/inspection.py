@@ -22,6 +22,7 @@ from ..rules.derivation import FunctionRules, derive_facts, understand
 from ..rules.lexicon import LexicalEntry
 from ..rules.mapping import MappingRules
 from ..rules.program.program import Program, Rule
+from ..rules.stage import find_functions
 from ..transcript import read_transcript
 
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 from ..models import LanguageModels
 from ..on_demand import OnDemand
-from ..performance import find_functions_in_all
 from ..profiles.annotation.model import Annotation, TaggedWords
 from ..profiles.learning.learning import learn
 from ..profiles.profile import Profile
 from ..profiles.tags import tags_of
+from ..rules.stage import find_functions_in_all
 
 
 def learn_profile(

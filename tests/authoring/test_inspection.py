@@ -14,8 +14,8 @@ from understudy.cli.main import main
 from understudy.cli.outputs.traces import MOST_NEAR_MISSES, trace_lines
 from understudy.errors import InputError
 from understudy.models import Understudy
-from understudy.performance import find_functions
 from understudy.rules.mapping import offer_movements
+from understudy.rules.stage import find_functions
 
 TEXT = "No, that is a lot more important."
 

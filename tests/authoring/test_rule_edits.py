@@ -5,7 +5,7 @@ import pytest
 from understudy.authoring.rule_edits import compile_edits, editable_files, mistakes_in, with_edits
 from understudy.errors import InputError
 from understudy.models import Understudy
-from understudy.performance import find_functions
+from understudy.rules.stage import find_functions
 
 WORDS = "lexicon/en/thanks.yaml"
 AGREEMENT = "app/rules/behaviors/agreement.rules"

@@ -7,7 +7,8 @@ import pytest
 from understudy.model import Analysis, Interval, Performance, Word
 from understudy.models import Understudy
 from understudy.options import Options
-from understudy.performance import find_functions_in_all, perform_analysis
+from understudy.performance import perform_analysis
+from understudy.rules.stage import find_functions_in_all
 
 TEXT = "No, I told you that I have never seen so many people, and we all know it. What do you want from me?"
 WORD_S = 0.35

@@ -13,8 +13,8 @@ from pathlib import Path
 
 from understudy.behavior.reading.terms import TermTable, terms_of
 from understudy.models import LanguageModels
-from understudy.performance import find_functions_in_all
 from understudy.resources import resource_folder
+from understudy.rules.stage import find_functions_in_all
 from understudy.settings import Settings
 from understudy.transcript import read_transcript
 

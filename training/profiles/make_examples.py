@@ -21,13 +21,14 @@ from understudy.behavior.speaker_profiles.gesture_scripts import repertoire_of
 from understudy.model import Analysis, Behavior, Channel, Function, Interval, Level, Line, Word
 from understudy.models import Understudy
 from understudy.options import Options
-from understudy.performance import analyze, find_functions_in_all, perform_analysis
+from understudy.performance import analyze, perform_analysis
 from understudy.profiles.annotation.elan import write_elan
 from understudy.profiles.annotation.tables import write_json_tracks
 from understudy.profiles.annotation.tracks import Span, Track, rows_of, with_attribute_tracks
 from understudy.profiles.generation.repertoire import PlayableGesture
 from understudy.profiles.segments import time_of
 from understudy.profiles.tags import tag_of
+from understudy.rules.stage import find_functions_in_all
 from understudy.settings import Settings
 from understudy.transcript import read_transcript
 from understudy.yaml_files import Entry, Source

@@ -15,10 +15,11 @@ from ...model.motion_formats import AudioFile
 from ...model.targets import targets_of
 from ...models import Understudy
 from ...options import Options
-from ...performance import find_functions, perform_heard
+from ...performance import perform_heard
 from ...realization import AvatarOptions, BmlInput, prepare_schedule, realize_prepared, write_motion
 from ...realizer.body.motion import check_tail
 from ...realizer.exporting.extras import require_writer
+from ...rules.stage import find_functions
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions

@@ -18,7 +18,7 @@ def run(arguments: argparse.Namespace, _log: Log) -> int:
     if arguments.text is not None:
         read_transcript(arguments.text, max_characters=settings.max_text_characters)  # before models are loaded
     from ...models import LanguageModels
-    from ...performance import find_functions
+    from ...rules.stage import find_functions
 
     language = LanguageModels.load(settings)
     if arguments.text is not None:

@@ -12,7 +12,7 @@ from io import BufferedIOBase
 from ...errors import InputError
 from ...model import Word
 from ...models import LanguageModels
-from ...performance import find_functions_in_all
+from ...rules.stage import find_functions_in_all
 from ...schemas.requests import line_id, read_object, read_request
 from ...schemas.responses import FunctionsResponse, MistakeResponse
 from ...transcript import read_transcript

@@ -13,7 +13,7 @@ from understudy.behavior.reading.player import Player
 from understudy.behavior.reading.supports import WEIGHT_SCALE
 from understudy.model import Alternative, BehaviorCandidates, Channel, Function, Moment, Movement, Parse, Utterance
 from understudy.models import Understudy
-from understudy.performance import find_functions
+from understudy.rules.stage import find_functions
 
 LINES = (
     "I have never, ever seen a dog that big in my life.",

@@ -7,7 +7,7 @@ import pytest
 from understudy.behavior.reading.terms import TermTable, terms_of
 from understudy.errors import AuthoringError
 from understudy.models import Understudy
-from understudy.performance import find_functions
+from understudy.rules.stage import find_functions
 
 PREDICATES = {"mood": 4, "negated": 2}
 
