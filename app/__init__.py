@@ -89,9 +89,7 @@ __all__ = [
 ]
 
 if TYPE_CHECKING:
-    from .acoustic.agitation.speaker import SpeakerReference
     from .acoustic.stage import AcousticModels
-    from .bml.markup.documents import DialectName, TimeForm
     from .errors import (
         AuthoringError,
         InputError,
@@ -153,6 +151,8 @@ if TYPE_CHECKING:
         Viseme,
         Word,
     )
+    from .model.bml_form import DialectName, TimeForm
+    from .model.speaker_reference import SpeakerReference
     from .models import LanguageModels, Understudy
     from .realization import MotionFormat, Realized, Realizer
     from .realizer.body.motion import Motion

@@ -12,15 +12,10 @@ from dataclasses import replace
 from pathlib import Path, PurePath
 from typing import Any, Literal, TypedDict, Unpack
 
-from .acoustic.agitation.speaker import SpeakerReference
 from .acoustic.alignment.timings import to_ctm, to_textgrid
 from .acoustic.stage import AcousticModels, analyze_signal
 from .acoustic.stage import align as _align
 from .acoustic.stage import make_reference as _make_reference
-from .behavior.speech.lead_in import with_lead_in
-from .bml.markup.documents import DialectName, TimeForm
-from .bml.writing.smartbody_tables import VisemeNames
-from .bml.writing.writer import BmlForm
 from .bml.writing.writer import write_bml as _write_bml
 from .bml.writing.writer import write_bml_json as _write_bml_json
 from .bml.writing.writer import write_listener as _write_listener
@@ -39,7 +34,10 @@ from .model import (
     Timings,
     Tone,
 )
+from .model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from .model.lead_in import with_lead_in
 from .model.motion_formats import AudioFile
+from .model.speaker_reference import SpeakerReference
 from .model.targets import targets_of
 from .models import LanguageModels, Understudy
 from .performance import analyze as _analyze

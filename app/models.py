@@ -180,8 +180,8 @@ def load_characters() -> Characters:
 
 def load_families(characters: Characters) -> Families:
     """The behaviours that show planned moments, by family; raises AuthoringError with every mistake in them."""
-    from .behavior.characters.overlays import DEFAULT_CHARACTER
     from .behavior.reading.families import load_families as load
+    from .model import DEFAULT_CHARACTER
 
     return load(resource_folder("lexicon") / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
 

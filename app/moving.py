@@ -12,7 +12,7 @@ from typing import Self
 from .behavior.candidates.notes import directed, unplayed_notes
 from .behavior.candidates.planned import candidates_of
 from .behavior.candidates.targets import mentions, pointing_candidates, without_overlapped
-from .behavior.characters.overlays import DEFAULT_CHARACTER, Character
+from .behavior.characters.overlays import Character
 from .behavior.choice.scheduling import numbered, schedule
 from .behavior.idle.stillness import with_stillness
 from .behavior.listeners.addressees import addressed, placed_listeners
@@ -27,13 +27,13 @@ from .behavior.speaker_profiles.gesture_scripts import (
     without_planned_gestures,
 )
 from .behavior.speaker_profiles.habits import as_listener, as_speaker, listening_postures, speaking_postures
-from .behavior.speech.lead_in import with_lead_in
 from .behavior.speech.visemes import visemes
 from .bml.writing.writer import losses
 from .edits.applying import edited
 from .edits.values import WordMark
 from .edits.words import marked, unmarked, with_marked
 from .model import (
+    DEFAULT_CHARACTER,
     Analysis,
     Behavior,
     BehaviorCandidates,
@@ -44,6 +44,7 @@ from .model import (
     Notice,
     Performance,
 )
+from .model.lead_in import with_lead_in
 from .models import BehaviorModels
 from .options import Options
 from .profiles.generation.script import GestureScript

@@ -3,19 +3,18 @@
 from dataclasses import dataclass, fields, replace
 from typing import Self
 
-from .acoustic.agitation.speaker import SpeakerReference
-from .behavior.characters.overlays import DEFAULT_CHARACTER
-from .behavior.idle.stillness import check_stillness
-from .behavior.speech.lead_in import LONGEST_LEAD_IN_S
-from .bml.writing.writer import CORE_FORM, BmlForm
 from .edits.values import NO_EDITS, Edits
 from .errors import InputError
 from .model import (
+    DEFAULT_CHARACTER,
     AffectTrack,
     Level,
     Mode,
     Target,
 )
+from .model.bml_form import CORE_FORM, BmlForm
+from .model.lead_in import LONGEST_LEAD_IN_S
+from .model.speaker_reference import SpeakerReference
 from .model.targets import check_targets
 from .profiles.profile import Profile
 
@@ -66,3 +65,12 @@ class Options:
         """The options with an author's edits, whose settings for the line override these."""
         settings = {part.name: getattr(edits.line, part.name) for part in fields(edits.line)}
         return replace(self, edits=edits, **{name: told for name, told in settings.items() if told is not None})
+
+
+def check_stillness(stillness: float) -> None:
+    """Raises InputError `value_wrong`."""
+    if not 0 <= stillness <= 1:
+        message = (
+            f"stillness: {stillness:g}; give 0 (as lively as usual) to 1 (nothing moves but breath, blinks and lips)"
+        )
+        raise InputError("value_wrong", message, field="stillness")

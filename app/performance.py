@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from .acoustic.affect.given import given_line
-from .acoustic.agitation.speaker import SpeakerReference
 from .acoustic.stage import align_words, analyze_signal, hear_affect, measure_stress
 from .behavior.candidates.notes import check_direction, conflicts
 from .edits.values import WordEdit
@@ -27,6 +26,7 @@ from .model import (
     Performance,
     Utterance,
 )
+from .model.speaker_reference import SpeakerReference
 from .models import Understudy
 from .moving import move
 from .options import Options

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Self
 
 from ..model import AlignedLine, Audio, Contours, Line, LineAffect, SignalAnalysis, StressThresholds, Timings, Word
+from ..model.speaker_reference import SpeakerReference
 from ..on_demand import OnDemand
 from ..progress import Progress, no_progress
 from ..resources import resource_folder
@@ -16,7 +17,6 @@ from .affect.line_affect import AffectJudge, FeatureJudge, line_affect
 from .affect.stretch import Stretch
 from .affect.waveform_model import WaveformModel
 from .agitation.agitation import AgitationModel
-from .agitation.speaker import SpeakerReference
 from .agitation.voice_quality import voice_quality
 from .alignment.alignment import Aligner, Alignment
 from .alignment.timings import read_fillers, read_timings

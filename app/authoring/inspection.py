@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
 from ..errors import InputError
-from ..model import Fact, Function, Level, Moment, Utterance
+from ..model import DEFAULT_CHARACTER, Fact, Function, Level, Moment, Utterance
 from ..models import BehaviorModels, LanguageModels, Understudy, load_function_rules, load_realizer
 from ..moving import plan_line
 from ..on_demand import OnDemand

@@ -5,9 +5,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from ..acoustic.agitation.speaker import SpeakerReference
 from ..edits.values import NO_EDITS
 from ..errors import InputError
+from ..model.speaker_reference import SpeakerReference
 from ..models import load_characters
 from ..options import Options
 from .casting.cast_file import NOBODY_CAST, read_cast

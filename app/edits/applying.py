@@ -7,8 +7,8 @@ from math import inf
 
 from ..behavior.characters.overlays import Character
 from ..behavior.choice.scheduling import numbered
-from ..behavior.table.behavior_table import SHIFT
 from ..model import Behavior, Channel, Notice, Performance, SyncPoints, Utterance, Word
+from ..model.lexemes import SHIFT
 from .finding import find_behaviors
 from .forms import Formed, added, formed, forms_of, unplayed
 from .marks import moved, place_s

@@ -8,10 +8,10 @@ two gestures of one hand enough time is left for the transition.
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 
-from ..behavior.table.behavior_table import GLANCE, LOOK
 from ..behavior.timing.conflicts import compete
 from ..model import Behavior, Channel, SyncPoints
 from ..model.gesture_limits import Forms, transition_times
+from ..model.lexemes import GLANCE, LOOK
 
 INSTANT_S = 0.001
 """How long it takes at least to leave a posture: one that ends where it relaxes is held for good."""

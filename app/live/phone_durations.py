@@ -10,9 +10,9 @@ from typing import Annotated, Self
 
 from pydantic import Field, RootModel
 
-from ..behavior.speech.visemes import PHONES
 from ..errors import AuthoringError, Mistake
 from ..model import Interval, Phone, Word
+from ..model.mouth_shapes import PHONES
 from ..yaml_files import Source, did_you_mean
 
 FILE = "phone_durations.yaml"

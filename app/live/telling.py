@@ -2,8 +2,7 @@
 
 from dataclasses import dataclass
 
-from ..behavior.characters.overlays import DEFAULT_CHARACTER
-from ..model import SAMPLE_RATE_HZ, Behavior
+from ..model import DEFAULT_CHARACTER, SAMPLE_RATE_HZ, Behavior
 from .body import BodyFrame
 from .mouth import MouthShape
 

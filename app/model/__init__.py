@@ -24,6 +24,7 @@ from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, 
 from .speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
 
 __all__ = [
+    "DEFAULT_CHARACTER",
     "EMPHASISED",
     "FRAME_SHIFT_S",
     "NEUTRAL",

@@ -8,6 +8,9 @@ from .functions import Function
 from .reasons import Term
 from .speech import Interval, Level, Word
 
+DEFAULT_CHARACTER = "default"
+"""The character that plays where none is named."""
+
 
 @dataclass(frozen=True, slots=True)
 class SyncPoints:
@@ -127,7 +130,7 @@ class Schedule:
     phrases: tuple[Interval, ...] = ()
     emphases_s: tuple[float, ...] = ()
     agitation: Level = Level.MEDIUM
-    character: str = "default"
+    character: str = DEFAULT_CHARACTER
     lead_in_s: float = 0.0
     stillness: float = 0.0
     singletons: bool = False

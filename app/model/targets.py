@@ -10,6 +10,9 @@ from math import isfinite
 from ..errors import InputError, shown
 from .schedule import Target
 
+LISTENER = "listener"
+"""The target that stands for the listener, whoever it is."""
+
 MOST_TARGETS = 64
 FARTHEST_M = 1000.0
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}", re.ASCII)

@@ -11,9 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..behavior.characters.overlays import DEFAULT_CHARACTER
-from ..behavior.idle.stillness import check_stillness, stilled
-from ..behavior.speech.lead_in import later_s
+from ..behavior.idle.stillness import stilled
 from ..behavior.speech.phrasing import emphases_s, phrases
 from ..behavior.speech.visemes import visemes
 from ..bml.markup.documents import Document
@@ -22,9 +20,11 @@ from ..bml.reading.pawns import scene_of
 from ..bml.reading.reader import read_bml
 from ..bml.reading.record import Record, read_record
 from ..bml.reading.resolving import Resolved, resolve
-from ..model import Level, Notice, Schedule, Target, Word
+from ..model import DEFAULT_CHARACTER, Level, Notice, Schedule, Target, Word
+from ..model.lead_in import later_s
 from ..model.motion_limits import MotionLimits
 from ..model.targets import check_targets
+from ..options import check_stillness
 from ..progress import Progress, no_progress
 from ..transcript import read_transcript
 from .motion import PreparedSchedule, last_s

@@ -10,7 +10,6 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
-from ..behavior.table.behavior_table import GazeDirection
 from ..edits.values import (
     MARKS,
     BehaviorEdit,
@@ -28,6 +27,7 @@ from ..edits.values import (
 )
 from ..errors import InputError
 from ..model import Channel, Hand, Level, Mode
+from ..model.lexemes import GazeDirection
 from .mistakes import mistakes_told
 from .requests import LARGEST_SEED, read_object
 

@@ -5,8 +5,8 @@ from typing import Annotated, Literal, Self
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from ..acoustic.agitation.speaker import SpeakerReference
 from ..errors import LONGEST_SHOWN, InputError
+from ..model.speaker_reference import SpeakerReference
 
 Numbers = Annotated[list[Annotated[float, Field(allow_inf_nan=False)]], Field(min_length=1, max_length=1000)]
 

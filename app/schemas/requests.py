@@ -11,12 +11,10 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
 
 from ..acoustic.affect.given import affect_track
-from ..behavior.speech.lead_in import LONGEST_LEAD_IN_S
-from ..bml.markup.documents import DialectName, TimeForm
-from ..bml.writing.smartbody_tables import VisemeNames
-from ..bml.writing.writer import BmlForm
 from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
 from ..model import Level, Mode, Timings
+from ..model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from ..model.lead_in import LONGEST_LEAD_IN_S
 from ..model.motion_formats import FileOptions, Keys
 from ..model.targets import MOST_TARGETS, NAME, targets_of
 from ..options import Options

@@ -22,8 +22,8 @@ from training.affect.corpus import Taught, read_labelled, taught
 from training.affect.experts import AffectRecipe, train_affect
 from training.agitation.measuring import measured
 from understudy.acoustic.affect.affect_model import DIMENSIONS, FEATURE_SET, AffectModel
-from understudy.acoustic.agitation.speaker import SpeakerReference
 from understudy.model import Affect, Tone
+from understudy.model.speaker_reference import SpeakerReference
 
 SPEECH = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech"
 TESTED = (Tone.NEUTRAL, Tone.HAPPY, Tone.SAD, Tone.ANGRY, Tone.AFRAID)

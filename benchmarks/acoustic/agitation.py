@@ -35,12 +35,12 @@ from training.agitation.corpus import CORPORA, Samples, describe, read_audio, re
 from training.agitation.fuzzy_svm import Recipe, train
 from training.agitation.measuring import measured
 from understudy.acoustic.agitation.agitation import AgitationModel
-from understudy.acoustic.agitation.speaker import SpeakerReference
 from understudy.acoustic.agitation.utterance_features import FEATURE_SETS, paper_features
 from understudy.acoustic.agitation.voice_quality import voice_quality
 from understudy.acoustic.contours import contours_of
 from understudy.acoustic.signal.spectrum import mel_db, mfcc
 from understudy.model import Audio, Contours, FloatArray
+from understudy.model.speaker_reference import SpeakerReference
 
 SPEECH = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech"
 RAVDESS_FOLDS = 4

@@ -16,7 +16,6 @@ import tempfile
 from concurrent.futures import Future
 from pathlib import Path
 
-from understudy.acoustic.agitation.speaker import SpeakerReference
 from understudy.batch.batch import run_batch
 from understudy.batch.request import BatchRequest
 from understudy.batch.watching import Nobody
@@ -25,6 +24,7 @@ from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, LineOutcome, Measures, OutputFile
 from understudy.batch.work.speaking import ReferenceJob
 from understudy.model import Notice
+from understudy.model.speaker_reference import SpeakerReference
 from understudy.settings import read_settings
 
 from .corpus import SPEECH, write_script

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.bml.schedule import Outcome, Stages, outcome
-from understudy.behavior.table.behavior_table import GAZE_LEXEMES
 from understudy.model import Behavior, Channel
+from understudy.model.lexemes import GAZE_LEXEMES
 
 DIRECTED = Path(__file__).resolve().parents[3] / "shared" / "directing" / "dev-lines.jsonl"
 

@@ -15,10 +15,10 @@ from pathlib import Path
 
 from tests.support.smartbody_checker import check_act, check_speech_file
 from understudy.behavior.table.behavior_table import load_table
-from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.writing.smartbody_tables import shipped_tables
-from understudy.bml.writing.writer import BmlForm, losses, write_bml, write_speech_file
+from understudy.bml.writing.writer import losses, write_bml, write_speech_file
 from understudy.model import Channel, Line, Performance
+from understudy.model.bml_form import BmlForm, DialectName, TimeForm
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

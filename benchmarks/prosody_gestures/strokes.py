@@ -26,13 +26,12 @@ from benchmarks.prosody_gestures.tables import lived as committed
 from training.prosody_gestures.performed_lines import HANDS, STROKE, PerformedLine, learn, read_performed, strokes_of
 from training.prosody_gestures.train import CORPORA, FILE
 from understudy.acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
-from understudy.behavior.characters.overlays import DEFAULT_CHARACTER
 from understudy.live.events import LiveEvent
 from understudy.live.movements import Movements
 from understudy.live.placing import Placer
 from understudy.live.table import FILE as LIVE
 from understudy.live.table import LiveTable
-from understudy.model import FRAME_SHIFT_S, Behavior
+from understudy.model import DEFAULT_CHARACTER, FRAME_SHIFT_S, Behavior
 from understudy.models import load_characters
 from understudy.prosody_gestures.context import in_context
 from understudy.prosody_gestures.live_gestures import COMMITMENT, LiveGestures

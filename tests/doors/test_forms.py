@@ -11,13 +11,12 @@ from fastapi.testclient import TestClient
 from tests.support.bml_checker import check
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
-from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.bml.reading.reader import read_bml
-from understudy.bml.writing.smartbody_tables import VisemeNames
-from understudy.bml.writing.writer import BmlForm, write_bml, write_speech_file
+from understudy.bml.writing.writer import write_bml, write_speech_file
 from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.model import Line, Performance
+from understudy.model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

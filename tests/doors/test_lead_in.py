@@ -15,11 +15,11 @@ from lxml import etree
 from tests.support.bml_checker import check
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
-from understudy.bml.markup.documents import DialectName, TimeForm
-from understudy.bml.writing.writer import BmlForm, write_bml
+from understudy.bml.writing.writer import write_bml
 from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.model import Behavior, Channel, GivenFunction, Line, Performance, Timings
+from understudy.model.bml_form import BmlForm, DialectName, TimeForm
 from understudy.model.gesture_limits import LATEST_S
 from understudy.models import Understudy
 from understudy.options import Options

@@ -11,10 +11,10 @@ import pytest
 import soundfile
 
 from tests.support.bml_records import without_record
-from understudy.bml.markup.documents import TimeForm
-from understudy.bml.writing.writer import BmlForm, write_bml
+from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
 from understudy.model import Channel, Level, Line, Mode, Performance
+from understudy.model.bml_form import BmlForm, TimeForm
 from understudy.model.motion_limits import MotionLimits
 from understudy.models import Understudy
 from understudy.options import Options

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from understudy.acoustic.agitation.speaker import SpeakerReference
 from understudy.cli.main import main
 from understudy.errors import InputError
+from understudy.model.speaker_reference import SpeakerReference
 from understudy.schemas.references import read_reference, to_json
 from understudy.schemas.requests import read_options
 

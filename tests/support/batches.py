@@ -2,10 +2,10 @@
 
 from concurrent.futures import Future
 
-from understudy.acoustic.agitation.speaker import SpeakerReference
 from understudy.batch.work.jobs import LineJob, LineOutcome
 from understudy.batch.work.performing import perform_job
 from understudy.batch.work.speaking import ReferenceJob, learn_reference
+from understudy.model.speaker_reference import SpeakerReference
 from understudy.models import Understudy
 
 

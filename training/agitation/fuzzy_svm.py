@@ -19,8 +19,9 @@ from sklearn.svm import SVC
 
 from training.agitation.corpus import Samples
 from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm, squared_distances
-from understudy.acoustic.agitation.speaker import SpeakerReference, TypicalSpeaker
+from understudy.acoustic.agitation.speaker import TypicalSpeaker
 from understudy.model import FloatArray
+from understudy.model.speaker_reference import SpeakerReference
 
 CALIBRATION_FOLDS = 4
 

@@ -5,30 +5,15 @@ of `MEAN_PRIOR` recordings (`DEVIATION_PRIOR` for the deviation). `MEAN_PRIOR` i
 variance within speakers divided by that between speakers.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ...model import FloatArray
+from ...model.speaker_reference import SpeakerReference
 
 MEAN_PRIOR = 3
 DEVIATION_PRIOR = 8
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class SpeakerReference:
-    """A speaker's statistics over `recordings` recordings; `mean` and `deviation` have shape (features,)."""
-
-    feature_set: str
-    recordings: int
-    mean: FloatArray
-    deviation: FloatArray
-
-    @classmethod
-    def of(cls, feature_set: str, rows: Sequence[FloatArray] | FloatArray) -> "SpeakerReference":
-        """The statistics of `rows`, the features of at least one recording each."""
-        return cls(feature_set, len(rows), np.mean(rows, axis=0), np.std(rows, axis=0))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

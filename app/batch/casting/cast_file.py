@@ -7,9 +7,9 @@ from types import MappingProxyType
 
 from pydantic import Field, RootModel
 
-from ...acoustic.agitation.speaker import SpeakerReference
 from ...errors import AuthoringError, InputError, Mistake
 from ...model import Level, Target
+from ...model.speaker_reference import SpeakerReference
 from ...model.targets import targets_of
 from ...models import usable_profile
 from ...profiles.profile import Profile

@@ -5,8 +5,8 @@ import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ...acoustic.agitation.speaker import SpeakerReference
 from ...edits.values import NO_EDITS
+from ...model.speaker_reference import SpeakerReference
 from ...resources import RULES, resource_folder
 from ...settings import Settings
 from ...version import __version__

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
-from ...acoustic.agitation.speaker import SpeakerReference
 from ...errors import InputError, ServiceError
+from ...model.speaker_reference import SpeakerReference
 from ...settings import Settings
 from ...version import __version__
 from ..work.jobs import LineJob, LineOutcome

@@ -10,9 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...bml.markup.documents import DialectName
 from ...bml.writing.writer import (
-    BmlForm,
     listener_part,
     write_bml,
     write_bml_json,
@@ -22,6 +20,7 @@ from ...bml.writing.writer import (
 from ...errors import InputError
 from ...library import write_ctm, write_json, write_textgrid
 from ...model import Analysis, Channel, Line, Performance
+from ...model.bml_form import BmlForm, DialectName
 from ...model.motion_formats import AudioFile, FileOptions, MotionFormat
 from ...models import Understudy
 from ...performance import perform_heard

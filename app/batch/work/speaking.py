@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...acoustic.agitation.speaker import SpeakerReference
 from ...acoustic.stage import AcousticModels, analyze_signal, make_reference
 from ...errors import InputError
 from ...model import SignalAnalysis
+from ...model.speaker_reference import SpeakerReference
 from .audio import AudioSource
 
 

@@ -27,9 +27,6 @@ Value = TypeVar("Value")
 LIVELY_PER_MINUTE = 21.0
 """Strokes per minute of a lively talker."""
 
-DEFAULT_CHARACTER = "default"
-"""The performer if none is named."""
-
 
 @dataclass(frozen=True, slots=True)
 class Character:

@@ -11,9 +11,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from ...model import Behavior, Channel, Interval, Utterance, Word
+from ...model.lexemes import LOOK
 from ..characters.overlays import Character
 from ..idle.saccades import Habit, glances
-from ..table.behavior_table import DRIFTS, LOOK, BehaviorEntry
+from ..table.behavior_table import DRIFTS, BehaviorEntry
 from ..timing.anchoring import PlacedBehavior, filler, interval_of
 from ..timing.conflicts import Kept
 

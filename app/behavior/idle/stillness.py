@@ -9,7 +9,6 @@ time in the schedule.
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ...errors import InputError
 from ...model import Behavior, Channel, Listening, Performance
 
 BLINK, BREATH = "BLINK", "OPEN_LIPS"
@@ -22,15 +21,6 @@ USUAL_AMOUNT = 0.5
 """The size of a gesture, head movement or face that says none, in BML of others."""
 
 _SIZED = frozenset({Channel.GESTURE, Channel.HEAD, Channel.FACE})
-
-
-def check_stillness(stillness: float) -> None:
-    """Raises InputError `value_wrong`."""
-    if not 0 <= stillness <= 1:
-        message = (
-            f"stillness: {stillness:g}; give 0 (as lively as usual) to 1 (nothing moves but breath, blinks and lips)"
-        )
-        raise InputError("value_wrong", message, field="stillness")
 
 
 def with_stillness(performance: Performance, stillness: float) -> Performance:

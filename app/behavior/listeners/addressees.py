@@ -11,9 +11,9 @@ from dataclasses import replace
 from math import cos, pi, radians, sin
 
 from ...model import Behavior, Channel, Target
-from ..table.behavior_table import SHIFT
+from ...model.lexemes import SHIFT
+from ...model.targets import LISTENER
 
-LISTENER = "listener"
 DISTANCE_M = 1.25
 EYES_M = 1.60
 """The default distance and eye height of a single listener (`understudy.realizer.head_and_gaze.gaze_targets`)."""

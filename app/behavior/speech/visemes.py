@@ -18,54 +18,14 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from ...model import Interval, Notice, Phone, Viseme, Word
-
-SILENCE = "sil"
-"""The mouth shape at rest."""
+from ...model.mouth_shapes import OPENINGS, PHONES, SILENCE
 
 LEAST_ARTICULATION = 0.6
 ASPIRATION = 1 / 3
 """The share of a P after its burst."""
 
-PHONES: Mapping[str, tuple[str, ...]] = MappingProxyType(
-    {
-        "PP": ("P", "B", "M"),
-        "FF": ("F", "V"),
-        "TH": ("TH", "DH"),
-        "DD": ("T", "D"),
-        "kk": ("K", "G", "NG"),
-        "CH": ("CH", "JH", "SH", "ZH"),
-        "SS": ("S", "Z"),
-        "nn": ("N", "L"),
-        "RR": ("R", "ER"),
-        "aa": ("AA", "AH", "AY", "AW"),
-        "E": ("EH", "AE", "EY"),
-        "I": ("IH", "IY", "Y"),
-        "O": ("AO", "OW", "OY"),
-        "U": ("UH", "UW", "W"),
-    }
-)
-"""The shapes other than silence, with their phones."""
-
-_SHAPES: Mapping[str, str] = MappingProxyType({phone: shape for shape, phones in PHONES.items() for phone in phones})
-
-OPENINGS: Mapping[str, float] = MappingProxyType(
-    {
-        SILENCE: 0.0,
-        "PP": 0.0,
-        "FF": 0.05,
-        "SS": 0.1,
-        "CH": 0.15,
-        "TH": 0.15,
-        "DD": 0.15,
-        "nn": 0.2,
-        "kk": 0.2,
-        "RR": 0.25,
-    }
-    | {"U": 0.2, "I": 0.3, "O": 0.5, "E": 0.6, "aa": 1.0}
-)
-"""How wide the jaw is open in each shape, relative to the widest; ordered as the heights of the vowels."""
-
 _VOWELS = frozenset({"aa", "E", "I", "O", "U"})
+_SHAPES: Mapping[str, str] = MappingProxyType({phone: shape for shape, phones in PHONES.items() for phone in phones})
 
 
 def visemes(words: tuple[Word, ...], duration_s: float) -> tuple[tuple[Viseme, ...], tuple[Notice, ...]]:

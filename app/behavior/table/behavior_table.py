@@ -16,8 +16,8 @@ from pydantic import AfterValidator, Field
 from ...errors import AuthoringError
 from ...model import Channel, Hand
 from ...model.gesture_limits import Forms
+from ...model.lexemes import ACTION_UNITS, CORE_LEXEMES, GAZE_LEXEMES, GazeDirection
 from ...yaml_files import Entry, Source, did_you_mean
-from .face_lexemes import ACTION_UNITS, CORE_LEXEMES
 
 STROKED = frozenset({Channel.GESTURE, Channel.HEAD})
 """The channels whose behaviours have a stroke; behaviours on the others reach a state, keep it and leave it."""
@@ -31,9 +31,6 @@ UNASKED = ("blink", "breath", "gaze_opening", "saccade", "look_aside", *DRIFTS)
 EMPHASIS_OF_STROKE = 0.61
 """The position of the point of emphasis within the stroke (shared/motion.md, hand-labelled gestures)."""
 
-LOOK, GLANCE, SHIFT = "LOOK", "GLANCE", "SHIFT"
-GAZE_LEXEMES = frozenset({LOOK, GLANCE, SHIFT})
-
 
 class Anchor(StrEnum):
     """The word of a movement's span that the stroke falls on: the most stressed, the first or the last."""
@@ -41,19 +38,6 @@ class Anchor(StrEnum):
     STRESSED = "stressed"
     FIRST = "first"
     LAST = "last"
-
-
-class GazeDirection(StrEnum):
-    """The offset of a gaze from its target (BML 1.0, `offsetDirection`)."""
-
-    LEFT = "LEFT"
-    RIGHT = "RIGHT"
-    UP = "UP"
-    DOWN = "DOWN"
-    UPLEFT = "UPLEFT"
-    UPRIGHT = "UPRIGHT"
-    DOWNLEFT = "DOWNLEFT"
-    DOWNRIGHT = "DOWNRIGHT"
 
 
 @dataclass(frozen=True, slots=True)

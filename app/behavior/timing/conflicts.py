@@ -18,8 +18,8 @@ from dataclasses import dataclass, replace
 
 from ...model import Behavior, Channel, Hand
 from ...model.gesture_limits import TransitionTimes, transition_times
-from ..table.behavior_table import GLANCE, LOOK, Phase
-from ..table.face_lexemes import LOWER_FACE
+from ...model.lexemes import GLANCE, LOOK, LOWER_FACE
+from ..table.behavior_table import Phase
 from .anchoring import PlacedBehavior
 from .phases import Window, placed
 from .time_index import KeptByTime

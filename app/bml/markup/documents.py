@@ -7,22 +7,9 @@ references to sync points of other behaviours. An element's position in a file i
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from enum import StrEnum
 from types import MappingProxyType
 
-
-class DialectName(StrEnum):
-    """The supported dialects of BML (shared/bml.md)."""
-
-    BML = "bml"
-    SMARTBODY = "smartbody"
-
-
-class TimeForm(StrEnum):
-    """How times are written: in seconds, or relative to the sync marks of the speech."""
-
-    ABSOLUTE = "absolute"
-    SYNC = "sync"
+from ...model.bml_form import DialectName
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,8 @@ from collections.abc import Callable
 from functools import partial
 
 from ...model import SyncPoints, Word
-from .documents import Reference, Time, TimeForm
+from ...model.bml_form import TimeForm
+from .documents import Reference, Time
 
 SPEECH = "speech1"
 """The id of the speech behaviour."""

@@ -10,10 +10,8 @@ from dataclasses import replace
 from functools import partial
 from types import MappingProxyType
 
-from ...behavior.idle.stillness import to_thousandths
-from ...behavior.table.behavior_table import GLANCE, LOOK, SHIFT
-from ...behavior.table.face_lexemes import ACTION_UNITS
 from ...model import Behavior, Channel, Hand, SyncPoints
+from ...model.lexemes import ACTION_UNITS, GLANCE, LOOK, SHIFT
 from ..markup.documents import Element
 from ..markup.elements import SBM
 from ..writing.blocks import GAZE_RANGE_DEGREES, MODES
@@ -93,7 +91,7 @@ def _gaze(element: Element, blank: Behavior, *, shifts: bool = False) -> Behavio
         lexeme=GLANCE if joints == _EYES_ALONE and not shifts else SHIFT if shifts else LOOK,
         target=_text(element, "target"),
         direction=direction if aside else None,
-        amount=to_thousandths(min(1.0, abs(angle) / GAZE_RANGE_DEGREES)) if aside and angle is not None else None,
+        amount=round(min(1.0, abs(angle) / GAZE_RANGE_DEGREES), 3) if aside and angle is not None else None,
     )
 
 

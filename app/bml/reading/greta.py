@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
-from ...behavior.listeners.addressees import LISTENER
 from ...model import Notice
+from ...model.targets import LISTENER
 from ..markup.documents import Element
 from ..markup.elements import BML_CORE, CORE, ElementKind
 from ..markup.mistakes import local_name

@@ -10,10 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import count
 
-from ...behavior.listeners.addressees import LISTENER
 from ...errors import InputError, WrongBmlError, shown
 from ...model import Behavior, Channel, Target
-from ...model.targets import FARTHEST_M, check_targets, read_target
+from ...model.targets import FARTHEST_M, LISTENER, check_targets, read_target
 from ...yaml_files import did_you_mean
 from ..markup.documents import Element
 from ..markup.elements import OURS

@@ -12,11 +12,17 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TypeGuard
 
-from ...behavior.speech.lead_in import later_word
-from ...behavior.speech.visemes import OPENINGS
-from ...behavior.table.behavior_table import GLANCE, SHIFT
 from ...model import Behavior, Channel, Interval, Level, Notice, SyncPoints, Target, Viseme, Word
-from ..markup.documents import DialectName, Document, Element, Reference, Time
+from ...model.bml_form import DialectName
+from ...model.lead_in import later_word
+from ...model.lexemes import GLANCE, SHIFT
+from ...model.mouth_shapes import OPENINGS
+from ..markup.documents import (
+    Document,
+    Element,
+    Reference,
+    Time,
+)
 from ..markup.elements import DIALECTS, SBM, ElementKind
 from ..markup.speech import Speech, behaviors_of, block_of, mark_s, speech_of
 from .constraints import synchronized, tied_points, violated_constraints

@@ -8,9 +8,15 @@ speech's description (`record.py`).
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from ...behavior.table.face_lexemes import ACTION_UNITS
 from ...model import Behavior, Channel, Hand, Performance, Word
-from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
+from ...model.bml_form import DialectName, TimeForm
+from ...model.lexemes import ACTION_UNITS
+from ..markup.documents import (
+    Document,
+    Element,
+    Time,
+    Value,
+)
 from ..markup.elements import BMLT
 from ..markup.marks import SPEECH, time_formatter, to_milli
 from .record import record

@@ -9,8 +9,8 @@ the reader detects points moved by hand. Times are seconds from the start of the
 from collections.abc import Iterator
 from itertools import pairwise
 
-from ...behavior.speech.lead_in import later_s, later_word
 from ...model import Behavior, Channel, Performance, Phone, Target, Word
+from ...model.lead_in import later_s, later_word
 from ..markup.documents import Element, Value
 from ..markup.elements import OURS, RECORD_TYPE
 from ..markup.marks import to_milli

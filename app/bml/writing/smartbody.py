@@ -11,10 +11,16 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from ...behavior.listeners.addressees import LISTENER
-from ...behavior.table.face_lexemes import ACTION_UNITS
 from ...model import Behavior, Channel, Level, Notice, Performance
-from ..markup.documents import DialectName, Document, Element, Time, TimeForm, Value
+from ...model.bml_form import DialectName, TimeForm
+from ...model.lexemes import ACTION_UNITS
+from ...model.targets import LISTENER
+from ..markup.documents import (
+    Document,
+    Element,
+    Time,
+    Value,
+)
 from ..markup.elements import SBM
 from ..markup.marks import time_formatter, to_milli
 from .blocks import GAZE_RANGE_DEGREES, MODES

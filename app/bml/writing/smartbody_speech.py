@@ -7,9 +7,10 @@ as text without escaping it, so that `&`, `<` and `>` in it cut it off.
 
 from collections.abc import Iterator, Mapping
 
-from ...behavior.speech.visemes import SILENCE
 from ...model import Performance, Viseme, Word
-from ..markup.documents import DialectName, Document, Element, TimeForm, Value
+from ...model.bml_form import DialectName, TimeForm
+from ...model.mouth_shapes import SILENCE
+from ..markup.documents import Document, Element, Value
 from ..markup.marks import SPEECH, to_milli
 from .smartbody_tables import MouthShape
 

@@ -7,7 +7,6 @@ viseme only if the face has a shape of that name.
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from enum import StrEnum
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -15,20 +14,14 @@ from typing import Annotated
 
 from pydantic import Field
 
-from ...behavior.speech.visemes import OPENINGS, SILENCE
 from ...errors import AuthoringError, Mistake
 from ...model import Hand
+from ...model.bml_form import VisemeNames
+from ...model.mouth_shapes import OPENINGS, SILENCE
 from ...resources import resource_folder
 from ...yaml_files import Entry, Source
 
 FILE = "smartbody.yaml"
-
-
-class VisemeNames(StrEnum):
-    """Whose names of mouth shapes are used."""
-
-    SMARTBODY = "smartbody"
-    FACEFX = "facefx"
 
 
 class MouthShape(Entry):

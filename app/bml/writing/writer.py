@@ -5,39 +5,16 @@
 """
 
 from dataclasses import dataclass, replace
-from pathlib import PurePath
 
 from ...model import Listening, Notice, Parse, Performance
-from ..markup.documents import DialectName, Document, TimeForm
+from ...model.bml_form import CORE_FORM, BmlForm, DialectName, TimeForm
+from ..markup.documents import Document
 from ..markup.xml_writing import to_xml
 from .blocks import to_core
 from .json_form import to_json
 from .smartbody import left_out, to_smartbody
 from .smartbody_speech import safe, speech_file
-from .smartbody_tables import VisemeNames, shipped_tables
-
-
-@dataclass(frozen=True, slots=True)
-class BmlForm:
-    """The output format. Absolute times are the default, because realizers do not know the word times of recorded
-    speech. `audio_file` is the name of the recording's file, with which SmartBody finds it, and ASAP if `bmlt_audio`
-    adds an element that plays it, which strict readers of the core refuse. `visemes` selects the names of visemes for
-    SmartBody."""
-
-    dialect: DialectName = DialectName.BML
-    timing: TimeForm = TimeForm.ABSOLUTE
-    audio_file: str | None = None
-    bmlt_audio: bool = False
-    visemes: VisemeNames = VisemeNames.SMARTBODY
-
-    @property
-    def audio_name(self) -> str | None:
-        """The name of the recording's file without its extension."""
-        return PurePath(self.audio_file).stem if self.audio_file else None
-
-
-CORE_FORM = BmlForm()
-"""BML 1.0 core with absolute times."""
+from .smartbody_tables import shipped_tables
 
 
 @dataclass(frozen=True, slots=True)

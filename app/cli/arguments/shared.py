@@ -2,9 +2,8 @@
 
 import argparse
 
-from ...bml.markup.documents import DialectName, TimeForm
-from ...bml.writing.smartbody_tables import VisemeNames
 from ...model import Level, Mode, Tone
+from ...model.bml_form import DialectName, TimeForm, VisemeNames
 from ...model.motion_formats import BapVersion, Keys
 from ...realizer.body.motion import FRAME_RATES_HZ
 from ..distinct_files import InputFile, OutputFile

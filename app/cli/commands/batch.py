@@ -16,11 +16,9 @@ from ...batch.running.engine import Engine
 from ...batch.scripts.columns import read_named
 from ...batch.work.formats import formats_named, needs_pictures, require_writers
 from ...batch.work.jobs import MotionForm
-from ...bml.markup.documents import DialectName, TimeForm
-from ...bml.writing.smartbody_tables import VisemeNames
-from ...bml.writing.writer import BmlForm
 from ...errors import InputError
 from ...model import Level, Mode
+from ...model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
 from ...model.targets import read_targets
 from ...options import Options
 from ...settings import Settings, read_settings

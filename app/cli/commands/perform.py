@@ -5,11 +5,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
-from ...bml.markup.documents import DialectName, TimeForm
-from ...bml.writing.smartbody_tables import VisemeNames
-from ...bml.writing.writer import BmlForm, speech_file_name, write_bml, write_bml_json, write_speech_file
+from ...bml.writing.writer import (
+    speech_file_name,
+    write_bml,
+    write_bml_json,
+    write_speech_file,
+)
 from ...errors import InputError
 from ...model import Level, Line, Mode, Performance
+from ...model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
 from ...model.motion_formats import is_editorial
 from ...model.targets import read_targets
 from ...options import Options

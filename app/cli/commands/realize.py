@@ -7,10 +7,10 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...behavior.idle.stillness import check_stillness
 from ...errors import InputError
 from ...model import Level
 from ...model.targets import read_targets
+from ...options import check_stillness
 from ...settings import Settings, read_settings
 from ..files import STANDARD, read_bytes
 from ..log import Log

@@ -17,9 +17,9 @@ from understudy.api.description.authoring_operations import AUTHORING_OPERATIONS
 from understudy.api.description.document import describe
 from understudy.api.description.operations import OPERATIONS
 from understudy.api.routes import router
-from understudy.behavior.speech.lead_in import LONGEST_LEAD_IN_S
-from understudy.bml.markup.documents import DialectName, TimeForm
 from understudy.model import Level, Mode
+from understudy.model.bml_form import DialectName, TimeForm
+from understudy.model.lead_in import LONGEST_LEAD_IN_S
 from understudy.realizer.exporting.clip_json import to_clip_json
 from understudy.realizer.exporting.retargeting import load_rigs
 from understudy.resources import resource_folder

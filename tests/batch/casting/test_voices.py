@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 
-from understudy.acoustic.agitation.speaker import SpeakerReference
 from understudy.batch.casting.voices import (
     FEWEST_RECORDINGS,
     MOST_RECORDINGS,
@@ -13,6 +12,7 @@ from understudy.batch.casting.voices import (
     reference_jobs,
 )
 from understudy.batch.work.audio import AudioSource
+from understudy.model.speaker_reference import SpeakerReference
 
 
 def recordings(speaker: str, count: int) -> list[tuple[str, AudioSource]]:

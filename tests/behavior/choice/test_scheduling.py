@@ -7,10 +7,10 @@ import pytest
 from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from understudy.behavior.characters.overlays import Character, Characters
 from understudy.behavior.choice.scheduling import ASKED_MORE, schedule
-from understudy.behavior.speech.lead_in import with_lead_in
 from understudy.behavior.timing.anchoring import stressed_vowel_s
 from understudy.behavior.timing.conflicts import compete
 from understudy.model import Behavior, Channel, Hand, Interval, Level, Movement, Phone, Word
+from understudy.model.lead_in import with_lead_in
 
 CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 LIVELY = replace(CHARACTERS.named("default"), gestures_per_minute=60)

@@ -10,11 +10,12 @@ from hypothesis import strategies as st
 from tests.support.by_hand import movement, offered, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
-from understudy.behavior.idle.stillness import check_stillness, stilled, with_stillness
+from understudy.behavior.idle.stillness import stilled, with_stillness
 from understudy.behavior.listeners.head_rates import HeadRates
 from understudy.behavior.listeners.listening import Listener, listen
 from understudy.errors import InputError
 from understudy.model import Behavior, Channel, Listening, Performance, SyncPoints
+from understudy.options import check_stillness
 
 LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
 CHARACTERS = Characters.load(LEXICON)

@@ -9,10 +9,16 @@ from hypothesis import strategies as st
 from lxml import etree
 
 from tests.support.examples import examples
-from understudy.bml.markup.documents import DialectName, Document, Element, Reference, Value
+from understudy.bml.markup.documents import (
+    Document,
+    Element,
+    Reference,
+    Value,
+)
 from understudy.bml.markup.elements import BML_CORE, CORE, SMARTBODY, Attribute, Dialect, ElementKind, Kind
 from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import read_bml
+from understudy.model.bml_form import DialectName
 
 CHARACTERS = st.characters(exclude_categories=["Cs", "Cc"], exclude_characters="\ufffe\uffff")
 TEXTS = st.text(CHARACTERS, max_size=8).map(lambda text: f"a{text}")

@@ -4,13 +4,14 @@ from pathlib import Path
 
 import pytest
 
-from understudy.bml.markup.documents import DialectName, Document
+from understudy.bml.markup.documents import Document
 from understudy.bml.markup.elements import SBM
 from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.resolving import resolve
 from understudy.errors import WrongBmlError
 from understudy.model import Channel, Notice
+from understudy.model.bml_form import DialectName
 
 ACT = """<?xml version="1.0"
   encoding="UTF-8"?>

@@ -8,9 +8,15 @@ from typing import Any
 import pytest
 
 from tests.bml.writing.test_writer import ROOT, everything
-from understudy.bml.markup.documents import DialectName, Document, Element, Reference, TimeForm, Value
+from understudy.bml.markup.documents import (
+    Document,
+    Element,
+    Reference,
+    Value,
+)
 from understudy.bml.writing.json_form import to_json
-from understudy.bml.writing.writer import BmlForm, to_document
+from understudy.bml.writing.writer import to_document
+from understudy.model.bml_form import BmlForm, DialectName, TimeForm
 
 PAGE = (ROOT / "docs" / "bml-json.md").read_text()
 SCHEMA = json.loads(re.findall(r"```json\n(.*?)```", PAGE, re.DOTALL)[0])

@@ -13,13 +13,19 @@ from tests.support.smartbody_checker import GESTURES as FOUND
 from tests.support.smartbody_checker import STYLE, check_act, check_speech_file
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.speech.visemes import visemes
-from understudy.behavior.table.face_lexemes import ACTION_UNITS, CORE_LEXEMES
-from understudy.bml.markup.documents import DialectName, Document, Element, Reference, TimeForm
+from understudy.bml.markup.documents import Document, Element, Reference
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.writing.smartbody import HEADS
-from understudy.bml.writing.smartbody_tables import VisemeNames, shipped_tables
-from understudy.bml.writing.writer import BmlForm, losses, to_document, write_bml, write_speech_file
+from understudy.bml.writing.smartbody_tables import shipped_tables
+from understudy.bml.writing.writer import (
+    losses,
+    to_document,
+    write_bml,
+    write_speech_file,
+)
 from understudy.model import Agitation, Behavior, Channel, Hand, Level, Listening, Performance, Target, Word
+from understudy.model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from understudy.model.lexemes import ACTION_UNITS, CORE_LEXEMES
 
 FORM = BmlForm(dialect=DialectName.SMARTBODY, audio_file="line1.wav")
 TYPES = {name for name, _hand, _style in FOUND}

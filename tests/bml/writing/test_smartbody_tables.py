@@ -4,9 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from understudy.behavior.speech.visemes import PHONES
-from understudy.bml.writing.smartbody_tables import FILE, SmartBodyTables, VisemeNames
+from understudy.bml.writing.smartbody_tables import FILE, SmartBodyTables
 from understudy.errors import AuthoringError
+from understudy.model.bml_form import VisemeNames
+from understudy.model.mouth_shapes import PHONES
 from understudy.resources import resource_folder
 
 SHIPPED = (resource_folder("lexicon") / FILE).read_text(encoding="utf-8")

@@ -9,10 +9,12 @@ from tests.support.bml_checker import check
 from tests.support.by_hand import FIGURE_8, spoken, utterance
 from tests.support.shared_data import SHARED, needs
 from understudy.behavior.characters.overlays import Characters
-from understudy.behavior.table.behavior_table import GAZE_LEXEMES, STROKED
+from understudy.behavior.table.behavior_table import STROKED
 from understudy.bml.markup.elements import CORE, CORE_EXTENSIONS
-from understudy.bml.writing.writer import BmlForm, write_bml
+from understudy.bml.writing.writer import write_bml
 from understudy.model import Behavior, Channel, Hand, Performance, SyncPoints, Word
+from understudy.model.bml_form import BmlForm
+from understudy.model.lexemes import GAZE_LEXEMES
 
 ROOT = Path(__file__).resolve().parents[3]
 CHARACTERS = Characters.load(ROOT / "lexicon")

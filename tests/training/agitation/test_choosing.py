@@ -24,8 +24,9 @@ from training.agitation.fuzzy_svm import (
     train_svm,
 )
 from understudy.acoustic.agitation.agitation import squared_distances
-from understudy.acoustic.agitation.speaker import SpeakerReference, TypicalSpeaker
+from understudy.acoustic.agitation.speaker import TypicalSpeaker
 from understudy.model import Audio, Level
+from understudy.model.speaker_reference import SpeakerReference
 
 RECIPE = Recipe(features=12, reach=0.25, cost=1.0, corpus_shares={"clouds": 1.0})
 

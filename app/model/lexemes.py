@@ -1,11 +1,29 @@
-"""The lexemes of facial behaviours: those of BML 1.0, and FACS action units for what it has no lexeme for.
+"""The lexemes of gazes and faces: BML 1.0's, and FACS action units for what it has no lexeme for.
 
 A blink is action unit 45 and not the core's CLOSE_EYES, which is an eye that closes and stays closed (unit 43); BML
-gives units in `faceFacs`, in its core extensions, which strict parsers read (shared/bml.md).
+gives units in `faceFacs`, in its core extensions, which strict parsers read.
 """
 
 from collections.abc import Mapping
+from enum import StrEnum
 from types import MappingProxyType
+
+LOOK, GLANCE, SHIFT = "LOOK", "GLANCE", "SHIFT"
+GAZE_LEXEMES = frozenset({LOOK, GLANCE, SHIFT})
+
+
+class GazeDirection(StrEnum):
+    """The offset of a gaze from its target (BML 1.0, `offsetDirection`)."""
+
+    LEFT = "LEFT"
+    RIGHT = "RIGHT"
+    UP = "UP"
+    DOWN = "DOWN"
+    UPLEFT = "UPLEFT"
+    UPRIGHT = "UPRIGHT"
+    DOWNLEFT = "DOWNLEFT"
+    DOWNRIGHT = "DOWNRIGHT"
+
 
 CORE_LEXEMES = frozenset(
     {
@@ -42,7 +60,7 @@ ACTION_UNITS: Mapping[str, int] = MappingProxyType(
         "BLINK": 45,
     }
 )
-"""Our lexemes for FACS action units (shared/motion.md)."""
+"""Our lexemes for FACS action units."""
 
 LOWER_FACE = frozenset(
     lexeme

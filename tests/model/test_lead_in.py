@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.by_hand import FIGURE_8, spoken, utterance
-from understudy.behavior.speech.lead_in import LONGEST_LEAD_IN_S, later_word, with_lead_in
 from understudy.model import Filler, Interval, Word
+from understudy.model.lead_in import LONGEST_LEAD_IN_S, later_word, with_lead_in
 
 
 @given(st.integers(0, int(LONGEST_LEAD_IN_S * 1000)), st.integers(0, 5000))
