@@ -9,12 +9,11 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
 from ..errors import InputError
-from ..model import DEFAULT_CHARACTER, Fact, Function, Level, Moment, Utterance
+from ..model import Fact, Function, Level, Moment, Utterance
 from ..models import BehaviorModels, LanguageModels, Understudy, load_function_rules, load_realizer
 from ..moving import plan_line
 from ..on_demand import OnDemand
 from ..options import Options
-from ..performance import find_functions
 from ..rules.chaining.chainer import Derivation, derive
 from ..rules.chaining.matching import FactBase
 from ..rules.chaining.tracing import RuleTrace, fires, trace_rule, trace_rules

@@ -19,7 +19,7 @@ from .language import Clause, Parse, Phrase, Token, Utterance
 from .line import AlignedLine, Analysis, Line, SignalAnalysis, Timings
 from .performance import Notice, Performance
 from .reasons import Term
-from .schedule import Behavior, Listening, Manner, Schedule, SyncPoints, Target, Viseme
+from .schedule import DEFAULT_CHARACTER, Behavior, Listening, Manner, Schedule, SyncPoints, Target, Viseme
 from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray, VoiceQuality
 from .speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
 

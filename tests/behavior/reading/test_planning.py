@@ -6,12 +6,21 @@ from itertools import pairwise
 
 import pytest
 
-from understudy.behavior.characters.overlays import DEFAULT_CHARACTER
 from understudy.behavior.reading.decoding import STROKES_APART_S, usual_times_s
 from understudy.behavior.reading.planning import Plan, Understood, plan
 from understudy.behavior.reading.player import Player
 from understudy.behavior.reading.supports import WEIGHT_SCALE
-from understudy.model import Alternative, BehaviorCandidates, Channel, Function, Moment, Movement, Parse, Utterance
+from understudy.model import (
+    DEFAULT_CHARACTER,
+    Alternative,
+    BehaviorCandidates,
+    Channel,
+    Function,
+    Moment,
+    Movement,
+    Parse,
+    Utterance,
+)
 from understudy.models import Understudy
 from understudy.rules.stage import find_functions
 
