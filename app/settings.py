@@ -69,6 +69,10 @@ class Settings(BaseSettings):
     allowed_hosts: str | None = Field(
         default=None, description="names the service may be called by, separated by commas; any if unset"
     )
+    allowed_origins: str | None = Field(
+        default=None,
+        description="origins whose pages may call the service, separated by commas; its own alone if unset",
+    )
     operations_port: int | None = Field(
         default=None,
         ge=1,
@@ -156,6 +160,16 @@ class Settings(BaseSettings):
         if self.live_streams_per_caller is not None:
             return self.live_streams_per_caller
         return max(1, 3 * self.live_stream_count // 4) if self.has_keys else self.live_stream_count
+
+    @property
+    def host_names(self) -> tuple[str, ...]:
+        """The names that the service may be called by; any if there are none."""
+        return tuple((self.allowed_hosts or "").lower().replace(",", " ").split())
+
+    @property
+    def origins(self) -> tuple[str, ...]:
+        """The origins of pages that may call the service besides its own."""
+        return tuple((self.allowed_origins or "").lower().replace(",", " ").split())
 
     @property
     def has_keys(self) -> bool:

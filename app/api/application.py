@@ -11,7 +11,9 @@ from ..studio.pages import OpenedLine, page_router
 from ..studio.scenes import OpenedScene
 from ..version import __version__
 from . import authoring
-from .admission.admission import Admission, guard
+from .admission.admission import Admission
+from .admission.entrance import guard
+from .admission.other_pages import let_in_pages
 from .clients import Rates
 from .description import page
 from .description.document import PATHS, describe
@@ -63,6 +65,8 @@ def create_app(
     answer_errors_as_problems(app, PATHS)
     guard(app, Admission.of(settings))
     app.add_middleware(Measured, metrics=metrics)
+    if settings.origins:
+        let_in_pages(app, settings.origins)
     describe(app)
     return app
 
@@ -73,8 +77,8 @@ async def _service(
 ) -> AsyncIterator[Service]:
     """What all requests share, from the start of the application to its end."""
     async with Pool(nursery, settings) as pool:
-        metrics.watch(busy=lambda: pool.busy, waiting=lambda: pool.waiting)
         streams, uploads, rates = Streams(pool, settings), Uploads(settings), Rates(settings.rate_per_minute)
+        metrics.watch(busy=lambda: pool.busy, waiting=lambda: pool.waiting, streams=lambda: streams.count)
         try:
             yield Service(settings, pool, streams, uploads, rates, metrics, rules_folder=rules_folder)
         finally:

@@ -4,8 +4,6 @@ Requests change nothing: edited rules hold for the one request that brings them.
 for an author's rules writes, only there, only files of the names that it has, and only for its own machine.
 """
 
-from ipaddress import ip_address
-
 from fastapi import APIRouter, Request, Response
 from starlette.exceptions import HTTPException
 
@@ -13,8 +11,10 @@ from ..authoring.rule_edits import FIELD
 from ..authoring.rule_files import read_rule_text, saved_names, write_rule_text
 from ..errors import ForbiddenError, UndecodableError
 from ..schemas.rules import RuleFileResponse, RuleFilesResponse
+from .admission.hosts import is_loopback
 from .negotiation import GESTURE_TYPES, JSON, chosen
 from .service import Shared
+from .uploads import declared_bytes
 from .workers.messages import Task
 from .working import worked
 
@@ -80,7 +80,8 @@ async def put_rule_file(name: str, request: Request, shared: Shared) -> Response
         raise HTTPException(404, "no file of rules or words has that name; GET /rules/files lists them")
     if shared.rules_folder is not None and not _is_own_machine(request):
         raise ForbiddenError("rules_read_only", "rules are saved from this machine alone", field=FIELD)
-    async with shared.uploads.body(request.receive, most_bytes=shared.settings.max_rules_bytes) as body:
+    most_bytes, declared = shared.settings.max_rules_bytes, declared_bytes(request.headers)
+    async with shared.uploads.body(request.receive, most_bytes=most_bytes, declared_bytes=declared) as body:
         try:
             text = bytes(body).decode("utf-8")
         except UnicodeDecodeError as error:
@@ -113,11 +114,4 @@ async def post_rules_compare(request: Request, shared: Shared) -> Response:
 def _is_own_machine(request: Request) -> bool:
     """Whether a page of this machine asks: the name is checked as well, for any page can have a name that leads here
     (DNS rebinding)."""
-    return request.client is not None and all(map(_is_loopback, (request.client.host, request.url.hostname or "")))
-
-
-def _is_loopback(name: str) -> bool:
-    try:
-        return name == "localhost" or ip_address(name).is_loopback
-    except ValueError:  # another name
-        return False
+    return request.client is not None and all(map(is_loopback, (request.client.host, request.url.hostname or "")))

@@ -22,8 +22,9 @@ class Rates:
         self._clock = clock
         self._full_at_s: OrderedDict[str, float] = OrderedDict()
 
-    def take(self, client: str) -> None:
-        """Counts a request. Raises TooManyError `too_many_requests`."""
+    def take(self, client: str, times: int = 1) -> None:
+        """Counts a request; of one that counts 0 `times`, whether another could be made. Raises TooManyError
+        `too_many_requests`."""
         if not self._per_minute:
             return
         now_s, each_s = self._clock(), _MINUTE_S / self._per_minute
@@ -31,6 +32,8 @@ class Rates:
         if full_at_s - now_s > _MINUTE_S + 1e-9:
             message = f"more than {self._per_minute} requests a minute from one address; ask more slowly"
             raise TooManyError("too_many_requests", message, retry_after_s=full_at_s - now_s - _MINUTE_S)
+        if not times:
+            return
         self._full_at_s[client] = full_at_s
         self._full_at_s.move_to_end(client)
         while len(self._full_at_s) > MOST_CLIENTS:

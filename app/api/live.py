@@ -6,7 +6,6 @@ being waited for, and its process ended.
 """
 
 import asyncio
-import logging
 from collections.abc import Mapping
 from contextlib import suppress
 from types import MappingProxyType
@@ -33,8 +32,6 @@ CLOSED_WITH: Mapping[str, int] = MappingProxyType(
 )
 """By the code of the error; with `TRY_AGAIN` for any other."""
 
-_LOGGER = logging.getLogger("understudy.requests")
-
 router = APIRouter()
 
 
@@ -51,7 +48,6 @@ async def live(socket: WebSocket) -> None:
         await _refuse(socket, error)
     except (WebSocketDisconnect, ConnectionError):
         pass
-    _LOGGER.info("live stream of %s has ended", socket.client.host if socket.client else None)
 
 
 async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None:

@@ -1,6 +1,7 @@
 """Reads the bodies of requests into memory: each within its size and time, and all of them together within a limit.
 
-Nothing of a body is parsed here. Bytes are counted as they arrive, whatever Content-Length says.
+Nothing of a body is parsed here. One whose Content-Length is too large is refused unread; otherwise bytes count as
+they arrive, whatever it says.
 """
 
 import asyncio
@@ -8,6 +9,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 
+from starlette.datastructures import Headers
 from starlette.requests import ClientDisconnect
 from starlette.types import Message, Receive
 
@@ -38,12 +40,16 @@ class Uploads:
         return self._held_bytes
 
     @asynccontextmanager
-    async def body(self, receive: Receive, *, most_bytes: int) -> AsyncIterator[bytearray]:
-        """A request's body, which counts as held until the block ends.
+    async def body(
+        self, receive: Receive, *, most_bytes: int, declared_bytes: int | None = None
+    ) -> AsyncIterator[bytearray]:
+        """A request's body, which counts as held until the block ends; one that is declared as too large is not read.
 
         Raises TooLargeError `body_too_large`, ServiceError `uploads_full` when all bodies together are too large,
         SlowClientError `upload_slow`, and ClientDisconnect.
         """
+        if declared_bytes is not None and declared_bytes > most_bytes:
+            raise _too_large(most_bytes)
         body = bytearray()
         try:
             await self._read(receive, body, most_bytes)
@@ -61,7 +67,7 @@ class Uploads:
                     more = chunk.more
                     if len(body) + len(chunk.content) > most_bytes:
                         await self._drop(chunk, receive, most_bytes)
-                        raise TooLargeError("body_too_large", f"the request has more than {most_bytes} bytes")
+                        raise _too_large(most_bytes)
                     self._hold(chunk.content, body)
         except TimeoutError:
             message = f"the body did not arrive within {settings.upload_s:g} s, or nothing of it for "
@@ -89,3 +95,13 @@ class Uploads:
         while chunk.more and dropped <= most_bytes:
             chunk = await self._chunk(receive)
             dropped += len(chunk.content)
+
+
+def declared_bytes(headers: Headers) -> int | None:
+    """What Content-Length says, which the HTTP protocol has checked; None without one."""
+    length = headers.get("content-length", "")
+    return int(length) if length.isdecimal() else None
+
+
+def _too_large(most_bytes: int) -> TooLargeError:
+    return TooLargeError("body_too_large", f"the request has more than {most_bytes} bytes")

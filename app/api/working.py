@@ -11,6 +11,7 @@ from .admission.callers import caller_of
 from .bodies import body_limit
 from .deadlines import Deadline
 from .service import Service
+from .uploads import declared_bytes
 from .workers.messages import Job, Task
 
 Result = TypeVar("Result")
@@ -25,7 +26,8 @@ async def worked(request: Request, service: Service, task: Task) -> Response:
     content_type = request.headers.get("content-type", "")
     job = Job(task, content_type, request.headers.get("accept"))
     most_bytes = body_limit(task, content_type, service.settings)
-    async with service.uploads.body(request.receive, most_bytes=most_bytes) as body:
+    declared = declared_bytes(request.headers)
+    async with service.uploads.body(request.receive, most_bytes=most_bytes, declared_bytes=declared) as body:
         answer, content = await _unless_gone(request, service.pool.run(job, body, deadline, caller))
     return Response(bytes(content), media_type=answer.media_type, headers=dict(answer.headers))
 

@@ -45,7 +45,7 @@ class CompiledRules:
 def editable_files() -> Mapping[str, Path]:
     """The files that may be edited: rules, priorities, conflicts and words, by their names."""
     inside = (*RULES.rglob("*.*"), *(resource_folder("lexicon") / "en").glob("*.*"))
-    files = sorted(path for path in inside if path.suffix in AUTHORED and path.name != _HEARD)
+    files = sorted(path for path in inside if path.suffix in AUTHORED and path.name != _HEARD and path.is_file())
     return {shown_path(path): path for path in files}
 
 

@@ -2,10 +2,11 @@
 use. Files are written to a temporary name, then renamed."""
 
 import os
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..errors import ForbiddenError
+from ..errors import ForbiddenError, InputError
 from .rule_edits import FIELD, editable_files, file_named
 
 
@@ -19,11 +20,12 @@ class RuleText:
 
 
 def read_rule_text(name: str, folder: Path | None = None) -> RuleText:
-    """The text of the file of that name, from `folder` if it is there. Raises InputError `unknown_file`."""
+    """The text of the file of that name, from `folder` if it is there. Raises InputError `unknown_file`,
+    `rules_unreadable`."""
     path = file_named(name)
     own = folder / name if folder is not None else None
     if own is not None and own.is_file():
-        return RuleText(name, own.read_text(encoding="utf-8"), saved=own.resolve() != path.resolve())
+        return RuleText(name, _text(own, name), saved=own.resolve() != path.resolve())
     return RuleText(name, path.read_text(encoding="utf-8"), saved=False)
 
 
@@ -42,14 +44,28 @@ def saved_names(folder: Path | None) -> tuple[str, ...]:
 def write_rule_text(name: str, text: str, folder: Path | None) -> None:
     """Saves the text as the file of that name in `folder`.
 
-    Raises ForbiddenError `rules_read_only` if there is no folder, InputError `unknown_file`.
+    Raises ForbiddenError `rules_read_only` if there is no folder or it cannot be written to, InputError `unknown_file`.
     """
     if folder is None:
         message = "nothing is written here; start `understudy studio --rules DIR`, and rules are saved in DIR"
         raise ForbiddenError("rules_read_only", message, field=FIELD)
     file_named(name)
     target = folder / name
-    target.parent.mkdir(parents=True, exist_ok=True)
     temporary = target.with_name(f".{target.name}.{os.getpid()}")
-    temporary.write_text(text, encoding="utf-8")
-    temporary.replace(target)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        temporary.write_text(text, encoding="utf-8")
+        temporary.replace(target)
+    except OSError as error:
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
+        raise ForbiddenError("rules_read_only", f"{name}: cannot be saved: {error.strerror}", field=FIELD) from None
+
+
+def _text(file: Path, name: str) -> str:
+    try:
+        return file.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else f"it is not UTF-8 at byte {error.start}"
+        message = f"{name}, as it was saved, cannot be read: {reason}"
+        raise InputError("rules_unreadable", message, field=FIELD) from None

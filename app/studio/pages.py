@@ -20,7 +20,7 @@ from starlette.exceptions import HTTPException
 from starlette.responses import FileResponse, Response
 
 from ..resources import resource_folder
-from .scenes import OpenedScene
+from .scenes import OpenedScene, file_inside
 
 FOLDER = Path(__file__).parent / "page"
 MEDIA_TYPES: Mapping[str, str] = MappingProxyType(
@@ -130,8 +130,8 @@ def _file_at(path: str) -> Path:
     """The page's file of this path, or one of the example's. Raises HTTPException 404."""
     if path.startswith("example/") and path.removeprefix("example/") in EXAMPLE:
         return resource_folder("examples") / path.removeprefix("example/")
-    found = (FOLDER / path).resolve()
-    if not found.is_relative_to(FOLDER.resolve()) or not found.is_file() or found.suffix not in MEDIA_TYPES:
+    found = file_inside(FOLDER.resolve(), path)
+    if found is None or found.suffix not in MEDIA_TYPES:
         raise HTTPException(404)
     return found
 

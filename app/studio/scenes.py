@@ -33,8 +33,17 @@ class OpenedScene:
 
     def file(self, name: str) -> Path | None:
         """The file of that name; None where the index does not name it, or it is not in the folder."""
-        path = (self.folder / name).resolve()
-        return path if name in self.names and path.is_relative_to(self.folder) and path.is_file() else None
+        return file_inside(self.folder, name) if name in self.names else None
+
+
+def file_inside(folder: Path, name: str) -> Path | None:
+    """The file of that name in a resolved folder; None where there is none, whatever the name, even one that no file
+    can have (too long, a null character in it)."""
+    try:
+        path = (folder / name).resolve()
+        return path if path.is_relative_to(folder) and path.is_file() else None
+    except (OSError, ValueError):
+        return None
 
 
 def _named(index: Mapping[str, Any]) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from fastapi.testclient import TestClient
@@ -34,7 +35,7 @@ def worker(client: TestClient) -> int:
 @pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE)
 def test_a_profile_is_told_as_wrong(client: TestClient, text: str) -> None:
     before = worker(client)
-    files = {"audio": AUDIO.read_bytes(), "text": b"eight", "profile": ("hostile.yaml", text.encode())}
+    files: dict[str, Any] = {"audio": AUDIO.read_bytes(), "text": b"eight", "profile": ("hostile.yaml", text.encode())}
     answer = client.post("/perform", files=files)
     assert (answer.status_code, answer.json()["code"]) == (422, "profile_wrong")
     assert worker(client) == before

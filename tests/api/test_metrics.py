@@ -4,6 +4,8 @@ import re
 
 import pytest
 from fastapi.testclient import TestClient
+from pydantic import SecretStr
+from starlette.websockets import WebSocketDisconnect
 
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
@@ -33,6 +35,28 @@ def test_requests_are_counted_by_path_and_status(nursery: Nursery) -> None:
     assert figure(answer.text, 'understudy_request_seconds_count{path="/functions"}') == 2
     assert figure(answer.text, "understudy_lines_in_work") == 0
     assert "made" not in answer.text
+
+
+def test_streams_and_refused_keys_are_counted(nursery: Nursery) -> None:
+    key = "a-key-of-the-tests"
+    with_key = {"Authorization": f"Bearer {key}"}
+    with TestClient(create_app(Settings(workers=1, api_keys=SecretStr(key)), nursery)) as client:
+        client.get("/characters")
+        client.post("/functions", headers={"Authorization": "Bearer wrong"})
+        with pytest.raises(WebSocketDisconnect), client.websocket_connect("/live"):
+            pass
+        with client.websocket_connect("/live", headers=with_key) as stream:
+            stream.send_json({"type": "start"})
+            assert stream.receive_json()["type"] == "ready"
+            assert figure(client.get("/metrics", headers=with_key).text, "understudy_live_streams") == 1
+            stream.send_json({"type": "end"})
+            assert stream.receive_json()["type"] == "done"
+            with pytest.raises(WebSocketDisconnect):
+                stream.receive_json()
+        text = client.get("/metrics", headers=with_key).text
+    assert figure(text, "understudy_keys_refused_total") == 3
+    assert figure(text, 'understudy_live_streams_ended_total{end="401"}') == 1
+    assert figure(text, 'understudy_live_streams_ended_total{end="1000"}') == 1
 
 
 def test_two_services_in_one_process_count_for_themselves(nursery: Nursery) -> None:

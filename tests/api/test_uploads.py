@@ -4,10 +4,11 @@ import asyncio
 from collections.abc import Sequence
 
 import pytest
+from starlette.datastructures import Headers
 from starlette.requests import ClientDisconnect
 from starlette.types import Message, Receive
 
-from understudy.api.uploads import Uploads
+from understudy.api.uploads import Uploads, declared_bytes
 from understudy.errors import ServiceError, SlowClientError, TooLargeError
 from understudy.settings import Settings
 
@@ -50,6 +51,25 @@ def test_one_byte_more_is_refused(chunks: list[bytes]) -> None:
         asyncio.run(_read(uploads, _arriving(chunks)[0]))
     assert caught.value.code == "body_too_large"
     assert uploads.held_bytes == 0
+
+
+def test_what_is_declared_as_too_large_is_not_read() -> None:
+    async def scenario() -> None:
+        receive, left = _arriving([b"x" * 10] * 100)
+        with pytest.raises(TooLargeError) as caught:
+            async with Uploads(Settings()).body(receive, most_bytes=LIMIT, declared_bytes=LIMIT + 1):
+                pass
+        assert caught.value.code == "body_too_large"
+        assert len(left) == 100
+        async with Uploads(Settings()).body(receive, most_bytes=1000, declared_bytes=1000) as body:
+            assert len(body) == 1000
+
+    asyncio.run(scenario())
+
+
+@pytest.mark.parametrize(("length", "declared"), [("12", 12), ("", None), (None, None), ("-1", None), ("x", None)])
+def test_the_declared_length_is_that_of_the_header(length: str | None, declared: int | None) -> None:
+    assert declared_bytes(Headers({} if length is None else {"Content-Length": length})) == declared
 
 
 def test_what_follows_is_dropped_only_up_to_the_limit_again() -> None:

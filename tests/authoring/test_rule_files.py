@@ -31,3 +31,21 @@ def test_no_file_is_written_that_is_not_there(tmp_path: Path, name: str) -> None
         write_rule_text(name, "", tmp_path / "inside")
     assert caught.value.code == "unknown_file"
     assert list(tmp_path.rglob("*")) == []
+
+
+def test_what_was_saved_and_cannot_be_read_is_told(tmp_path: Path) -> None:
+    (tmp_path / WORDS).parent.mkdir(parents=True)
+    (tmp_path / WORDS).write_bytes(b"class: \xff")
+    with pytest.raises(InputError) as caught:
+        read_rule_text(WORDS, tmp_path)
+    assert caught.value.code == "rules_unreadable"
+    assert "byte 7" in caught.value.message
+
+
+def test_a_folder_in_the_place_of_a_file_is_left_as_it_is(tmp_path: Path) -> None:
+    (tmp_path / WORDS).mkdir(parents=True)
+    assert not read_rule_text(WORDS, tmp_path).saved
+    with pytest.raises(ForbiddenError) as caught:
+        write_rule_text(WORDS, "class: thanks\n", tmp_path)
+    assert caught.value.code == "rules_read_only"
+    assert list((tmp_path / WORDS).parent.iterdir()) == [tmp_path / WORDS]

@@ -10,7 +10,7 @@ from fastapi import FastAPI
 from fastapi.testclient import TestClient
 from starlette.datastructures import Headers
 
-from understudy.api.admission.admission import Admission
+from understudy.api.admission.admission import Admission, Arrival
 from understudy.settings import Settings
 from understudy.studio import pages
 from understudy.studio.pages import OpenedLine, content_policy, page_router
@@ -45,7 +45,22 @@ def test_the_policy_lets_in_the_pages_import_map_and_nothing_from_elsewhere() ->
     assert "sha256" not in content_policy(b"<p>no map</p>")
 
 
-@pytest.mark.parametrize("path", ["../pages.py", "..%2fpages.py", "vendor", "nothing.js", "example/other.txt", ""])
+@pytest.mark.parametrize(
+    "path",
+    [
+        "../pages.py",
+        "..%2fpages.py",
+        "vendor",
+        "nothing.js",
+        "example/other.txt",
+        "",
+        "%00",
+        "a%00.js",
+        "a" * 300,
+        "a/" * 3000,
+        "main.js/x",
+    ],
+)
 def test_there_is_nothing_else(path: str) -> None:
     assert _client().get(f"/studio/{path}").status_code == 404
 
@@ -87,7 +102,7 @@ def test_the_page_needs_no_key_and_the_line_that_was_opened_does(monkeypatch: py
     let_in = [
         path
         for path in ("/", "/studio/main.js", "/opened/line", "/perform", "/studios")
-        if not admission.refusal(path, 80, headers)
+        if not admission.refusal(Arrival(path, headers))
     ]
     assert let_in == ["/", "/studio/main.js"]
 
@@ -95,7 +110,9 @@ def test_the_page_needs_no_key_and_the_line_that_was_opened_does(monkeypatch: py
 def test_it_can_be_left_out() -> None:
     admission = Admission.of(Settings(studio=False))
     headers = Headers({"host": "127.0.0.1"})
-    closed = [path for path in ("/", "/studio/main.js", "/perform", "/healthz") if admission.refusal(path, 80, headers)]
+    closed = [
+        path for path in ("/", "/studio/main.js", "/perform", "/healthz") if admission.refusal(Arrival(path, headers))
+    ]
     assert closed == ["/", "/studio/main.js"]
 
 

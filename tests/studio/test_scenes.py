@@ -11,6 +11,9 @@ from understudy.errors import InputError
 from understudy.studio.pages import page_router
 from understudy.studio.scenes import OpenedScene
 
+LONG = "a" * 300
+"""A name that an index may have and no file."""
+
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
@@ -18,7 +21,7 @@ def folder(tmp_path: Path) -> Path:
     (folder / "sub").mkdir(parents=True)
     line = {
         "files": {"wav": "a.wav", "bml": "../secret.txt"},
-        "listeners": {"BEN": {"clip.json": "sub/a.BEN.clip.json"}},
+        "listeners": {"BEN": {"clip.json": "sub/a.BEN.clip.json", "long": LONG, "null": "a\0b"}},
     }
     (folder / "index.json").write_text(json.dumps({"lines": [line]}))
     for path in (folder / "a.wav", folder / "sub/a.BEN.clip.json", folder / "report.csv", tmp_path / "secret.txt"):
@@ -36,7 +39,7 @@ def test_files_of_the_index_are_served_and_no_others(folder: Path) -> None:
     client = TestClient(app)
     assert client.get("/opened/scene/sub/a.BEN.clip.json").text == "a.BEN.clip.json"
     assert [_status(client, name) for name in ("index.json", "a.wav")] == [200, 200]
-    others = ("report.csv", "..%2Fsecret.txt", "%2e%2e/secret.txt", "sub", "none.wav")
+    others = (LONG, "a%00b", "report.csv", "..%2Fsecret.txt", "%2e%2e/secret.txt", "sub", "none.wav")
     assert {_status(client, name) for name in others} == {404}
     assert client.get("/opened/line").status_code == 404
 

@@ -1,30 +1,25 @@
-"""Every request comes in here: it gets its id, is let in or told why not, and leaves a line in the log.
+"""Who may come in, and what is told to whoever may not.
 
-In this order: the host that it names, the port it came to, its API key. `/healthz` and `/readyz` are answered to all,
-for what asks them knows neither names nor keys; so are `/docs`, `/openapi.json` and the studio page, which tell nothing
-that is not public. Nothing of a request's content is logged.
+In this order: the host that a request names, the page that sent it, the port it came to, its API key. `/healthz` and
+`/readyz` are answered to all, for what asks them knows neither names nor keys; `/docs`, `/openapi.json` and the studio
+page need no key, for they tell nothing that is not public.
 """
 
-import logging
-import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from ipaddress import ip_address
 from typing import Self
 
-from fastapi import FastAPI
-from starlette.datastructures import Headers, MutableHeaders
-from starlette.requests import Request
+from starlette.datastructures import Headers
 from starlette.responses import Response
-from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from ...errors import LONGEST_SHOWN, InputError
+from ...errors import InputError
 from ...settings import PREFIX, Settings
-from ..problems import problem, unexpected
+from ..problems import problem
 from ..unknown_paths import unknown_path
-from .headers import set_headers
-from .hosts import is_allowed
-from .keys import ApiKeys, authorization
-from .request_ids import HEADER, current_id, request_id
+from .guesses import Guesses
+from .hosts import is_allowed, is_loopback, is_own_page
+from .key_ring import KeyRing
+from .keys import authorization
 
 PROBES = frozenset({"/healthz", "/readyz"})
 DOCS = ("/docs", "/openapi.json")
@@ -32,115 +27,99 @@ STUDIO = ("", "/studio")
 """The studio page, which is at `/`, and what it loads."""
 METRICS = "/metrics"
 
-_LOGGER = logging.getLogger("understudy.requests")
+_ONLY_READS = frozenset({"GET", "HEAD", "OPTIONS"})
+
+
+@dataclass(frozen=True, slots=True)
+class Arrival:
+    """A request or WebSocket as it arrives: where it was sent to, from where, and its headers."""
+
+    path: str
+    headers: Headers
+    method: str = "GET"
+    is_websocket: bool = False
+    server: str = ""
+    port: int | None = None
+    address: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Admission:
     """Who may come in. `operations_port` alone answers operators' paths if there is one, and nothing else; the paths
-    `closed` are answered nowhere."""
+    `closed` are answered nowhere; pages of `origins` may ask as the service's own may."""
 
-    keys: ApiKeys
+    keys: KeyRing
     hosts: tuple[str, ...] = ()
+    origins: tuple[str, ...] = ()
     operations_port: int | None = None
     closed: tuple[str, ...] = ()
+    is_anonymous: bool = False
+    guesses: Guesses = field(default_factory=Guesses)
 
     @classmethod
     def of(cls, settings: Settings) -> Self:
         """Raises InputError `setting_wrong`."""
-        hosts = (settings.allowed_hosts or "").lower().replace(",", " ").split()
         answered = {(METRICS,): settings.metrics, DOCS: settings.docs, STUDIO: settings.studio}
         closed = tuple(path for paths, is_open in answered.items() if not is_open for path in paths)
-        return cls(ApiKeys.of(settings), tuple(hosts), settings.operations_port, closed)
+        hosts, origins = settings.host_names, settings.origins
+        return cls(KeyRing(settings), hosts, origins, settings.operations_port, closed, settings.allow_anonymous)
 
-    def refusal(self, path: str, port: int | None, headers: Headers) -> Response | None:
-        """Why a request is not let in; None where it is."""
+    def refusal(self, arrival: Arrival) -> Response | None:
+        """Why it is not let in; None where it is."""
+        path = arrival.path
         if path in PROBES:
             return None
-        if not is_allowed(headers.get("host"), self.hosts):
-            return problem(421, "host_unknown", "this service has another name; send the Host that it is known by")
-        is_operators_port = self.operations_port is not None and port == self.operations_port
+        if refused := self._wrong_place(arrival):
+            return refused
+        is_operators_port = self.operations_port is not None and arrival.port == self.operations_port
         is_elsewhere = self.operations_port is not None and _is_under(path, (METRICS, *DOCS)) != is_operators_port
         if is_elsewhere or _is_under(path, self.closed):
             return problem(404, "not_found", unknown_path(path))
-        if not self.keys.digests or is_operators_port or _is_under(path, (*DOCS, *STUDIO)):
+        if not self.keys.current.are_asked or is_operators_port or _is_under(path, (*DOCS, *STUDIO)):
             return None
-        if self.keys.name(authorization(headers)) is None:
-            sent = "the API key is wrong" if "authorization" in headers else "an API key is missing"
-            challenge = {"WWW-Authenticate": "Bearer"}
-            return problem(401, "key_wrong", f"{sent}; send it as Authorization: Bearer KEY", headers=challenge)
+        return self._wrong_key(arrival)
+
+    def _wrong_place(self, arrival: Arrival) -> Response | None:
+        """A name that is not the service's, a page that is not, or a request whose length is said in two ways."""
+        host, origin = arrival.headers.get("host"), arrival.headers.get("origin")
+        if not self._is_named(host, arrival.server):
+            return problem(421, "host_unknown", "this service has another name; send the Host that it is known by")
+        does_more = arrival.is_websocket or arrival.method not in _ONLY_READS
+        if does_more and origin is not None and not is_own_page(origin, host, self.origins):
+            message = f"pages of other origins may not ask for this; {PREFIX}ALLOWED_ORIGINS names those that may"
+            return problem(403, "origin_refused", message)
+        if {"content-length", "transfer-encoding"} <= set(arrival.headers):
+            message = "Content-Length and Transfer-Encoding do not go together"
+            return problem(400, "http_error", message, headers={"Connection": "close"})
         return None
+
+    def _is_named(self, host: str | None, server: str) -> bool:
+        """Whether the name is allowed; where none are listed and no key is asked, a service on this machine alone has
+        only this machine's own."""
+        is_private = not self.hosts and not self.keys.current.are_asked and not self.is_anonymous
+        return is_loopback(host) if is_private and is_loopback(server) else is_allowed(host, self.hosts)
+
+    def _wrong_key(self, arrival: Arrival) -> Response | None:
+        sent = authorization(arrival.headers)
+        name = self.keys.current.name(sent)
+        if sent is not None and (wait_s := self.guesses.told(arrival.address, name)) is not None:
+            headers = {"Retry-After": str(int(wait_s) + 1)}
+            return problem(429, "too_many_wrong_keys", "too many wrong API keys came from here", headers=headers)
+        if name is not None:
+            return None
+        told = "an API key is missing" if sent is None else "the API key is wrong, or has expired"
+        challenge = {"WWW-Authenticate": "Bearer"}
+        return problem(401, "key_wrong", f"{told}; send it as Authorization: Bearer KEY", headers=challenge)
 
 
 def require_keys(admission: Admission, address: str, settings: Settings) -> None:
     """Raises InputError `key_missing` where anybody on the network could come in who was not meant to."""
-    if ip_address(address.partition("%")[0]).is_loopback or admission.keys.digests or settings.allow_anonymous:
+    if ip_address(address.partition("%")[0]).is_loopback or admission.keys.current.are_asked:
+        return
+    if settings.allow_anonymous:
         return
     told = f"give {PREFIX}API_KEYS or {PREFIX}API_KEYS_FILE, or {PREFIX}ALLOW_ANONYMOUS=1 behind what checks callers"
     raise InputError("key_missing", f"{address} can be reached by others, and no API key is asked of them: {told}")
-
-
-def guard(app: FastAPI, admission: Admission) -> None:
-    """Puts the door before `app`, whose errors are problems already."""
-    app.add_middleware(Admitted, admission=admission)
-    app.add_exception_handler(Exception, _marked_failure)
-
-
-async def _marked_failure(request: Request, error: Exception) -> Response:
-    """The answer to a mistake of ours, which is sent from outside of all middleware."""
-    answer = await unexpected(request, error)
-    set_headers(answer.headers, current_id.get())
-    return answer
-
-
-class Admitted:
-    """ASGI middleware that does as an `Admission` says."""
-
-    def __init__(self, app: ASGIApp, admission: Admission) -> None:
-        self._app = app
-        self._admission = admission
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] not in ("http", "websocket"):
-            await self._app(scope, receive, send)
-            return
-        headers = Headers(scope=scope)
-        current_id.set(request_id(headers.get(HEADER)))
-        server = scope.get("server")
-        scope.setdefault("state", {})["key"] = self._admission.keys.name(authorization(headers))
-        refusal = self._admission.refusal(scope["path"], server[1] if server else None, headers)
-        if scope["type"] == "websocket":
-            await (
-                self._app(scope, receive, send) if refusal is None else send({"type": "websocket.close", "code": 1008})
-            )
-            return
-        begun_s, status = time.perf_counter(), 500
-
-        async def marked(message: Message) -> None:
-            nonlocal status
-            if message["type"] == "http.response.start":
-                status = message["status"]
-                set_headers(MutableHeaders(scope=message), current_id.get())
-            await send(message)
-
-        try:
-            await (self._app if refusal is None else refusal)(scope, receive, marked)
-        finally:
-            self._log(scope, status, time.perf_counter() - begun_s)
-
-    def _log(self, scope: Scope, status: int, took_s: float) -> None:
-        client = scope.get("client")
-        fields = {
-            "method": scope["method"],
-            "path": scope["path"][:LONGEST_SHOWN],
-            "status": status,
-            "took_s": round(took_s, 3),
-            "client": client[0] if client else None,
-            "key": scope["state"]["key"],
-        }
-        told = f"{fields['method']} {fields['path']!r} {status} in {took_s:.3f} s for {fields['client']}"
-        level = logging.DEBUG if scope["path"] in PROBES and status == 200 else logging.INFO
-        _LOGGER.log(level, told + (f" with key {fields['key']}" if fields["key"] else ""), extra={"fields": fields})
 
 
 def _is_under(path: str, places: tuple[str, ...]) -> bool:

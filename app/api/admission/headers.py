@@ -5,6 +5,7 @@ from starlette.datastructures import MutableHeaders
 _EVERY_ANSWER = {
     "x-content-type-options": "nosniff",
     "content-security-policy": "default-src 'none'; frame-ancestors 'none'",
+    "cross-origin-resource-policy": "same-origin",
     "referrer-policy": "no-referrer",
 }
 

@@ -1,8 +1,10 @@
 """API keys: of the settings or of a file, known by their SHA-256 alone, compared in constant time."""
 
 import hmac
+import time
 from base64 import urlsafe_b64decode
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from hashlib import sha256
 from pathlib import Path
 from typing import Self
@@ -19,35 +21,45 @@ LARGEST_FILE_BYTES = 1 << 20
 PROTOCOL = "understudy"
 """The protocol by which a browser's WebSocket is answered that offers its key as another."""
 
-_SCHEME, _KEY_PROTOCOL = "bearer ", "understudy.key."
+_SCHEME, _KEY_PROTOCOL, _EXPIRES = "bearer ", "understudy.key.", "expires="
+
+
+@dataclass(frozen=True, slots=True)
+class ApiKey:
+    """A key, by its SHA-256, and when it expires, in seconds since 1970; None for never."""
+
+    digest: bytes
+    expires_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class ApiKeys:
-    """The keys that let in; with none, everybody may come in. `digests` are their SHA-256."""
+    """The keys that let in; with none, everybody may come in."""
 
-    digests: tuple[bytes, ...] = ()
+    keys: tuple[ApiKey, ...] = ()
 
     @classmethod
     def of(cls, settings: Settings) -> Self:
-        """Raises InputError `setting_wrong` for a short key, a file that cannot be read or has none."""
+        """Raises InputError `setting_wrong` for a short key, a file that cannot be read or has none, a date that is
+        none."""
         given = settings.api_keys.get_secret_value() if settings.api_keys else ""
-        keys = given.replace(",", " ").split()
+        lines = given.replace(",", " ").split()
         if settings.api_keys_file:
-            keys += _keys_in(settings.api_keys_file)
-        for number, key in enumerate(keys, 1):
-            if len(key) < FEWEST_CHARACTERS:
-                message = f"API key {number} has {len(key)} characters; give each {FEWEST_CHARACTERS} or more"
-                raise InputError("setting_wrong", f"{PREFIX}API_KEYS: {message}")
-        return cls(tuple(dict.fromkeys(sha256(key.encode()).digest() for key in keys)))
+            lines += _lines_in(settings.api_keys_file)
+        return cls(tuple(dict.fromkeys(_key(number, line) for number, line in enumerate(lines, 1))))
+
+    @property
+    def are_asked(self) -> bool:
+        """Whether callers need one."""
+        return bool(self.keys)
 
     def name(self, authorization: str | None) -> str | None:
         """The name by which logs call the key in an Authorization header, the beginning of its SHA-256; None where it
-        holds none of the keys. Takes as long for each key."""
+        holds none of the keys, or one that has expired. Takes as long for each key."""
         if authorization is None or not authorization.lower().startswith(_SCHEME):
             return None
         sent = sha256(authorization[len(_SCHEME) :].strip().encode("utf-8", "surrogateescape")).digest()
-        found = [hmac.compare_digest(known, sent) for known in self.digests]
+        found = [hmac.compare_digest(known.digest, sent) and not _is_past(known.expires_s) for known in self.keys]
         return sent.hex()[:SHOWN_DIGITS] if any(found) else None
 
 
@@ -74,7 +86,29 @@ def _protocols(headers: Headers) -> list[str]:
     return [each.strip() for each in ",".join(headers.getlist("sec-websocket-protocol")).split(",")]
 
 
-def _keys_in(path: Path) -> list[str]:
+def _key(number: int, line: str) -> ApiKey:
+    """A key, after which `expires=` and a date or time may stand, in UTC if it does not say otherwise."""
+    key, *further = line.split()
+    if len(key) < FEWEST_CHARACTERS:
+        message = f"API key {number} has {len(key)} characters; give each {FEWEST_CHARACTERS} or more"
+        raise InputError("setting_wrong", f"{PREFIX}API_KEYS: {message}")
+    digest = sha256(key.encode()).digest()
+    if not further:
+        return ApiKey(digest)
+    try:
+        [when] = [each.removeprefix(_EXPIRES) for each in further if each.startswith(_EXPIRES)]
+        found = datetime.fromisoformat(when)
+    except ValueError:
+        message = f"API key {number}: after a key stands nothing, or {_EXPIRES} and a date such as 2030-01-31"
+        raise InputError("setting_wrong", f"{PREFIX}API_KEYS: {message}") from None
+    return ApiKey(digest, (found if found.tzinfo else found.replace(tzinfo=UTC)).timestamp())
+
+
+def _is_past(expires_s: float | None) -> bool:
+    return expires_s is not None and time.time() >= expires_s
+
+
+def _lines_in(path: Path) -> list[str]:
     """The keys in a file, one a line; lines that begin with # are comments."""
     try:
         with path.open(encoding="utf-8") as file:

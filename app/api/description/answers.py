@@ -15,7 +15,7 @@ REQUEST_ID_HEADER = "X-Request-ID"
 _REASONS = {
     400: "Not decodable: broken audio, JSON, words in time or form.",
     401: "An API key is missing or wrong.",
-    403: "What is asked is not allowed here.",
+    403: "What is asked is not allowed here, or not to this page.",
     404: "No such path.",
     405: "The path does not support this method; `Allow` lists those that it does.",
     406: "`Accept` has none of the types that are answered.",
@@ -24,7 +24,7 @@ _REASONS = {
     415: "A type or format that is not read.",
     421: "The service has another name.",
     422: "The content is wrong; `field` and `detail` say where and why.",
-    429: "Too many requests from one address; try again after `Retry-After`.",
+    429: "Too many requests, or wrong API keys, from one address; try again after `Retry-After`.",
     500: "A fault of the service.",
     501: "The format needs something that is not installed with the service.",
     503: "The service is full or stopping; try again after `Retry-After`.",

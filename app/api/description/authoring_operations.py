@@ -70,7 +70,7 @@ AUTHORING_OPERATIONS: Mapping[tuple[str, str], Operation] = MappingProxyType(
             AUTHORING,
             "Save a file of rules or words",
             answer("The file as it is saved.", named("RuleFileResponse")),
-            frozenset({400, 401, 403, 404, 408, 413, 421, 500, 503}),
+            frozenset({400, 401, 403, 404, 408, 413, 421, 429, 500, 503}),
             {"text/plain": {"schema": {"type": "string"}}},
         ),
         ("post", "/rules/check"): _worked(

@@ -30,8 +30,8 @@ _FUNCTIONS: Json = {
 
 LINES = "Lines"
 
-_EVERYWHERE = {401, 421, 500}
-WORK = {400, 406, 408, 413, 415, 422, 429, 503, 504} | _EVERYWHERE
+_EVERYWHERE = {401, 421, 429, 500}
+WORK = {400, 403, 406, 408, 413, 415, 422, 429, 503, 504} | _EVERYWHERE
 
 
 @dataclass(frozen=True, slots=True)

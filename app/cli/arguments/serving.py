@@ -12,6 +12,7 @@ def add_serve(add: Adding) -> None:
     parser = add("serve", "run the HTTP service")
     parser.add_argument("--host", help="address to listen on (default: UNDERSTUDY_HOST, else 127.0.0.1)")
     parser.add_argument("--port", type=_port, help="port to listen on (default: UNDERSTUDY_PORT, else 8000)")
+    _add_origins(parser)
     parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")
 
 
@@ -24,8 +25,18 @@ def add_studio(add: Adding) -> None:
     parser.add_argument("--scene", metavar="DIR", help="a scene for a table read: the folder that batch wrote to")
     parser.add_argument("--port", type=_port, default=0, help="port to listen on (default: one that is free)")
     parser.add_argument("--rules", metavar="DIR", help="a folder in which the page may save edited rules and words")
+    _add_origins(parser)
     parser.add_argument("--no-browser", action="store_true", help="only say where the page is")
     parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")
+
+
+def _add_origins(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--allow-origin",
+        metavar="ORIGIN",
+        action="append",
+        help="pages of this origin, such as http://localhost:5173, may call the service; may be repeated",
+    )
 
 
 def _port(text: str) -> int:

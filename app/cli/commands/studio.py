@@ -20,6 +20,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     """Raises KeyboardInterrupt, after everything has ended, if that is what stopped it; InputError for what cannot be
     read."""
     settings = read_settings().model_copy(update={"host": LOOPBACK, "port": arguments.port, "studio": True})
+    if arguments.allow_origin:
+        settings = settings.model_copy(update={"allowed_origins": ", ".join(arguments.allow_origin)})
     scene = _scene(arguments)
     line = _line(arguments, settings)
     asked = "scene=opened" if scene else "line=opened" if line else "line=example"

@@ -8,6 +8,7 @@ import pytest
 from pydantic import SecretStr
 from starlette.datastructures import Headers
 
+from understudy.api.admission.key_ring import LOOK_EVERY_S, KeyRing
 from understudy.api.admission.keys import FEWEST_CHARACTERS, ApiKeys, authorization, offers_protocol
 from understudy.errors import InputError
 from understudy.settings import Settings
@@ -41,7 +42,7 @@ def test_no_key_is_kept_or_shown() -> None:
 
 
 def test_a_key_is_long_enough() -> None:
-    assert _keys("k" * FEWEST_CHARACTERS).digests
+    assert _keys("k" * FEWEST_CHARACTERS).are_asked
     with pytest.raises(InputError) as caught:
         _keys(f"{ONE}," + "k" * (FEWEST_CHARACTERS - 1))
     assert caught.value.code == "setting_wrong"
@@ -83,3 +84,45 @@ def test_the_header_goes_before_a_protocol() -> None:
     coded = urlsafe_b64encode(ONE.encode()).decode().rstrip("=")
     headers = Headers({"Authorization": "Bearer wrong", "Sec-WebSocket-Protocol": f"understudy.key.{coded}"})
     assert _keys(ONE).name(authorization(headers)) is None
+
+
+@pytest.mark.parametrize(
+    ("when", "lets_in"),
+    [("2999-01-31", True), ("2020-01-31", False), ("2999-01-31T12:00+02:00", True), ("2020-01-31T12:00:00Z", False)],
+)
+def test_a_key_may_expire(tmp_path: Path, when: str, lets_in: bool) -> None:
+    (tmp_path / "keys").write_text(f"{ONE} expires={when}\n{OTHER}\n")
+    keys = _keys(file=tmp_path / "keys")
+    assert (keys.name(f"Bearer {ONE}") is not None) is lets_in
+    assert keys.name(f"Bearer {OTHER}")
+
+
+@pytest.mark.parametrize(
+    "further", ["expires=soon", "until 2030-01-01", "expires=", "expires=2030-01-01 expires=2031-01-01"]
+)
+def test_what_else_stands_after_a_key_is_told_without_it(tmp_path: Path, further: str) -> None:
+    (tmp_path / "keys").write_text(f"{ONE} {further}\n")
+    with pytest.raises(InputError) as caught:
+        _keys(file=tmp_path / "keys")
+    assert "API key 1" in caught.value.message
+    assert ONE not in caught.value.message
+
+
+def test_a_file_that_changes_is_read_again_and_a_broken_one_changes_nothing(tmp_path: Path) -> None:
+    file, now_s = tmp_path / "keys", [0.0]
+    file.write_text(ONE)
+    ring = KeyRing(Settings(api_keys_file=file), lambda: now_s[0])
+
+    def lets_in(key: str) -> bool:
+        now_s[0] += LOOK_EVERY_S
+        return ring.current.name(f"Bearer {key}") is not None
+
+    assert (lets_in(ONE), lets_in(OTHER)) == (True, False)
+    file.write_text(f"{ONE}\n{OTHER}\n")
+    assert (lets_in(ONE), lets_in(OTHER)) == (True, True)
+    file.write_text("# none\n")
+    assert (lets_in(ONE), lets_in(OTHER)) == (True, True)
+    file.unlink()
+    assert (lets_in(ONE), lets_in(OTHER)) == (True, True)
+    file.write_text(f"{OTHER}  # the second\n".replace("  # the second", ""))
+    assert (lets_in(ONE), lets_in(OTHER)) == (False, True)
