@@ -31,7 +31,7 @@ SHORTEST_TRANSITION_S = 0.15
 EASY_TRANSITION_S = 0.30
 """The least part of a gap that a prolonged hold leaves free (people's preparations last .30 to 1.05 s)."""
 SHORTEST_STROKE_S = 0.23
-"""The fifth percentile of people's strokes (shared/motion.md)."""
+"""The fifth percentile of people's strokes (docs/references.md)."""
 BRIEFEST_SHARE = 0.5
 """The least share of a stroke's path and duration with which the gesture is still recognizable."""
 WHOLE_SHARE = 0.8

@@ -95,7 +95,7 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class Viseme:
-    """A mouth shape, one of fifteen (shared/motion.md). `articulation` says how fully the shape is reached, `opening`
+    """A mouth shape, one of fifteen (docs/references.md). `articulation` says how fully the shape is reached, `opening`
     how wide the jaw is open, both in [0, 1]."""
 
     label: str

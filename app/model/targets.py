@@ -1,6 +1,6 @@
 """Targets: named points of the scene that a character looks and points at, and where its listeners are.
 
-Conventions (shared/motion.md): metres, Y up. The performer stands at the origin and faces +Z; its left is +X.
+Conventions (docs/references.md): metres, Y up. The performer stands at the origin and faces +Z; its left is +X.
 """
 
 import re

@@ -2,7 +2,7 @@
 
 Every worker is a pool of one process. So it is always known during which call a worker died, only that call is lost,
 and the next one gets a new worker; pools of several processes (concurrent.futures, loky, joblib) lose everything
-pending when one dies (shared/ecosystem.md: 187 of 200 jobs).
+pending when one dies (docs/references.md: 187 of 200 jobs).
 
 A worker ends with the process that started it, however that ends, and ignores Ctrl-C.
 """

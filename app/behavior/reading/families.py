@@ -19,7 +19,8 @@ from ...model import Channel, Level
 from ...yaml_files import Entry, Source, did_you_mean
 
 OTHER_FAMILY = 0.5
-"""The worth of a lexeme for a family that it shows, but not first (shared/directing/score.py)."""
+"""The worth of a lexeme for a family that it shows, but not first: a right choice that is not the first is worth half
+to a director."""
 
 POINT = "point"
 POINTINGS = ("point_there", "point_here", "point_up")

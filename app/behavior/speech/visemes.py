@@ -2,7 +2,7 @@
 
 Departure from §3.8: the paper animates hand-made curves of diphones; its curves are not public, so we give the shapes
 of the single phones, with their times, for the character's own rig to blend. Shapes and phones as in
-`../shared/motion.md`, "Visemes"; HH, which has no shape of its own, takes that of the phone after it.
+docs/references.md; HH, which has no shape of its own, takes that of the phone after it.
 
 The paper has "the word stress value drive the open-mouth shape" without a figure: here the vowels of a word reach
 `LEAST_ARTICULATION` of their shape without emphasis, and all of it with the greatest emphasis. Consonants always reach

@@ -29,7 +29,7 @@ UNASKED = ("blink", "breath", "gaze_opening", "saccade", "look_aside", *DRIFTS)
 """The entries for idle behaviour."""
 
 EMPHASIS_OF_STROKE = 0.61
-"""The position of the point of emphasis within the stroke (shared/motion.md, hand-labelled gestures)."""
+"""The position of the point of emphasis within the stroke (hand-labelled gestures, docs/references.md)."""
 
 
 class Anchor(StrEnum):

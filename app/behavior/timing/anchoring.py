@@ -96,7 +96,7 @@ def stressed_vowel_s(word: Word) -> float:
     """The start of the vowel of a timed word's stressed syllable; the word's start if its vowels are not known.
 
     The vowel with the primary stress; for phones without stress digits, the longest other than AH, because length is
-    the strongest cue of stress and AH is what English vowels weaken to (`../shared/alignment.md`, "Stress").
+    the strongest cue of stress and AH is what English vowels weaken to (docs/references.md, "Stress").
     """
     vowels = [phone for phone in word.phones if phone.label in _VOWELS]
     if not vowels:

@@ -13,7 +13,7 @@ from .anchoring import PlacedBehavior
 from .conflicts import Kept, compete, transition
 
 SHORTEST_HOLD_S = 0.2
-"""The least hold that remains (people's holds last .20 to 1.10 s, shared/motion.md)."""
+"""The least hold that remains (people's holds last .20 to 1.10 s, docs/references.md)."""
 
 
 def eased(kept: Kept) -> Kept:

@@ -1,8 +1,8 @@
 """The schema of BML as one table: elements, their attributes and sync points, and their content.
 
 Writer, reader and JSON form all use this table. It covers BML 1.0 core as strict realizers interpret it
-(shared/bml.md), `faceFacs` of the core extensions, and the subset of SmartBody's dialect that we write. The core is
-closed: an unknown name in its namespaces is a mistake. SmartBody's dialect is open: unknown names are kept and
+(docs/references.md), `faceFacs` of the core extensions, and the subset of SmartBody's dialect that we write. The core
+is closed: an unknown name in its namespaces is a mistake. SmartBody's dialect is open: unknown names are kept and
 reported.
 """
 

@@ -1,4 +1,4 @@
-"""Validates BML files against the schema and the rules of strict realizers (shared/bml.md).
+"""Validates BML files against the schema and the rules of strict realizers (docs/references.md).
 
 Elements come from the parser with all attributes as text. Names, attributes and content of every element are checked
 first, then, block by block, ids, references, the order of sync points, and conflicting gazes.

@@ -1,4 +1,4 @@
-"""Writes BML documents as XML that strict realizers accept (shared/bml.md).
+"""Writes BML documents as XML that strict realizers accept (docs/references.md).
 
 UTF-8 without character references; every namespace is declared as the default where it begins, and only foreign
 attributes have prefixes. Elements are on lines of their own, except next to text and outside the dialect, where white

@@ -1,4 +1,4 @@
-"""Converts the schedule of a performance to an act of SmartBody (shared/bml.md, "SmartBody dialect").
+"""Converts the schedule of a performance to an act of SmartBody (docs/references.md).
 
 SmartBody has a smaller vocabulary. Gestures are written as the nearest in its shipped gesture map (`smartbody_tables`),
 head movements as the nearest of three (`HEADS`). Faces are action units, as are blinks; a gaze lasts until the next, so

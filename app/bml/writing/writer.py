@@ -1,4 +1,4 @@
-"""Writes the kept behaviours of a performance as BML, in the requested dialect and time form (shared/bml.md).
+"""Writes the kept behaviours of a performance as BML, in the requested dialect and time form (docs/references.md).
 
 `understudy.bml.writing.blocks` and `understudy.bml.writing.smartbody` build the document,
 `understudy.bml.markup.xml_writing` writes it as XML, `understudy.bml.writing.json_form` as JSON.

@@ -122,7 +122,7 @@ def _threshold_s(gaps: Sequence[tuple[float, bool]]) -> float:
 
 
 def phase_habit(annotations: Iterable[Annotation]) -> PhaseHabit:
-    """How long phases last; people's usual times where none is marked (shared/motion.md)."""
+    """How long phases last; people's usual times where none is marked (docs/references.md)."""
     phrases = [phrase for annotation in annotations for phrase in annotation.phrases]
     phases = [phase for phrase in phrases for phase in phrase.phases]
     back = [unit.retraction for annotation in annotations for unit in annotation.units if unit.retraction]

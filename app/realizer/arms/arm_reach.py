@@ -26,7 +26,7 @@ from ..geometry.rotations import (
 )
 
 ELBOW_FLEXION_DEG = (12.0, 136.0)
-"""The range of elbow flexion seen in speakers' strokes (shared/motion.md)."""
+"""The range of elbow flexion seen in speakers' strokes (docs/references.md)."""
 
 _MOST_BENT_DEG, _STRAIGHT_DEG = 149.0, 2.0
 _SOFTENED_M = 0.02

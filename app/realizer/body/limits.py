@@ -1,4 +1,4 @@
-"""Joint limits (shared/motion.md): measuring violations and clamping rotations to them.
+"""Joint limits (docs/references.md): measuring violations and clamping rotations to them.
 
 Conventions: a joint's rotation is decomposed into a twist about its bone and a swing, whose rotation vector gives the
 other two angles; the three angles are about the axes x, y, z of the left side's joint, in degrees, and the right side's

@@ -1,6 +1,6 @@
 """The skeleton, with VRM 1.0 humanoid joint names in VRM's T-pose, and its forward kinematics.
 
-Conventions (shared/motion.md): metres, Y up, the character faces +Z, its left is +X, feet at Y = 0. In the T-pose the
+Conventions (docs/references.md): metres, Y up, the character faces +Z, its left is +X, feet at Y = 0. In the T-pose the
 axes of all joints are parallel to the world's, so the identity rotation is the T-pose, with palms down and thumbs
 forward. Parents come before their children.
 """

@@ -1,9 +1,9 @@
 """Exports the body as Biovision BVH text.
 
-Conventions (shared/motion.md): centimetres, Y up, facing +Z; zero rotation is the T-pose, with the feet on the ground.
-The root has six channels, its absolute position and its rotation; each other joint has three. Rotations are Z X Y in
-degrees, about the joint's own axes in that order, so R = Rz · Rx · Ry. The first frame is the motion's first, unless a
-T-pose comes before it.
+Conventions (docs/references.md): centimetres, Y up, facing +Z; zero rotation is the T-pose, with the feet on the
+ground. The root has six channels, its absolute position and its rotation; each other joint has three. Rotations are Z X
+Y in degrees, about the joint's own axes in that order, so R = Rz · Rx · Ry. The first frame is the motion's first,
+unless a T-pose comes before it.
 
 Readers differ about the root's OFFSET, which is its place in the T-pose. For Blender and many others its positions are
 absolute, and without an offset the body they make stands in the ground to its hips; three.js and others add the two,

@@ -1,8 +1,8 @@
 """Exports binary glTF: the skinned mannequin with 52 ARKit blendshapes and 15 visemes, animated.
 
-Conventions (shared/motion.md): metres, seconds from the first frame, LINEAR interpolation. Successive quaternions have
-continuous signs. The weights of all morph targets are one track; the visemes' stay 0, since the ARKit shapes already
-show the speech.
+Conventions (docs/references.md): metres, seconds from the first frame, LINEAR interpolation. Successive quaternions
+have continuous signs. The weights of all morph targets are one track; the visemes' stay 0, since the ARKit shapes
+already show the speech.
 """
 
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,8 +1,8 @@
 """Splits the visemes of diphthongs in two, so that the mouth glides as in "how" from wide to round.
 
-The schedule has one of fifteen visemes per phone (shared/motion.md), which for a diphthong is that of its first vowel.
-Where phones are known too, the last part of a diphthong gets the viseme of the vowel it glides to, with the jaw less
-open and less articulated, since glides usually undershoot.
+The schedule has one of fifteen visemes per phone (docs/references.md), which for a diphthong is that of its first
+vowel. Where phones are known too, the last part of a diphthong gets the viseme of the vowel it glides to, with the jaw
+less open and less articulated, since glides usually undershoot.
 """
 
 from collections.abc import Iterable, Iterator, Mapping

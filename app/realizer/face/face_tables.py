@@ -22,7 +22,7 @@ from ..body.motion import SHAPES
 INDEX: Mapping[str, int] = MappingProxyType({name: number for number, name in enumerate(SHAPES)})
 
 VISEMES = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "I", "O", "U")
-"""The fifteen visemes in the order that rigs use (shared/motion.md)."""
+"""The fifteen visemes in the order that rigs use (docs/references.md)."""
 
 SILENCE = "sil"
 

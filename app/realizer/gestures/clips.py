@@ -17,7 +17,7 @@ from .gesture import ArmKey, Clip, ClipKey, Definition, Expressivity, Frame, Fra
 from .gesture_space import sector_m
 
 EMPHASIS = 0.61
-"""Where speakers put the emphasis within a stroke, as a share of its duration (shared/motion.md)."""
+"""Where speakers put the emphasis within a stroke, as a share of its duration (docs/references.md)."""
 
 LEADING = Hand.RIGHT
 """The leading hand of a two-handed gesture, whose keys come first in its file."""

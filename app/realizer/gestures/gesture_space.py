@@ -1,9 +1,9 @@
 """McNeill's gesture space in metres: the wrist's position for each sector.
 
 Conventions: the origin is the hips joint of the upright body; x points to the arm's own side, y up, z away from the
-body. The heights follow shared/motion.md, where 0 is the hips and 1 the shoulders; Gesture Engine §4.2 has `YUpperP` at
-the shoulders. McNeill (1992) defines the sectors without metres; these fit the default body (arm .53 m to the wrist),
-so that nearly every sector is within reach.
+body. The heights follow docs/references.md, where 0 is the hips and 1 the shoulders; Gesture Engine §4.2 has `YUpperP`
+at the shoulders. McNeill (1992) defines the sectors without metres; these fit the default body (arm .53 m to the
+wrist), so that nearly every sector is within reach.
 """
 
 from collections.abc import Mapping

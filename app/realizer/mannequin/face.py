@@ -141,7 +141,7 @@ VISEME_MIXTURES: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "U": {"jawOpen": 0.16, "mouthPucker": 0.85, "mouthFunnel": 0.2},
     }
 )
-"""The fifteen visemes of shared/motion.md as mixtures of shapes; a name without a side stands for both."""
+"""The fifteen visemes of docs/references.md as mixtures of shapes; a name without a side stands for both."""
 
 FACE_SHAPES: tuple[str, ...] = (*SHAPES, *(f"viseme_{name}" for name in VISEMES))
 

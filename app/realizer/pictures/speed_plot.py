@@ -1,7 +1,7 @@
 """Plots wrist speeds of both hands with gesture phases and words, to judge gestures by eye.
 
 Conventions: speeds are metres per second in the world, low-pass filtered at 6 Hz like the recordings they are compared
-with (shared/motion.md). Needs matplotlib, the extra `understudy[plot]`; command line and HTTP API check for it.
+with (docs/references.md). Needs matplotlib, the extra `understudy[plot]`; command line and HTTP API check for it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ HEIGHT_INCHES = 5.2
 DOTS_PER_INCH = 100
 LOW_PASS_HZ = 6.0
 HIGHEST_USUAL_M_S = 2.0
-"""The 99th percentile of people's wrist speeds (shared/motion.md), drawn as a line."""
+"""The 99th percentile of people's wrist speeds (docs/references.md), drawn as a line."""
 
 PHASES: Mapping[str, tuple[str, str, str]] = MappingProxyType(
     {

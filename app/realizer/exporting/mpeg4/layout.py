@@ -1,4 +1,4 @@
-"""The ASCII layout of body and face animation parameters, as MPEG-4 players read it (shared/ecosystem.md).
+"""The ASCII layout of body and face animation parameters, as MPEG-4 players read it (docs/references.md).
 
 The first line is `VERSION NAME FRAMES-A-SECOND FRAMES`. Of each frame there are two lines: the mask, a 1 for every
 parameter that is set, then the frame's number and one integer for each of these.

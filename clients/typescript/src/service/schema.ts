@@ -614,7 +614,7 @@ export interface components {
         };
         /**
          * DialectName
-         * @description The supported dialects of BML (shared/bml.md).
+         * @description The supported dialects of BML (docs/references.md).
          * @enum {string}
          */
         DialectName: "bml" | "smartbody";
