@@ -3,19 +3,27 @@
 PYTHON ?= python3
 BIN := .venv/bin
 
-.PHONY: perform test search test-clients serve npc plugin test-plugins lock client-types clean
+# Every target with its first line of comment.
+help:
+	@awk '/^# /{c=substr($$0,3)} /^[a-z][a-z-]*:/{sub(":.*",""); printf "%-14s %s\n", $$0, c; c=""}' $(MAKEFILE_LIST)
 
+.PHONY: help format docs bench perform test search test-clients serve npc plugin test-plugins lock client-types clean
+
+# Installs into .venv and performs the bundled line: out/example.bml.
 perform: .venv/installed
 	mkdir -p out
 	$(BIN)/understudy perform examples/example.flac --text-file examples/example.txt -o out/example.bml --trace out/example.json
 
+# The service and the studio at http://127.0.0.1:8000/.
 serve: .venv/installed
 	$(BIN)/understudy serve
 
+# The example of a game's page with two characters.
 npc: .venv/installed
 	cd clients/typescript && npm ci --silent && npm run --silent build
 	cd examples/npc && npm ci --silent && npm start
 
+# The test suite and all static checks, as CI runs them.
 test: .venv/installed-test
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
@@ -23,6 +31,22 @@ test: .venv/installed-test
 	$(BIN)/lint-imports
 	$(BIN)/understudy rules check
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n auto --maxprocesses 4 --dist loadfile -rs
+
+# Formats the Python code.
+format: .venv/installed-test
+	$(BIN)/ruff check --fix --select I .
+	$(BIN)/ruff format .
+
+# The documentation as a site in out/site; a link that leads nowhere fails.
+docs: .venv/installed
+	$(BIN)/pip install --quiet --disable-pip-version-check "mkdocs-material>=9.6,<10" "mkdocs>=1.6,<2"
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
+
+# The figures that can be taken in some minutes without further data: speed, start-up, structure.
+bench: .venv/installed-test
+	$(BIN)/python -m benchmarks.structure
+	$(BIN)/python -m benchmarks.startup --runs 3
+	$(BIN)/python -m benchmarks.pipeline
 
 # New examples for the properties, twenty times as many as the suite tries, which are always the same: an hour on two cores.
 search: .venv/installed-test
@@ -72,5 +96,6 @@ lock: .venv/installed-test
 client-types: .venv/installed
 	cd clients/typescript && npm ci --silent && UNDERSTUDY_PYTHON=../../$(BIN)/python node scripts/generate.js
 
+# Removes everything that make has made.
 clean:
 	rm -rf .venv .venv-bpy out dist clients/typescript/dist examples/npc/.cache .mypy_cache .ruff_cache .pytest_cache .import_linter_cache
