@@ -1,7 +1,7 @@
 """The values of a batch.
 
-Rows count as in a spreadsheet: from 1, a header included; in a screenplay a row is a line of the file. Times are
-seconds from the start of the recording.
+Rows count as in a spreadsheet: from 1, a header included; in a screenplay a row is a line of the file, in subtitles a
+cue. Times are seconds from the start of the recording.
 """
 
 from dataclasses import dataclass
@@ -16,6 +16,7 @@ class ScriptLine:
     """A line of a script.
 
     `character` is the cue name as in the script, `comment` is a remark on the delivery ("whispers"), for people;
+    `sheet` is the worksheet if lines of several are read;
     `recording` is the file named in the script, `interval` the place of the line in a longer recording. `listeners` are
     those the script names; None leaves it to cast and scene. `edits` are those the script names.
     """
@@ -36,32 +37,43 @@ class ScriptLine:
     affect: AffectTrack | None = None
     seed: int | None = None
     targets: tuple[Target, ...] = ()
+    sheet: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
     """Why a row is not a line that can be performed. `code` is stable; `column` is as people find it ("C (text)"),
-    empty if it concerns the whole row; `id` is the line's, if known."""
+    empty if it concerns the whole row; `id` is the line's, if known. `unit` is what rows are called in the script."""
 
     row: int
     column: str
     code: str
     message: str
     id: str = ""
+    sheet: str = ""
+    unit: str = "row"
 
     def __str__(self) -> str:
         column = f", column {self.column}" if self.column else ""
-        return f"row {self.row}{column}: {self.message}"
+        return f"{place_told(self.row, self.sheet, self.unit)}{column}: {self.message}"
+
+
+def place_told(row: int, sheet: str = "", unit: str = "row") -> str:
+    """A place in a script in words: "row 7", "sheet 'Act 2', row 7", "line 7"."""
+    return f"sheet {sheet!r}, {unit} {row}" if sheet else f"{unit} {row}"
 
 
 @dataclass(frozen=True, slots=True)
 class Script:
-    """A script as read: the usable lines, problems with the others, and remarks about what was guessed."""
+    """A script as read: the usable lines, problems with the others, and remarks about what was guessed or left out.
+    `columns` are the headings by field, and those of no field, of a sheet; `unit` is what its rows are called."""
 
     path: Path
     lines: tuple[ScriptLine, ...]
     problems: tuple[Problem, ...] = ()
     remarks: tuple[str, ...] = ()
+    columns: tuple[tuple[str, str], ...] = ()
+    unit: str = "row"
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,7 +18,7 @@ from .layout import require_apart
 from .manifest.entries import Entry, State
 from .matching.joining import Joined, Missing, join_one_recording, join_recordings
 from .matching.recordings import find_recordings
-from .model import Problem, Script, Take
+from .model import Problem, Script, Take, place_told
 from .request import BatchRequest
 from .scripts.reading import read_script
 from .work.audio import AudioSource
@@ -41,7 +41,7 @@ class Plan:
 def plan_batch(request: BatchRequest) -> Plan:
     """Raises InputError for a script, recordings or options that cannot be used at all; problems of single lines are
     part of the plan."""
-    script = read_script(request.script, request.columns)
+    script = read_script(request.script, request.columns, request.sheets)
     characters = load_characters().by_name
     cast = read_cast(request.cast, frozenset(characters)) if request.cast else NOBODY_CAST
     casting = Casting.of(cast, request.options, characters, script.lines, has_partners=request.has_partners)
@@ -56,7 +56,8 @@ def plan_batch(request: BatchRequest) -> Plan:
     require_apart((take.id, target) for take, job in jobs for target in job.targets)
     _require_spared(request, jobs)
     voices = reference_jobs(_to_learn(casting, jobs)) if request.learns_voices else ()
-    script = replace(script, problems=script.problems + problems)
+    told = (replace(problem, unit=script.unit) for problem in problems)
+    script = replace(script, problems=(*script.problems, *told))
     return Plan(script, joined, jobs, voices, (*script.remarks, *casting.remarks(script.lines)))
 
 
@@ -91,20 +92,20 @@ def hopeless_entries(plan: Plan) -> Iterator[Entry]:
     used = {job.id for _take, job in plan.jobs}
     place = len(plan.jobs)
     for problem in _one_a_row(plan.script.problems):
-        yield _failed(place, problem.row, problem.id, _failure(problem), used)
+        yield _failed(place, problem.row, problem.id, _failure(problem), used, sheet=problem.sheet)
         place += 1
     for missing in plan.joined.missing:
-        failure = Failure("audio_missing", without_audio(missing))
+        failure = Failure("audio_missing", without_audio(missing, plan.script.unit))
         line = missing.line
         entry = _failed(place, line.row, line.id, failure, used)
         yield replace(entry, character=line.character, text=line.text, comment=line.comment)
         place += 1
 
 
-def without_audio(missing: Missing) -> str:
-    """The message about a line without a recording."""
+def without_audio(missing: Missing, unit: str = "row") -> str:
+    """The message about a line without a recording; `unit` is what rows are called in the script."""
     hint = f"; did you mean {missing.near!r}?" if missing.near else ""
-    return f"row {missing.line.row}: no recording{hint}"
+    return f"{place_told(missing.line.row, missing.line.sheet, unit)}: no recording{hint}"
 
 
 def _joined(request: BatchRequest, script: Script) -> Joined:
@@ -157,10 +158,10 @@ def _require_spared(request: BatchRequest, jobs: Sequence[tuple[Take, LineJob]])
 
 def _one_a_row(problems: Sequence[Problem]) -> Iterator[Problem]:
     """The problems, those of a row combined into one."""
-    by_row: dict[int, Problem] = {}
+    by_row: dict[tuple[str, int], Problem] = {}
     for problem in problems:
-        known = by_row.get(problem.row)
-        by_row[problem.row] = (
+        known = by_row.get((problem.sheet, problem.row))
+        by_row[problem.sheet, problem.row] = (
             problem if known is None else replace(known, message=f"{known.message}; {problem.message}")
         )
     yield from by_row.values()
@@ -170,7 +171,7 @@ def _failure(problem: Problem) -> Failure:
     return Failure(problem.code, str(problem))
 
 
-def _failed(place: int, row: int, name: str, failure: Failure, used: set[str]) -> Entry:
-    unique = name if name and name not in used else f"{name} (row {row})".strip()
+def _failed(place: int, row: int, name: str, failure: Failure, used: set[str], *, sheet: str = "") -> Entry:
+    unique = name if name and name not in used else f"{name} ({place_told(row, sheet)})".strip()
     used.add(unique)
     return Entry(unique, place, row, "", "", "", "", "", None, None, "", "", State.FAILED, failure=failure)

@@ -15,9 +15,10 @@ from .work.jobs import MotionForm
 @dataclass(frozen=True, slots=True)
 class BatchRequest:
     """A script, its recordings (a folder, or one recording that lines are cut out of), the output folder, and options.
-    `options` apply to all lines, `cast` is the file that says who performs whom. With `has_partners` those who speak
-    next to a line in its scene listen to it, with `learns_voices` the speakers' usual voices are learnt; `again`
-    performs lines that are done too; `thumbnails` is the number of lines pictured in the report."""
+    `columns` are headings by field, `sheets` the worksheets that are read (none: all that look alike). `options` apply
+    to all lines, `cast` is the file that says who performs whom. With `has_partners` those who speak next to a line in
+    its scene listen to it, with `learns_voices` the speakers' usual voices are learnt; `again` performs lines that are
+    done too; `thumbnails` is the number of lines pictured in the report."""
 
     script: Path
     audio: Path
@@ -25,6 +26,7 @@ class BatchRequest:
     formats: tuple[OutputFormat, ...] = (LineFormat.BML,)
     layout: Layout = field(default_factory=Layout)
     columns: Mapping[str, str] = field(default_factory=dict)
+    sheets: tuple[str, ...] = ()
     pattern: Pattern | None = None
     choice: Choice = Choice.LAST
     options: Options = field(default_factory=Options)

@@ -22,7 +22,8 @@ from ..yaml_files import did_you_mean
 from .references import ReferenceForm
 
 MOST_LISTENERS = 16
-_LISTENER = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}", re.ASCII)
+_LISTENER = re.compile(r"[^\W\d_]\w{0,63}")
+"""Letters of any language, as names have them."""
 _ALLOWED = re.compile(r"'([^']*)'")
 
 LARGEST_SEED = 2**63 - 1
@@ -205,7 +206,7 @@ def check_realize_options(fields: dict[str, Any]) -> RealizeOptions:
 
 
 def listener_names(names: Sequence[str]) -> tuple[str, ...]:
-    """The validated names of listeners, which are used as file names and as BML character ids.
+    """The validated names of listeners, which are used in file names and as targets in BML.
 
     Raises InputError `value_wrong` for an invalid or repeated name, or more than `MOST_LISTENERS`.
     """

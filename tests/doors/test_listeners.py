@@ -72,8 +72,8 @@ def test_modes_change_the_gestures_alone(understudy: Understudy) -> None:
 
 def test_the_command_line_writes_listeners_beside(tmp_path: Path) -> None:
     out = tmp_path / "out.bml"
-    assert main([*COMMAND, "-o", str(out), "--listener", "bob", "--listener", "reserved"]) == 0
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["out.bml", "out.bob.bml", "out.reserved.bml"]
+    assert main([*COMMAND, "-o", str(out), "--listener", "Zoë", "--listener", "reserved"]) == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out.Zoë.bml", "out.bml", "out.reserved.bml"]
 
 
 def test_a_listeners_act_ends_as_the_speakers(tmp_path: Path) -> None:

@@ -16,12 +16,12 @@ from .partners import listener_name, neighbours
 @dataclass(frozen=True, slots=True)
 class Casting:
     """Decides each line's options. `characters` are ours; `partners` are the neighbouring speakers in the scene, by
-    row."""
+    the id of the line."""
 
     cast: Cast
     common: Options
     characters: Collection[str]
-    partners: Mapping[int, tuple[str, ...]]
+    partners: Mapping[str, tuple[str, ...]]
 
     @classmethod
     def of(
@@ -82,7 +82,7 @@ class Casting:
     def _listeners(self, line: ScriptLine, part: Part) -> tuple[str, ...]:
         """The listeners without duplicates: those of the line, else of the cast, else of the scene."""
         told = next(
-            names for names in (line.listeners, part.listeners, self.partners.get(line.row, ())) if names is not None
+            names for names in (line.listeners, part.listeners, self.partners.get(line.id, ())) if names is not None
         )
         by_name = {listener_name(name).casefold(): name for name in told}
         by_name.pop(listener_name(line.character).casefold(), None)

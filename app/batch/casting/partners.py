@@ -1,28 +1,30 @@
 """Finds those who speak next to a line in its scene, and makes names for listeners."""
 
 import re
+import unicodedata
 from collections.abc import Iterator, Sequence
 
 from ..model import ScriptLine
 from .cast_file import folded
 
-_NO_NAME = re.compile(r"[^A-Za-z0-9]+")
+_NO_NAME = re.compile(r"[\W_]+")
 _LONGEST = 64
 
 
-def neighbours(lines: Sequence[ScriptLine]) -> dict[int, tuple[str, ...]]:
-    """For each row in a scene, the nearest other speakers before and after it, the one before first."""
-    partners: dict[int, tuple[str, ...]] = {}
+def neighbours(lines: Sequence[ScriptLine]) -> dict[str, tuple[str, ...]]:
+    """For each line in a scene, by its id, the nearest other speakers before and after it, the one before first."""
+    partners: dict[str, tuple[str, ...]] = {}
     for scene in _scenes(lines):
         for place, line in enumerate(scene):
             found = [_nearest(line, reversed(scene[:place])), _nearest(line, iter(scene[place + 1 :]))]
-            partners[line.row] = tuple(dict.fromkeys(name for name in found if name))
+            partners[line.id] = tuple(dict.fromkeys(name for name in found if name))
     return partners
 
 
 def listener_name(name: str) -> str:
-    """A name of the script as a valid listener's name, for BML and file names."""
-    plain = _NO_NAME.sub("_", name).strip("_")[: _LONGEST - 2] or "listener"
+    """A name of the script as a valid listener's name, for BML and file names: with its letters, whatever they are,
+    and underscores between words (Zoë, Jörg_Müller)."""
+    plain = _NO_NAME.sub("_", unicodedata.normalize("NFC", name)).strip("_")[: _LONGEST - 2] or "listener"
     return plain if plain[0].isalpha() else f"L_{plain}"
 
 

@@ -11,11 +11,13 @@ import soundfile
 from ...model import Interval
 from ..manifest.entries import Entry, State
 from ..matching.near_names import NearNames
+from ..model import place_told
 from ..planning import Plan, without_audio
 from ..work.formats import needs_motion
 from ..work.jobs import LineJob
 
 MOST_TOLD = 40
+FIRST_LINES = 3
 
 SECONDS_A_LINE, SECONDS_A_SECOND = 0.03, 0.025
 """Processor time per line and per second of speech, without motion (docs/measurements.md, "Batch")."""
@@ -38,18 +40,37 @@ def dry_run(plan: Plan, before: Mapping[str, Entry], *, workers: int) -> DryRun:
     """What would be done by so many workers; `before` is the manifest of an earlier run."""
     durations_s = {job.id: _duration_s(job) for _take, job in plan.jobs}
     problems = [str(problem) for problem in plan.script.problems]
-    missing = [f"{each.line.id}, {without_audio(each)}" for each in plan.joined.missing]
+    unit = plan.script.unit
+    missing = [f"{each.line.id}, {without_audio(each, unit)}" for each in plan.joined.missing]
     unreadable = [str(job.audio.path) for _take, job in plan.jobs if durations_s[job.id] is None]
     sections = {
-        "wrong rows": problems,
+        f"wrong {unit}s": problems,
         "lines without audio": missing,
         "audio that cannot be read": unreadable,
         "audio without lines": list(_unused(plan)),
         "several recordings of one take (the first is performed)": list(_rivals(plan)),
         "one recording of several lines": list(_shared(plan)),
     }
-    told = [*_speakers(plan, durations_s), *_sections(sections), "", _summary(plan, durations_s, before, workers)]
+    told = [
+        *_understood(plan),
+        *_speakers(plan, durations_s),
+        *_sections(sections),
+        "",
+        _summary(plan, durations_s, before, workers),
+    ]
     return DryRun(tuple(told), not (problems or missing or unreadable))
+
+
+def _understood(plan: Plan) -> Iterator[str]:
+    """Which column is taken for what, the first lines as they were read, and what was guessed or left out."""
+    script = plan.script
+    for field, heading in script.columns:
+        yield f"{field or '(not used)':12s} <- {heading}"
+    for line in script.lines[:FIRST_LINES]:
+        who = f"{line.character}: " if line.character else ""
+        yield f"{place_told(line.row, line.sheet, script.unit)}, {line.id}: {who}{line.text}"
+    yield from plan.remarks
+    yield ""
 
 
 def _speakers(plan: Plan, durations_s: Mapping[str, float | None]) -> Iterator[str]:

@@ -32,6 +32,9 @@ FIELDS = (
 )
 """The fields that columns can have."""
 
+EITHER = "id or text"
+"""The key of names that are the text beside another column for the id, and the id otherwise."""
+
 _LETTERS = 26
 
 
@@ -41,9 +44,11 @@ class _UsualNames(RootModel[dict[str, list[str]]]):
 
 @dataclass(frozen=True, slots=True)
 class ColumnNames:
-    """The usual names of columns: the field and the rank (0 is preferred) of each folded name."""
+    """The usual names of columns: the field and the rank (0 is preferred) of each folded name, and those that may be
+    the id or the text."""
 
     fields: Mapping[str, tuple[str, int]]
+    either: frozenset[str] = frozenset()
 
     @classmethod
     def load(cls, path: Path | None = None) -> "ColumnNames":
@@ -52,7 +57,7 @@ class ColumnNames:
         fields: dict[str, tuple[str, int]] = {}
         mistakes = []
         for field, names in source.validated(_UsualNames).root.items():
-            if field not in FIELDS:
+            if field not in (*FIELDS, EITHER):
                 mistakes.append(source.mistake((field,), f"no field is called {field!r}{did_you_mean(field, FIELDS)}"))
             for place, name in enumerate(names):
                 if fields.setdefault(folded(name), (field, place))[0] != field:
@@ -60,11 +65,13 @@ class ColumnNames:
                     mistakes.append(source.mistake((field, place), f"{name!r} is a name of {owner!r} already"))
         if mistakes:
             raise AuthoringError(tuple(mistakes))
-        return cls(MappingProxyType(fields))
+        either = frozenset(name for name, (field, _rank) in fields.items() if field == EITHER)
+        sure = {name: found for name, found in fields.items() if name not in either}
+        return cls(MappingProxyType(sure), either)
 
     def recognised(self, header: Sequence[str]) -> int:
         """The number of cells of a header that are known names."""
-        return sum(folded(cell) in self.fields for cell in header)
+        return sum(folded(cell) in self.fields or folded(cell) in self.either for cell in header)
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +85,15 @@ class Columns:
 
     def name(self, field: str) -> str:
         """The column as people find it: its letter and its heading."""
-        place = self.places[field]
+        return self._told(self.places[field])
+
+    def told(self) -> tuple[tuple[str, str], ...]:
+        """The columns by field in their order, those that are not used with an empty field."""
+        fields = {place: field for field, place in self.places.items()}
+        headings = enumerate(self.header)
+        return tuple((fields.get(place, ""), self._told(place)) for place, told in headings if told or place in fields)
+
+    def _told(self, place: int) -> str:
         return f"{letters(place)} ({self.header[place]})" if self.has_letters else repr(self.header[place])
 
 
@@ -98,11 +113,19 @@ def find_columns(
     ]
     for _rank, place, field in sorted(ranked):
         places.setdefault(field, place)
+    _place_either(places, [place for place, cell in enumerate(cells) if folded(cell) in names.either])
     if needs_text and "text" not in places:
         told = ", ".join(repr(cell) for cell in cells if cell) or "nothing"
         message = f'{file}: no column has the words; its headings are {told}; name it with --column text="HEADING"'
         raise InputError("columns_missing", message, field="script")
     return Columns(cells, MappingProxyType(places))
+
+
+def _place_either(places: dict[str, int], either: Sequence[int]) -> None:
+    """Columns whose names are those of ids and of words: the words where there are no others, else the id."""
+    for place in either:
+        if place not in places.values():
+            places.setdefault("id" if "text" in places else "text", place)
 
 
 def read_named(options: Sequence[str]) -> dict[str, str]:
@@ -119,8 +142,8 @@ def read_named(options: Sequence[str]) -> dict[str, str]:
 
 
 def folded(name: str) -> str:
-    """A heading in lower case without punctuation, for comparison."""
-    return re.sub(r"[\s_.\-:#/']+", " ", name).strip().casefold()
+    """A heading in lower case without punctuation, for comparison; # is "no"."""
+    return re.sub(r"[\s_.\-:/']+", " ", name.replace("#", " no ")).strip().casefold()
 
 
 def letters(place: int) -> str:
@@ -134,8 +157,9 @@ def letters(place: int) -> str:
 
 
 def _place_of(field: str, heading: str, cells: Sequence[str], file: str) -> int:
-    for place, cell in enumerate(cells):
-        if folded(cell) == folded(heading):
-            return place
+    for spelt in (str, str.casefold, folded):  # exactly as named, else in another spelling
+        for place, cell in enumerate(cells):
+            if spelt(cell) == spelt(heading.strip()):
+                return place
     message = f"{file}: no column is headed {heading!r}{did_you_mean(heading, cells)}"
     raise InputError("columns_missing", message, field=f"column {field}")

@@ -1,6 +1,7 @@
 """Reads a script of any supported format, chosen by the file's extension."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 
@@ -32,8 +33,14 @@ READERS: Mapping[str, Reader] = MappingProxyType(
 """The readers by extension; they take content, path, and the headings of columns that the caller named."""
 
 
-def read_script(path: Path, named: Mapping[str, str]) -> Script:
-    """The script in a file.
+_UNITS: Mapping[str, str] = MappingProxyType(
+    {".fountain": "line", ".fdx": "line", ".jsonl": "line", ".srt": "cue", ".vtt": "cue"}
+)
+"""What rows are called in formats that are no sheets."""
+
+
+def read_script(path: Path, named: Mapping[str, str], sheets: Sequence[str] = ()) -> Script:
+    """The script in a file; `sheets` are the worksheets of a workbook that are meant.
 
     Raises UnsupportedFormatError `script_format`, InputError `file_unreadable`, `script_empty` and as the format's
     reader does; problems of single lines are part of the script.
@@ -42,10 +49,14 @@ def read_script(path: Path, named: Mapping[str, str]) -> Script:
     if reader is None:
         message = f"{path}: scripts are {', '.join(READERS)}; save it as one of them"
         raise UnsupportedFormatError("script_format", message, field="script")
-    script = reader(_content(path), path, named)
+    if sheets and reader is not read_workbook:
+        raise InputError("usage", f"--sheet: {path} has no worksheets; leave it out", field="sheet")
+    content = _content(path)
+    script = read_workbook(content, path, named, chosen=sheets) if sheets else reader(content, path, named)
     if not script.lines and not script.problems:
         raise InputError("script_empty", f"{path}: no line in it", field="script")
-    return script
+    unit = _UNITS.get(path.suffix.lower(), "row")
+    return replace(script, unit=unit, problems=tuple(replace(each, unit=unit) for each in script.problems))
 
 
 def _content(path: Path) -> bytes:

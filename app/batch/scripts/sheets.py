@@ -5,12 +5,13 @@ names.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path, PurePath
 
 from ...errors import InputError, TooLargeError
-from ..model import Problem, Script, ScriptLine
+from ..model import Problem, Script, ScriptLine, place_told
 from .cells import Row
-from .columns import ColumnNames, Columns, find_columns
+from .columns import ColumnNames, Columns, find_columns, folded
 from .dialects import dialect_of
 
 Cells = Sequence[str]
@@ -57,9 +58,7 @@ def read_sheet(
     dialect = None if named else dialect_of(header)
     columns = dialect.columns(header) if dialect else find_columns(header, names, named, file=str(path))
     script = read_lines(numbered[place + 1 :], columns, path, remarks)
-    if dialect is None:
-        return script
-    return Script(path, tuple(map(dialect.plain, script.lines)), script.problems, script.remarks)
+    return script if dialect is None else replace(script, lines=tuple(map(dialect.plain, script.lines)))
 
 
 def read_lines(rows: Iterable[tuple[int, Cells]], columns: Columns, path: Path, remarks: Sequence[str] = ()) -> Script:
@@ -68,27 +67,33 @@ def read_lines(rows: Iterable[tuple[int, Cells]], columns: Columns, path: Path, 
     lines = [line for line, problems in read if not problems]
     kept, doubles = without_doubles(lines, columns.name("id") if "id" in columns.places else "")
     problems = [*(problem for _line, found in read for problem in found), *doubles]
-    return Script(path, kept, tuple(sorted(problems, key=lambda each: each.row)), tuple(remarks))
+    ordered = tuple(sorted(problems, key=lambda each: each.row))
+    return Script(path, kept, ordered, tuple(remarks), columns.told())
 
 
 def heading_place(rows: Sequence[Cells], names: ColumnNames, named: Mapping[str, str]) -> int:
-    """The position of the row with the headings: the one with the most known names, the first of several."""
-    known = [names.recognised(cells) + sum(cell in named.values() for cell in cells) for cells in rows]
+    """The position of the row with the headings: the one with the most known names, the first of several; if none has
+    any, the fullest, since a title is one cell."""
+    headings = {folded(heading) for heading in named.values()}
+    known = [names.recognised(cells) + sum(folded(cell) in headings for cell in cells) for cells in rows]
+    if not any(known):
+        known = [sum(bool(cell.strip()) for cell in cells) for cells in rows]
     return known.index(max(known))
 
 
 def without_doubles(lines: Sequence[ScriptLine], column: str) -> tuple[tuple[ScriptLine, ...], list[Problem]]:
     """The lines whose id does not repeat an earlier one (without case, as in file names), and a problem for each of the
     others."""
-    first: dict[str, int] = {}
+    first: dict[str, ScriptLine] = {}
     kept, problems = [], []
     for line in lines:
-        row = first.setdefault(line.id.casefold(), line.row)
-        if row == line.row:
+        earlier = first.setdefault(line.id.casefold(), line)
+        if earlier is line:
             kept.append(line)
         else:
-            message = f"{line.id!r} is row {row}'s already; give each line an id of its own"
-            problems.append(Problem(line.row, column, "id_repeated", message, line.id))
+            place = place_told(earlier.row, earlier.sheet)
+            message = f"{line.id!r} is {place}'s already; give each line an id of its own"
+            problems.append(Problem(line.row, column, "id_repeated", message, line.id, line.sheet))
     return tuple(kept), problems
 
 

@@ -1,9 +1,11 @@
-"""Reads sheets in Excel workbooks (.xlsx) with openpyxl: the worksheet with the most known headings."""
+"""Reads sheets in Excel workbooks (.xlsx) with openpyxl: those that are chosen, or the one with the most known headings
+and all that have the same."""
 
 import io
 import warnings
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Protocol
 from zipfile import BadZipFile, ZipFile
@@ -12,9 +14,10 @@ from openpyxl import load_workbook
 from openpyxl.utils.exceptions import InvalidFileException
 
 from ...errors import InputError, TooLargeError, UndecodableError
-from ..model import Script
-from .columns import ColumnNames
-from .sheets import ROWS_BEFORE_HEADINGS, heading_place, read_sheet, within_limits
+from ...yaml_files import did_you_mean
+from ..model import Script, ScriptLine
+from .columns import ColumnNames, folded
+from .sheets import ROWS_BEFORE_HEADINGS, heading_place, read_sheet, within_limits, without_doubles
 
 LARGEST_UNPACKED_BYTES = 96 << 20
 """The parts of a workbook together; 50,000 lines with 15 columns take about half."""
@@ -35,16 +38,66 @@ class _Sheet(Protocol):
     def iter_rows(self, *, values_only: bool) -> Iterator[tuple[object, ...]]: ...
 
 
-def read_workbook(content: bytes, path: Path, named: Mapping[str, str]) -> Script:
-    """The script in a workbook. Raises UndecodableError `sheet_undecodable`, InputError `script_empty` and
-    `columns_missing`."""
+def read_workbook(content: bytes, path: Path, named: Mapping[str, str], *, chosen: Sequence[str] = ()) -> Script:
+    """The script in a workbook: in the worksheets that are `chosen`, or in all that look alike. Raises UndecodableError
+    `sheet_undecodable`, TooLargeError `sheet_too_large`, InputError `script_empty`, `columns_missing` and
+    `sheet_missing`."""
     names = ColumnNames.load()
     sheets = _worksheets(content, path)
     if not sheets:
         raise InputError("script_empty", f"{path}: no worksheet in it; give one with a row of headings", field="script")
-    title = max(sheets, key=lambda each: _headings(sheets[each], names, named))
-    remarks = [f"{path}: worksheet {title!r} of {', '.join(map(repr, sheets))}"] if len(sheets) > 1 else []
-    return read_sheet(sheets[title], path, names=names, named=named, remarks=remarks)
+    titles = _chosen(sheets, chosen, path) or _alike(sheets, names, named)
+    left_out = [title for title in sheets if title not in titles]
+    remark = f"{path}: read worksheets {_listed(titles)}; left out {_listed(left_out)} (--sheet chooses)"
+    scripts = [(title, read_sheet(sheets[title], path, names=names, named=named)) for title in titles]
+    return _together(scripts, path, [remark] if left_out else [])
+
+
+def _chosen(sheets: Mapping[str, object], chosen: Sequence[str], path: Path) -> list[str]:
+    """The titles that are meant, in their order in the workbook."""
+    by_name = {title.strip().casefold(): title for title in sheets}
+    for name in chosen:
+        if name.strip().casefold() not in by_name:
+            told = f"{path}: no worksheet is called {name!r}{did_you_mean(name, tuple(sheets))}"
+            raise InputError("sheet_missing", f"{told}; there are {_listed(sheets)}", field="sheet")
+    wanted = {by_name[name.strip().casefold()] for name in chosen}
+    return [title for title in sheets if title in wanted]
+
+
+def _alike(sheets: Mapping[str, list[list[str]]], names: ColumnNames, named: Mapping[str, str]) -> list[str]:
+    """The worksheet with the most known headings, and all that have the same fields."""
+    headers = {title: _header(rows, names, named) for title, rows in sheets.items()}
+    known = {title: _known(header, names, named) for title, header in headers.items()}
+    best = max(sheets, key=lambda title: len(known[title]))
+    return [title for title in sheets if title == best or (known[best] and known[title] == known[best])]
+
+
+def _known(header: Sequence[str], names: ColumnNames, named: Mapping[str, str]) -> frozenset[str]:
+    """The headings of a sheet that are known or named, as they are compared."""
+    wanted = {folded(heading) for heading in named.values()}
+    cells = {folded(cell) for cell in header}
+    return frozenset(cell for cell in cells if cell in wanted or names.recognised([cell]))
+
+
+def _together(scripts: Sequence[tuple[str, Script]], path: Path, remarks: Sequence[str]) -> Script:
+    """The lines of several sheets, one after the other; each is a scene of its own where the script has no scenes."""
+    if len(scripts) == 1:
+        ((_title, script),) = scripts
+        return replace(script, remarks=(*script.remarks, *remarks))
+    lines = [_of_sheet(line, title, script) for title, script in scripts for line in script.lines]
+    kept, doubles = without_doubles(lines, "")
+    problems = [replace(each, sheet=title) for title, script in scripts for each in script.problems]
+    return Script(path, kept, (*problems, *doubles), tuple(remarks), scripts[0][1].columns)
+
+
+def _of_sheet(line: ScriptLine, title: str, script: Script) -> ScriptLine:
+    """A line of one of several sheets; ids that are mere row numbers begin with the sheet."""
+    has_id = line.recording or any(field == "id" for field, _heading in script.columns)
+    return replace(line, sheet=title, scene=line.scene or title, id=line.id if has_id else f"{title}_{line.id}")
+
+
+def _listed(titles: Iterable[str]) -> str:
+    return ", ".join(map(repr, titles))
 
 
 def _worksheets(content: bytes, path: Path) -> dict[str, list[list[str]]]:
@@ -94,9 +147,6 @@ def _told(cell: object) -> str:
     return str(int(cell)) if isinstance(cell, float) and cell.is_integer() else str(cell)
 
 
-def _headings(rows: list[list[str]], names: ColumnNames, named: Mapping[str, str]) -> int:
+def _header(rows: list[list[str]], names: ColumnNames, named: Mapping[str, str]) -> list[str]:
     first = [cells for cells in rows if any(cells)][:ROWS_BEFORE_HEADINGS]
-    if not first:
-        return -1
-    header = first[heading_place(first, names, named)]
-    return names.recognised(header) + sum(cell in named.values() for cell in header)
+    return first[heading_place(first, names, named)] if first else []

@@ -37,6 +37,13 @@ def _add_joining(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="the heading of a column whose name is not usual: id, text, character, recording, …; repeatable",
     )
+    parser.add_argument(
+        "--sheet",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="a worksheet of a workbook (default: all with the same headings); repeatable",
+    )
     parser.add_argument("--pattern", metavar="NAME", help='names of recordings, such as "{character}/{id}_t{take}.wav"')
     parser.add_argument(
         "--take", choices=("last", "first", "all"), default="last", help="which of several takes (default last)"

@@ -71,6 +71,7 @@ def _request(arguments: argparse.Namespace, settings: Settings) -> BatchRequest:
         formats=formats_named(arguments.format),
         layout=Layout(arguments.layout or USUAL),
         columns=read_named(arguments.column),
+        sheets=tuple(arguments.sheet),
         pattern=Pattern.of(arguments.pattern) if arguments.pattern else None,
         choice=Choice(arguments.take),
         options=_options(arguments),

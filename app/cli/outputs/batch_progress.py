@@ -31,7 +31,9 @@ class BatchProgress:
 
     def planned(self, plan: Plan) -> None:
         problems = [f"{plan.script.path}, {problem}" for problem in plan.script.problems]
-        problems += [f"{plan.script.path}, {without_audio(missing)}" for missing in plan.joined.missing]
+        problems += [
+            f"{plan.script.path}, {without_audio(missing, plan.script.unit)}" for missing in plan.joined.missing
+        ]
         for remark in plan.remarks:
             self._log.note(remark)
         for problem in problems[:MOST_TOLD]:

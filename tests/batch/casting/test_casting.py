@@ -27,7 +27,10 @@ def options(told: ScriptLine, lines: list[ScriptLine], *, has_partners: bool = T
 
 def test_those_who_speak_next_in_the_scene_are_partners() -> None:
     lines = [line(1, "A"), line(2, "A"), line(3, "B"), line(4, "C"), line(5, "a"), line(6, "D", "2"), line(7, "E", "")]
-    assert neighbours(lines) == {1: ("B",), 2: ("B",), 3: ("A", "C"), 4: ("B", "a"), 5: ("C",), 6: ()}
+    assert neighbours(lines) == {
+        **{"l1": ("B",), "l2": ("B",), "l3": ("A", "C"), "l4": ("B", "a"), "l5": ("C",)},
+        "l6": (),
+    }
 
 
 def test_partners_listen_and_are_played_by_whom_they_are_cast() -> None:
@@ -68,7 +71,17 @@ def test_things_are_where_the_row_says_else_the_cast_else_the_command() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "called"), [("MRS. O'HARA", "MRS_O_HARA"), ("2nd guard", "L_2nd_guard"), ("Ж", "listener")]
+    ("name", "called"),
+    [
+        ("MRS. O'HARA", "MRS_O_HARA"),
+        ("2nd guard", "L_2nd_guard"),
+        ("Zoë", "Zoë"),
+        ("Zoe\u0308", "Zoë"),
+        ("SÄNGERIN", "SÄNGERIN"),
+        ("Jörg Müller", "Jörg_Müller"),
+        ("Ж", "Ж"),
+        ("?!", "listener"),
+    ],
 )
 def test_listeners_have_names_that_bml_takes(name: str, called: str) -> None:
     assert listener_name(name) == called

@@ -52,7 +52,9 @@ test("everybody is played by whom his own lines say", () => {
 });
 
 test("names are those by which a batch calls listeners", () => {
-  assert.deepEqual(["HENRY V", " é ", "1st Lord", "O'Brien"].map(plainName), ["HENRY_V", "speaker", "L_1st_Lord", "O_Brien"]);
+  assert.deepEqual(["HENRY V", "?!", "1st Lord", "O'Brien", "Zoe\u0308", "JÖRG MÜLLER"].map(plainName), [
+    "HENRY_V", "speaker", "L_1st_Lord", "O_Brien", "Zoë", "JÖRG_MÜLLER",
+  ]);
 });
 
 test("what a scene is read from is named by its index", () => {

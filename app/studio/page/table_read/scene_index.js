@@ -110,6 +110,6 @@ function motionIn(files, names) {
  * @param {string} name
  */
 export function plainName(name) {
-  const plain = name.replace(/[^A-Za-z0-9]+/g, "_").replace(/^_+|_+$/g, "").slice(0, 62) || NOBODY;
-  return /^[A-Za-z]/.test(plain) ? plain : `L_${plain}`;
+  const plain = name.normalize("NFC").replace(/[^\p{L}\p{M}\p{N}]+/gu, "_").replace(/^_+|_+$/g, "").slice(0, 62) || NOBODY;
+  return /^\p{L}/u.test(plain) ? plain : `L_${plain}`;
 }
