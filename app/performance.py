@@ -130,7 +130,7 @@ def analyze(
     timed = align_words(acoustic, heard.audio, transcript, line.timings)
     words, edit_notices = corrected(timed.words, edits, duration_s=heard.audio.duration_s)
     progress("stress")
-    words, thresholds = measure_stress(acoustic, words, heard.contours)
+    words, thresholds = measure_stress(acoustic, words, heard.contours, heard.audio)
     progress("parse")
     utterance = Utterance(
         words=words,

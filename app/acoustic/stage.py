@@ -21,6 +21,8 @@ from .agitation.voice_quality import voice_quality
 from .alignment.alignment import Aligner, Alignment
 from .alignment.timings import read_fillers, read_timings
 from .contours import contours_of
+from .focus.focus import FocusModel
+from .focus.listeners import Listeners
 from .signal.background import doubts
 from .signal.decoding import AudioLimits, decode
 from .stress.emphasis import Measure, with_emphasis
@@ -37,16 +39,20 @@ class AcousticModels:
     when_aligning: OnDemand[Aligner]
     agitation: AgitationModel
     affect: AffectJudge
+    listeners: Listeners
+    focus: FocusModel
 
     @classmethod
     def load(cls, settings: Settings) -> "AcousticModels":
-        """Loads all but the aligner; raises ServiceError when a model of agitation or affect is missing or broken."""
+        """Loads all but the aligner; raises ServiceError when a model is missing or broken."""
         models, lexicon = resource_folder("models"), resource_folder("lexicon")
         return cls(
             settings=settings,
             when_aligning=OnDemand(lambda: Aligner(models, lexicon / "en")),
             agitation=AgitationModel.load(models / "agitation", settings.agitation_features),
             affect=_affect_judge(settings, models / "affect"),
+            listeners=Listeners.load(models / "focus" / "emphases.onnx"),
+            focus=FocusModel.load(models / "focus" / "focus.npz"),
         )
 
     @property
@@ -118,13 +124,15 @@ def align_words(
 
 
 def measure_stress(
-    acoustic: AcousticModels, words: tuple[Word, ...], contours: Contours
+    acoustic: AcousticModels, words: tuple[Word, ...], contours: Contours, audio: Audio | None = None
 ) -> tuple[tuple[Word, ...], StressThresholds]:
-    """Timed words with their stress, prominence and emphasis, and the utterance's own thresholds (paper §3.1.5)."""
+    """Timed words with their stress, prominence, emphasis and focus, and the utterance's own thresholds (paper §3.1.5).
+    The focus is surer with the recording itself."""
     stressed, thresholds = stress(prominence(words, contours), contours)
     settings = acoustic.settings
     measure = Measure(settings.emphasis)
-    return with_emphasis(stressed, measure), thresholds
+    focused = acoustic.focus.with_focus(stressed, contours, acoustic.listeners.heard(audio, words) if audio else None)
+    return with_emphasis(focused, measure), thresholds
 
 
 def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis]) -> SpeakerReference:

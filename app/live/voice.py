@@ -64,6 +64,11 @@ class RecentVoice:
         self._f0_hz = np.concatenate([self._f0_hz, f0_hz])[-RECENT_FRAMES:]
         self._begin = heard - len(self._f0_hz)
 
+    @property
+    def until_s(self) -> float:
+        """The time up to which the voice was heard."""
+        return (self._begin + len(self._f0_hz)) * FRAME_SHIFT_S
+
     def during(self, begin_s: float, end_s: float) -> Contours:
         """The contours of a stretch, without spectra; of what was not heard, or long ago, as they usually are: at the
         median."""

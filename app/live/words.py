@@ -4,13 +4,15 @@ Whoever synthesises the speech knows when each word falls; then nothing is heard
 spread over the time that its sounds usually take. Times are seconds of the stream.
 
 Words with times are stressed as those of a recording are: by how long their syllables last, and by the voice where it
-has been heard already. In the times of TIMIT's words alone lies most of it (`python -m benchmarks.live.words`).
+has been heard already; the focus is shared among the words that were heard. In the times of TIMIT's words alone lies
+most of the stress (`python -m benchmarks.live.words`).
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from ..acoustic.focus.focus import DECIMALS as FOCUS_DECIMALS
 from ..acoustic.stage import measure_stress
 from ..errors import InputError, shown
 from ..model import Analysis, Behavior, Interval, Phone, Utterance, Viseme, Word
@@ -128,7 +130,15 @@ def _stressed(models: LiveModels, words: tuple[Word, ...], recent: RecentVoice) 
     begin_s, end_s = intervals[0].start_s, intervals[-1].end_s
     on_clock = tuple(_shifted(word, -begin_s) for word in words)
     stressed, _ = measure_stress(models.understudy.acoustic, on_clock, recent.during(begin_s, end_s))
-    return tuple(_shifted(word, begin_s) for word in stressed)
+    return _heard(tuple(_shifted(word, begin_s) for word in stressed), recent.until_s)
+
+
+def _heard(words: tuple[Word, ...], until_s: float) -> tuple[Word, ...]:
+    """The words with the focus shared among those that were heard; none if none was."""
+    shares = [word.focus or 0.0 if word.interval and word.interval.end_s <= until_s else 0.0 for word in words]
+    total = sum(shares)
+    heard = [round(share / total, FOCUS_DECIMALS) if total else None for share in shares]
+    return tuple(replace(word, focus=share) for word, share in zip(words, heard, strict=True))
 
 
 def _is_one_word(text: str) -> bool:

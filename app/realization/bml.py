@@ -151,7 +151,7 @@ def _heard(acoustic: AcousticModels, audio: bytes, text: str, progress: Progress
     progress("align")
     timed = align_words(acoustic, heard.audio, transcript)
     progress("stress")
-    words, _thresholds = measure_stress(acoustic, timed.words, heard.contours)
+    words, _thresholds = measure_stress(acoustic, timed.words, heard.contours, heard.audio)
     return replace(speech, words=words, notices=speech.notices + timed.notices)
 
 

@@ -46,8 +46,16 @@ class WordResponse(ResponseModel):
     stressed_ratio: Number | None = None
     prominence: Number | None = None
     emphasis: Number | None = None
+    focus: Number | None = None
     spread: Annotated[bool | None, BeforeValidator(_if_so)] = None
     phones: list[PhoneResponse]
+
+
+class FocusResponse(ResponseModel):
+    """A word's share of the line's narrow focus; the shares of a line sum to 1."""
+
+    word: int = Field(validation_alias="index")
+    share: Number = Field(validation_alias="focus")
 
 
 class FillerResponse(ResponseModel):

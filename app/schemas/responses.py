@@ -16,6 +16,7 @@ from .line_parts import (
     BehaviorResponse,
     ContoursResponse,
     FillerResponse,
+    FocusResponse,
     FunctionResponse,
     LineAffectResponse,
     MembershipsResponse,
@@ -103,6 +104,7 @@ class AnalysisResponse(ResponseModel):
     agitation: Level
     memberships: MembershipsResponse
     affect: LineAffectResponse | None = None
+    focus: list[FocusResponse]
     parse: ParseResponse
     functions: list[FunctionResponse]
     warnings: list[WarningResponse]
@@ -200,6 +202,7 @@ def _understood(utterance: Utterance, functions: Sequence[Function], notices: Se
         "agitation": utterance.agitation and utterance.agitation.level,
         "memberships": utterance.agitation,
         "affect": utterance.affect and LineAffectResponse.of_line(utterance.affect),
+        "focus": [word for word in utterance.words if word.focus is not None],
         "parse": utterance.parse,
         "functions": _functions(functions, utterance),
         "warnings": notices,

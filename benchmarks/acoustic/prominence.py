@@ -174,7 +174,7 @@ def print_words(sentences: list[Sentence]) -> None:
     print(f"\n{sum(len(sentence.words) for sentence in sentences)} words, {len(sentences)} sentences")
     heard = [_stressed(sentence) for sentence in sentences]
     for name, measure in measures.items():
-        print(f"{name:38}{np.mean([_content_over_function(words, measure) for words in heard]):.3f}")
+        print(f"{name:38}{np.mean([content_over_function(words, list(map(measure, words))) for words in heard]):.3f}")
     prominent = np.mean([(word.prominence or 0.0) > PROMINENT for words in heard for word in words])
     print(f"{'words that prominence emphasises':38}{prominent:.3f}")
 
@@ -221,10 +221,10 @@ def _stressed(sentence: Sentence) -> tuple[Word, ...]:
     return stress(prominence(placed_words(sentence), contours), contours)[0]
 
 
-def _content_over_function(words: tuple[Word, ...], measure: Callable[[Word], float]) -> float:
+def content_over_function(words: tuple[Word, ...], values: Sequence[float]) -> float:
     """The chance that a content word's value exceeds a function word's, ties counted half."""
-    content = [measure(word) for word in words if word.text.lower() not in FUNCTION_WORDS]
-    function = [measure(word) for word in words if word.text.lower() in FUNCTION_WORDS]
+    content = [value for word, value in zip(words, values, strict=True) if word.text.lower() not in FUNCTION_WORDS]
+    function = [value for word, value in zip(words, values, strict=True) if word.text.lower() in FUNCTION_WORDS]
     if not content or not function:
         return 0.5
     return float(mannwhitneyu(content, function).statistic / (len(content) * len(function)))

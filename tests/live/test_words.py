@@ -46,6 +46,18 @@ def test_a_voice_that_rises_on_a_word_stresses_it(models: LiveModels) -> None:
         assert most_stressed(timed_words(models, timed, recent)) == rising
 
 
+def test_the_focus_is_shared_among_the_words_heard_so_far(models: LiveModels) -> None:
+    timed, recent = said({}, {"never": 200.0})
+    shares = [word.focus for word in timed_words(models, timed, recent)]
+    assert max(range(len(SAID)), key=lambda place: shares[place] or 0.0) == SAID.index("never")
+    earlier = RecentVoice()
+    earlier.hear(np.full(70, -20.0), np.full(70, 120.0))
+    among_two = [word.focus or 0.0 for word in timed_words(models, timed, earlier)]
+    assert sum(among_two[:2]) == pytest.approx(1, abs=0.001)
+    assert among_two[2:] == [0, 0]
+    assert {word.focus for word in timed_words(models, timed, RecentVoice())} == {None}
+
+
 def test_text_without_times_has_no_stress(models: LiveModels) -> None:
     assert {word.emphasis for word in paced_words(models, "No, never.", 1.0)} == {None}
 

@@ -147,7 +147,7 @@ _RECORD = _kind(
         _kind(
             "word",
             {
-                **dict.fromkeys(("start", "end", "emphasis", "prominence", "stressedRatio"), _NUMBER),
+                **dict.fromkeys(("start", "end", "emphasis", "focus", "prominence", "stressedRatio"), _NUMBER),
                 "spread": _one_of("true"),
                 "phones": Attribute(Kind.PHONES),
             },

@@ -99,6 +99,7 @@ def _word(index: int, text: str, found: Mapping[str, Value]) -> Word:
         stressed_ratio=_number(found, "stressedRatio"),
         prominence=_number(found, "prominence"),
         emphasis=_number(found, "emphasis"),
+        focus=_number(found, "focus"),
         spread="spread" in found,
     )
 

@@ -49,7 +49,12 @@ def _of_word(word: Word) -> Iterator[tuple[str, Value]]:
     if word.interval:
         yield "start", float(word.interval.start_s)
         yield "end", float(word.interval.end_s)
-    measures = (("emphasis", word.emphasis), ("prominence", word.prominence), ("stressedRatio", word.stressed_ratio))
+    measures = (
+        ("emphasis", word.emphasis),
+        ("focus", word.focus),
+        ("prominence", word.prominence),
+        ("stressedRatio", word.stressed_ratio),
+    )
     yield from ((name, float(measure)) for name, measure in measures if measure is not None)
     if word.spread:
         yield "spread", "true"

@@ -14,6 +14,9 @@ from ...model import Fact, LineAffect, Token, Tone, Utterance, Word
 LONGEST_SENTENCE = 150
 """Words; longer sentences are cut there."""
 
+LEAST_FOCUS = 0.01
+"""Smaller shares of the focus are no facts."""
+
 SHORTEST_PAUSE_S = 0.2
 """Shorter gaps between words are stop closures, not pauses."""
 
@@ -161,12 +164,7 @@ def _ends_sentence(text: str, following: str) -> bool:
 def _heard_facts(utterance: Utterance) -> Iterator[Fact]:
     before_s: float | None = None
     for word in utterance.words:
-        if word.stressed_ratio is not None:
-            yield Fact("stressed_ratio", (word.stressed_ratio, word.index, word.index + 1))
-        if word.prominence is not None:
-            yield Fact("prominence", (round(word.prominence, 3), word.index, word.index + 1))
-        if word.emphasis is not None:
-            yield Fact("emphasis", (word.emphasis, word.index, word.index + 1))
+        yield from _stress_facts(word)
         if word.interval is None:
             continue
         if before_s is not None and word.interval.start_s - before_s >= SHORTEST_PAUSE_S:
@@ -191,6 +189,19 @@ def _affect_facts(affect: LineAffect) -> Iterator[Fact]:
     for phrase in affect.phrases:
         tone = phrase.affect.tone
         yield Fact("phrase_tone", (tone.value, phrase.first, phrase.last + 1, round(phrase.affect.share(tone), 3)))
+
+
+def _stress_facts(word: Word) -> Iterator[Fact]:
+    focus = word.focus if word.focus is not None and word.focus >= LEAST_FOCUS else None
+    measures = (
+        ("stressed_ratio", word.stressed_ratio),
+        ("prominence", None if word.prominence is None else round(word.prominence, 3)),
+        ("emphasis", word.emphasis),
+        ("heard_focus", None if focus is None else round(focus, 3)),
+    )
+    for predicate, measure in measures:
+        if measure is not None:
+            yield Fact(predicate, (measure, word.index, word.index + 1))
 
 
 def _start_s(word: Word) -> float:

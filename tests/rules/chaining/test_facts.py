@@ -97,8 +97,8 @@ def test_what_is_heard_becomes_facts_and_short_gaps_are_no_pauses() -> None:
     first, second, third = words_of("so it goes")
     spoken = Utterance(
         (
-            replace(first, interval=Interval(0.0, 0.4), stressed_ratio=0.25, prominence=0.75),
-            replace(second, interval=Interval(0.5, 0.7), stressed_ratio=0.0),
+            replace(first, interval=Interval(0.0, 0.4), stressed_ratio=0.25, prominence=0.75, focus=0.9912),
+            replace(second, interval=Interval(0.5, 0.7), stressed_ratio=0.0, focus=0.0088),
             replace(third, interval=Interval(1.0, 1.2), stressed_ratio=0.0),
         ),
         utterance("", "").parse,
@@ -106,6 +106,7 @@ def test_what_is_heard_becomes_facts_and_short_gaps_are_no_pauses() -> None:
     )
     assert arguments(spoken, "stressed_ratio") == {(0.25, 0, 1), (0.0, 1, 2), (0.0, 2, 3)}
     assert arguments(spoken, "prominence") == {(0.75, 0, 1)}
+    assert arguments(spoken, "heard_focus") == {(0.991, 0, 1)}
     assert arguments(spoken, "pause") == {(0.3, 2)}
     assert arguments(spoken, "agitation") == {("high",)}
 
