@@ -75,11 +75,12 @@ class PerformKeywords(TypedDict, total=False):
     """How a line is to be performed; for what is left out, the defaults of `Options` hold.
 
     `character` names the performer (lexicon/characters), `agitation` overrides the measured level, `affect` the feeling
-    that is heard: a tone, activation, valence and dominance (-1 to 1), or rows of a time and these; `seed` chooses
-    among movements that fit equally well, `mode` says where gestures come from, `listener` has the names of the
-    listeners, and `reference` is how the speaker usually sounds (`make_reference`). The performance begins `lead_in_s`
-    (0 to 3) before the recording; `stillness` (0 to 1) reduces all movement. `targets` are the positions of things and
-    listeners, [x, y, z] in metres by name: Y up, the character at the origin facing +Z, its left +X. `profile` names a
+    that is heard: a tone, activation, valence and dominance (-1 to 1), or rows of a time and these; `seed` draws
+    other takes among movements that are nearly as good, `choice` is `terms` or the paper's `priority`, `mode` says
+    where gestures come from, `listener` has the names of the listeners, and `reference` is how the speaker usually
+    sounds (`make_reference`). The performance begins `lead_in_s` (0 to 3) before the recording; `stillness` (0 to 1)
+    reduces all movement. `targets` are the positions of things and listeners, [x, y, z] in metres by name: Y up, the
+    character at the origin facing +Z, its left +X. `profile` names a
     gesture profile (docs/profiles.md).
     """
 
@@ -87,6 +88,7 @@ class PerformKeywords(TypedDict, total=False):
     agitation: LevelName | None
     affect: AffectName | Sequence[float] | Sequence[Sequence[float]] | None
     seed: int
+    choice: Literal["terms", "priority"] | None
     mode: Mode | Literal["semantic", "prosody", "random"]
     listener: Sequence[str]
     reference: SpeakerReference | None

@@ -188,12 +188,13 @@ def load_families(characters: Characters) -> Families:
 
 def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:
     """The current mapping rules, choosing among `behavior_names`; raises AuthoringError with all mistakes in them."""
+    from .behavior.candidates.vocabulary import BANNABLE
     from .rules.mapping import MappingRules
 
     names = " ".join(sorted(behavior_names))
     cache = Cache.of_environment()
     return cache.kept(
-        "mapping_rules", _authored(RULES), lambda: MappingRules.load(RULES, behavior_names), made_with=names
+        "mapping_rules", _authored(RULES), lambda: MappingRules.load(RULES, behavior_names, BANNABLE), made_with=names
     )
 
 

@@ -3,22 +3,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from types import MappingProxyType
 from typing import Self
 
+from .behavior.candidates.demands import banned_by, beside, demanded, kept_free, permitted, wherever_offered
 from .behavior.candidates.notes import directed, unplayed_notes
 from .behavior.candidates.planned import candidates_of
 from .behavior.candidates.targets import mentions, pointing_candidates, without_overlapped
+from .behavior.characters.abstaining import abstaining, forbidden
 from .behavior.characters.overlays import Character
 from .behavior.choice.scheduling import numbered, schedule
 from .behavior.idle.stillness import with_stillness
 from .behavior.listeners.addressees import addressed, placed_listeners
 from .behavior.listeners.listening import Listener, listen
-from .behavior.reading.planning import Plan, Understood, meanings, plan
+from .behavior.reading.planning import Plan, Understood, meanings, plan, times_s_of
 from .behavior.reading.player import Player
+from .behavior.reading.supports import supports_of
 from .behavior.speaker_profiles.gesture_scripts import (
     gesture_script,
     repertoire_of,
@@ -37,6 +40,7 @@ from .model import (
     Analysis,
     Behavior,
     BehaviorCandidates,
+    Demand,
     Direction,
     Level,
     Listening,
@@ -50,7 +54,7 @@ from .options import Options
 from .profiles.generation.script import GestureScript
 from .profiles.profile import Profile
 from .progress import Progress, no_progress
-from .rules.mapping import offer_movements
+from .rules.mapping import map_functions
 
 QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
 """How the amount of movement is scaled at each level of agitation (paper §1)."""
@@ -73,8 +77,15 @@ class _Performer:
     def of(cls, behavior: BehaviorModels, level: Level, options: Options, direction: Direction | None) -> Self:
         """Raises InputError `unknown_character`, `unknown_profile`."""
         profile = behavior.profile(options.profile)
-        character = behavior.performers.named(options.character, level)
+        character = abstaining(behavior.performers.named(options.character, level), behavior.families)
         return cls(behavior, as_speaker(character, profile) if profile else character, profile, options, direction)
+
+    @property
+    def reads(self) -> bool:
+        """Whether the one choice is made, and not the paper's by priority alone: as the caller says, else the
+        character, else the settings."""
+        choice = self.options.choice or self.character.choice or self.behavior.settings.choice
+        return choice == "terms"
 
 
 def move(
@@ -91,45 +102,55 @@ def move(
     """
     performer = _Performer.of(behavior, analysis.utterance.level, options, direction)
     progress("plan")
-    player = _player(performer, analysis)
-    line = _understood(performer, analysis)
+    line, demands = _understood(performer, analysis)
+    player = _player(performer, line, demands)
     performer = replace(performer, direction=_with_marked(performer, analysis, line, player))
-    planned = _planned(performer, line, player)
+    asked = demanded(player, demands)
+    planned = _planned(performer, line, player, asked)
     analysis = replace(analysis, utterance=with_lead_in(analysis.utterance, options.lead_in_s))
     progress("mapping")
-    candidates, moments = _offered(performer, analysis, planned, player, line)
+    candidates, moments = _offered(performer, line, player, planned, asked)
     progress("schedule")
-    behaviors, script = _scheduled(performer, analysis, candidates)
+    behaviors, script = _scheduled(performer, analysis, candidates, player)
     return _told(performer, analysis, moments, behaviors), script
 
 
-def _player(performer: _Performer, analysis: Analysis) -> Player:
+def _player(performer: _Performer, line: Understood, demands: Sequence[Demand]) -> Player:
     """The character as the choice sees it. How much it does depends on the speaker's agitation too (paper §1)."""
-    character = performer.character
-    quantity = QUANTITY[analysis.utterance.level] * character.liveliness
-    return Player(performer.behavior.families, character.entries, performer.options.seed, quantity)
+    character, families = performer.character, performer.behavior.families
+    quantity = QUANTITY[line.utterance.level] * character.liveliness
+    bans = tuple(banned_by(demands, families, character.entries))
+    return Player(families, character.entries, performer.options.seed, quantity, bans)
 
 
-def _understood(performer: _Performer, analysis: Analysis) -> Understood:
-    """The line, with what the mapping rules offer for it."""
+def _understood(performer: _Performer, analysis: Analysis) -> tuple[Understood, tuple[Demand, ...]]:
+    """The line, with what the mapping rules offer for it; and what they, the notes and the character demand."""
     utterance, functions, facts = analysis.utterance, analysis.functions, analysis.facts
-    offers = offer_movements(performer.behavior.rules, utterance, functions, seed=performer.options.seed, facts=facts)
-    return Understood(utterance, functions, facts, offers)
+    rules, seed, character = performer.behavior.rules, performer.options.seed, performer.character
+    mapped = map_functions(rules, utterance, functions, seed=seed, facts=facts)
+    always = wherever_offered(character.always, supports_of(mapped.offers), f"the character {character.name}")
+    noted = performer.direction.demands if performer.direction else ()
+    demands = (*mapped.demands, *always, *forbidden(character), *noted)
+    return Understood(utterance, functions, facts, mapped.offers), demands
 
 
-def _planned(performer: _Performer, line: Understood, player: Player) -> Plan:
+def _planned(performer: _Performer, line: Understood, player: Player, asked: Sequence[BehaviorCandidates] = ()) -> Plan:
     """The plan of the line: what its phrases mean for gestures, with a director's notes first; the notes alone where
-    functions choose by priority, as in the paper."""
+    functions choose by priority, as in the paper. Beside what is `asked` for always."""
     behavior, direction = performer.behavior, performer.direction
-    planned = plan(behavior.planner, line, player) if behavior.settings.choice == "terms" else Plan()
-    moments = planned.moments if direction is None else directed(direction, planned.moments)
+    still = kept_free(asked, times_s_of(line.utterance))
+    planned = plan(behavior.planner, line, player, still=still) if performer.reads else Plan()
+    moments = beside(planned.moments, asked)
+    moments = moments if direction is None else directed(direction, moments)
     return replace(planned, moments=without_planned_gestures(moments) if performer.profile else moments)
 
 
 def plan_line(behavior: BehaviorModels, analysis: Analysis, options: Options) -> Plan:
     """The plan of an analysed line, as it would be performed."""
     performer = _Performer.of(behavior, analysis.utterance.level, options, None)
-    return _planned(performer, _understood(performer, analysis), _player(performer, analysis))
+    line, demands = _understood(performer, analysis)
+    player = _player(performer, line, demands)
+    return _planned(performer, line, player, demanded(player, demands))
 
 
 def _with_marked(performer: _Performer, analysis: Analysis, line: Understood, player: Player) -> Direction | None:
@@ -138,35 +159,37 @@ def _with_marked(performer: _Performer, analysis: Analysis, line: Understood, pl
     edits, words, behavior = performer.options.edits.words, analysis.utterance.words, performer.behavior
     important = {index for mark, index in marked(edits, words) if mark is WordMark.IMPORTANT}
     meant: Mapping[int, tuple[str, ...]] = dict.fromkeys(important, PLAIN_EMPHASIS)
-    if important and behavior.settings.choice == "terms":
+    if important and performer.reads:
         meant = meanings(behavior.planner, line, player, important)
     return with_marked(performer.direction, edits, words, meant)
 
 
 def _offered(
-    performer: _Performer, analysis: Analysis, planned: Plan, player: Player, line: Understood
+    performer: _Performer, line: Understood, player: Player, planned: Plan, asked: tuple[BehaviorCandidates, ...]
 ) -> tuple[tuple[BehaviorCandidates, ...], tuple[Moment, ...]]:
-    """The candidates for the functions or the moments, and those that point at things the words name."""
-    candidates = _candidates(performer, planned, player, line)
+    """The candidates for the functions or the moments, those that point at things the words name, and those asked for
+    always."""
+    candidates = _candidates(performer, line, player, planned)
     if performer.profile:
         candidates = tuple(without_chosen_gestures(candidates, performer.character.lexemes))
-    named = mentions(analysis.utterance, performer.options.targets)
-    pointing = tuple(pointing_candidates(named, analysis.functions))
-    candidates = (*without_overlapped(candidates, named), *pointing)
-    return candidates, planned.moments + tuple(each.moment for each in pointing if each.moment)
+    named = mentions(line.utterance, performer.options.targets)
+    pointing = tuple(pointing_candidates(named, line.functions))
+    candidates = permitted((*without_overlapped(candidates, named), *pointing), player)
+    own = tuple(each.moment for each in (*pointing, *asked) if each.moment)
+    return (*candidates, *asked), planned.moments + own
 
 
 def _candidates(
-    performer: _Performer, planned: Plan, player: Player, line: Understood
+    performer: _Performer, line: Understood, player: Player, planned: Plan
 ) -> tuple[BehaviorCandidates, ...]:
     """The candidates for the functions, or for the moments of a line that is planned."""
-    if not planned.moments and performer.behavior.settings.choice != "terms":
+    if not planned.moments and not performer.reads:
         return tuple(line.offers)
     return candidates_of(player, line.utterance, planned, line.offers)
 
 
 def _scheduled(
-    performer: _Performer, analysis: Analysis, candidates: tuple[BehaviorCandidates, ...]
+    performer: _Performer, analysis: Analysis, candidates: tuple[BehaviorCandidates, ...], player: Player
 ) -> tuple[tuple[Behavior, ...], GestureScript | None]:
     """The chosen behaviours with their times, those of a profile's gesture script among them, and that script."""
     options, script = performer.options, None
@@ -177,6 +200,7 @@ def _scheduled(
         seed=options.seed,
         mode=options.mode,
         several_listeners=len(options.listeners) > 1,
+        bans=player.bans,
     )
     if performer.profile:
         repertoire = repertoire_of(performer.character, performer.behavior.families, performer.direction, behaviors)

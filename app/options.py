@@ -1,7 +1,7 @@
 """How a line is to be performed: the options of a performance, whichever door they come through."""
 
 from dataclasses import dataclass, fields, replace
-from typing import Self
+from typing import Literal, Self
 
 from .edits.values import NO_EDITS, Edits
 from .errors import InputError
@@ -23,8 +23,9 @@ from .profiles.profile import Profile
 class Options:
     """How the line is to be performed, and who listens.
 
+    `choice` says how movements are chosen, where the caller does: `terms`, the one choice, or the paper's `priority`.
     `agitation` overrides the measured level, `affect` the feeling that is heard, `reference` describes how the speaker
-    usually sounds. `lead_in_s` is how
+    usually sounds, `seed` is the take: 0 is the best one. `lead_in_s` is how
     long before the recording the performance begins, `stillness` (0 to 1) reduces all movement, `targets` are the
     positions of things and listeners. `played_by` maps names of listeners that are not characters of ours to characters
     that play them. `profile` is a gesture profile, or the name of one in the lexicon; `listener_profiles` are
@@ -37,6 +38,7 @@ class Options:
     character: str = DEFAULT_CHARACTER
     agitation: Level | None = None
     seed: int = 0
+    choice: Literal["terms", "priority"] | None = None
     mode: Mode = Mode.SEMANTIC
     listeners: tuple[str, ...] = ()
     form: BmlForm = CORE_FORM

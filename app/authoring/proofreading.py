@@ -8,6 +8,7 @@ from types import MappingProxyType
 from pydantic import RootModel
 
 from ..acoustic.pronunciation.normalisation import Normaliser
+from ..behavior.candidates.vocabulary import BANNABLE
 from ..behavior.characters.overlays import Characters
 from ..behavior.listeners.head_rates import HeadRates
 from ..behavior.reading.authored_weights import load_weights
@@ -46,6 +47,7 @@ from ..resources import RULES, resource_folder
 from ..rules.conflicts import Conflicts
 from ..rules.lexicon import Lexicon
 from ..rules.priorities import Priorities
+from ..rules.program.class_names import PRINTED
 from ..rules.program.program import load_program
 from ..yaml_files import Source
 
@@ -192,7 +194,7 @@ def _require_text(file: Path) -> None:
 
 def _load_rules(files: Sequence[Path]) -> None:
     vocabulary = [] if any(file.name == VOCABULARY.name for file in files) else [VOCABULARY]
-    load_program([*vocabulary, *files], behaviors=load_characters().behavior_names)
+    load_program([*vocabulary, *files], behaviors=load_characters().behavior_names, bannable=BANNABLE, printed=PRINTED)
 
 
 def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:

@@ -11,6 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TypeVar
 
+from ..behavior.candidates.vocabulary import BANNABLE
 from ..errors import AuthoringError, InputError, Mistake, shown
 from ..models import AUTHORED, Understudy
 from ..resources import RULES, resource_folder
@@ -116,7 +117,7 @@ def _compiled(edits: tuple[tuple[str, str], ...], behavior_names: frozenset[str]
         found: list[Mistake] = []
         _collected(lambda: refuse_unread_words(words), found)
         functions = _collected(lambda: FunctionRules.load(rules, words), found)
-        mappings = _collected(lambda: MappingRules.load(rules, behavior_names), found)
+        mappings = _collected(lambda: MappingRules.load(rules, behavior_names, BANNABLE), found)
         if functions is None or mappings is None or found:
             raise AuthoringError(tuple(dict.fromkeys(_renamed(mistake, Path(folder)) for mistake in found)))
     return CompiledRules(functions, mappings)

@@ -11,7 +11,7 @@ of it. Import the values from here.
 
 from .affect import NEUTRAL, Affect, AffectTrack, LineAffect, PhraseAffect, Tone, mean_affect
 from .body import Channel, Hand
-from .choice import Alternative, BehaviorCandidates, Mode, Moment, Movement, Rejected
+from .choice import Alternative, BehaviorCandidates, Demand, Mode, Moment, Movement, Rejected
 from .direction import Avoidance, DirectedMoment, Direction
 from .facts import Argument, Fact
 from .functions import PLAIN, Because, Function, GivenFunction
@@ -45,6 +45,7 @@ __all__ = [
     "Channel",
     "Clause",
     "Contours",
+    "Demand",
     "DirectedMoment",
     "Direction",
     "Fact",

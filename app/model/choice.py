@@ -32,7 +32,7 @@ class Moment:
     `families` are the possible meanings, the likeliest first, `shares` the probability of each that a director wants it
     there. `importance` ranks the moments of a line. `terms` made the first family win, the heaviest first; `rejected`
     lost to it. `note` is the number of the director's note it comes from, if any; `set_against` is the word of the
-    stroke that shows the other side of its contrast.
+    stroke that shows the other side of its contrast. One that is `demanded` was asked for always.
     """
 
     id: str
@@ -47,6 +47,7 @@ class Moment:
     rejected: tuple[Rejected, ...] = ()
     note: int | None = None
     set_against: int | None = None
+    demanded: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +70,21 @@ class Movement:
     moment: str | None = None
     target: str | None = None
     decided_by: tuple[Term, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """What is shown `always` over words `first` to `last`, or never: above all worths.
+
+    `what` is a behaviour; of what never comes, a lexeme, a family or a channel too. `by` says who demands it.
+    """
+
+    what: str
+    first: int
+    last: int
+    always: bool
+    by: str
+    function: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

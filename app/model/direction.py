@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from .choice import Demand
+
 
 @dataclass(frozen=True, slots=True)
 class DirectedMoment:
@@ -37,8 +39,10 @@ class Avoidance:
 
 @dataclass(frozen=True, slots=True)
 class Direction:
-    """A director's notes on a line. If it is `complete`, the hands do only what the notes say."""
+    """A director's notes on a line, with what is to come always or never (`demands`). If it is `complete`, the hands do
+    only what the notes say."""
 
     moments: tuple[DirectedMoment, ...] = ()
     avoid: tuple[Avoidance, ...] = ()
+    demands: tuple[Demand, ...] = ()
     complete: bool = False

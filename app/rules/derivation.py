@@ -21,6 +21,7 @@ from .given import GIVEN, GIVEN_RULE, given_facts
 from .lexicon import Lexicon
 from .passages import by_passage, passage_starts
 from .priorities import Priorities
+from .program.class_names import PRINTED
 from .program.program import Program, load_program
 
 Loaded = TypeVar("Loaded")
@@ -49,7 +50,7 @@ class FunctionRules:
         functions = rules / "functions"
         paths = (rules / "vocabulary.rules", *sorted(functions.glob("*.rules")))
         mistakes: list[Mistake] = []
-        program = _loaded(lambda: load_program(paths), mistakes)
+        program = _loaded(lambda: load_program(paths, printed=PRINTED), mistakes)
         words = _loaded(lambda: Lexicon.load(lexicon), mistakes)
         conflicts = _loaded(lambda: Source(functions / "conflicts.yaml").validated(Conflicts), mistakes)
         priorities = _loaded(lambda: Priorities.load(functions / "priorities.yaml"), mistakes)

@@ -11,14 +11,17 @@ import random
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import isinf
 from pathlib import Path
 
 from ..errors import AuthoringError, Mistake
-from ..model import Alternative, BehaviorCandidates, Fact, Function, Level, Movement, Utterance
+from ..model import Alternative, BehaviorCandidates, Demand, Fact, Function, Level, Movement, Utterance
 from .chaining.chainer import Call, Choice, derive
 from .chaining.facts import utterance_facts
+from .language.tree import Choice as ChoiceTree
 from .passages import by_passage, passage_starts
-from .program.program import Program, load_program
+from .program.class_names import PRINTED
+from .program.program import Program, Rule, load_program
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,17 +32,18 @@ class MappingRules:
     asked: frozenset[str]
 
     @classmethod
-    def load(cls, rules: Path, behavior_names: Collection[str]) -> "MappingRules":
-        """Loads the rules in `rules`/behaviors over `rules`/vocabulary.rules, which may choose `behavior_names`.
+    def load(cls, rules: Path, behavior_names: Collection[str], bannable: Collection[str] = ()) -> "MappingRules":
+        """Loads the rules in `rules`/behaviors over `rules`/vocabulary.rules, which may choose `behavior_names`, and
+        forbid what is `bannable` too.
 
         Raises AuthoringError with every mistake, also for a rule that joins no function.
         """
         paths = [rules / "vocabulary.rules", *sorted((rules / "behaviors").glob("*.rules"))]
-        program = load_program(paths, behaviors=behavior_names)
+        program = load_program(paths, behaviors=behavior_names, bannable=bannable, printed=PRINTED)
         mistakes = tuple(
             Mistake(rule.path, rule.line, 1, f"rule {rule.name} maps no function; join `fcn(class, …)`")
             for rule in program.rules
-            if rule.kind == "choose" and all(mention.predicate != "fcn" for mention in rule.joins)
+            if rule.kind == "choose" and _weighs(rule) and all(mention.predicate != "fcn" for mention in rule.joins)
         )
         if mistakes:
             raise AuthoringError(mistakes)
@@ -54,19 +58,41 @@ def offer_movements(
     seed: int,
     facts: Sequence[Fact] = (),
 ) -> tuple[BehaviorCandidates, ...]:
-    """The movements that could show each kept function, in order of the functions' words (paper §3.4).
+    """The movements that could show each kept function, in order of the functions' words (paper §3.4)."""
+    return map_functions(rules, utterance, functions, seed=seed, facts=facts).offers
+
+
+@dataclass(frozen=True, slots=True)
+class Mapped:
+    """What the mapping rules say of a line: what they offer for functions, and what they demand always or never."""
+
+    offers: tuple[BehaviorCandidates, ...] = ()
+    demands: tuple[Demand, ...] = ()
+
+
+def map_functions(
+    rules: MappingRules,
+    utterance: Utterance,
+    functions: Iterable[Function],
+    *,
+    seed: int,
+    facts: Sequence[Fact] = (),
+) -> Mapped:
+    """The movements that could show each kept function, in order of the functions' words (paper §3.4), and what comes
+    always or never, for a function or not.
 
     `facts` are all facts about the line (`derivation.understand`), for conditions of mapping rules; without them only
     the facts from audio and parse are known. Without audio the agitation counts as medium. Raises AuthoringError for a
     rule that calls a behaviour with arguments that are not a span.
     """
     kept = {_fact(function): function for function in functions if function.kept}
-    pools = _pools(rules, facts or utterance_facts(utterance), kept)
+    pools, demands = _pools(rules, facts or utterance_facts(utterance), kept)
     text = " ".join(word.text for word in utterance.words)
-    return tuple(
+    offers = tuple(
         BehaviorCandidates(kept[fact], tuple(_alternatives(pool, kept[fact], f"{seed} {text}")))
         for fact, pool in sorted(pools.items(), key=lambda item: _place(kept[item[0]]))
     )
+    return Mapped(offers, tuple(dict.fromkeys(demands)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,18 +104,38 @@ class _Offer:
     calls: tuple[Call, ...]
 
 
-def _pools(rules: MappingRules, known: Sequence[Fact], kept: Mapping[Fact, Function]) -> dict[Fact, list[_Offer]]:
-    """The offers for each function; a rule that joins several functions shows the first one."""
+def _pools(
+    rules: MappingRules, known: Sequence[Fact], kept: Mapping[Fact, Function]
+) -> tuple[dict[Fact, list[_Offer]], list[Demand]]:
+    """The offers for each function, and the demands; a rule that joins several functions shows the first one."""
     given = [fact for fact in known if fact.predicate in rules.asked and fact.predicate != "fcn"]
     if not any(fact.predicate == "agitation" for fact in given):
         given.append(Fact("agitation", (Level.MEDIUM.value,)))
     priorities = {fact: function.priority for fact, function in kept.items()}
     pools: defaultdict[Fact, list[_Offer]] = defaultdict(list)
+    demands: list[Demand] = []
     for part in by_passage(passage_starts(known), [*given, *kept]):
         for choice in derive(rules.program, part, annotations=priorities).choices:
-            function = next(fact for fact in choice.supports if fact in kept)
-            pools[function] += [_Offer(choice, each.weight, each.calls) for each in choice.alternatives]
-    return pools
+            function = next((fact for fact in choice.supports if fact in kept), None)
+            for each in choice.alternatives:
+                if isinf(each.weight):
+                    demands += _demands(_Offer(choice, each.weight, each.calls), kept[function] if function else None)
+                elif function is not None:
+                    pools[function].append(_Offer(choice, each.weight, each.calls))
+    return pools, demands
+
+
+def _demands(offer: _Offer, function: Function | None) -> Iterator[Demand]:
+    by, shown = f"rule {offer.choice.rule}", function.id if function else None
+    for call in offer.calls:
+        first, last = _span(offer, call)
+        yield Demand(call.name, first, last, offer.weight > 0, by, shown)
+
+
+def _weighs(rule: Rule) -> bool:
+    """Whether a rule offers anything by weight, for a function, rather than demand it for any fact."""
+    choices = (part for part in rule.tree.conclusions if isinstance(part, ChoiceTree))
+    return any(not isinf(each.weight) for choice in choices for each in choice.alternatives)
 
 
 def _fact(function: Function) -> Fact:
@@ -109,18 +155,15 @@ def _alternatives(pool: list[_Offer], function: Function, seed: str) -> Iterator
 
 def _movements(offer: _Offer, function: Function) -> Iterator[Movement]:
     for call in offer.calls:
-        match call.arguments:
-            case (int(start), int(end)) if start < end:
-                yield Movement(
-                    name=call.name,
-                    first=start,
-                    last=end - 1,
-                    priority=function.priority,
-                    rule=offer.choice.rule,
-                    function=function.id,
-                )
-            case _:
-                arguments = ", ".join(map(str, call.arguments))
-                raise offer.choice.origin.error(
-                    f"{call.name}({arguments}) is no span; give it the start and end of words"
-                )
+        first, last = _span(offer, call)
+        yield Movement(call.name, first, last, function.priority, offer.choice.rule, function.id)
+
+
+def _span(offer: _Offer, call: Call) -> tuple[int, int]:
+    """The first and last word of a call."""
+    match call.arguments:
+        case (int(start), int(end)) if start < end:
+            return start, end - 1
+        case _:
+            arguments = ", ".join(map(str, call.arguments))
+            raise offer.choice.origin.error(f"{call.name}({arguments}) is no span; give it the start and end of words")

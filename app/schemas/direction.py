@@ -11,7 +11,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from ..behavior.candidates.vocabulary import AVOIDABLE, FACES, GAZES, GESTURES, HEADS
 from ..errors import InputError
-from ..model import Avoidance, DirectedMoment, Direction
+from ..model import Avoidance, Demand, DirectedMoment, Direction
 from .mistakes import mistakes_told
 from .requests import read_object
 
@@ -99,18 +99,42 @@ class AvoidanceRequest(_Form):
         return Avoidance(self.first, self.last, tuple(map(_plain, self.what)), self.why)
 
 
+class DemandRequest(_Form):
+    """Words over which something always comes, or never."""
+
+    first: _Word
+    last: _Word
+    what: Annotated[
+        str,
+        Field(
+            max_length=100,
+            description="Always: a behaviour. Never: a behaviour, lexeme, family or channel, `hands` or `any`.",
+        ),
+    ]
+
+    def to_demand(self, number: int, *, always: bool) -> Demand:
+        by = f"the note {'always' if always else 'never'}[{number}]"
+        return Demand(self.what, self.first, self.last, always, by)
+
+
 class DirectionRequest(_Form):
     """A director's notes on one line."""
 
     id: Annotated[str | int | None, Field(description="Not read.")] = None
     moments: Annotated[tuple[DirectedMomentRequest, ...], Field(strict=False, max_length=MOST_NOTES), _Counted] = ()
     avoid: Annotated[tuple[AvoidanceRequest, ...], Field(strict=False, max_length=MOST_NOTES), _Counted] = ()
+    always: Annotated[tuple[DemandRequest, ...], Field(strict=False, max_length=MOST_NOTES), _Counted] = ()
+    never: Annotated[tuple[DemandRequest, ...], Field(strict=False, max_length=MOST_NOTES), _Counted] = ()
     complete: Annotated[bool, Field(description="The hands do nothing but what the notes say.")] = False
 
     def to_direction(self) -> Direction:
         return Direction(
             moments=tuple(moment.to_moment() for moment in self.moments),
             avoid=tuple(avoidance.to_avoidance() for avoidance in self.avoid),
+            demands=(
+                *(each.to_demand(number, always=True) for number, each in enumerate(self.always)),
+                *(each.to_demand(number, always=False) for number, each in enumerate(self.never)),
+            ),
             complete=self.complete,
         )
 

@@ -238,9 +238,17 @@ class FunctionResponse(ResponseModel):
         )
 
 
+class TermResponse(ResponseModel):
+    """A reason for a choice, and its weight in log-odds."""
+
+    name: str
+    weight: Number
+
+
 class BehaviorResponse(ResponseModel):
     """A scheduled behaviour; the times of `sync` are seconds from the start of the audio. `edit` is the number of the
-    author's edit that made or changed it; the stroke of a gesture that is `curved` is an arc."""
+    author's edit that made or changed it; the stroke of a gesture that is `curved` is an arc. `decided_by`
+    are the named parts of its worth, the largest first; `limit` is what forbade one that was offered."""
 
     id: str
     kind: str
@@ -263,13 +271,8 @@ class BehaviorResponse(ResponseModel):
     after_strokes_s: list[Number] | None = None
     curved: bool = False
     edit: int | None = None
-
-
-class TermResponse(ResponseModel):
-    """A reason for a choice, and its weight in log-odds."""
-
-    name: str
-    weight: Number
+    decided_by: list[TermResponse] = Field(default_factory=list)
+    limit: str | None = None
 
 
 class RejectedResponse(ResponseModel):
@@ -297,6 +300,7 @@ class MomentResponse(ResponseModel):
     rejected: list[RejectedResponse]
     note: int | None = None
     set_against: int | None = None
+    demanded: bool = False
 
 
 class VisemeResponse(ResponseModel):

@@ -86,6 +86,10 @@ class PerformOptions(BaseModel):
     character: Annotated[str, Field(description="One of `GET /characters`.", examples=["reserved"])] = "default"
     agitation: AgitationName = None
     seed: Seed = 0
+    choice: Annotated[
+        Literal["terms", "priority"] | None,
+        Field(description="`terms`: the one choice, `priority`: the paper's; null: as character or service say."),
+    ] = None
     reference: Annotated[ReferenceForm | None, Field(description="What `understudy reference` writes.")] = None
     mode: Annotated[Mode, Field(strict=False, description="Gestures from the meaning, the stress, or chance.")] = (
         Mode.SEMANTIC
@@ -120,6 +124,7 @@ class PerformOptions(BaseModel):
             agitation=self.agitation,
             affect=None if self.affect is None else affect_track(self.affect),
             seed=self.seed,
+            choice=self.choice,
             reference=self.reference.to_reference() if self.reference else None,
             mode=self.mode,
             listeners=listener_names(self.listener),

@@ -1,12 +1,16 @@
 """The rule of the paper's Figure 3 as it is printed there, with and without the keyword `rule`."""
 
+import shutil
 from pathlib import Path
 
 import pytest
 
 from understudy.errors import AuthoringError
 from understudy.model import Fact
+from understudy.resources import RULES, resource_folder
 from understudy.rules.chaining.chainer import derive
+from understudy.rules.chaining.tracing import trace_rule
+from understudy.rules.derivation import FunctionRules
 from understudy.rules.program.program import load_program
 
 PAPER = """
@@ -89,3 +93,16 @@ def test_words_apart_are_none(tmp_path: Path) -> None:
     program = load_program([tmp_path / "paper.rules"])
     apart = Fact("fcn", ("comparative", "positive", 3, 5))
     assert set(derive(program, [A_LOT, apart]).facts) == {A_LOT, apart}
+
+
+def test_as_printed_it_stands_beside_the_shipped_rules_and_fires_on_its_example(tmp_path: Path) -> None:
+    shutil.copytree(RULES, tmp_path / "rules")
+    printed = PAPER.split("\n\n", 1)[1]
+    (tmp_path / "rules" / "functions" / "paper.rules").write_text(printed, encoding="utf-8")
+    rules = FunctionRules.load(tmp_path / "rules", resource_folder("lexicon") / "en")
+    (rule,) = (each for each in rules.program.rules if each.name == "semantics_strong_positive_comparative")
+    facts = [Fact("fcn", ("quantification", "positive", 2, 4)), Fact("fcn", ("comparison", "positive", 4, 6))]
+    traced = trace_rule(rules.program, rule, facts)
+    assert [said.text for firing in traced.firings for said in firing.concluded] == [
+        "fcn(comparison, strong_positive, 2, 6)"
+    ]

@@ -5,8 +5,8 @@ import pytest
 from tests.support.by_hand import FIGURE_8, figure_8, function, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
 from understudy.errors import AuthoringError
-from understudy.model import BehaviorCandidates, Function, Level, Movement
-from understudy.rules.mapping import MappingRules, offer_movements
+from understudy.model import BehaviorCandidates, Function, Level, Movement, Parse, Utterance, Word
+from understudy.rules.mapping import MappingRules, map_functions, offer_movements
 from understudy.rules.program.program import load_program
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -259,3 +259,31 @@ def _folder(folder: Path, rule: str) -> Path:
     (folder / "vocabulary.rules").write_text((RULES / "vocabulary.rules").read_text(encoding="utf-8"), encoding="utf-8")
     (folder / "behaviors" / "one.rules").write_text(f"rule one\n{rule}", encoding="utf-8")
     return folder
+
+
+def test_always_and_never_are_demands_for_any_fact_and_no_offers(tmp_path: Path) -> None:
+    rule = """
+foreach
+  word(whatever, $start, $end)
+choose
+  always
+    gesture_dismiss($start, $end)
+  never when $start >= 0
+    shake($start, $end)
+    head($start, $end)
+"""
+    rules = MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names, ("head",))
+    words = tuple(Word(index, text) for index, text in enumerate(("So", "whatever.")))
+    mapped = map_functions(rules, Utterance(words, Parse((), (), ())), (), seed=0)
+    assert mapped.offers == ()
+    assert [(each.what, each.first, each.always, each.by) for each in mapped.demands] == [
+        ("gesture_dismiss", 1, True, "rule one"),
+        ("shake", 1, False, "rule one"),
+        ("head", 1, False, "rule one"),
+    ]
+
+
+def test_what_is_neither_behaviour_nor_family_nor_channel_cannot_be_forbidden(tmp_path: Path) -> None:
+    rule = "foreach\n  word(no, $s, $e)\nchoose\n  never\n    shakes($s, $e)\n"
+    with pytest.raises(AuthoringError, match="unknown behaviour shakes; did you mean shake"):
+        MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names)

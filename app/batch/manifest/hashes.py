@@ -64,6 +64,7 @@ def input_hash(job: LineJob, recording: str) -> str:
         repr(options.targets),
         _reference(options.reference),
         repr([target.path for target in job.targets]),
+        *([] if options.choice is None else [options.choice]),
         *([] if options.profile is None else [repr(options.profile)]),
         *([] if not options.listener_profiles else [repr(options.listener_profiles)]),
         *([] if options.edits == NO_EDITS else [repr(options.edits)]),

@@ -171,6 +171,8 @@ def _options(job: LineJob) -> dict[str, Any]:
         "stillness": options.stillness,
         "targets": {target.name: target.position_m for target in options.targets},
     }
+    if options.choice is not None:
+        told["choice"] = options.choice
     if options.agitation is not None:
         told["agitation"] = options.agitation.value
     if options.affect is not None:

@@ -121,4 +121,8 @@ KINDS: Mapping[Channel, Mapping[str, str]] = MappingProxyType(
 HANDS, ANYTHING = "hands", "any"
 """What else can be avoided: every gesture; every gesture, movement of the head, face and look."""
 
+BANNABLE = frozenset({*(kind for kinds in KINDS.values() for kind in kinds), HANDS, ANYTHING, *Channel})
+"""What an author may forbid besides behaviours and lexemes: a family of gestures, a kind of movement of head, face or
+eyes, a channel, the hands, everything."""
+
 AVOIDABLE = frozenset({*GESTURES, *HEADS, *FACES, *GAZES, HANDS, ANYTHING})

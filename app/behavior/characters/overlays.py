@@ -6,19 +6,20 @@ at once.
 
 import re
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import chain
 from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated, Literal, TypeVar
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
 from ...errors import AuthoringError, InputError, Mistake, shown
 from ...model import Channel, Hand
 from ...model.figure import AVERAGE_HEIGHT_M, PLAIN, Figure, Hair, Legwear, Looks, Manner, Physique, Sex
 from ...yaml_files import Entry, Source, all_or_every_mistake, did_you_mean
+from ..candidates.vocabulary import BANNABLE
 from ..idle.saccades import TALKING
 from ..table.behavior_table import BehaviorChange, BehaviorEntry, BehaviorTable, changed, load_table, mistakes_of
 
@@ -35,7 +36,8 @@ class Character:
     `strokes_per_unit` is the most before the hands rest, `amplitude` how large its movements are (1 as in the table;
     already applied to `entries`), `stillness` how little it moves without need (0 to 1), `eye_contact` the share of
     time in which it looks at the listener while it talks, `rest_poses` the postures between which it changes, `figure`
-    its body.
+    its body. `always` are behaviours that it shows wherever a rule offers them, `never` what it never shows, each with
+    the behaviour that comes instead; `choice` is how its movements are chosen, if it says.
     """
 
     name: str
@@ -49,6 +51,9 @@ class Character:
     rest_poses: tuple[str, ...]
     entries: Mapping[str, BehaviorEntry]
     figure: Figure
+    always: tuple[str, ...] = ()
+    never: Mapping[str, str | None] = field(default_factory=dict)
+    choice: str | None = None
 
     @property
     def liveliness(self) -> float:
@@ -130,6 +135,11 @@ class _Gestures(Entry):
     wrist_deg: float = Field(default=0.0, ge=-20, le=20)
 
 
+def _without_instead(value: object) -> object:
+    """Lets what never comes be a list, where nothing comes instead."""
+    return dict.fromkeys(value) if isinstance(value, list) else value
+
+
 class _CharacterFile(Entry):
     description: str = Field(min_length=1)
     handedness: Literal["left", "right"]
@@ -140,6 +150,9 @@ class _CharacterFile(Entry):
     eye_contact: float = Field(default=TALKING.eye_contact, ge=0.05, le=0.95)
     rest_poses: tuple[str, ...] = ("rest_on_left_leg", "rest_on_right_leg")
     behaviors: dict[str, BehaviorChange] = Field(default_factory=dict)
+    always: tuple[str, ...] = ()
+    never: Annotated[dict[str, str | None], BeforeValidator(_without_instead)] = Field(default_factory=dict)
+    choice: Literal["terms", "priority"] | None = None
     body: _Body = _Body()
     looks: _Looks = _Looks()
     gestures: _Gestures = _Gestures()
@@ -190,6 +203,9 @@ class _Sheet:
             rest_poses=self.file.rest_poses,
             entries=MappingProxyType(entries),
             figure=self.file.figure(),
+            always=self.file.always,
+            never=MappingProxyType(self.file.never),
+            choice=self.file.choice,
         )
 
     def _mistakes(self, table: BehaviorTable) -> Iterator[tuple[str, ...]]:
@@ -199,10 +215,25 @@ class _Sheet:
                 continue
             for key, message in mistakes_of(changed(table.lines[name], change), table.timings):
                 yield "behaviors", name, key, message
+        yield from self._demand_mistakes(table)
         for name in self.file.rest_poses:
             if name not in table.lines or table.lines[name].channel is not Channel.POSTURE:
                 postures = [each for each, line in table.lines.items() if line.channel is Channel.POSTURE]
                 yield "rest_poses", f"{name!r} is no posture of the table{did_you_mean(name, postures)}"
+
+    def _demand_mistakes(self, table: BehaviorTable) -> Iterator[tuple[str, ...]]:
+        for name in self.file.always:
+            if name not in table.lines:
+                yield "always", f"the table has no behaviour {name!r}{did_you_mean(name, table.lines)}"
+        lexemes = {line.lexeme for line in table.lines.values()}
+        for what, instead in self.file.never.items():
+            if what not in BANNABLE and what not in table.lines and what not in lexemes:
+                known = (*BANNABLE, *table.lines, *lexemes)
+                told = f"{what!r} is no behaviour, lexeme, family or channel{did_you_mean(what, known)}"
+                yield "never", what, told
+            if instead is not None and instead not in table.lines:
+                told = f"the table has no behaviour {instead!r}{did_you_mean(instead, table.lines)}"
+                yield "never", what, told
 
 
 _USUAL_GESTURE = 0.5

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 from ...model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Word
 from ..characters.overlays import Character
+from ..reading.player import Ban
 from ..timing.anchoring import PlacedBehavior, asked
 from ..timing.conflicts import Fitted, fitted
 from ..timing.time_index import KeptByTime
@@ -35,12 +36,14 @@ twice."""
 @dataclass(frozen=True, slots=True)
 class Line:
     """What the choice depends on besides the candidates: the timed words, the character, the most gestures (usual and
-    planned), and the most that functions may ask for by their priority alone."""
+    planned), the most that functions may ask for by their priority alone, and
+    what is forbidden where."""
 
     timed: tuple[Word, ...]
     character: Character
     most_gestures: int
     most_asked: int
+    bans: tuple[Ban, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +106,7 @@ def count_made(offers: Iterable[BehaviorCandidates], kept: KeptByTime, line: Lin
 
 def is_planned(offer: BehaviorCandidates) -> bool:
     """Whether it comes from the plan, rather than from a function's priority alone or a director."""
-    return offer.moment is not None and offer.moment.note is None
+    return offer.moment is not None and offer.moment.note is None and not offer.moment.demanded
 
 
 def _is_worth_a_hand(offer: BehaviorCandidates) -> bool:

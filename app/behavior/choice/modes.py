@@ -86,6 +86,8 @@ def _drawn(kept: KeptByTime, gestures: list[PlacedBehavior], line: Line, generat
 
 
 def _fitted(movement: Movement, kept: KeptByTime, line: Line, reason: str) -> Fitted | None:
+    if any(movement.name in ban.names and ban.covers(movement.first, movement.last) for ban in line.bans):
+        return None
     name = f"{movement.name}.{movement.first}.{movement.last}"
     candidate = asked(movement, line.character.entries[movement.name], line.timed, name)
     if not candidate.behavior.kept:

@@ -15,6 +15,7 @@ from ..characters.overlays import Character
 from ..idle.idle_behaviors import idle_behaviors
 from ..idle.saccades import TALKING
 from ..idle.stillness import to_thousandths
+from ..reading.player import Ban
 from ..timing.anchoring import PlacedBehavior, interval_of, placed_idle
 from ..timing.conflicts import Kept, resolve
 from ..timing.transitions import eased
@@ -44,6 +45,7 @@ def schedule(
     seed: int,
     mode: Mode = Mode.SEMANTIC,
     several_listeners: bool = False,
+    bans: tuple[Ban, ...] = (),
 ) -> tuple[Behavior, ...]:
     """The behaviours in order of time, those that were dropped among them; none at all when no word has a time.
 
@@ -55,12 +57,12 @@ def schedule(
         return ()
     duration_s = utterance.duration_s or interval_of(timed[-1]).end_s
     candidates = tuple(candidates)
-    planned = any(each.moment for each in candidates)
+    planned = any(each.moment and not each.moment.demanded for each in candidates)
     spoken_s = duration_s - utterance.lead_in_s
     at_rate = most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0))
     level = utterance.level
     most_asked = most_gestures(character, spoken_s * ASKED_MORE[level])
-    line = Line(timed, character, at_rate + _second_places(candidates), most_asked)
+    line = Line(timed, character, at_rate + _second_places(candidates), most_asked, bans)
     kept, lost = choose(candidates, line)
     kept, needless = needed(kept, candidates)
     usual = replace(line, most_gestures=most_gestures(character, spoken_s))

@@ -8,6 +8,7 @@ from .shared import (
     MOTION_HELP,
     add_affect,
     add_agitation,
+    add_choice,
     add_form,
     add_functions,
     add_line,
@@ -63,7 +64,8 @@ def add_script(add: Adding) -> None:
     )
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     add_agitation(parser)
-    parser.add_argument("--seed", type=int, default=0, help="another number draws other gestures (default 0)")
+    parser.add_argument("--seed", type=int, default=0, help="another number draws another take (default 0, the best)")
+    add_choice(parser)
     parser.add_argument(
         "--lead-in", metavar="SECONDS", type=float, default=0.0, help="begin that long before the recording (0 to 3)"
     )

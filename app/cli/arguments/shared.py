@@ -21,7 +21,8 @@ def add_manner(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     add_agitation(parser)
     add_affect(parser)
-    parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
+    parser.add_argument("--seed", type=int, default=0, help="another number draws another take (default 0, the best)")
+    add_choice(parser)
     parser.add_argument(
         "--profile", metavar="P", help="whose gestures: a profile's name (see profiles list), or its .yaml file"
     )
@@ -80,6 +81,15 @@ def add_targets(parser: argparse.ArgumentParser) -> None:
         default=[],
         help="where something or somebody is, to look and point at, such as door=1.2,1.4,2.0: metres, Y up, the "
         "character at 0,0,0 facing +Z, its left +X; repeatable",
+    )
+
+
+def add_choice(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--choice",
+        choices=("terms", "priority"),
+        help="how movements are chosen: the one choice, or the paper's by priority (default: as the character or "
+        "UNDERSTUDY_CHOICE says)",
     )
 
 

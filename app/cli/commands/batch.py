@@ -90,6 +90,7 @@ def _options(arguments: argparse.Namespace) -> Options:
         agitation=arguments.agitation and Level(arguments.agitation),
         affect=optional_affect(arguments.affect),
         seed=arguments.seed,
+        choice=arguments.choice,
         mode=Mode(arguments.mode),
         form=BmlForm(
             DialectName(arguments.dialect),

@@ -21,6 +21,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         character=arguments.character,
         agitation=arguments.agitation and Level(arguments.agitation),
         seed=arguments.seed,
+        choice=arguments.choice,
         lead_in_s=arguments.lead_in,
         profile=optional_profile(arguments.profile),
     )

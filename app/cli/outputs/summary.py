@@ -9,7 +9,8 @@ WORDS_WIDTH = 28
 
 
 def summary(performance: Performance) -> str:
-    """The line's behaviours in order of time, each with its words, the function it shows and the rule that chose it."""
+    """The line's behaviours in order of time, each with its words, the function it shows and the rule that chose it,
+    or what spoke most for it."""
     return "\n".join(_lines(performance))
 
 
@@ -22,9 +23,9 @@ def _lines(performance: Performance) -> Iterator[str]:
     begins = f", the recording begins at {utterance.lead_in_s:.2f} s" if utterance.lead_in_s else ""
     yield f"{performance.character} performs {duration_s:.2f} s{begins}, agitation {level}, seed {performance.seed}"
     for behavior in kept:
-        if behavior.function is not None or behavior.edit is not None:
+        if not _is_idle(behavior):
             yield _movement(performance, behavior, functions.get(behavior.function or ""))
-    own = Counter(behavior.lexeme.lower() for behavior in kept if behavior.function is None and behavior.edit is None)
+    own = Counter(behavior.lexeme.lower() for behavior in kept if _is_idle(behavior))
     if own:
         yield "idle: " + ", ".join(f"{count} × {lexeme}" for lexeme, count in own.items())
     dropped = len(performance.behaviors) - len(kept)
@@ -45,9 +46,21 @@ def _movement(performance: Performance, behavior: Behavior, function: Function |
 def _why(behavior: Behavior, function: Function | None) -> str:
     authored = "" if behavior.edit is None else f"the author's edit {behavior.edit}"
     if function is None:
-        return authored
+        return authored or _decided(behavior)
     chosen = f"{_name(function)} by {function.rule} → {behavior.rule or behavior.reason}"
     return f"{chosen}; {authored}" if authored else chosen
+
+
+def _is_idle(behavior: Behavior) -> bool:
+    """Whether the body does it by itself: for no function, no moment of the plan and no edit."""
+    return behavior.function is None and behavior.moment is None and behavior.edit is None
+
+
+def _decided(behavior: Behavior) -> str:
+    """The part that spoke most for it, and its rule."""
+    part = max(behavior.decided_by, key=lambda each: each.weight, default=None)
+    chosen = behavior.rule or behavior.reason or ""
+    return f"{part.name} ({part.weight:+.1f}) → {chosen}" if part else chosen
 
 
 def _name(function: Function) -> str:

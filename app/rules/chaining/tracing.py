@@ -11,7 +11,18 @@ from enum import StrEnum
 from functools import partial
 
 from ...model import Fact
-from ..language.tree import Alternatives, Choice, Computation, Constant, Expression, Guard, Pattern, Statement
+from ..language.tree import (
+    ALWAYS,
+    NEVER,
+    Alternatives,
+    Choice,
+    Computation,
+    Constant,
+    Expression,
+    Guard,
+    Pattern,
+    Statement,
+)
 from ..program.program import Program, Rule
 from ..program.stratification import asserted
 from .matching import Bindings, FactBase, Match, matches, substitute
@@ -135,7 +146,7 @@ class _Tracer:
             if isinstance(part, Choice):
                 for offered in part.alternatives:
                     calls = " ".join(str(substitute(call, bindings)) for call in offered.calls)
-                    yield Said(f"weight {offered.weight:g}: {calls}")
+                    yield Said(f"{_wanted(offered.weight)}: {calls}")
 
     def _obstacle(self, statement: Statement, bindings: Bindings) -> Obstacle:
         if isinstance(statement, Pattern) and not statement.absent:
@@ -182,3 +193,7 @@ def _compared(statement: Guard | Computation | Pattern, bindings: Bindings) -> s
         assert isinstance(statement, Computation)
         left, sign, right = statement.variable, "=", statement.expression
     return f"{left} {sign} {right}: {substitute(left, bindings)} {sign} {substitute(right, bindings)}"
+
+
+def _wanted(weight: float) -> str:
+    return {ALWAYS: "always", NEVER: "never"}.get(weight, f"weight {weight:g}")

@@ -18,6 +18,8 @@ from lark.lark import PostLex
 
 from ...errors import Mistake
 from .tree import (
+    ALWAYS,
+    NEVER,
     Alternatives,
     Assertion,
     Atom,
@@ -42,7 +44,8 @@ from .tree import (
 from .wording import syntax_message
 
 _BLOCK_START = re.compile(r"[ \t]*(rule|predicate)\b(?![ \t]*\()")
-_NAME_ALONE = re.compile(r"[ \t]*(?!(?:foreach|assert|choose|unless|weight)\b)[A-Za-z][A-Za-z0-9_]*[ \t]*(#.*)?\r?$")
+_KEYWORDS = "foreach|assert|choose|unless|weight|always|never"
+_NAME_ALONE = re.compile(rf"[ \t]*(?!(?:{_KEYWORDS})\b)[A-Za-z][A-Za-z0-9_]*[ \t]*(#.*)?\r?$")
 _FOREACH = re.compile(r"[ \t]*foreach\b")
 _SIGNS_IN_A_LINE = 60
 
@@ -222,7 +225,7 @@ class _Builder(Transformer[Token, Any]):
         numbers = [part for part in parts if isinstance(part, Token)]
         guards = tuple(part for part in parts if isinstance(part, Guard))
         calls = [part for part in parts if part is not None and not isinstance(part, Guard | Token)]
-        weight = float("".join(numbers))
+        weight = {"always": ALWAYS, "never": NEVER}.get(str(keyword)) or float("".join(numbers))
         atoms = tuple(self._atom(call, "a behaviour such as small_nod($start, $end)") for call in calls)
         return WeightedCalls(weight, guards, atoms, self.place(keyword))
 

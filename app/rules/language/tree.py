@@ -4,6 +4,7 @@ Lines and columns count from 1.
 """
 
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 from typing import TypeAlias
 
@@ -114,14 +115,23 @@ class Guard:
 Statement: TypeAlias = Pattern | Computation | Guard
 
 
+ALWAYS, NEVER = inf, -inf
+"""The weights of what an author asks for always, and of what never comes."""
+
+
 @dataclass(frozen=True, slots=True)
 class WeightedCalls:
-    """An alternative of a choice: `weight 2 when guard and guard`, and the behaviours below it."""
+    """An alternative of a choice: `weight 2 when guard and guard`, `always` or `never`, and the behaviours below it."""
 
     weight: float
     guards: tuple[Guard, ...]
     calls: tuple[Atom, ...]
     place: Place
+
+    @property
+    def keyword(self) -> str:
+        """How the alternative begins."""
+        return {ALWAYS: "always", NEVER: "never"}.get(self.weight, "weight")
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,7 +30,7 @@ _WORDS = {
     "_NEWLINE": "a new line (one statement a line)",
     "_FOREACH": "`foreach` below the rule's name",
     "_UNLESS": "a fact, `unless`, a computation or a guard",
-    "WEIGHT": "`weight NUMBER` with behaviours on the lines below",
+    "WEIGHT": "`weight NUMBER`, `always` or `never` with behaviours on the lines below",
     "COMMA": "`,`",
     "RPAR": "`)`",
     "EQUAL": "`=`",

@@ -5,6 +5,7 @@ depends on their own conclusions.
 """
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 
 from ...errors import Mistake
 from ..language.tree import PredicateTree, RuleFile, RuleTree
@@ -15,8 +16,11 @@ _Declaration = tuple[RuleFile, PredicateTree]
 _Rule = tuple[RuleFile, RuleTree]
 
 
-def check(files: Sequence[RuleFile], behaviors: Collection[str] | None) -> Iterator[Mistake]:
-    """All mistakes in `files`, in no particular order; `behaviors` may be called by choose-rules (None: any)."""
+def check(
+    files: Sequence[RuleFile], behaviors: Collection[str] | None, bannable: Collection[str] = ()
+) -> Iterator[Mistake]:
+    """All mistakes in `files`, in no particular order; `behaviors` may be called by choose-rules (None: any), what is
+    `bannable` below `never` too."""
     blocks = [(file, block.tree) for file in files for block in file.blocks]
     declarations = [(file, tree) for file, tree in blocks if isinstance(tree, PredicateTree)]
     rules = [(file, tree) for file, tree in blocks if isinstance(tree, RuleTree)]
@@ -24,7 +28,7 @@ def check(files: Sequence[RuleFile], behaviors: Collection[str] | None) -> Itera
         yield from _located(file, _parameter_mistakes(predicate))
     yield from _said_twice("predicate", declarations)
     yield from _said_twice("rule", rules)
-    declared = _declared(files, declarations, behaviors)
+    declared = replace(_declared(files, declarations, behaviors), bannable=bannable)
     sound = []
     for file, rule in rules:
         found = list(rule_mistakes(rule, declared))

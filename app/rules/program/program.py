@@ -10,6 +10,7 @@ from ...errors import AuthoringError
 from ..knowledge import Beginning, Index
 from ..language.tree import Atom, Block, Choice, Pattern, PredicateTree, RuleFile, RuleTree
 from .checking import check
+from .class_names import with_known_classes
 from .compiling import compiled
 from .omissions import with_annotations
 from .planning import Plan
@@ -96,17 +97,24 @@ class Program:
         return {name: len(predicate.parameters) for name, predicate in self.predicates.items()}
 
 
-def load_program(paths: Iterable[Path], *, behaviors: Collection[str] | None = None) -> Program:
-    """The program of these files; `behaviors` are the names that choose-rules may call (None: any).
+def load_program(
+    paths: Iterable[Path],
+    *,
+    behaviors: Collection[str] | None = None,
+    bannable: Collection[str] = (),
+    printed: Mapping[str, str] = MappingProxyType({}),
+) -> Program:
+    """The program of these files; `behaviors` are the names that choose-rules may call (None: any), `bannable` what
+    else they may forbid, `printed` other names of classes of functions.
 
     Raises AuthoringError with all mistakes of all files, in the order of the files and their lines.
     """
     from ..language.language import read_rules  # brings lark, which compiled rules do without
 
     readings = [read_rules(path) for path in paths]
-    files = with_annotations([file for file, _ in readings])
+    files = with_annotations(with_known_classes([file for file, _ in readings], printed))
     found = [mistake for _, mistakes in readings for mistake in mistakes]
-    found += check(files, behaviors)
+    found += check(files, behaviors, bannable)
     if found:
         order = {file.path: number for number, file in enumerate(files)}
         raise AuthoringError(tuple(sorted(found, key=lambda m: (order[m.path], m.line, m.column))))

@@ -12,6 +12,7 @@ from difflib import get_close_matches
 
 from ..language.arithmetic import BUILTINS, is_ordering
 from ..language.tree import (
+    NEVER,
     Alternatives,
     Assertion,
     Atom,
@@ -41,11 +42,13 @@ MOST_STATEMENTS = 50
 
 @dataclass(frozen=True, slots=True)
 class Declared:
-    """The declarations that rules can refer to. Those in `unread` exist but could not be parsed and are not checked."""
+    """The declarations that rules can refer to. Those in `unread` exist but could not be parsed and are not checked.
+    `behaviors` may be chosen, and below `never` what `bannable` names too."""
 
     predicates: Mapping[str, PredicateTree]
     unread: frozenset[str]
     behaviors: Collection[str] | None
+    bannable: Collection[str] = ()
 
     @property
     def annotated(self) -> Mapping[str, bool]:
@@ -99,10 +102,13 @@ def _conclusions(rule: RuleTree) -> Iterator[Located]:
         if isinstance(part, Choice) and not part.alternatives:
             yield part.place, "expected an alternative below `choose`: `weight NUMBER`, and behaviours below that"
     for alternative in _alternatives(rule):
-        if alternative.weight <= 0:
+        if alternative.weight <= 0 and alternative.weight != NEVER:
             yield alternative.place, f"the weight is {alternative.weight:g}; it must be greater than 0"
         if not alternative.calls:
-            yield alternative.place, "expected a behaviour below `weight`, such as small_nod($start, $end)"
+            yield (
+                alternative.place,
+                f"expected a behaviour below `{alternative.keyword}`, such as small_nod($start, $end)",
+            )
 
 
 def _behaviors(rule: RuleTree, declared: Declared) -> Iterator[Located]:
@@ -110,8 +116,9 @@ def _behaviors(rule: RuleTree, declared: Declared) -> Iterator[Located]:
         return
     for alternative in _alternatives(rule):
         for call in alternative.calls:
-            if call.name not in declared.behaviors:
-                yield call.place, f"unknown behaviour {call.name}{_meant(call.name, declared.behaviors)}"
+            known = (*declared.behaviors, *(declared.bannable if alternative.weight == NEVER else ()))
+            if call.name not in known:
+                yield call.place, f"unknown behaviour {call.name}{_meant(call.name, known)}"
 
 
 def _fact(atom: Atom, declared: Declared) -> Iterator[Located]:

@@ -1,0 +1,113 @@
+"""What comes always and what never, by hand-written demands and in whole performances."""
+
+from dataclasses import replace
+
+import pytest
+
+from understudy.behavior.candidates.demands import beside, demanded, kept_free, meant, permitted
+from understudy.behavior.reading.player import Ban, Player
+from understudy.model import (
+    Analysis,
+    Behavior,
+    Channel,
+    Demand,
+    Direction,
+    Interval,
+    Moment,
+    Utterance,
+)
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import find_functions, perform_analysis
+
+POINTING = {"POINT_FRONT", "POINT_LEFT", "POINT_RIGHT", "POINT_UP", "HERE", "THERE"}
+
+
+def spoken(understudy: Understudy, text: str) -> Analysis:
+    analysis = find_functions(understudy.language, text)
+    words = tuple(
+        replace(word, interval=Interval(0.6 + 0.35 * word.index, 0.9 + 0.35 * word.index))
+        for word in analysis.utterance.words
+    )
+    utterance: Utterance = replace(analysis.utterance, words=words, duration_s=1.2 + 0.35 * len(words))
+    return replace(analysis, utterance=utterance)
+
+
+def shown(understudy: Understudy, text: str, direction: Direction | None = None, **options: str) -> list[Behavior]:
+    performance = perform_analysis(understudy, spoken(understudy, text), Options(**options), direction)  # type: ignore[arg-type]
+    return [each for each in performance.behaviors if each.kept]
+
+
+def player(understudy: Understudy, *bans: Ban) -> Player:
+    behavior = understudy.behavior
+    return Player(behavior.families, behavior.characters.named("default").entries, bans=bans)
+
+
+@pytest.mark.parametrize(
+    ("what", "among", "outside"),
+    [
+        ("gesture_point_front", "gesture_point_front", "gesture_point_up"),
+        ("POINT_UP", "gesture_point_up", "gesture_point_front"),
+        ("point_there", "gesture_there", "gesture_point_up"),
+        ("shake", "small_shake", "sway"),
+        ("frown", "small_frown", "brow_raise"),
+        ("head", "big_nod", "gesture_me"),
+        ("hands", "gesture_me", "big_nod"),
+        ("any", "gesture_me", None),
+    ],
+)
+def test_a_word_of_the_author_means_lexemes_families_and_channels(
+    understudy: Understudy, what: str, among: str, outside: str | None
+) -> None:
+    names = meant(what, understudy.behavior.families, player(understudy).behaviors)
+    assert among in names
+    assert outside not in names
+
+
+def test_what_is_demanded_is_shown_though_nothing_else_speaks_for_it(understudy: Understudy) -> None:
+    demand = Demand("gesture_dismiss", 0, 0, always=True, by="the note always[0]")
+    found = shown(understudy, "The train to Oxford leaves at nine.", Direction(demands=(demand,)))
+    (wave,) = [each for each in found if each.lexeme == "DISMISS"]
+    assert (wave.first, wave.last) == (0, 0)
+    assert wave.decided_by[0].name == "always, by the note always[0]"
+
+
+@pytest.mark.parametrize("choice", ["terms", "priority"])
+def test_what_is_forbidden_comes_by_no_way(understudy: Understudy, choice: str) -> None:
+    line = "No, I never said that, and I don't know."
+    shakes = [each for each in shown(understudy, line, choice=choice) if each.lexeme == "SHAKE"]
+    demand = Demand("shake", 0, 20, always=False, by="the note never[0]")
+    forbidden = shown(understudy, line, Direction(demands=(demand,)), choice=choice)
+    assert shakes
+    assert "SHAKE" not in {each.lexeme for each in forbidden}
+
+
+@pytest.mark.parametrize("mode", ["semantic", "prosody", "random"])
+@pytest.mark.parametrize("choice", ["terms", "priority"])
+def test_the_reserved_man_never_points(understudy: Understudy, choice: str, mode: str) -> None:
+    from understudy.model import Mode
+
+    for text in ("It is over there, up on that hill, behind you.", "You there, come here, look up at this one!"):
+        analysis = spoken(understudy, text)
+        options = Options(character="reserved", choice=choice, mode=Mode(mode))  # type: ignore[arg-type]
+        kept = [each for each in perform_analysis(understudy, analysis, options).behaviors if each.kept]
+        assert not POINTING & {each.lexeme for each in kept}
+
+
+def test_a_ban_leaves_the_other_movements_of_an_alternative(understudy: Understudy) -> None:
+    demand = Demand("big_nod", 0, 1, always=True, by="me")
+    who = player(understudy)
+    (asked,) = demanded(who, [demand, demand])
+    barred = replace(who, bans=(Ban(1, 1, frozenset({"big_nod"}), "never"),))
+    assert permitted([asked], who) == (asked,)
+    assert permitted([asked], barred) == ()
+    assert demanded(barred, [demand]) == ()
+
+
+def test_strokes_keep_time_from_a_demanded_one_and_heads_make_way(understudy: Understudy) -> None:
+    (wave,) = demanded(player(understudy), [Demand("gesture_dismiss", 3, 3, always=True, by="me")])
+    assert kept_free([wave], [0.0, 0.5, 1.2, 1.6, 2.0, 3.0]) == [2, 3, 4]
+    (nod,) = demanded(player(understudy), [Demand("big_nod", 3, 4, always=True, by="me")])
+    head = Moment("m", Channel.HEAD, 2, 3, 2, ("shake",), 0.5)
+    stroke = Moment("g", Channel.GESTURE, 3, 3, 3, ("present",), 0.5)
+    assert beside([head, stroke], [nod]) == (stroke,)
