@@ -6,6 +6,7 @@ import pytest
 
 from understudy.behavior.candidates.demands import beside, demanded, kept_free, meant, permitted
 from understudy.behavior.reading.player import Ban, Player
+from understudy.library import find_functions
 from understudy.model import (
     Analysis,
     Behavior,
@@ -18,7 +19,7 @@ from understudy.model import (
 )
 from understudy.models import Understudy
 from understudy.options import Options
-from understudy.performance import find_functions, perform_analysis
+from understudy.performance import perform_analysis
 
 POINTING = {"POINT_FRONT", "POINT_LEFT", "POINT_RIGHT", "POINT_UP", "HERE", "THERE"}
 
