@@ -36,7 +36,7 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
     def __init__(self, *arguments: Any, **named: Any) -> None:  # noqa: ANN401 - uvicorn's signature
         super().__init__(*arguments, **named)
         self.logger = _LOGGER
-        self.conn.debug = False  # it would log headers
+        self.conn.logger, self.conn.debug = _LOGGER, False  # which would log headers
         self._gone = asyncio.Event()
         self._stuck_since_s: float | None = None
         self._looking: asyncio.TimerHandle | None = None
@@ -75,6 +75,12 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
     def resume_writing(self) -> None:
         self._stuck_since_s = None
         super().resume_writing()
+
+    async def send(self, message: Any) -> None:  # noqa: ANN401 - of ASGI
+        """One that was refused by an answer of HTTP is complete, which uvicorn does not see."""
+        await super().send(message)
+        if self.close_sent:
+            self.handshake_complete = True
 
     def _look(self) -> None:
         """Now and then: cuts off a connection that nobody is at the other end of."""

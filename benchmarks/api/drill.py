@@ -1,6 +1,6 @@
 """Tests the service with broken inputs, a long soak, killed workers and attacks, and prints a table of the bars.
 
-    python -m benchmarks.drill [--inputs 100000] [--soak 10000] [--kills 20] [--seed 0] [--clients 4] [--no-attacks]
+    python -m benchmarks.api.drill [--inputs 100000] [--soak 10000] [--kills 20] [--seed 0] [--clients 4] [--no-attacks]
                                [--no-load] [--keep FOLDER]
 
 Starts services of its own on free ports of 127.0.0.1, with the settings that a service has by default. Every answer but

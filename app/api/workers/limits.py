@@ -1,5 +1,6 @@
 """How much memory and processor time a worker may take, and what is told where the kernel refuses it more."""
 
+import os
 import resource
 import signal
 from collections.abc import Iterator
@@ -27,16 +28,22 @@ def too_large(limit_bytes: int) -> TooLargeError:
     )
 
 
+_GIVES_WAY_AFTER = 0.2
+_LOWEST = 19
+
+
 class ProcessorTimeError(BaseException):
     """The time is up. Not an Exception, so that nothing on its way takes it for a mistake in what was sent."""
 
 
 @contextmanager
 def processor_time(limit_s: float) -> Iterator[None]:
-    """A block that may take so many seconds of the processor, its own threads and the kernel's work for it included.
-    Only in a process's main thread. Raises ProcessorTimeError."""
-    signal.signal(signal.SIGPROF, _stop)
-    signal.setitimer(signal.ITIMER_PROF, limit_s)
+    """A block that may take so many seconds of the processor, its own threads and the kernel's work for it included;
+    after a fifth of them its process gives way to others. Only in a process's main thread. Raises
+    ProcessorTimeError."""
+    patience_s = limit_s * _GIVES_WAY_AFTER
+    signal.signal(signal.SIGPROF, _late)
+    signal.setitimer(signal.ITIMER_PROF, patience_s, limit_s - patience_s)
     try:
         yield
     finally:
@@ -48,6 +55,17 @@ def too_long(limit_s: float) -> TooLargeError:
     return TooLargeError(
         "work_too_large", f"this takes more than the {limit_s:g} s of a processor that a message may use"
     )
+
+
+def give_way() -> None:
+    """This process works from now on when no other wants to. It cannot be taken back, but by root."""
+    os.nice(_LOWEST - os.nice(0))
+
+
+def _late(*_signal: object) -> None:
+    """First this process gives way, the next time it is stopped."""
+    signal.signal(signal.SIGPROF, _stop)
+    give_way()
 
 
 def _stop(*_signal: object) -> Never:

@@ -16,11 +16,14 @@ from ...schemas.live import to_error
 from ...settings import Settings
 from .conversation import Conversation
 from .endings import end_with
-from .limits import ProcessorTimeError, limit_memory, processor_time, too_large, too_long
+from .limits import ProcessorTimeError, give_way, limit_memory, processor_time, too_large, too_long
 from .messages import LiveInput, LiveOutput, Ready, receive, send
 
 _LOGGER = logging.getLogger(__name__)
 _FRAME = '{"type":"frame"'
+
+STARTS_WITH_S, USUAL_SHARE = 5.0, 0.5
+"""Processor time that a stream may take at once, and then of every second. With frames it takes .15 on a quiet core."""
 
 FASTEST_CLOCK = 1.02
 """A sender whose clock runs no faster is never held back, however long its stream; those of sound cards are within
@@ -32,7 +35,8 @@ def stream(service: socket.socket, models: LiveModels, settings: Settings) -> No
     end_with(service)
     limit_memory(settings.worker_memory_bytes)
     send(service, Ready(os.getpid(), psutil.Process().memory_info().rss))
-    conversation, began_s = Conversation(models, settings), time.monotonic()
+    conversation = Conversation(models, settings)
+    began_s, spent_s = time.monotonic(), time.process_time()
     while not conversation.ended:
         try:
             message, content, _ = receive(service)
@@ -40,8 +44,16 @@ def stream(service: socket.socket, models: LiveModels, settings: Settings) -> No
             _answer(service, conversation, settings, bytes(content), is_text=message.is_text)
         except (EOFError, OSError):
             break
+        if takes_too_much(time.process_time() - spent_s, time.monotonic() - began_s):
+            give_way()
         time.sleep(too_soon_s(conversation.heard_s, time.monotonic() - began_s, settings.live_ahead_s))
     models.understudy.close()
+
+
+def takes_too_much(processor_s: float, passed_s: float) -> bool:
+    """Whether a stream has taken more of a processor than one that keeps pace with a voice: it can be one of many that
+    are meant to slow others."""
+    return processor_s > STARTS_WITH_S + USUAL_SHARE * passed_s
 
 
 def too_soon_s(heard_s: float, passed_s: float, ahead_s: float) -> float:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from understudy.api.workers.live_worker import too_soon_s
+from understudy.api.workers.live_worker import takes_too_much, too_soon_s
 
 HOUR_S, AHEAD_S = 3600.0, 10.0
 
@@ -18,3 +18,12 @@ def test_what_was_late_may_come_at_once() -> None:
 
 def test_what_comes_much_too_soon_waits() -> None:
     assert too_soon_s(30.0, 10.0, AHEAD_S) == pytest.approx(9.8)
+
+
+@pytest.mark.parametrize(
+    ("processor_s", "passed_s", "too_much"), [(4, 1, False), (9, 10, False), (11, 10, True), (6, 1, True)]
+)
+def test_a_stream_gives_way_that_takes_more_than_a_voice_needs(
+    processor_s: float, passed_s: float, too_much: bool
+) -> None:
+    assert takes_too_much(processor_s, passed_s) is too_much
