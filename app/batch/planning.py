@@ -22,6 +22,7 @@ from .model import Problem, Script, Take, place_told
 from .request import BatchRequest
 from .scripts.reading import read_script
 from .work.audio import AudioSource
+from .work.compressed import advice, converter, is_compressed
 from .work.jobs import Failure, LineJob
 from .work.speaking import ReferenceJob
 
@@ -105,6 +106,7 @@ def hopeless_entries(plan: Plan) -> Iterator[Entry]:
 def without_audio(missing: Missing, unit: str = "row") -> str:
     """The message about a line without a recording; `unit` is what rows are called in the script."""
     hint = f"; did you mean {missing.near!r}?" if missing.near else ""
+    hint = f": {advice(missing.unreadable)}" if missing.unreadable else hint
     return f"{place_told(missing.line.row, missing.line.sheet, unit)}: no recording{hint}"
 
 
@@ -118,7 +120,9 @@ def _joined(request: BatchRequest, script: Script) -> Joined:
         whole = [file.path for file in files if file.stem.casefold() == script.path.stem.casefold()]
         if len(whole) == 1:
             return join_one_recording(script.lines, whole[0])
-    return join_recordings(script.lines, files, request.pattern, request.choice)
+    unreadable = [] if converter() else [file for file in files if is_compressed(file.path)]
+    readable = [file for file in files if file not in unreadable]
+    return join_recordings(script.lines, readable, request.pattern, request.choice, unreadable=unreadable)
 
 
 def _job(request: BatchRequest, take: Take, options: Options) -> LineJob:

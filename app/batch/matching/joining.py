@@ -28,10 +28,12 @@ class Choice(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Missing:
-    """A line without a recording, and the stem of the unused recording that may have been meant for it."""
+    """A line without a recording, and the stem of the unused recording that may have been meant for it, or the
+    recording that is there and cannot be read here."""
 
     line: ScriptLine
     near: str | None
+    unreadable: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +53,10 @@ def join_recordings(
     files: Sequence[RecordingFile],
     pattern: Pattern | None = None,
     choice: Choice = Choice.LAST,
+    *,
+    unreadable: Sequence[RecordingFile] = (),
 ) -> Joined:
-    """Matches the lines with the recordings."""
+    """Matches the lines with the recordings; a line without any may have one that is `unreadable` here."""
     candidates_of = _finder(files, pattern)
     found = [(line, candidates_of(line)) for line in lines]
     chosen = [(line, _chosen(line, candidates, choice)) for line, candidates in found]
@@ -60,9 +64,14 @@ def join_recordings(
     seen = {file.path for _line, candidates in found for file, _take in candidates}
     unused = tuple(file for file in files if file.path not in seen)
     near = NearNames(file.stem for file in unused)
+    unreadable_of = _finder(unreadable, pattern)
     return Joined(
         takes,
-        tuple(Missing(line, near.nearest(_wanted(line))) for line, candidates in chosen if not candidates),
+        tuple(
+            Missing(line, near.nearest(_wanted(line)), next((file.path for file, _take in unreadable_of(line)), None))
+            for line, candidates in chosen
+            if not candidates
+        ),
         tuple(file.path for file in unused),
         tuple(rival for line, candidates in found if (rival := _rivals(line, candidates))),
         _shared(takes),

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ...errors import InputError
+from ..work.compressed import is_compressed
 
 SUFFIXES = frozenset({".wav", ".wave", ".flac", ".ogg", ".oga", ".opus"})
+"""What we read ourselves."""
 
 _TAKE = re.compile(
     r"(?P<stem>.+?)(?:[ _.-]+(?:take|tk|t)[ _.-]*(?P<told>\d{1,3})| ?\((?P<copy>\d{1,3})\))", re.IGNORECASE
@@ -39,7 +41,7 @@ class RecordingFile:
 
 def find_recordings(folder: Path, *, without: Path) -> tuple[RecordingFile, ...]:
     """The recordings under `folder`, sorted by name, except hidden ones, those under `without` (our output folder) and
-    what is no regular file, such as a pipe.
+    what is no regular file, such as a pipe; compressed ones only where no other has their name.
 
     Raises InputError `file_unreadable`.
     """
@@ -51,7 +53,9 @@ def find_recordings(folder: Path, *, without: Path) -> tuple[RecordingFile, ...]
         folders[:] = sorted(
             name for name in folders if not name.startswith(".") and Path(parent, name).resolve() != written
         )
-        names = [name for name in files if not name.startswith(".") and Path(name).suffix.lower() in SUFFIXES]
-        paths = (Path(parent, name) for name in names)
+        names = [Path(parent, name) for name in files if not name.startswith(".")]
+        paths = [path for path in names if path.suffix.lower() in SUFFIXES]
+        plain = {path.stem.casefold() for path in paths}
+        paths += [path for path in names if is_compressed(path) and path.stem.casefold() not in plain]
         found += [RecordingFile.of(path, folder) for path in paths if path.is_file()]
     return tuple(sorted(found, key=lambda each: each.relative))

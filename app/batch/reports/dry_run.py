@@ -13,6 +13,7 @@ from ..manifest.entries import Entry, State
 from ..matching.near_names import NearNames
 from ..model import place_told
 from ..planning import Plan, without_audio
+from ..work.compressed import is_compressed
 from ..work.formats import needs_motion
 from ..work.jobs import LineJob
 
@@ -143,8 +144,8 @@ def _duration_s(job: LineJob) -> float | None:
 
 
 def _file_duration_s(path: Path) -> float | None:
-    """The duration in the file's header; None when it cannot be read."""
+    """The duration in the file's header; None when it cannot be read, 0 where only ffmpeg knows."""
     try:
         return float(soundfile.info(path).duration)
     except (soundfile.LibsndfileError, OSError):
-        return None
+        return 0.0 if is_compressed(path) else None

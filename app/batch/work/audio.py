@@ -11,6 +11,7 @@ import soundfile
 
 from ...errors import InputError, UndecodableError
 from ...model import Interval
+from .compressed import converted, is_compressed
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,14 +23,15 @@ class AudioSource:
     interval: Interval | None = None
 
     def content(self) -> bytes:
-        """The file's bytes, or those of a WAV file of the interval.
+        """The file's bytes, or those of a WAV file of the interval, or of a compressed recording.
 
-        Raises InputError `file_unreadable` and `cut_outside`, UndecodableError `audio_undecodable`.
+        Raises InputError `file_unreadable`, `cut_outside` and `audio_compressed`, UndecodableError `audio_undecodable`.
         """
         try:
+            known = converted(self.path) if self.sent is None and is_compressed(self.path) else self.sent
             if self.interval is not None:
-                return _cut(io.BytesIO(self.sent) if self.sent is not None else self.path, self.interval)
-            return self.path.read_bytes() if self.sent is None else self.sent
+                return _cut(io.BytesIO(known) if known is not None else self.path, self.interval)
+            return self.path.read_bytes() if known is None else known
         except OSError as error:
             message = f"{self.path}: cannot be read: {error.strerror}"
             raise InputError("file_unreadable", message, field="audio") from None
