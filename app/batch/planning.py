@@ -13,6 +13,7 @@ from ..options import Options
 from .casting.cast_file import NOBODY_CAST, read_cast
 from .casting.casting import Casting
 from .casting.voices import reference_jobs, speaker_of
+from .compressed import advice, converter, is_compressed
 from .edits_files import edits_of_takes
 from .layout import require_apart
 from .manifest.entries import Entry, State
@@ -22,7 +23,6 @@ from .model import Problem, Script, Take, place_told
 from .request import BatchRequest
 from .scripts.reading import read_script
 from .work.audio import AudioSource
-from .work.compressed import advice, converter, is_compressed
 from .work.jobs import Failure, LineJob
 from .work.speaking import ReferenceJob
 

@@ -9,11 +9,11 @@ from pathlib import Path
 import soundfile
 
 from ...model import Interval
+from ..compressed import is_compressed
 from ..manifest.entries import Entry, State
 from ..matching.near_names import NearNames
 from ..model import place_told
 from ..planning import Plan, without_audio
-from ..work.compressed import is_compressed
 from ..work.formats import needs_motion
 from ..work.jobs import LineJob
 

@@ -11,7 +11,7 @@ import soundfile
 
 from ...errors import InputError, UndecodableError
 from ...model import Interval
-from .compressed import converted, is_compressed
+from ..compressed import converted, is_compressed
 
 
 @dataclass(frozen=True, slots=True)

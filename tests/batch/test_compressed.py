@@ -16,7 +16,7 @@ from understudy.batch.work.audio import AudioSource
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Interval
 
-SAID = Path(__file__).parents[2] / "audio" / "figure8.flac"
+SAID = Path(__file__).parents[1] / "audio" / "figure8.flac"
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from ...errors import InputError, UndecodableError
+from ..errors import InputError, UndecodableError
 
 SUFFIXES = frozenset({".mp3", ".m4a", ".aac", ".mp4", ".wma", ".webm", ".aif", ".aiff", ".caf", ".amr"})
 """Opus in an .opus or .ogg file needs no conversion."""
