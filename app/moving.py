@@ -31,6 +31,7 @@ from .behavior.speaker_profiles.gesture_scripts import (
 )
 from .behavior.speaker_profiles.habits import as_listener, as_speaker, listening_postures, speaking_postures
 from .behavior.speech.visemes import visemes
+from .behavior.timing.manner import with_manner
 from .bml.writing.writer import losses
 from .edits.applying import edited
 from .edits.values import WordMark
@@ -221,7 +222,7 @@ def _told(
     """The performance with lips, an author's edits, listeners and notices."""
     options, utterance = performer.options, analysis.utterance
     targets = placed_listeners(options.listeners, options.targets)
-    behaviors = addressed(behaviors, options.listeners, targets)
+    behaviors = addressed(with_manner(behaviors, utterance), options.listeners, targets)
     lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
     performance = Performance(
         utterance=utterance,

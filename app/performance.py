@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from .acoustic.affect.given import given_line
-from .acoustic.stage import align_words, analyze_signal, hear_affect, measure_stress
+from .acoustic.stage import AcousticModels, align_words, analyze_signal, hear_affect, hear_manners, measure_stress
 from .behavior.candidates.notes import check_direction, conflicts
 from .edits.values import WordEdit
 from .edits.word_times import corrected
@@ -22,9 +22,12 @@ from .model import (
     Direction,
     Level,
     Line,
+    LineAffect,
     Notice,
     Performance,
+    SignalAnalysis,
     Utterance,
+    Word,
 )
 from .model.speaker_reference import SpeakerReference
 from .models import Understudy
@@ -132,20 +135,34 @@ def analyze(
     progress("stress")
     words, thresholds = measure_stress(acoustic, words, heard.contours, heard.audio)
     progress("parse")
+    level = _certain(agitation) if agitation else heard.agitation
+    feeling = _feeling(acoustic, heard, words, affect, reference)
     utterance = Utterance(
         words=words,
         parse=language.parser.parse(words),
-        agitation=_certain(agitation) if agitation else heard.agitation,
+        agitation=level,
         thresholds=thresholds,
         duration_s=heard.audio.duration_s,
         fillers=timed.fillers,
-        affect=given_line(affect, words, heard.audio.duration_s)
-        if affect
-        else hear_affect(acoustic, heard, words, reference),
+        affect=feeling,
+        manners=hear_manners(heard, words, level, feeling),
     )
     progress("functions")
     known = understand(language.rules, utterance, given=line.functions)
     return Analysis(utterance, known.functions, heard.notices + timed.notices + edit_notices, heard, known.facts)
+
+
+def _feeling(
+    acoustic: AcousticModels,
+    heard: SignalAnalysis,
+    words: tuple[Word, ...],
+    given: AffectTrack | None,
+    reference: SpeakerReference | None,
+) -> LineAffect:
+    """The feeling that is given, else the one that is heard."""
+    if given is not None:
+        return given_line(given, words, heard.audio.duration_s)
+    return hear_affect(acoustic, heard, words, reference)
 
 
 def _certain(level: Level) -> Agitation:

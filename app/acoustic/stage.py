@@ -5,7 +5,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
 
-from ..model import AlignedLine, Audio, Contours, Line, LineAffect, SignalAnalysis, StressThresholds, Timings, Word
+from ..model import (
+    Agitation,
+    AlignedLine,
+    Audio,
+    Contours,
+    Line,
+    LineAffect,
+    Manner,
+    SignalAnalysis,
+    StressThresholds,
+    Timings,
+    Word,
+)
 from ..model.speaker_reference import SpeakerReference
 from ..on_demand import OnDemand
 from ..progress import Progress, no_progress
@@ -14,6 +26,7 @@ from ..settings import Settings
 from ..transcript import read_transcript
 from .affect.affect_model import AffectModel
 from .affect.line_affect import AffectJudge, FeatureJudge, line_affect
+from .affect.manner import word_manners
 from .affect.stretch import Stretch
 from .affect.waveform_model import WaveformModel
 from .agitation.agitation import AgitationModel
@@ -104,6 +117,13 @@ def hear_affect(
 ) -> LineAffect:
     """The feeling of the line and of each phrase of the timed words."""
     return line_affect(acoustic.affect, _stretch(heard), heard.affect, words, reference)
+
+
+def hear_manners(
+    heard: SignalAnalysis, words: tuple[Word, ...], agitation: Agitation, affect: LineAffect
+) -> tuple[Manner, ...]:
+    """How a movement is made on each of the timed words, by the voice there."""
+    return word_manners(_stretch(heard), words, agitation, affect)
 
 
 def _stretch(heard: SignalAnalysis) -> Stretch:

@@ -98,3 +98,13 @@ class LineAffect:
     def at(self, word: int) -> Affect:
         """The feeling of the phrase that holds a word, else that of the line."""
         return next((each.affect for each in self.phrases if each.first <= word <= each.last), self.line)
+
+
+@dataclass(frozen=True, slots=True)
+class Manner:
+    """How a movement is made, from the voice at its stroke: factors of the usual size and speed, and how tense it is; 1
+    is usual."""
+
+    amplitude: float = 1.0
+    speed: float = 1.0
+    tension: float = 1.0

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from .affect import LineAffect
+from .affect import LineAffect, Manner
 from .speech import Agitation, Filler, Level, StressThresholds, Word
 
 
@@ -53,7 +53,8 @@ class Parse:
 @dataclass(frozen=True, slots=True)
 class Utterance:
     """All that is known of a line before functions are derived; `agitation` and `affect` are None without audio.
-    `fillers` are in order of time, each between two words or at an end of the line.
+    `manners` has for each word how the voice has a movement on it made; none without audio. `fillers` are in order of
+    time, each between two words or at an end of the line.
 
     Where a performance begins `lead_in_s` before the recording, all times are on its clock and `duration_s` includes
     both.
@@ -67,6 +68,7 @@ class Utterance:
     fillers: tuple[Filler, ...] = ()
     lead_in_s: float = 0.0
     affect: LineAffect | None = None
+    manners: tuple[Manner, ...] = ()
 
     @property
     def level(self) -> Level:

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
+from .affect import Manner
 from .body import Channel, Hand
 from .functions import Function
 from .reasons import Term
@@ -35,16 +36,6 @@ class SyncPoints:
     def shifted(self, delay_s: float) -> "SyncPoints":
         """The same phases, `delay_s` later, in whole milliseconds."""
         return replace(self, **{name: round(time_s + delay_s, 3) for name, time_s in self.in_order()})
-
-
-@dataclass(frozen=True, slots=True)
-class Manner:
-    """How a movement is made, from the voice at its stroke: factors of the usual size and speed, and how tense it is; 1
-    is usual."""
-
-    amplitude: float = 1.0
-    speed: float = 1.0
-    tension: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)

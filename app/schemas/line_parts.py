@@ -245,6 +245,14 @@ class TermResponse(ResponseModel):
     weight: Number
 
 
+class StrokeMannerResponse(ResponseModel):
+    """How a movement is made, from the voice at its stroke; 1 is usual."""
+
+    amplitude: Number
+    speed: Number
+    tension: Number
+
+
 class BehaviorResponse(ResponseModel):
     """A scheduled behaviour; the times of `sync` are seconds from the start of the audio. `edit` is the number of the
     author's edit that made or changed it; the stroke of a gesture that is `curved` is an arc. `decided_by`
@@ -273,6 +281,7 @@ class BehaviorResponse(ResponseModel):
     edit: int | None = None
     decided_by: list[TermResponse] = Field(default_factory=list)
     limit: str | None = None
+    manner: StrokeMannerResponse | None = None
 
 
 class RejectedResponse(ResponseModel):

@@ -17,9 +17,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from training.affect.__main__ import CONDITIONS, CORPORA
+from training.affect.__main__ import CORPORA
 from training.affect.corpus import Taught, read_labelled, taught
 from training.affect.experts import AffectRecipe, train_affect
+from training.agitation.conditions import TRAINING_CONDITIONS
 from training.agitation.measuring import measured
 from understudy.acoustic.affect.affect_model import DIMENSIONS, FEATURE_SET, AffectModel
 from understudy.model import Affect, Tone
@@ -39,7 +40,7 @@ def main() -> None:
     parser.add_argument("--corpora", nargs="+", default=list(CORPORA), choices=CORPORA, help="those that are tested")
     options = parser.parse_args()
     labelled = read_labelled(options.speech, CORPORA)
-    features = measured([each.recording for each in labelled], CONDITIONS, options.features)
+    features = measured([each.recording for each in labelled], TRAINING_CONDITIONS, options.features)
     material = taught(labelled, features[FEATURE_SET])
     for corpus in options.corpora:
         tested_in_folds(material, corpus)

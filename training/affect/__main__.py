@@ -16,7 +16,6 @@ from training.agitation.conditions import TRAINING_CONDITIONS
 from training.agitation.measuring import measured
 from understudy.acoustic.affect.affect_model import FEATURE_SET
 
-CONDITIONS = {name: TRAINING_CONDITIONS[name] for name in ("clean", "degraded")}
 CORPORA = ("ravdess", "emodb", "nemo")
 TAUGHT_BY: Mapping[str, tuple[str, ...]] = {"all": CORPORA, "free": ("emodb",)}
 
@@ -29,7 +28,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--features", type=Path, help="file that keeps the features from one time to the next (.npz)")
     options = parser.parse_args(arguments)
     labelled = read_labelled(options.speech, CORPORA)
-    features = measured([each.recording for each in labelled], CONDITIONS, options.features)
+    features = measured([each.recording for each in labelled], TRAINING_CONDITIONS, options.features)
     material = taught(labelled, features[FEATURE_SET])
     for name, corpora in TAUGHT_BY.items():
         path = options.output / f"{name}.npz"

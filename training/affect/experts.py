@@ -30,8 +30,8 @@ FAMILIAR_PERCENT = 99.0
 class AffectRecipe:
     """`reach` of the kernel and `cost` of slack, as in `Recipe`."""
 
-    reach: float = 0.12
-    cost: float = 2.0
+    reach: float = 0.25
+    cost: float = 3.0
 
     def of(self, corpus: str, features: int) -> Recipe:
         return Recipe(features, self.reach, self.cost, {corpus: 1.0})

@@ -41,10 +41,10 @@ class Recording:
     text: str
 
 
-def read_recordings(shared: Path) -> list[Recording]:
-    """All recordings, each source's in the order of its files."""
+def read_recordings(shared: Path, ravdess_step: int = RAVDESS_STEP) -> list[Recording]:
+    """All recordings, each source's in the order of its files; of RAVDESS every `ravdess_step`th."""
     clean = list(_timit(shared / "data" / "speech" / "timit"))
-    acted = list(_ravdess(shared / "data" / "speech" / "ravdess"))
+    acted = list(_ravdess(shared / "data" / "speech" / "ravdess", ravdess_step))
     synthetic = list(_synthetic(shared / "directing"))
     chance = np.random.default_rng(0)
     noisy = [_in_noise(each, chance) for source in (clean, synthetic) for each in source[::2]]
@@ -74,9 +74,10 @@ def _timit(folder: Path) -> Iterator[Recording]:
         yield Recording("clean", number % 2, sentence.audio, sentence.text)
 
 
-def _ravdess(folder: Path) -> Iterator[Recording]:
-    for number, path in enumerate(sorted(folder.glob("*.flac"))[::RAVDESS_STEP]):
-        yield Recording("acted", number % 2, _audio(path), RAVDESS_TEXTS[path.stem.split("-")[4]])
+def _ravdess(folder: Path, step: int) -> Iterator[Recording]:
+    for path in sorted(folder.glob("*.flac"))[::step]:
+        *_, sentence, _take, actor = path.stem.split("-")
+        yield Recording("acted", (int(actor) // 2) % 2, _audio(path), RAVDESS_TEXTS[sentence])
 
 
 def _synthetic(folder: Path) -> Iterator[Recording]:

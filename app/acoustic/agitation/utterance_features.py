@@ -20,6 +20,9 @@ ACTIVE_RANGE_DB = 20.0
 SPOKEN_RANGE_DB = 30.0
 """Frames within this range of the loudest count as speech, including its faint sounds."""
 
+SYLLABLES_A_SECOND, PITCH_RANGE_OCTAVES = 38, 41
+"""Where these stand in `full_features`."""
+
 FEWEST_VOICED_FRAMES = 5
 _SYLLABLE_RANGE_DB = 25.0
 _RANGE_PERCENT = (10, 90)

@@ -5,10 +5,11 @@ speech have changed since, their times are not known.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
+from math import inf
 from types import MappingProxyType
 
-from ...model import Behavior, Channel, Interval, Level, Notice, Phone, SyncPoints, Word
+from ...model import Behavior, Channel, Interval, Level, Manner, Notice, Phone, SyncPoints, Word
 from ..markup.documents import Document, Element, Value
 from ..markup.elements import RECORD_TYPE
 from ..markup.marks import FIRST_MOMENT_S
@@ -44,6 +45,7 @@ class Record:
             target=behavior.target or (_text(found, "target") if gesture else None),
             after_strokes_s=_times_s(found, "afterStrokes") if gesture else None,
             curved=gesture and "path" in found,
+            manner=_manner(found) if gesture else None,
             rule=_text(found, "rule"),
             function=_text(found, "function"),
             moment=_text(found, "moment"),
@@ -124,6 +126,16 @@ def _times_s(found: Mapping[str, Value], name: str) -> tuple[float, ...] | None:
     """The times of a list; 0 stands for an empty one."""
     value = _text(found, name)
     return None if value is None else tuple(float(part) for part in value.split() if float(part) > 0)
+
+
+def _manner(found: Mapping[str, Value]) -> Manner | None:
+    """The amplitude, speed and tension that are told, where they are three positive numbers."""
+    told = (_text(found, "manner") or "").split()
+    try:
+        numbers = [float(part) for part in told]
+    except ValueError:
+        return None
+    return Manner(*numbers) if len(numbers) == len(fields(Manner)) and all(0 < each < inf for each in numbers) else None
 
 
 def _count(found: Mapping[str, Value], name: str) -> int | None:

@@ -86,6 +86,9 @@ def _of_behavior(behavior: Behavior) -> Iterator[tuple[str, Value]]:
             yield "afterStrokes", " ".join(map(text_of, behavior.after_strokes_s or (0.0,)))
         if behavior.curved:
             yield "path", "curved"
+        if behavior.manner is not None:
+            manner = behavior.manner
+            yield "manner", " ".join(map(text_of, (manner.amplitude, manner.speed, manner.tension)))
     times_s = [time_s for _name, time_s in behavior.sync.in_order()]
     yield "phases", " ".join(text_of(to_milli(end_s - start_s)) for start_s, end_s in pairwise(times_s))
     why = {"rule": behavior.rule, "function": behavior.function, "moment": behavior.moment, "reason": behavior.reason}

@@ -8,12 +8,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import inf
 
-from ...model import Hand, Level, SyncPoints
+from ...model import Hand, Level, Manner, SyncPoints
 from ...model.gesture_limits import playable_size
 from ..body.motion import Decision
 from .gesture import Clip, Markers
 
 Position = tuple[float, float, float]
+
+USUAL_MANNER = Manner()
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +24,7 @@ class GestureRequest:
     BML adds: hand, level of agitation, size (1 as defined), the name of a target, the longest that its stroke may take,
     where it says that, and the ends of further strokes, seconds after that of the main one (None: as the emphases of
     the speech have it). A still body makes the whole gesture smaller by the factor `scale`; the stroke of one
-    that is `curved` is an arc."""
+    that is `curved` is an arc. `manner` is how the voice at the stroke has it made."""
 
     behavior: str
     category: str
@@ -37,6 +39,7 @@ class GestureRequest:
     after_strokes_s: tuple[float, ...] | None = None
     scale: float = 1.0
     curved: bool = False
+    manner: Manner = USUAL_MANNER
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,8 @@ from ...model.gesture_limits import LATEST_S, is_brief, size_of
 from ..body.motion import Decision
 from ..gestures.brief_strokes import brief
 from ..gestures.gesture import Clip
-from ..gestures.gesture_plan import GestureRequest, PlacedGesture
+from ..gestures.gesture_plan import USUAL_MANNER, GestureRequest, PlacedGesture
+from ..gestures.mannered import mannered
 
 TOLERANCE_S = 0.1
 
@@ -47,6 +48,7 @@ def _request(gesture: Behavior, level: Level, lively: float) -> GestureRequest:
     sync = gesture.sync
     stroke_s = next((point for point in (sync.stroke, sync.stroke_end, sync.stroke_start) if point is not None), None)
     stroke_s = sync.start if stroke_s is None else stroke_s
+    manner = gesture.manner or USUAL_MANNER
     relax_s = next((point for point in (sync.relax, sync.stroke_end) if point is not None), sync.end)
     return GestureRequest(
         behavior=gesture.id,
@@ -56,12 +58,13 @@ def _request(gesture: Behavior, level: Level, lively: float) -> GestureRequest:
         priority=gesture.priority,
         hand=gesture.hand or Hand.RIGHT,
         level=level,
-        size=size_of(lively and gesture.amount and gesture.amount / lively),
+        size=size_of(lively and gesture.amount and gesture.amount / lively) * manner.amplitude,
         scale=sqrt(lively),
         curved=gesture.curved,
         target=gesture.target,
         longest_stroke_s=_longest_stroke_s(sync),
         after_strokes_s=gesture.after_strokes_s,
+        manner=manner,
     )
 
 
@@ -72,7 +75,14 @@ def _longest_stroke_s(sync: SyncPoints) -> float:
 
 
 def in_the_time(clip: Clip, request: GestureRequest) -> Clip:
-    """The clip, with a brief stroke where the schedule has no time for the whole."""
+    """The clip in the manner of the request, with a brief stroke where the schedule has no time for the whole. A slow
+    manner is left out where there is no time for it."""
+    slower = mannered(clip, request.manner)
+    unhurried = slower.markers.stroke_end - slower.markers.stroke_start <= request.longest_stroke_s
+    if request.manner.speed >= 1 or (unhurried and fits_without_hold(slower, request)):
+        clip = slower
+    else:
+        clip = mannered(clip, replace(request.manner, speed=1.0))
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
     return brief(clip) if is_brief(stroke_s, request.longest_stroke_s) else clip
 

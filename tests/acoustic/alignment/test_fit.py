@@ -9,6 +9,7 @@ from understudy.acoustic.alignment.fit import (
     SUSPECT,
     check_fit,
     check_found,
+    is_raised,
     is_telephone,
     power_outside,
     signal_to_noise_db,
@@ -25,6 +26,15 @@ def _audio(noise: float = 1e-4) -> Audio:
     times_s = np.arange(SAMPLE_RATE_HZ) / SAMPLE_RATE_HZ
     tone = 0.5 * np.sin(2 * np.pi * 200 * times_s) * ((times_s >= 0.25) & (times_s < 0.75))
     return Audio(tone + np.random.default_rng(0).standard_normal(SAMPLE_RATE_HZ) * noise)
+
+
+def _shouted() -> Audio:
+    """A buzz of 400 Hz from 0.25 to 0.75 s of one second."""
+    times_s = np.arange(SAMPLE_RATE_HZ) / SAMPLE_RATE_HZ
+    numbers = np.arange(1, 16)
+    buzz = np.sin(2 * np.pi * 400 * numbers * times_s[:, np.newaxis]) @ (0.2 / numbers)
+    noise = np.random.default_rng(0).standard_normal(SAMPLE_RATE_HZ) * 1e-4
+    return Audio(buzz * ((times_s >= 0.25) & (times_s < 0.75)) + noise)
 
 
 def _word(start_s: float = 0.25, end_s: float = 0.75) -> Word:
@@ -44,6 +54,15 @@ def _score_at(log_odds: float) -> float:
 
 def test_a_fitting_text_passes() -> None:
     assert check_fit(_audio(), (_word(),), _scored(-12)) == ()
+
+
+def test_a_raised_voice_is_never_refused_but_warned_of() -> None:
+    raised = _shouted()
+    assert is_raised(raised)
+    assert not is_raised(_audio())
+    assert not is_raised(Audio(np.zeros(SAMPLE_RATE_HZ)))
+    (notice,) = check_fit(raised, (_word(),), _scored(_score_at(REFUSED + 5)))
+    assert notice.code == "transcript_suspect"
 
 
 def test_a_text_beyond_the_limit_is_refused_and_just_before_it_suspect() -> None:

@@ -14,7 +14,7 @@ from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.record import read_record
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import WrongBmlError
-from understudy.model import Behavior, Channel, Hand, Level, Notice, Performance, SyncPoints, Word
+from understudy.model import Behavior, Channel, Hand, Level, Manner, Notice, Performance, SyncPoints, Word
 
 SYNC = SyncPoints(start=0.1, ready=0.25, stroke_start=0.3, stroke=0.4, stroke_end=0.5, relax=0.75, end=1.0)
 GESTURE = Behavior(
@@ -32,6 +32,7 @@ GESTURE = Behavior(
     target="door",
     moment="m1",
     reason='0.1 s before its word, "so" & so',
+    manner=Manner(1.25, 0.8, 1.1),
 )
 WORDS = (
     *(replace(word, prominence=1 / 3, stressed_ratio=0.1, spread=True) for word in spoken(FIGURE_8)),

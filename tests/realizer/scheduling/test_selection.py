@@ -1,16 +1,18 @@
 """Requests out of BML, and the clips that fit them."""
 
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 import pytest
 
 from tests.support.gesture_clips import clip, gesture, library
-from understudy.model import Hand, Level, Schedule, SyncPoints
+from understudy.model import Hand, Level, Manner, Schedule, SyncPoints
 from understudy.realizer.scheduling.selection import (
     candidate_clips,
     fits,
     fits_without_hold,
+    in_the_time,
     place_clip,
     requests_of,
     shuffled,
@@ -42,6 +44,21 @@ def test_requests_are_those_of_kept_gestures_in_order_of_their_strokes() -> None
 def test_hands_go_as_far_as_the_root_of_the_amount(amount: float | None, size: float) -> None:
     (request,) = requests_of(Schedule((gesture("g1", 2.0, 2.5, amount=amount),), 4.0))
     assert request.size == pytest.approx(size)
+
+
+def test_the_manner_scales_the_size() -> None:
+    (request,) = requests_of(Schedule((replace(gesture("g1", 2.0, 2.5), manner=Manner(amplitude=1.3)),), 4.0))
+    assert request.size == pytest.approx(1.3)
+
+
+def test_a_slow_manner_is_played_where_there_is_time_and_left_out_where_there_is_none() -> None:
+    manner = Manner(speed=0.8)
+    (roomy,) = requests_of(Schedule((replace(gesture("g1", 2.0, 4.0), manner=manner),), 6.0))
+    (tight,) = requests_of(Schedule((replace(gesture("g1", 2.0, 2.12), manner=manner),), 6.0))
+    usual = clip().markers.stroke_end - clip().markers.stroke_start
+    slow, kept = (in_the_time(clip(), replace(each, longest_stroke_s=inf)) for each in (roomy, tight))
+    assert slow.markers.stroke_end - slow.markers.stroke_start == pytest.approx(usual / 0.8)
+    assert kept.markers.stroke_end - kept.markers.stroke_start == pytest.approx(usual)
 
 
 @pytest.mark.parametrize("amount", [0.5, 0.9])
