@@ -57,7 +57,7 @@ def measures(features: FloatArray, agitation: Agitation, affect: Affect) -> tupl
 def line_manner(measured: Sequence[float], affect: Affect) -> Manner:
     """How movements are made in a line of these measures."""
     apart = np.subtract(measured, USUAL)
-    tense = measured[0] + affect.share(Tone.ANGRY) + affect.share(Tone.AFRAID) / 2 - affect.share(Tone.SAD)
+    tense = apart[0] + affect.share(Tone.ANGRY) + affect.share(Tone.AFRAID) / 2 - affect.share(Tone.SAD)
     return _within(
         exp(AMPLITUDE_STEP * float(np.dot(SIZE, apart))),
         exp(SPEED_STEP * float(np.dot(SPEED, apart))),

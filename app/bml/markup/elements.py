@@ -164,6 +164,7 @@ _RECORD = _kind(
                 "phases": Attribute(Kind.DURATIONS),
                 "afterStrokes": Attribute(Kind.DURATIONS),
                 "path": _one_of("curved"),
+                "manner": Attribute(Kind.DURATIONS),
                 **dict.fromkeys(("target", "rule", "function", "moment", "reason"), _TEXT),
             },
             namespace=OURS,
