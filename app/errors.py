@@ -1,8 +1,12 @@
 """The errors a user can meet. Each has a stable `code` and a message that says what is wrong, where, and what would be
 right. They are raised where the mistake is found and caught only at the doors (`understudy.cli`, `understudy.api`)."""
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
+
+Loaded = TypeVar("Loaded")
 
 LONGEST_SHOWN = 200
 
@@ -107,6 +111,24 @@ class AuthoringError(UnderstudyError):
     def __init__(self, mistakes: tuple[Mistake, ...]) -> None:
         super().__init__("authoring", "\n".join(str(mistake) for mistake in mistakes))
         self.mistakes = mistakes
+
+
+def collected(load: Callable[[], Loaded], mistakes: list[Mistake]) -> Loaded | None:
+    """What `load` returns; None if it has mistakes, which are appended to `mistakes`."""
+    try:
+        return load()
+    except AuthoringError as error:
+        mistakes += error.mistakes
+        return None
+
+
+def all_loaded(loads: Iterable[Callable[[], Loaded]]) -> tuple[Loaded, ...]:
+    """What each load returns; raises AuthoringError with the mistakes of all of them if any has some."""
+    mistakes: list[Mistake] = []
+    loaded = [collected(load, mistakes) for load in loads]
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+    return tuple(each for each in loaded if each is not None)
 
 
 class WrongBmlError(InputError):

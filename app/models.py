@@ -18,7 +18,7 @@ from .cache import Cache
 from .errors import InputError, shown
 from .on_demand import OnDemand
 from .resources import RULES, resource_folder
-from .yaml_files import did_you_mean
+from .suggestions import did_you_mean
 
 AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 """The suffixes of files that authors edit."""

@@ -5,9 +5,8 @@ turns them into numbers where it wants numbers. Tags, anchors and aliases are re
 file shows. Files also come from strangers, by the service: depth and size are checked before anything is built.
 """
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from difflib import get_close_matches
 from itertools import islice
 from pathlib import Path
 from typing import Protocol, TypeAlias, TypeVar
@@ -15,7 +14,7 @@ from typing import Protocol, TypeAlias, TypeVar
 import yaml
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from .errors import LONGEST_SHOWN, AuthoringError, Mistake, shown
+from .errors import AuthoringError, Mistake, shown
 
 Plain: TypeAlias = "str | list[Plain] | dict[str, Plain]"
 DEEPEST = 32
@@ -32,12 +31,6 @@ _LONGEST_LINE = 500
 
 Schema = TypeVar("Schema", bound=BaseModel)
 Value = TypeVar("Value")
-
-
-def did_you_mean(name: str, known: Collection[str]) -> str:
-    """A hint at the nearest known name, or the empty string."""
-    close = get_close_matches(name[:LONGEST_SHOWN], sorted(known), n=1)
-    return f"; did you mean {close[0]!r}?" if close else ""
 
 
 class _Place(Protocol):
@@ -133,20 +126,6 @@ def _wrong(mistakes: Iterable[Mistake]) -> AuthoringError:
     if len(told) > MOST_MISTAKES:
         told[-1] = replace(told[-1], message="and more mistakes; correct these first")
     return AuthoringError(tuple(told))
-
-
-def all_or_every_mistake(results: Iterable[Value | AuthoringError]) -> tuple[Value, ...]:
-    """The values if none is an error; else raises one AuthoringError with the mistakes of all."""
-    values: list[Value] = []
-    mistakes: list[Mistake] = []
-    for result in results:
-        if isinstance(result, AuthoringError):
-            mistakes.extend(result.mistakes)
-        else:
-            values.append(result)
-    if mistakes:
-        raise AuthoringError(tuple(mistakes))
-    return tuple(values)
 
 
 def _read(path: Path) -> str:

@@ -4,13 +4,14 @@ import ast
 import re
 from collections import defaultdict
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from understudy import errors
 from understudy.api.problems import status_of
-from understudy.errors import AuthoringError, Mistake, UnderstudyError
+from understudy.errors import AuthoringError, Mistake, UnderstudyError, all_loaded
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCUMENTED = dict(re.findall(r"^\| `(\w+)` \| (\w+) \|", (ROOT / "docs/errors.md").read_text(), re.MULTILINE))
@@ -78,3 +79,14 @@ def test_a_mistake_shows_its_place_under_its_line() -> None:
     mistake = Mistake(Path("a.rules"), 3, 5, "unknown predicate", "    fcnn(a)")
     assert str(mistake).splitlines() == ["a.rules:3:5: unknown predicate", "        fcnn(a)", "        ^"]
     assert str(AuthoringError((mistake, Mistake(Path("b"), 1, 1, "empty")))).endswith("^\nb:1:1: empty")
+
+
+def _wrong(name: str) -> int:
+    raise AuthoringError((Mistake(Path(name), 1, 1, "wrong"),))
+
+
+def test_the_mistakes_of_several_files_come_together() -> None:
+    with pytest.raises(AuthoringError) as caught:
+        all_loaded([partial(_wrong, "a"), partial(_wrong, "b")])
+    assert [mistake.path.name for mistake in caught.value.mistakes] == ["a", "b"]
+    assert all_loaded([int, int]) == (0, 0)

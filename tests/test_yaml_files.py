@@ -2,8 +2,8 @@ from pathlib import Path
 
 import pytest
 
-from understudy.errors import AuthoringError, Mistake
-from understudy.yaml_files import DEEPEST, MOST_MISTAKES, MOST_NODES, Entry, Source, all_or_every_mistake
+from understudy.errors import AuthoringError
+from understudy.yaml_files import DEEPEST, MOST_MISTAKES, MOST_NODES, Entry, Source
 
 
 class Dish(Entry):
@@ -60,14 +60,6 @@ def test_a_file_that_is_no_text_is_told(tmp_path: Path) -> None:
     path.write_bytes(b"name: \xff\n")
     with pytest.raises(AuthoringError, match="UTF-8"):
         Source(path)
-
-
-def test_the_mistakes_of_several_files_come_together() -> None:
-    errors = [AuthoringError((Mistake(Path(name), 1, 1, "wrong"),)) for name in ("a", "b")]
-    with pytest.raises(AuthoringError) as caught:
-        all_or_every_mistake([errors[0], 1, errors[1]])
-    assert [mistake.path.name for mistake in caught.value.mistakes] == ["a", "b"]
-    assert all_or_every_mistake([1, 2]) == (1, 2)
 
 
 @pytest.mark.parametrize(

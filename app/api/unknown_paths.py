@@ -1,17 +1,17 @@
 """What is told of a request to a path that does not exist, or by a method that the path does not support."""
 
 from collections.abc import Sequence
-from difflib import get_close_matches
 
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 
 from ..errors import LONGEST_SHOWN
+from ..suggestions import nearest_names
 
 
 def unknown_path(path: str, known: Sequence[str] = ()) -> str:
     """That there is no such path, and which of the known ones is near."""
-    near = get_close_matches(path[:LONGEST_SHOWN], known, n=1)
+    near = nearest_names(path, known)
     return f"no such path: {path[:LONGEST_SHOWN]!r}{f'; did you mean {near[0]}?' if near else ''}"
 
 

@@ -5,7 +5,6 @@ Files are named relative to the folder that contains the package, `app/rules/…
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from enum import StrEnum
 from pathlib import Path
 
@@ -25,6 +24,7 @@ from ..rules.derivation import FunctionRules
 from ..rules.lexicon import SLOT, LexicalEntry
 from ..rules.mapping import MappingRules
 from ..rules.program.program import Mention, Rule
+from ..suggestions import did_you_mean
 from ..yaml_files import Source
 
 __all__ = ["Catalogue", "Character", "Item", "Kind", "load_characters", "load_families", "load_gestures"]
@@ -89,8 +89,8 @@ class Catalogue:
         """The items with this name, ignoring case. Raises InputError `unknown_name`."""
         found = tuple(item for item in self.items if item.name.lower() == name.lower())
         if not found:
-            close = get_close_matches(name, sorted({item.name for item in self.items}), n=3)
-            hint = f"; did you mean {' or '.join(close)}?" if close else "; see rules list"
+            names = {item.name for item in self.items}
+            hint = did_you_mean(name, names, most=3, otherwise="; see rules list")
             raise InputError("unknown_name", f"no rule, behaviour or word is called {name!r}{hint}", field="name")
         return found
 

@@ -9,7 +9,7 @@ from ..realizer.arms.plausibility import Doubt, doubts
 from ..realizer.body.skeleton import Skeleton
 from ..realizer.gestures.gesture import Definition
 from ..realizer.gestures.library import parse_definitions
-from ..yaml_files import did_you_mean
+from ..suggestions import did_you_mean
 
 NAME = Path("gesture")
 """The name in messages of a text without a file."""

@@ -6,7 +6,6 @@ Traces have no audio, so conditions on stress, pauses or agitation do not hold (
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 
 from ..errors import InputError
 from ..model import Fact, Function, Level, Moment, Utterance
@@ -22,6 +21,7 @@ from ..rules.lexicon import LexicalEntry
 from ..rules.mapping import MappingRules
 from ..rules.program.program import Program, Rule
 from ..rules.stage import find_functions
+from ..suggestions import did_you_mean
 from ..transcript import read_transcript
 
 
@@ -124,7 +124,6 @@ def _fact(function: Function) -> Fact:
 def _named(name: str, programs: Iterable[Program]) -> tuple[Program, Rule]:
     rules = {rule.name: (program, rule) for program in programs for rule in program.rules}
     if name not in rules:
-        close = get_close_matches(name, rules, n=3)
-        hint = f"; did you mean {' or '.join(close)}?" if close else "; see rules list"
+        hint = did_you_mean(name, rules, most=3, otherwise="; see rules list")
         raise InputError("unknown_name", f"no rule is called {name!r}{hint}", field="rule")
     return rules[name]

@@ -20,7 +20,7 @@ from ..bml.reading.aliases import FILE as BML_ALIASES
 from ..bml.reading.aliases import LexemeAliases
 from ..bml.writing.smartbody_tables import FILE as SMARTBODY
 from ..bml.writing.smartbody_tables import SmartBodyTables
-from ..errors import AuthoringError, InputError, Mistake
+from ..errors import AuthoringError, InputError, Mistake, collected
 from ..live.phone_durations import FILE as PHONE_DURATIONS
 from ..live.phone_durations import PhoneDurations
 from ..live.table import FILE as LIVE
@@ -248,8 +248,5 @@ def _mistakes_of(*checks: Check) -> list[Mistake]:
     """The mistakes that the checks raise, without duplicates: gestures are also read for their aliases."""
     mistakes: list[Mistake] = []
     for check in checks:
-        try:
-            check()
-        except AuthoringError as error:
-            mistakes += error.mistakes
+        collected(check, mistakes)
     return list(dict.fromkeys(mistakes))

@@ -4,24 +4,21 @@ Files are named as in messages (`catalogue.shown_path`): `app/rules/functions/li
 a checkout. Edited texts are compiled in a temporary folder.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TypeVar
 
 from ..behavior.candidates.vocabulary import BANNABLE
-from ..errors import AuthoringError, InputError, Mistake, shown
+from ..errors import AuthoringError, InputError, Mistake, collected, shown
 from ..models import AUTHORED, Understudy
 from ..resources import RULES, resource_folder
 from ..rules.derivation import FunctionRules
 from ..rules.mapping import MappingRules
-from ..yaml_files import did_you_mean
+from ..suggestions import did_you_mean
 from .catalogue import shown_path
 from .proofreading import refuse_unread_words
-
-Loaded = TypeVar("Loaded")
 
 Edits = Mapping[str, str]
 """The whole text of each edited file, by its name."""
@@ -115,21 +112,12 @@ def _compiled(edits: tuple[tuple[str, str], ...], behavior_names: frozenset[str]
         words = Path(folder, shown_path(resource_folder("lexicon") / "en"))
         rules = Path(folder, shown_path(RULES))
         found: list[Mistake] = []
-        _collected(lambda: refuse_unread_words(words), found)
-        functions = _collected(lambda: FunctionRules.load(rules, words), found)
-        mappings = _collected(lambda: MappingRules.load(rules, behavior_names, BANNABLE), found)
+        collected(lambda: refuse_unread_words(words), found)
+        functions = collected(lambda: FunctionRules.load(rules, words), found)
+        mappings = collected(lambda: MappingRules.load(rules, behavior_names, BANNABLE), found)
         if functions is None or mappings is None or found:
             raise AuthoringError(tuple(dict.fromkeys(_renamed(mistake, Path(folder)) for mistake in found)))
     return CompiledRules(functions, mappings)
-
-
-def _collected(load: Callable[[], Loaded], mistakes: list[Mistake]) -> Loaded | None:
-    """The result of `load`; None if it has mistakes, which are appended to `mistakes`."""
-    try:
-        return load()
-    except AuthoringError as error:
-        mistakes += error.mistakes
-        return None
 
 
 def _renamed(mistake: Mistake, folder: Path) -> Mistake:

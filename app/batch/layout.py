@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from ..errors import InputError
-from ..yaml_files import did_you_mean
+from ..suggestions import did_you_mean
 from .model import Take
 from .work.formats import OutputFormat, extension_of
 from .work.jobs import Target

@@ -14,7 +14,7 @@ from ..behavior.timing.anchoring import asked
 from ..behavior.timing.phases import Placing, Window, placed, soonest, underway
 from ..model import Behavior, Channel, Hand, Movement, Notice, SyncPoints, Word
 from ..model.gesture_limits import Forms
-from ..yaml_files import did_you_mean
+from ..suggestions import did_you_mean
 from .values import BehaviorEdit
 
 PRIORITY = 10.0

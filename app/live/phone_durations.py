@@ -13,7 +13,8 @@ from pydantic import Field, RootModel
 from ..errors import AuthoringError, Mistake
 from ..model import Interval, Phone, Word
 from ..model.mouth_shapes import PHONES
-from ..yaml_files import Source, did_you_mean
+from ..suggestions import did_you_mean
+from ..yaml_files import Source
 
 FILE = "phone_durations.yaml"
 LABELS = frozenset(phone for phones in PHONES.values() for phone in phones) | {"HH"}

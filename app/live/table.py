@@ -9,7 +9,8 @@ from typing import Annotated, Self
 from pydantic import Field
 
 from ..errors import AuthoringError, Mistake
-from ..yaml_files import Entry, Source, did_you_mean
+from ..suggestions import did_you_mean
+from ..yaml_files import Entry, Source
 
 FILE = "live.yaml"
 

@@ -10,7 +10,7 @@ from ..model import Behavior, Channel, Notice, Performance, Schedule
 from ..realizer.body.motion import Motion
 from ..realizer.gestures.library import LAST_RESORT
 from ..realizer.realizing import Realizer, realize
-from ..yaml_files import did_you_mean
+from ..suggestions import did_you_mean
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -5,7 +5,7 @@ functions and their base priorities are in `functions/priorities.yaml`, those th
 `functions/conflicts.yaml`. A higher priority means more important.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -24,7 +24,7 @@ from .priorities import Priorities
 from .program.class_names import PRINTED
 from .program.program import Program, load_program
 
-Loaded = TypeVar("Loaded")
+Value = TypeVar("Value")
 
 _ON_WORDS = frozenset(("lexical", "lemma", "part_of_speech", "tag", "stressed_ratio", "prominence", "emphasis"))
 """Given facts about the words from their last argument but one to their last."""
@@ -50,10 +50,10 @@ class FunctionRules:
         functions = rules / "functions"
         paths = (rules / "vocabulary.rules", *sorted(functions.glob("*.rules")))
         mistakes: list[Mistake] = []
-        program = _loaded(lambda: load_program(paths, printed=PRINTED), mistakes)
-        words = _loaded(lambda: Lexicon.load(lexicon), mistakes)
-        conflicts = _loaded(lambda: Source(functions / "conflicts.yaml").validated(Conflicts), mistakes)
-        priorities = _loaded(lambda: Priorities.load(functions / "priorities.yaml"), mistakes)
+        program = collected(lambda: load_program(paths, printed=PRINTED), mistakes)
+        words = collected(lambda: Lexicon.load(lexicon), mistakes)
+        conflicts = collected(lambda: Source(functions / "conflicts.yaml").validated(Conflicts), mistakes)
+        priorities = collected(lambda: Priorities.load(functions / "priorities.yaml"), mistakes)
         if program is None or words is None or conflicts is None or priorities is None:
             raise AuthoringError(tuple(mistakes))
         unknown = (
@@ -132,9 +132,9 @@ def _together(parts: Sequence[Derivation]) -> Derivation:
     )
 
 
-def _merged(parts: Iterable[Mapping[Fact, Loaded]]) -> dict[Fact, Loaded]:
+def _merged(parts: Iterable[Mapping[Fact, Value]]) -> dict[Fact, Value]:
     """The mappings in one; of several values of a fact the first is kept."""
-    merged: dict[Fact, Loaded] = {}
+    merged: dict[Fact, Value] = {}
     for part in parts:
         for fact, value in part.items():
             merged.setdefault(fact, value)
@@ -189,12 +189,3 @@ def _because_given(fact: Fact) -> Iterator[Because]:
     if fact.predicate in _ON_WORDS:
         start, end = fact.arguments[-2:]
         yield from (Because(word=word) for word in range(int(start), int(end)))
-
-
-def _loaded(load: Callable[[], Loaded], mistakes: list[Mistake]) -> Loaded | None:
-    """The result of `load`; None if it has mistakes, which are appended to `mistakes`."""
-    try:
-        return load()
-    except AuthoringError as error:
-        mistakes.extend(error.mistakes)
-        return None

@@ -11,14 +11,15 @@ entries.
 import re
 from collections.abc import Iterable, Iterator, Set
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Literal
 
 from pydantic import Field, field_validator
 
-from ..errors import AuthoringError, Mistake
+from ..errors import AuthoringError, Mistake, all_loaded
 from ..model import Token, Utterance
-from ..yaml_files import Entry, Source, all_or_every_mistake
+from ..yaml_files import Entry, Source
 from .chaining.facts import normalized_word
 
 _HYPHENATED = re.compile(r"\w+(-\w+)+$")
@@ -159,7 +160,7 @@ class Lexicon:
     @classmethod
     def load(cls, folder: Path) -> "Lexicon":
         """The lexicon of every YAML file in `folder` that has a `class`; raises AuthoringError with all mistakes."""
-        files = all_or_every_mistake(_read(path) for path in sorted(folder.glob("*.yaml")))
+        files = all_loaded(partial(_read, path) for path in sorted(folder.glob("*.yaml")))
         entries = tuple(entry for found in files for entry in found)
         return cls(entries, _trie(entries))
 
@@ -174,18 +175,15 @@ class Lexicon:
         )
 
 
-def _read(path: Path) -> tuple[LexicalEntry, ...] | AuthoringError:
-    """The entries of a file, or its mistakes; a file without `class` is not a file of words and has none."""
-    try:
-        source = Source(path)
-        if not isinstance(source.value, dict) or "class" not in source.value:
-            return ()
-        content = source.validated(LexiconFile)
-        entries = tuple(_entries(source, content))
-    except AuthoringError as error:
-        return error
-    mistakes = tuple(_duplicates(source, entries))
-    return AuthoringError(mistakes) if mistakes else entries
+def _read(path: Path) -> tuple[LexicalEntry, ...]:
+    """The entries of a file; a file without `class` is not a file of words and has none. Raises AuthoringError."""
+    source = Source(path)
+    if not isinstance(source.value, dict) or "class" not in source.value:
+        return ()
+    entries = tuple(_entries(source, source.validated(LexiconFile)))
+    if mistakes := tuple(_duplicates(source, entries)):
+        raise AuthoringError(mistakes)
+    return entries
 
 
 def _entries(source: Source, content: LexiconFile) -> Iterator[LexicalEntry]:

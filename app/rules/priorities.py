@@ -5,7 +5,6 @@ named.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated
 
@@ -13,6 +12,7 @@ from pydantic import ConfigDict, Field, RootModel
 
 from ..errors import LONGEST_SHOWN, Mistake
 from ..model import Fact
+from ..suggestions import did_you_mean
 from ..yaml_files import Source
 from .lexicon import LexicalEntry
 from .program.program import Rule
@@ -63,5 +63,5 @@ class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
 
 
 def _meant(name: str, known: Iterable[str]) -> str:
-    close = get_close_matches(name[:LONGEST_SHOWN], known, n=1)
-    return f"; did you mean {close[0]}?" if close else f"; the classes are {', '.join(known)}"
+    names = tuple(known)
+    return did_you_mean(name, names, otherwise=f"; the classes are {', '.join(names)}")

@@ -13,7 +13,7 @@ from ..live.telling import LiveOptions, Mouthed, Told, Withdrawn
 from ..live.words import TimedText
 from ..model import Behavior, FloatArray, Interval
 from ..realizer.body.motion import SHAPES
-from ..yaml_files import did_you_mean
+from ..suggestions import did_you_mean
 from .requests import Seed, checked, read_object
 
 DECIMALS = 3

@@ -18,7 +18,7 @@ from ..model.lead_in import LONGEST_LEAD_IN_S
 from ..model.motion_formats import FileOptions, Keys
 from ..model.targets import MOST_TARGETS, NAME, targets_of
 from ..options import Options
-from ..yaml_files import did_you_mean
+from ..suggestions import did_you_mean
 from .references import ReferenceForm
 
 MOST_LISTENERS = 16

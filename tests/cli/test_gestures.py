@@ -70,7 +70,7 @@ def test_a_file_that_is_not_in_the_library_is_shown(capfdbinary: Captured, tmp_p
 def test_an_unknown_name(capfdbinary: Captured) -> None:
     code, out, err = _run(capfdbinary, "gestures", "show", "smal")
     assert (code, out) == (2, "")
-    assert "did you mean small" in err
+    assert "did you mean 'small" in err
 
 
 def test_checking(capfdbinary: Captured, tmp_path: Path) -> None:

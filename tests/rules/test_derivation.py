@@ -181,7 +181,7 @@ def test_a_rule_and_a_word_of_a_function_that_is_none_are_told_where_they_stand(
         ("all.rules", 1),
         ("all.rules", 6),
     ]
-    for part in ("no subtype string; its subtypes are plain, strong", "class compare; did you mean comparison?"):
+    for part in ("no subtype string; its subtypes are plain, strong", "class compare; did you mean 'comparison'?"):
         assert part in str(error.value)
 
 

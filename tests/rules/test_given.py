@@ -57,7 +57,7 @@ def test_of_the_same_function_given_twice_the_higher_priority_counts(rules: Func
 @pytest.mark.parametrize(
     ("given", "code", "said"),
     [
-        (GivenFunction("negatoin", "plain", 0, 0), "functions_class", "did you mean negation?"),
+        (GivenFunction("negatoin", "plain", 0, 0), "functions_class", "did you mean 'negation'?"),
         (GivenFunction("joy", "plain", 0, 0), "functions_class", "the classes are interrogative"),
         (GivenFunction("valence", "plain", 0, 0), "functions_class", "its subtypes are positive, negative"),
         (GivenFunction("negation", "plain", 0, 2), "functions_span", "words are 0 to 1"),

@@ -15,7 +15,8 @@ from ...models import usable_profile
 from ...profiles.profile import Profile
 from ...schemas.references import read_reference
 from ...schemas.requests import Positions
-from ...yaml_files import Entry, Source, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Entry, Source
 
 EVERYONE_ELSE = "*"
 LEARN, NONE = "learn", "none"

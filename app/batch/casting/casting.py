@@ -7,7 +7,7 @@ from ...model import Target
 from ...options import Options
 from ...profiles.profile import Profile
 from ...schemas.requests import MOST_LISTENERS
-from ...yaml_files import did_you_mean
+from ...suggestions import did_you_mean
 from ..model import ScriptLine, Take
 from .cast_file import Cast, Part, folded
 from .partners import listener_name, neighbours

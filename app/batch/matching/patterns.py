@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Self
 
 from ...errors import InputError
-from ...yaml_files import did_you_mean
+from ...suggestions import did_you_mean
 from ..model import ScriptLine
 from .recordings import RecordingFile
 

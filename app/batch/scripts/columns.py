@@ -10,7 +10,8 @@ from pydantic import RootModel
 
 from ...errors import AuthoringError, InputError
 from ...resources import resource_folder
-from ...yaml_files import Source, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Source
 
 FIELDS = (
     "id",

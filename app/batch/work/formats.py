@@ -10,7 +10,7 @@ from ...errors import InputError
 from ...model.motion_formats import PICTURES, MotionFormat
 from ...realizer.exporting.extras import require_writer
 from ...settings import Settings
-from ...yaml_files import did_you_mean
+from ...suggestions import did_you_mean
 
 
 class LineFormat(StrEnum):

@@ -7,11 +7,11 @@ are.
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from itertools import combinations, compress
 
-from ...errors import LONGEST_SHOWN, InputError, shown
+from ...errors import InputError, shown
 from ...model import Avoidance, Behavior, Channel, DirectedMoment, Direction, Moment, Notice, Rejected, Term
+from ...suggestions import did_you_mean
 from .vocabulary import ANYTHING, AVOIDABLE, HANDS, KINDS, NEUTRAL, STILL
 
 FIELD = "direction"
@@ -232,6 +232,5 @@ def _check_words(where: str, places: Mapping[str, int], words: int) -> None:
 def _check_kinds(where: str, asked: Sequence[str], known: Collection[str]) -> None:
     for kind in asked:
         if kind not in known:
-            close = get_close_matches(kind[:LONGEST_SHOWN], sorted(known), n=1)
-            hint = f"did you mean {close[0]!r}?" if close else f"known are {', '.join(sorted(known))}"
-            raise InputError("direction_family", f"{where}: unknown {shown(kind)}; {hint}", field=FIELD)
+            hint = did_you_mean(kind, known, otherwise=f"; known are {', '.join(sorted(known))}")
+            raise InputError("direction_family", f"{where}: unknown {shown(kind)}{hint}", field=FIELD)

@@ -5,7 +5,7 @@ at once.
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import chain
@@ -15,10 +15,11 @@ from typing import Annotated, Literal, TypeVar
 
 from pydantic import BeforeValidator, Field
 
-from ...errors import AuthoringError, InputError, Mistake, shown
+from ...errors import AuthoringError, InputError, Mistake, collected, shown
 from ...model import Channel, Hand
 from ...model.figure import AVERAGE_HEIGHT_M, PLAIN, Figure, Hair, Legwear, Looks, Manner, Physique, Sex
-from ...yaml_files import Entry, Source, all_or_every_mistake, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Entry, Source
 from ..candidates.vocabulary import BANNABLE
 from ..idle.saccades import TALKING
 from ..table.behavior_table import BehaviorChange, BehaviorEntry, BehaviorTable, changed, load_table, mistakes_of
@@ -76,15 +77,14 @@ class Characters:
     @classmethod
     def load(cls, lexicon: Path) -> "Characters":
         """The table and the characters of a lexicon folder. Raises AuthoringError with every mistake."""
-        table = _attempt(partial(load_table, lexicon / "behaviors.yaml"))
-        sheets = [_attempt(partial(_Sheet.read, path)) for path in sorted((lexicon / "characters").glob("*.yaml"))]
-        if isinstance(table, AuthoringError):
-            mistakes = (sheet.mistakes for sheet in sheets if isinstance(sheet, AuthoringError))
-            raise AuthoringError(tuple(chain(table.mistakes, *mistakes)))
-        characters = all_or_every_mistake(
-            sheet if isinstance(sheet, AuthoringError) else _attempt(partial(sheet.overlaid, table)) for sheet in sheets
-        )
-        by_name = {character.name: character for character in characters}
+        mistakes: list[Mistake] = []
+        table = collected(partial(load_table, lexicon / "behaviors.yaml"), mistakes)
+        paths = sorted((lexicon / "characters").glob("*.yaml"))
+        sheets = [collected(partial(_Sheet.read, path), mistakes) for path in paths]
+        characters = [collected(partial(sheet.overlaid, table), mistakes) for sheet in sheets if sheet and table]
+        if table is None or mistakes:
+            raise AuthoringError(tuple(mistakes))
+        by_name = {character.name: character for character in characters if character}
         return cls(MappingProxyType(by_name), frozenset(table.lines))
 
     @property
@@ -249,10 +249,3 @@ def _sized(entry: BehaviorEntry, amplitude: float) -> BehaviorEntry:
 
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-
-
-def _attempt(load: Callable[[], Value]) -> Value | AuthoringError:
-    try:
-        return load()
-    except AuthoringError as error:
-        return error

@@ -12,7 +12,8 @@ from typing import Annotated
 from pydantic import Field
 
 from ...errors import AuthoringError
-from ...yaml_files import Entry, Source, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Entry, Source
 
 ANY = "any"
 HEAVIEST = 10.0

@@ -16,7 +16,8 @@ from pydantic import BeforeValidator, Field
 
 from ...errors import AuthoringError, Mistake
 from ...model import Channel, Level
-from ...yaml_files import Entry, Source, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Entry, Source
 
 OTHER_FAMILY = 0.5
 """The worth of a lexeme for a family that it shows, but not first: a right choice that is not the first is worth half

@@ -17,7 +17,8 @@ from pydantic import Field
 
 from ...errors import AuthoringError
 from ...model import Function, Token, Utterance
-from ...yaml_files import Entry, Source, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Entry, Source
 
 _ENDS_SENTENCE = (".", "!", "?", "…")
 _PERSONS = {

@@ -17,7 +17,8 @@ from ...errors import AuthoringError
 from ...model import Channel, Hand
 from ...model.gesture_limits import Forms
 from ...model.lexemes import ACTION_UNITS, CORE_LEXEMES, GAZE_LEXEMES, GazeDirection
-from ...yaml_files import Entry, Source, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Entry, Source
 
 STROKED = frozenset({Channel.GESTURE, Channel.HEAD})
 """The channels whose behaviours have a stroke; behaviours on the others reach a state, keep it and leave it."""

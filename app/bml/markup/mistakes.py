@@ -6,10 +6,10 @@ first, then, block by block, ids, references, the order of sync points, and conf
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
-from itertools import islice, pairwise
+from itertools import pairwise
 from operator import itemgetter
 
+from ...suggestions import nearest_names
 from .documents import Element, Place, Reference, Value
 from .elements import CORE, Dialect, ElementKind
 from .values import value_of
@@ -133,8 +133,8 @@ def _in_attributes(element: Element, kind: ElementKind, dialect: Dialect) -> Ite
 def _hint(name: str, known: Mapping[str, object]) -> str:
     if name in _HINTS:
         return f"; {_HINTS[name]}"
-    close = get_close_matches(name[:_LONGEST_SHOWN], sorted(islice(known, _MOST_COMPARED)), n=1)
-    return f"; did you mean {close[0]}?" if close else ""
+    near = nearest_names(name, known)
+    return f"; did you mean {near[0]}?" if near else ""
 
 
 def _blocks(root: Element, kind: ElementKind) -> Iterator[tuple[Element, ElementKind]]:

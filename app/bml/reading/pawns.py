@@ -13,7 +13,7 @@ from itertools import count
 from ...errors import InputError, WrongBmlError, shown
 from ...model import Behavior, Channel, Target
 from ...model.targets import FARTHEST_M, LISTENER, check_targets, read_target
-from ...yaml_files import did_you_mean
+from ...suggestions import did_you_mean
 from ..markup.documents import Element
 from ..markup.elements import OURS
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 
 from ...errors import UnsupportedFormatError
-from ...yaml_files import did_you_mean
+from ...suggestions import did_you_mean
 from ..segments import segments_of
 from .anvil import read_anvil
 from .elan import read_elan

@@ -3,13 +3,12 @@
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from enum import StrEnum
 from pathlib import Path
 from typing import TypeVar
 
 from ...model import Hand, Interval, Word
-from ...yaml_files import did_you_mean
+from ...suggestions import did_you_mean
 from ..segments import time_of
 from .in_time import InTime
 from .mistakes import AnnotationMistake
@@ -163,8 +162,7 @@ def lexeme_of(span: Span, checking: Checking) -> str:
     if not _LEXEME.fullmatch(lexeme):
         checking.wrong("phrases", span.start_s, f"{span.label!r} is no lexeme: letters, digits and _, a letter first")
     elif checking.lexemes is not None and lexeme not in checking.lexemes:
-        close = get_close_matches(lexeme, sorted(checking.lexemes), n=1)
-        hint = f"; did you mean {close[0]!r}?" if close else ""
+        hint = did_you_mean(lexeme, checking.lexemes)
         checking.wrong("phrases", span.start_s, f"the library has no gesture {lexeme!r}{hint}")
     return lexeme
 

@@ -4,7 +4,8 @@ from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 
 from ...errors import AuthoringError
-from ...yaml_files import Source, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Source
 from ..annotation.model import Position, Swivel
 from ..annotation.spans import DEPTHS, HEIGHTS, RESTS, SIDEWAYS
 from ..profile import (

@@ -7,12 +7,13 @@ rest pose, unit and axes are; the table records these for whoever retargets.
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
-from ...errors import AuthoringError, InputError, shown
-from ...yaml_files import Entry, Source, all_or_every_mistake
+from ...errors import AuthoringError, InputError, all_loaded, shown
+from ...yaml_files import Entry, Source
 from ..body.skeleton import SIDES, Skeleton
 
 Axis = Literal["+X", "-X", "+Y", "-Y", "+Z", "-Z"]
@@ -52,7 +53,7 @@ class RigFile(Entry):
 
 def load_rigs(folder: Path, skeleton: Skeleton) -> Mapping[str, Rig]:
     """The rigs in a folder by name. Raises AuthoringError for unknown, missing or duplicate joint names."""
-    rigs = all_or_every_mistake(_loaded(path, skeleton) for path in sorted(folder.glob("*.yaml")))
+    rigs = all_loaded(partial(_loaded, path, skeleton) for path in sorted(folder.glob("*.yaml")))
     return MappingProxyType({rig.name: rig for rig in rigs})
 
 
@@ -65,14 +66,11 @@ def find_rig(rigs: Mapping[str, Rig], name: str) -> Rig:
     return rigs[name]
 
 
-def _loaded(path: Path, skeleton: Skeleton) -> Rig | AuthoringError:
-    try:
-        source = Source(path)
-        written = source.validated(RigFile)
-        names = dict(_names(written))
-        _refuse_wrong_joints(source, names, skeleton)
-    except AuthoringError as error:
-        return error
+def _loaded(path: Path, skeleton: Skeleton) -> Rig:
+    source = Source(path)
+    written = source.validated(RigFile)
+    names = dict(_names(written))
+    _refuse_wrong_joints(source, names, skeleton)
     in_order = MappingProxyType({joint: names[joint] for joint in skeleton.names})
     return Rig(path.stem, in_order, written.unit_m, written.up, written.forward, written.rest)
 

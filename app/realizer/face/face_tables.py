@@ -16,7 +16,8 @@ from pydantic import Field, model_validator
 
 from ...errors import AuthoringError, Mistake
 from ...model import FloatArray
-from ...yaml_files import Entry, Source, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Entry, Source
 from ..body.motion import SHAPES
 
 INDEX: Mapping[str, int] = MappingProxyType({name: number for number, name in enumerate(SHAPES)})

@@ -3,10 +3,10 @@ them."""
 
 import re
 from collections.abc import Collection, Iterator, Mapping
-from difflib import get_close_matches
 from pathlib import Path
 
 from ...errors import AuthoringError
+from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 
 ALIASES = "aliases.yaml"
@@ -36,8 +36,7 @@ def _mistakes(
     seen: dict[str, str] = {}
     for category, lexemes in listed.items():
         if category not in categories:
-            close = get_close_matches(category, categories, n=1)
-            yield ("aliases", category), f"no gesture shows {category}" + "".join(f"; {one}?" for one in close)
+            yield ("aliases", category), f"no gesture shows {category}{did_you_mean(category, categories)}"
         for position, lexeme in enumerate(lexemes):
             where = ("aliases", category, position)
             if not _LEXEME.fullmatch(lexeme):

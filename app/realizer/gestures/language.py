@@ -7,7 +7,6 @@ gesture, STARTFRAME … ENDFRAME enclose a frame. `definitions.py` interprets th
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from difflib import get_close_matches
 from functools import cache, lru_cache
 from pathlib import Path
 from types import MappingProxyType
@@ -15,6 +14,7 @@ from types import MappingProxyType
 from lark import Lark, Token, Tree, UnexpectedInput, UnexpectedToken
 
 from ...errors import Mistake
+from ...suggestions import nearest_names
 from .statements import OTHER, FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word, mistake_in
 
 HEADER: Mapping[str, str] = MappingProxyType(
@@ -141,7 +141,7 @@ def _unread(words: list[Word], column: int, wrong: list[LocatedMistake]) -> Stat
 
 
 def _nearest(word: str, known: Iterable[str]) -> str | None:
-    return next(iter(get_close_matches(word.upper(), list(known), n=1)), None)
+    return next(iter(nearest_names(word.upper(), known)), None)
 
 
 class _Assembly:

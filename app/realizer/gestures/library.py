@@ -7,7 +7,6 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
@@ -15,6 +14,7 @@ from types import MappingProxyType
 from ...errors import AuthoringError, InputError, Mistake
 from ...model import Hand, Level
 from ...model.figure import Manner
+from ...suggestions import did_you_mean
 from .aliases import ALIASES, read_aliases
 from .checking import duplicate_names
 from .clips import clip
@@ -80,8 +80,7 @@ class Library:
         """The definition of this name. Raises InputError `unknown_name`."""
         named = {one.name: one for one in self.definitions}
         if name not in named:
-            close = get_close_matches(name, named, n=3)
-            hint = f"; did you mean {' or '.join(close)}?" if close else "; see gestures list"
+            hint = did_you_mean(name, named, most=3, otherwise="; see gestures list")
             raise InputError("unknown_name", f"no gesture is called {name!r}{hint}", field="name")
         return named[name]
 

@@ -5,12 +5,12 @@ Each function converts a readable statement into its value, or returns None and 
 
 import re
 from collections.abc import Iterable
-from difflib import get_close_matches
 from enum import StrEnum
 from itertools import product
 from typing import TypeVar
 
 from ...model import Hand
+from ...suggestions import nearest_names
 from .arm_joints import arm_joints
 from .gesture import (
     ArmKey,
@@ -160,7 +160,7 @@ def _unknown(what: str, word: Word, known: Iterable[str]) -> LocatedMistake:
     """Suggests the nearest of the known words, or lists all if they are few."""
     words = [str(one) for one in known]
     by_capitals = {one.lower(): one for one in words}
-    close = get_close_matches(word.text.lower(), by_capitals, n=1)
+    close = nearest_names(word.text.lower(), by_capitals)
     listed = f": one of {', '.join(words)}" if len(words) <= 20 else ""
     meant = f"; did you mean {by_capitals[close[0]]}?" if close else listed
     return LocatedMistake(word, f"{word.text!r} is not {what}{meant}")

@@ -8,8 +8,8 @@ behaviours.
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 
+from ...suggestions import did_you_mean
 from ..language.arithmetic import BUILTINS, is_ordering
 from ..language.tree import (
     NEVER,
@@ -118,7 +118,7 @@ def _behaviors(rule: RuleTree, declared: Declared) -> Iterator[Located]:
         for call in alternative.calls:
             known = (*declared.behaviors, *(declared.bannable if alternative.weight == NEVER else ()))
             if call.name not in known:
-                yield call.place, f"unknown behaviour {call.name}{_meant(call.name, known)}"
+                yield call.place, f"unknown behaviour {call.name}{did_you_mean(call.name, known)}"
 
 
 def _fact(atom: Atom, declared: Declared) -> Iterator[Located]:
@@ -127,7 +127,7 @@ def _fact(atom: Atom, declared: Declared) -> Iterator[Located]:
         return
     if atom.name not in declared.predicates:
         hint = "; a function stands in a computation: $x = ..." if atom.name in BUILTINS else ""
-        yield atom.place, f"unknown predicate {atom.name}{_meant(atom.name, declared.predicates) or hint}"
+        yield atom.place, f"unknown predicate {atom.name}{did_you_mean(atom.name, declared.predicates) or hint}"
         return
     parameters = [parameter.name for parameter in declared.predicates[atom.name].parameters]
     if len(atom.arguments) != len(parameters):
@@ -168,7 +168,7 @@ def _values(expression: Expression) -> Iterator[Located]:
 def _function(call: Atom) -> Iterator[Located]:
     builtin = BUILTINS.get(call.name)
     if builtin is None:
-        yield call.place, f"unknown function {call.name}{_meant(call.name, BUILTINS)}"
+        yield call.place, f"unknown function {call.name}{did_you_mean(call.name, BUILTINS)}"
     elif not builtin.accepts(len(call.arguments)):
         yield call.place, f"{call.name} takes {builtin.takes}, not {len(call.arguments)}"
 
@@ -201,7 +201,7 @@ def _unbound(rule: RuleTree) -> Iterator[Located]:
     bound = _bound(rule)
     for variable in _used(rule):
         if variable.name not in bound:
-            hint = _meant(variable.name, bound) or "; a fact joined in `foreach`, or `=`, must give it one"
+            hint = did_you_mean(variable.name, bound) or "; a fact joined in `foreach`, or `=`, must give it one"
             yield variable.place, f"${variable.name} has no value{hint}"
 
 
@@ -303,8 +303,3 @@ def _alternatives(rule: RuleTree) -> Iterator[WeightedCalls]:
     for part in rule.conclusions:
         if isinstance(part, Choice):
             yield from part.alternatives
-
-
-def _meant(name: str, names: Iterable[str]) -> str:
-    close = get_close_matches(name, names, n=1)
-    return f"; did you mean {close[0]}?" if close else ""

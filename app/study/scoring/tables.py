@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ...errors import InputError, UndecodableError, shown
-from ...yaml_files import did_you_mean
+from ...suggestions import did_you_mean
 from .mistakes import AnswersError, CellMistake
 
 LARGEST_BYTES = 64 << 20

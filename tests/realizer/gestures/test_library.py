@@ -91,7 +91,7 @@ def test_lexemes_of_others(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("aliases", "line", "told"),
     [
-        ("aliases:\n  BEET: [BATON]", 2, "no gesture shows BEET; BEAT?"),
+        ("aliases:\n  BEET: [BATON]", 2, "no gesture shows BEET; did you mean 'BEAT'?"),
         ("aliases:\n  BEAT: [baton]", 2, "'baton': lexemes are written in capitals"),
         ("aliases:\n  BEAT: [BATON, BATON]", 2, "BATON is listed under BEAT already"),
         ("aliases:\n  BEAT:\n    - BEAT", 3, "BEAT has gestures of its own"),
@@ -106,7 +106,7 @@ def test_wrong_aliases(tmp_path: Path, aliases: str, line: int, told: str) -> No
 
 
 def test_a_name_that_no_gesture_has(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="did you mean trial") as caught:
+    with pytest.raises(InputError, match="did you mean 'trial'") as caught:
         library(tmp_path, gesture()).definition("trail")
     assert caught.value.code == "unknown_name"
 

@@ -30,7 +30,7 @@ def mistakes(tmp_path: Path, *texts: str) -> tuple[Mistake, ...]:
 
 
 ONE_MISTAKE = [
-    ("rule r\nforeach\n @wrod($w, $s, $e)" + END.replace("near($s, $e)", "near(1, 2)"), "did you mean word?"),
+    ("rule r\nforeach\n @wrod($w, $s, $e)" + END.replace("near($s, $e)", "near(1, 2)"), "did you mean 'word'?"),
     (JOIN + "assert\n @no_progress($s)", "unknown predicate no_progress"),
     (JOIN + " @max($s, $e)" + END, "unknown predicate max; a function stands in a computation: $x = ..."),
     (JOIN + " @near($s)" + END, "near takes 2 arguments (one, other), not 1"),
@@ -38,7 +38,7 @@ ONE_MISTAKE = [
     (JOIN + " near($s, @$e + 1)" + END, "a pattern computes nothing"),
     (JOIN + " unless near($s, @max($s, $e))" + END, "a pattern computes nothing"),
     (JOIN + " $s < @$end" + END, "$end has no value"),
-    (JOIN + " $start = 1\n $s < @$strat" + END, "$strat has no value; did you mean start?"),
+    (JOIN + " $start = 1\n $s < @$strat" + END, "$strat has no value; did you mean 'start'?"),
     (JOIN + " unless near($s, @$x)" + END, "$x has no value"),
     (JOIN + " $a = @$x + 1" + END, "$x has no value"),
     (JOIN + "assert\n near($s, @$x)", "$x has no value"),
@@ -63,7 +63,7 @@ ONE_MISTAKE = [
     (JOIN + "choose\n @weight 0\n  beat($s)", "the weight is 0; it must be greater than 0"),
     (JOIN + "choose\n @weight -1.5\n  beat($s)", "the weight is -1.5"),
     (JOIN + "choose\n @weight 1\n weight 2\n  beat($s)", "expected a behaviour below `weight`"),
-    (JOIN + "choose\n weight 1\n  @smal_nod($s)", "unknown behaviour smal_nod; did you mean small_nod?"),
+    (JOIN + "choose\n weight 1\n  @smal_nod($s)", "unknown behaviour smal_nod; did you mean 'small_nod'?"),
     (FUNCTION + " @$p > 3" + END, "$p comes from an annotation"),
     (FUNCTION + " $q = $p + 1\n $q2 = $q\n @$q2 > 3" + END, "$q2 comes from an annotation"),
     (FUNCTION + " near($s, @$p)" + END, "$p comes from an annotation"),

@@ -15,7 +15,8 @@ from pydantic import RootModel
 
 from ....errors import AuthoringError
 from ....model import FloatArray
-from ....yaml_files import Source, did_you_mean
+from ....suggestions import did_you_mean
+from ....yaml_files import Source
 from ...body.motion import SHAPES, Motion
 from ...body.skeleton import Skeleton
 from .bap import UNIT_RAD
