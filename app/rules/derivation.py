@@ -11,7 +11,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TypeVar
 
-from ..errors import AuthoringError, Mistake
+from ..errors import AuthoringError, Mistake, collected
 from ..model import Because, Fact, Function, GivenFunction, Utterance
 from ..yaml_files import Source
 from .chaining.chainer import Derivation, derive
