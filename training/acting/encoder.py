@@ -113,13 +113,14 @@ def _counts(line: DirectedLine, targets: Targets) -> SingleArray:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Training:
-    """The lines of a training, what was measured of their deliveries, and its length."""
+    """The lines of a training, what was measured of their deliveries, its length, and a factor of its rates."""
 
     lines: Sequence[Encoded]
     checked: Sequence[Encoded]
     measured: Mapping[str, Sequence[Delivery]]
     epochs: int
     seed: int
+    pace: float = 1.0
 
 
 def trained(reader: Reader, training: Training, output: Path) -> None:
@@ -127,7 +128,7 @@ def trained(reader: Reader, training: Training, output: Path) -> None:
     torch.manual_seed(training.seed)
     chance = random.Random(training.seed)
     steps = training.epochs * math.ceil(len(_drawn(training.lines, random.Random(0))) / BATCH)
-    optimizer = _optimizer(reader)
+    optimizer = _optimizer(reader, training.pace)
     schedule = torch.optim.lr_scheduler.LambdaLR(
         optimizer, lambda step: min(1.0, (step + 1) / (WARM_UP * steps)) * max(0.03, 1 - step / steps)
     )
@@ -192,7 +193,7 @@ def read(
     return found
 
 
-def _optimizer(reader: Reader) -> torch.optim.Optimizer:
+def _optimizer(reader: Reader, pace: float) -> torch.optim.Optimizer:
     named = [(name, each) for name, each in reader.weights.items() if each.requires_grad]
     new, outputs = ("heard", "direct"), ("out", "out.bias")
     known = [(name, each) for name, each in named if name not in (*new, *outputs)]
@@ -200,10 +201,14 @@ def _optimizer(reader: Reader) -> torch.optim.Optimizer:
     matrices = [each for name, each in known if each.ndim > 1 and not name.endswith("norm")]
     return torch.optim.AdamW(
         [
-            {"params": matrices, "lr": RATE, "weight_decay": WEIGHT_DECAY},
-            {"params": plain, "lr": RATE, "weight_decay": 0.0},
-            {"params": [each for name, each in named if name in outputs], "lr": OUTPUT_RATE, "weight_decay": 0.0},
-            {"params": [each for name, each in named if name in new], "lr": NEW_RATE, "weight_decay": 0.0},
+            {"params": matrices, "lr": pace * RATE, "weight_decay": WEIGHT_DECAY},
+            {"params": plain, "lr": pace * RATE, "weight_decay": 0.0},
+            {
+                "params": [each for name, each in named if name in outputs],
+                "lr": pace * OUTPUT_RATE,
+                "weight_decay": 0.0,
+            },
+            {"params": [each for name, each in named if name in new], "lr": pace * NEW_RATE, "weight_decay": 0.0},
         ]
     )
 
@@ -269,6 +274,7 @@ def main() -> None:
     parser.add_argument("--without", default="", help="a kind of line that is held out")
     parser.add_argument("--all", action="store_true", help="hold nothing out of the training")
     parser.add_argument("--epochs", type=int, default=EPOCHS)
+    parser.add_argument("--pace", type=float, default=1.0, help="a factor of the learning rates")
     parser.add_argument("--frozen", type=int, default=FROZEN)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--threads", type=int, default=1)
@@ -285,7 +291,7 @@ def main() -> None:
     print(
         f"{len(kept)} lines, {sum(each.line.is_delivery for each in kept)} of them deliveries; {len(checked)} held out"
     )
-    training = Training(kept, checked, measured, arguments.epochs, arguments.seed)
+    training = Training(kept, checked, measured, arguments.epochs, arguments.seed, arguments.pace)
     trained(Reader(weights, frozen=arguments.frozen), training, arguments.files[0])
 
 
