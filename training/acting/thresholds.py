@@ -25,13 +25,13 @@ from .directed import FACE, FAMILIES, HEAD, DirectedLine, read_lines, targets_of
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
 
-LEAST_LIKELY = {"head": 0.18, "face": 0.13}
+LEAST_LIKELY = {"head": 0.15, "face": 0.11}
 """No movement is made that is less likely wanted: it would be one among many that mean nothing."""
 
 BETA = 2.0
 """How much more it matters that a movement is made than that every director wants it."""
 
-TONED_PRECISION = {"shake": 0.6, "still": 0.5} | dict.fromkeys(("smile", "frown", "sad", "disgust", "squint"), 0.45)
+TONED_PRECISION = {"shake": 0.66, "still": 0.5} | dict.fromkeys(("smile", "frown", "sad", "disgust", "squint"), 0.48)
 """How often movements that say something of their own must be what the one director wanted; of three, another one wants
 most of the others. A wrong shake denies what is said."""
 
