@@ -66,9 +66,9 @@ def test_a_broken_file_is_told(tmp_path: Path, content: bytes) -> None:
 
 def test_the_focus_draws_the_stroke(encoder: Encoder) -> None:
     words = ["I", "never", "said", "she", "took", "the", "money."]
-    denied, other = ((0.02, 0.88, *(0.02,) * 5), (0.02, 0.02, 0.02, 0.88, *(0.02,) * 3))
-    first, second = (encoder.read(words, Delivery(focus=shares)) for shares in (denied, other))
-    assert first.stroke[1] > 2 * second.stroke[1]
+    said, she = ((0.02, 0.02, 0.88, *(0.02,) * 4), (0.02, 0.02, 0.02, 0.88, *(0.02,) * 3))
+    first, second = (encoder.read(words, Delivery(focus=shares)) for shares in (said, she))
+    assert first.stroke[2] > 2 * second.stroke[2]
     assert second.stroke[3] > 2 * first.stroke[3]
 
 
