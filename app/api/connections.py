@@ -11,6 +11,8 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 from ..settings import Settings
 from .http_errors import bad_request, connections_full
 
+MOST_UPGRADE_HEADERS = 100
+
 
 class LimitedProtocol(H11Protocol):
     """uvicorn's HTTP/1.1 within the limits of `settings`."""
@@ -39,6 +41,9 @@ class LimitedProtocol(H11Protocol):
         """From here on the connection has the limits of a WebSocket (`websockets.py`). A body would come after the
         head, as if it were messages."""
         headers = dict(self.headers)
+        if len(self.headers) > MOST_UPGRADE_HEADERS:
+            self.send_400_response(f"an upgrade to a WebSocket has {MOST_UPGRADE_HEADERS} headers at most")
+            return
         if b"transfer-encoding" in headers or headers.get(b"content-length", b"0") != b"0":
             self.send_400_response("an upgrade to a WebSocket has no body")
             return

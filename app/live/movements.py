@@ -1,6 +1,9 @@
 """Hands, head and brows by what the voice announces: a beat where a stroke or its preparation is announced, held as
 long as a hold is, a movement of the head or the brows where one is. Times are seconds of the stream.
 
+What is held is held a little longer as long as nothing else is announced: a time to relax that was told may move on,
+never back but to make way for another movement, and nothing is held for long after the last sound.
+
 A beat begun by a preparation strikes when the stroke is announced, at the latest when a preparation usually ends.
 """
 
@@ -16,6 +19,9 @@ PREPARATION_S = 0.48
 """How long the model's preparations last on average."""
 
 LONGEST_HOLD_S = 2.0
+HELD_AHEAD_S = 0.4
+"""So far ahead of now what is held is held, and it is told anew when half of that has passed."""
+
 _HOLD_S = 0.25
 """How long a beat is held about which nothing more is heard."""
 
@@ -27,22 +33,36 @@ its usual distance."""
 @dataclass(slots=True)
 class Movements:
     """Behaviours by announcements, new ones and the last of a part as it changes. `prepared` tells that the last beat
-    was begun by a preparation whose stroke has not been announced."""
+    was begun by a preparation whose stroke has not been announced, `holds_until_s` how long it is held at most."""
 
     table: LiveTable
     placer: Placer
     hands: Behavior | None = None
     brows: Behavior | None = None
     prepared: bool = False
+    holds_until_s: float = 0.0
 
     def moved(self, event: LiveEvent, now_s: float) -> Iterator[Behavior]:
         """What an announcement has the body do from now on."""
         parts = {"hands": self._hands, "head": self._head, "brows": self._brows}
         yield from parts[event.part](event.state, now_s)
 
+    def passed(self, now_s: float) -> Iterator[Behavior]:
+        """What is held a little longer, now that so much time has passed."""
+        if self.hands is not None and (longer := _longer(self.hands, now_s, self.holds_until_s)):
+            self.hands = longer
+            yield longer
+        if self.brows is not None and (longer := _longer(self.brows, now_s, self.brows.sync.start + LONGEST_HOLD_S)):
+            self.brows = longer
+            yield longer
+
+    def release(self) -> None:
+        """The voice has ended: nothing is held longer than was told."""
+        self.brows, self.holds_until_s = None, 0.0
+
     def forget(self) -> None:
         """Nothing that was begun goes on."""
-        self.hands, self.brows, self.prepared = None, None, False
+        self.hands, self.brows, self.prepared, self.holds_until_s = None, None, False, 0.0
 
     def _hands(self, state: str, now_s: float) -> Iterator[Behavior]:
         if state == "preparation":
@@ -54,7 +74,8 @@ class Movements:
             yield from self._beaten(now_s, 0.0, "the voice sounds like a stroke")
         else:
             self.prepared = False
-            yield from self._relaxed(now_s, LONGEST_HOLD_S if state == "hold" else 0.0)
+            self.holds_until_s = now_s + LONGEST_HOLD_S if state == "hold" else 0.0
+            yield from self.passed(now_s)
 
     def _beaten(self, now_s: float, preparation_s: float, reason: str) -> Iterator[Behavior]:
         """A beat from now on, unless one is being made."""
@@ -66,21 +87,15 @@ class Movements:
             yield held_until(before, now_s)
         beat = self.placer.soon(self.placer.drawn(self.table.hands), now_s, hold_s=_HOLD_S, reason=reason)
         self.hands = struck_at(beat, max(now_s + preparation_s, beat.sync.ready or 0.0))
-        self.prepared = preparation_s > 0
+        self.prepared, self.holds_until_s = preparation_s > 0, 0.0
         yield self.hands
 
     def _struck(self, now_s: float) -> Iterator[Behavior]:
-        """The beat that was prepared, now or as soon as the hand is there."""
+        """The beat that was prepared, now or as soon as the hand is there; what that gains it is held."""
         beat = self.hands
         if beat is not None and (beat.sync.stroke_start or 0.0) > now_s:
-            self.hands = struck_at(beat, max(now_s, beat.sync.ready or 0.0))
-            yield self.hands
-
-    def _relaxed(self, now_s: float, hold_s: float) -> Iterator[Behavior]:
-        """The last beat, held for so long more."""
-        beat = self.hands
-        if beat is not None and beat.sync.relax is not None and beat.sync.relax > now_s:
-            self.hands = held_until(beat, max(now_s, beat.sync.stroke_end or 0.0) + hold_s)
+            sooner = struck_at(beat, max(now_s, beat.sync.ready or 0.0))
+            self.hands = held_until(sooner, beat.sync.relax or 0.0)
             yield self.hands
 
     def _head(self, state: str, now_s: float) -> Iterator[Behavior]:
@@ -90,11 +105,19 @@ class Movements:
 
     def _brows(self, state: str, now_s: float) -> Iterator[Behavior]:
         before, names = self.brows, {"raised": self.table.raised, "lowered": self.table.lowered}
-        if before is not None and before.sync.relax is not None and before.sync.relax > now_s:
-            yield held_until(before, now_s)
         self.brows = None
         if state in names:
+            if before is not None and before.sync.relax is not None and before.sync.relax > now_s:
+                yield held_until(before, now_s)
             reason = f"sounds as if brows were {state}"
             entry = self.placer.drawn(names[state])
-            self.brows = self.placer.soon(entry, now_s, hold_s=LONGEST_HOLD_S, reason=reason)
+            self.brows = self.placer.soon(entry, now_s, hold_s=HELD_AHEAD_S, reason=reason)
             yield self.brows
+
+
+def _longer(held: Behavior, now_s: float, until_s: float) -> Behavior | None:
+    """The same, held some more, where it is time to say so; None where it is not, or it relaxes already."""
+    relax_s, wanted_s = held.sync.relax, min(now_s + HELD_AHEAD_S, until_s)
+    if relax_s is None or not now_s < relax_s < min(now_s + HELD_AHEAD_S / 2, wanted_s):
+        return None
+    return held_until(held, wanted_s)

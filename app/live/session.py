@@ -122,11 +122,15 @@ class LiveSession:
                 text, *rest = self._waiting
                 self._waiting = tuple(rest)
                 yield from self._perform(paced_words(self._models, text, edge.at_s))
+            if not edge.begins:
+                self._movements.release()
             if not self._is_worded():
                 yield from self._agenda.keep(self._attention.spoken(edge, self.heard_s), self.heard_s)
         for event in self._events.hear(energy_db, f0_hz, self.heard_s):
             if not self._is_worded():
                 yield from self._agenda.keep(self._movements.moved(event, self.heard_s), self.heard_s)
+        if not self._is_worded():
+            yield from self._agenda.keep(self._movements.passed(self.heard_s), self.heard_s)
 
     def _listened(self, samples: FloatArray) -> Iterator[Told]:
         """What is done about the other's voice."""

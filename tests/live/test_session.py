@@ -21,6 +21,8 @@ FRAMES = LiveOptions(frame_rate_hz=30)
 INTERRUPTED_S = 2.0
 STOPS_WITHIN_S = 0.15
 KEPT_TIMES = 12
+LONGEST_AFTER_S = 1.2
+"""After the last sound: what is held ahead, and a hand's way back."""
 
 
 def timed(begin_s: float) -> tuple[TimedText, ...]:
@@ -40,6 +42,17 @@ def test_nothing_is_told_of_the_past(models: LiveModels) -> None:
         if isinstance(told, Moved) and not told.revised:
             assert told.behavior.sync.start >= now_s - 1e-3
             assert told.heard_s == now_s
+
+
+def test_what_is_held_is_never_told_to_relax_sooner_and_nothing_goes_on_for_long_after_the_sound(
+    models: LiveModels,
+) -> None:
+    session = LiveSession(models, LiveOptions())
+    told = behaviors([each for _, each in heard(session)])
+    for name in {each.id for each in told}:
+        reliefs_s = [each.sync.relax for each in told if each.id == name and each.sync.relax is not None]
+        assert reliefs_s == sorted(reliefs_s), name
+    assert max(each.sync.end for each in told) < session.heard_s + LONGEST_AFTER_S
 
 
 def test_the_same_stream_tells_the_same_and_another_seed_something_else(models: LiveModels) -> None:

@@ -28,7 +28,7 @@ def too_large(limit_bytes: int) -> TooLargeError:
     )
 
 
-_GIVES_WAY_AFTER = 0.2
+_GIVES_WAY_AFTER = 0.1
 _LOWEST = 19
 
 
@@ -39,7 +39,7 @@ class ProcessorTimeError(BaseException):
 @contextmanager
 def processor_time(limit_s: float) -> Iterator[None]:
     """A block that may take so many seconds of the processor, its own threads and the kernel's work for it included;
-    after a fifth of them its process gives way to others. Only in a process's main thread. Raises
+    after a tenth of them its process gives way to others. Only in a process's main thread. Raises
     ProcessorTimeError."""
     patience_s = limit_s * _GIVES_WAY_AFTER
     signal.signal(signal.SIGPROF, _late)

@@ -24,7 +24,7 @@ def _worked(limit_s: float, busy_s: float) -> tuple[int, bool]:
 
 @pytest.mark.parametrize(
     ("limit_s", "busy_s", "niceness", "stopped"),
-    [(30.0, 0.01, os.nice(0), False), (2.0, 0.6, 19, False), (0.2, 1.0, 19, True)],
+    [(30.0, 0.01, os.nice(0), False), (2.0, 0.5, 19, False), (0.2, 1.0, 19, True)],
 )
 def test_who_takes_long_gives_way_and_then_is_stopped(
     limit_s: float, busy_s: float, niceness: int, stopped: bool
