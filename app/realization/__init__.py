@@ -1,6 +1,6 @@
-"""From a schedule to motion and its files: ours straight from a performance, anybody's from BML.
+"""From a schedule to motion and its files: from a performance, or from any BML file.
 
-`bml` reads what a file has the body do, `motion` makes it move, `writing` writes the files.
+`bml` turns a BML file into a schedule, `motion` realizes schedules, `writing` writes the files.
 """
 
 from ..model.motion_formats import FileOptions, Keys, MotionFormat, format_of

@@ -1,8 +1,8 @@
-"""From BML, anybody's, to a schedule in the time of its recording.
+"""Turns any BML file into a schedule on the clock of its recording.
 
-BML of the core says no words' times, no phones and no agitation. Ours has them in the record of its speech, so that
-realizing it makes the very motion of the performance; of others they are heard in the recording, without which the lips
-stay shut, and a Notice says so.
+BML's core has no word times, phones or agitation. Our own files record them, so that realizing a file gives exactly the
+motion of the performance. For other files they are measured in the recording; without one the lips stay shut, and a
+Notice says so.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class BmlInput:
-    """A BML file that is to be played: its content, its name in messages, the recording of its speech, and what limits
-    the number of its behaviours, if anything does."""
+    """A BML file to be played: its content, its name in messages, the recording of its speech, and the limit on the
+    number of its behaviours, if any."""
 
     bml: bytes
     name: Path
@@ -55,13 +55,12 @@ def prepare_schedule(
     seed: int | None = None,
     progress: Progress = no_progress,
 ) -> PreparedSchedule:
-    """What a BML file has the body do, in the time of its recording.
+    """The schedule of a BML file, on the clock of its recording.
 
-    `agitation` overrides what the voice says, `character` who is named in the file, and `seed` the one it records;
-    `stillness` (0 to 1) is how much less than it says moves; `targets` are where things are, beside and before the
-    file's own; `acoustic` may be None where there is no recording to hear. Raises WrongBmlError, TooLargeError, and
-    InputError for audio, words, targets or a stillness that cannot be used, and for too many behaviours before their
-    times are sought.
+    `agitation` overrides the level measured in the voice, `character` the name in the file, `seed` the recorded seed.
+    `stillness` (0 to 1) reduces movement; `targets` are positions of things, which take precedence over the file's own.
+    `acoustic` may be None if there is no recording. Raises WrongBmlError, TooLargeError, and InputError for unusable
+    audio, words, targets or stillness; too many behaviours are refused before their times are resolved.
     """
     check_stillness(stillness)
     check_targets(targets)
@@ -86,7 +85,7 @@ def prepare_schedule(
 
 
 def _read(sheet: BmlInput) -> tuple[Document, tuple[Notice, ...]]:
-    """The document, if it has no more behaviours than its limits allow."""
+    """The document; raises TooLargeError if it has more behaviours than the limit."""
     document, notices = read_bml(sheet.bml, sheet.name)
     if sheet.limits is not None:
         sheet.limits.check_count(sum(1 for _ in document.root.children))
@@ -95,8 +94,8 @@ def _read(sheet: BmlInput) -> tuple[Document, tuple[Notice, ...]]:
 
 @dataclass(frozen=True, slots=True)
 class _Speech:
-    """What is known of a speech: its words from the start of the recording, how long that is and how agitated, and
-    whether the notices tell of its lips too."""
+    """What is known of the speech: its words, the recording's length and agitation, and whether the notices already
+    cover the lips."""
 
     words: tuple[Word, ...] = ()
     duration_s: float | None = None
@@ -112,7 +111,7 @@ def _speech(
     record: Record | None,
     progress: Progress,
 ) -> _Speech:
-    """The speech as the file records it, unless its words or the recording are others; then as it is heard."""
+    """The speech that the file records; if its words or its recording differ, the speech measured in the recording."""
     recorded = _recorded(record) if record else _Speech()
     if audio is None or acoustic is None:
         spoken = speech_of(document) is not None and not recorded.words
@@ -135,8 +134,8 @@ def _duration_s(acoustic: AcousticModels, audio: bytes) -> float:
 
 
 def _heard(acoustic: AcousticModels, audio: bytes, text: str, progress: Progress) -> _Speech:
-    """What the recording says, and the words of the speech where it has them."""
-    from ..acoustic.stage import (  # what hears takes long to import, and only recordings need it
+    """The speech measured in the recording, with its words if the file has a text."""
+    from ..acoustic.stage import (  # slow to import, and only needed for recordings
         align_words,
         analyze_signal,
         measure_stress,
@@ -173,7 +172,7 @@ def _schedule(resolved: Resolved, speech: _Speech) -> tuple[Schedule, tuple[Noti
 
 
 def _together(recorded: float, stillness: float) -> float:
-    """How still a body is that was made so still twice."""
+    """Combines two stillness factors."""
     return 1 - (1 - recorded) * (1 - stillness) if stillness else recorded
 
 

@@ -1,4 +1,4 @@
-"""From a schedule to motion (paper §3.8), and what a performance has the body do."""
+"""Realizes schedules (paper §3.8), and extracts the schedule from a performance."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Realized:
 
 @dataclass(frozen=True, slots=True)
 class PreparedSchedule:
-    """A schedule ready for the realizer, what was guessed or left out on the way, and the seed of all chance."""
+    """A schedule ready for the realizer, with notices of what was guessed or left out, and the random seed."""
 
     schedule: Schedule
     notices: tuple[Notice, ...]
@@ -31,12 +31,12 @@ class PreparedSchedule:
 
     @classmethod
     def of(cls, performance: Performance) -> PreparedSchedule:
-        """What a performance has the body do."""
+        """The prepared schedule of a performance."""
         return cls(schedule_of(performance), performance.notices, performance.seed)
 
 
 def schedule_of(performance: Performance) -> Schedule:
-    """What a performance has the body do."""
+    """The realizer's input: the kept behaviours of a performance with its speech."""
     utterance = performance.utterance
     behaviors = tuple(behavior for behavior in performance.behaviors if behavior.kept)
     return Schedule(
@@ -63,7 +63,7 @@ def realize_prepared(
     tail_s: float = 0.0,
     physics: bool = False,
 ) -> Realized:
-    """The motion of a schedule, whose notices tell also which gestures are not those that were asked for."""
+    """The motion of a schedule; its notices also name gestures that were replaced or dropped."""
     schedule, seed = prepared.schedule, prepared.seed
     motion = realize(realizer, schedule, frame_rate_hz=frame_rate_hz, seed=seed, tail_s=tail_s, physics=physics)
     notices = (*prepared.notices, *_unknown_gestures(realizer, schedule), *_unplayed_gestures(motion, schedule))
@@ -91,5 +91,5 @@ def _gestures(schedule: Schedule) -> Iterator[Behavior]:
 
 
 def last_s(behaviors: tuple[Behavior, ...]) -> float:
-    """When the last of the behaviours ends."""
+    """The end of the last behaviour, in seconds; 0 if there is none."""
     return max((behavior.sync.end for behavior in behaviors), default=0.0)

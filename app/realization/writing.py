@@ -1,4 +1,4 @@
-"""Writes motion in every format, for whoever wears it."""
+"""Writes motion in every format, for our mannequin, a rig, or an avatar."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ from .motion import Realized
 
 VRM, MIXAMO = "vrm", "mixamo"
 _RIGS: Mapping[MotionFormat, str] = MappingProxyType({MotionFormat.BVH: MIXAMO})
-"""Whose names joints go by where nobody says; others than these VRM's, as ours are."""
+"""The default rig of each format; VRM for all others."""
 
 
 @dataclass(frozen=True, slots=True)
 class AvatarOptions:
-    """Who is to wear the motion: the rig whose names joints go by in BVH and the clip, and the avatar, a GLB or VRM
-    file, that a GLB has instead of our mannequin."""
+    """What the motion is written for: the rig that names the joints in BVH and clips, and an avatar (a GLB or VRM
+    file) that replaces our mannequin in GLB."""
 
     rig: str | None = None
     avatar: bytes | None = None
@@ -57,7 +57,7 @@ def write_motion(
     wearer: AvatarOptions = OURS,
     options: FileOptions = USUAL,
 ) -> bytes:
-    """The motion in a format, for whoever wears it.
+    """The motion in the given format.
 
     Raises InputError `unknown_skeleton` and `unknown_avatar`, UndecodableError `avatar_undecodable`.
     """
@@ -102,7 +102,7 @@ def _glb(realized: Realized, realizer: Realizer, avatar: bytes | None, keys: Key
 def _usd(realized: Realized, realizer: Realizer, form: MotionFormat, audio: AudioFile | None) -> bytes:
     """Raises ServiceError `usd_missing`."""
     require_usd()
-    from ..realizer.exporting.usd.stage import UsdForm, to_usd  # an extra, which most do without
+    from ..realizer.exporting.usd.stage import UsdForm, to_usd  # an optional extra
 
     performer = realizer.performer(realized.schedule.character)
     return to_usd(
@@ -116,7 +116,7 @@ def _usd(realized: Realized, realizer: Realizer, form: MotionFormat, audio: Audi
 
 
 def _editorial(realized: Realized, form: MotionFormat, audio: AudioFile | None) -> bytes:
-    """Functions and movements in time, for those who cut, annotate and count."""
+    """Functions and movements as timed events, for editing, annotation and statistics."""
     schedule, motion = realized.schedule, realized.motion
     events, lead_in_s = timeline_events(schedule, motion.realized), schedule.lead_in_s
     match form:

@@ -38,7 +38,7 @@ MOST_UNDERSTOOD = 3
 
 
 class Choice(StrEnum):
-    """What a rater says of one of the clips of a line, or of none."""
+    """A rater's choice of one clip of a line, or of none."""
 
     BEST = "best"
     WORST = "worst"

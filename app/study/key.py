@@ -1,4 +1,4 @@
-"""What each clip of a study shows, which raters must not know: the file that stays with whoever runs the study."""
+"""The key of a study: what each clip shows. It stays with the experimenter; raters must not see it."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What a study is asked for."""
+"""The request for a study."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -23,7 +23,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     affect = optional_affect(arguments.affect)
     require_reference(arguments.reference, settings)
     require_usable(line, settings)
-    from ...models import Understudy  # now that all is told which can be told without it
+    from ...models import Understudy  # imported late: arguments are checked before the models load
     from ...performance import analyze
     from ...schemas.responses import AnalysisResponse
 

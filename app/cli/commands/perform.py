@@ -74,7 +74,7 @@ def _options(arguments: argparse.Namespace) -> Options:
 def _performed(
     line: Line, options: Options, reference: Sequence[str] | None, settings: Settings, log: Log
 ) -> Performance:
-    from ...models import Understudy  # now that all is told which can be told without it
+    from ...models import Understudy  # imported late: arguments are checked before the models load
     from ...performance import perform
 
     with Understudy.load(settings) as understudy:

@@ -27,7 +27,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     )
     require_character(options.character)
     require_usable(line, settings)
-    from ...models import Understudy  # now that all is told which can be told without it
+    from ...models import Understudy  # imported late: arguments are checked before the models load
     from ...performance import write_script
 
     with Understudy.load(settings) as understudy:

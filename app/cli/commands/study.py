@@ -35,7 +35,7 @@ def _make(arguments: argparse.Namespace, log: Log) -> None:
     require_character(options.character)
     source = Source(Path(arguments.lines), arguments.audio and Path(arguments.audio), Path(arguments.out))
     request = StudyRequest(source, comparison, options)
-    from ...models import Understudy  # now that all is told which can be told without it
+    from ...models import Understudy  # imported late: arguments are checked before the models load
     from ...study.making.making import make_study
 
     with Understudy.load(read_settings()) as understudy:

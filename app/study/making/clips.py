@@ -1,7 +1,7 @@
 """A performance as the page plays it: the motion as a clip, the recording as FLAC, and a body of each character.
 
-What a clip shows must not be told by what comes with it, so names, reasons and decisions are left out of the motion,
-and tags out of the recording.
+A clip must not reveal its condition, so names, reasons and decisions are stripped from the motion, and tags from the
+recording.
 """
 
 import io
@@ -30,7 +30,7 @@ def realized(models: Understudy, prepared: PreparedSchedule) -> Realized:
 
 
 def blind_clip(models: Understudy, found: Realized) -> str:
-    """The motion as JSON (docs/motion-formats.md) without what tells of its making."""
+    """The motion as JSON (docs/motion-formats.md), without anything that reveals its condition."""
     clip = json.loads(write_motion(found, models.realizer, MotionFormat.JSON))
     return json.dumps(clip | {name: [] for name in _TELLING}, separators=(",", ":"))
 

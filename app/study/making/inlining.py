@@ -1,4 +1,4 @@
-"""ES modules in one page, for browsers load none from files (`file://`).
+"""Inlines ES modules into one page, because browsers do not load modules from files (`file://`).
 
 Every module that the first one needs becomes a `data:` address in the page's import map, and what it imports is named
 by the module's path, so that modules stay modules. Names of packages are those of the studio's own import map.
@@ -18,7 +18,7 @@ _BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 
 
 class Modules:
-    """Modules under one folder, and where packages lie that they name."""
+    """The modules in a folder, and the locations of the packages that they import."""
 
     def __init__(self, root: Path, packages: Mapping[str, Path]) -> None:
         self._root, self._packages = root, packages
@@ -39,7 +39,7 @@ class Modules:
         return json.dumps({"imports": found}, separators=(",", ":"))
 
     def name(self, path: Path) -> str:
-        """What a module is called in the import map."""
+        """The name of a module in the import map."""
         return path.relative_to(self._root).as_posix()
 
     def _named(self, path: Path) -> str:

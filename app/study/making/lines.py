@@ -17,7 +17,7 @@ from ..request import Source
 
 @dataclass(frozen=True, slots=True)
 class StudyLine:
-    """A line that is to be shown: its name, what is performed, and how."""
+    """A line of the study: its name, what is performed, and how."""
 
     id: str
     line: Line

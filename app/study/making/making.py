@@ -1,7 +1,6 @@
 """A study, in order: read the lines, perform each in every condition, render the clips, write page and key.
 
-A line in which two conditions look alike asks raters for a difference that is not there: it is told and left out, and
-lines of which none differs are no study.
+A line whose conditions look alike is reported and skipped; if no line differs, the study is refused.
 """
 
 import csv
@@ -50,7 +49,7 @@ class RenderedLine:
 
 @dataclass(frozen=True, slots=True)
 class _Motions:
-    """A line's motions by condition, what is told of them, and why they are alike, if they are."""
+    """A line's motions by condition, the notices about them, and the reason if they look alike."""
 
     by_condition: Mapping[str, Realized]
     told: str
@@ -122,7 +121,7 @@ def _in_versions(models: Understudy, line: StudyLine) -> _Motions:
 
 
 class _Coding:
-    """Names that tell nothing, the same for the same study."""
+    """Opaque names, the same whenever the same study is made."""
 
     def __init__(self, request: StudyRequest, lines: Sequence[str]) -> None:
         self._of = f"{request.comparison} {request.seed} {' '.join(lines)}"

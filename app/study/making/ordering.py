@@ -1,8 +1,7 @@
-"""Who sees what in which order: Latin squares over raters.
+"""The order of lines and clips for each rater: balanced Latin squares.
 
-The rows of a Williams square have each thing once, in each place of the order equally often over all rows, and each
-thing right after each other one equally often. Raters take the rows in turn, so that an order is balanced as soon as a
-whole number of squares has been rated.
+In a Williams square each item occurs once a row, equally often in each position, and equally often right after each
+other item. Raters take the rows in turn, so that orders are balanced after every whole square.
 """
 
 from collections.abc import Sequence
@@ -12,7 +11,7 @@ Order = tuple[int, ...]
 
 
 def williams_square(count: int) -> tuple[Order, ...]:
-    """The orders of so many things: `count` of them, twice as many for an odd count."""
+    """The orders of `count` items: `count` rows, or twice as many if the count is odd."""
     first = [place // 2 if place % 2 == 0 else count - 1 - place // 2 for place in range(count)]
     rows = [tuple((thing + shift) % count for thing in first) for shift in range(count)]
     return tuple(rows) if count % 2 == 0 else tuple(rows + [row[::-1] for row in rows])

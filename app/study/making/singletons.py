@@ -3,8 +3,8 @@
 S is U with every hold between two gestures replaced by a retraction, and after-strokes removed only as far as the
 retraction needs their time. In both all rests are hands at the side; all else is the same.
 
-Hands that have no time for a rest even then cannot show S. The paper does not say what it did there; ours gives such a
-gesture up in both versions, so that they have the same gestures.
+Where even then there is no time for a rest, S cannot be shown. The paper does not say what it did; we drop the gesture
+from both versions, so that they have the same gestures.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence

@@ -1,4 +1,5 @@
-"""The page as a folder of files that any browser opens, from a disk or from any web server, without this service.
+"""Writes the page as a folder of static files that any browser opens, from a disk or a web server, without this
+service.
 
 `index.html` has the page's modules, style and plan in itself. Motion and bodies are loaded when they are needed: from a
 disk browsers load only what is a script, so each is a script that hands over its content by an event.
@@ -44,7 +45,7 @@ class Site:
 
 
 def script_of(name: str, content: str) -> bytes:
-    """A script that hands over `content` under a name."""
+    """A script that publishes `content` under a name."""
     detail = json.dumps({"name": name, "content": content})
     return f"dispatchEvent(new CustomEvent('study-file', {{ detail: {detail} }}));\n".encode()
 
@@ -88,7 +89,7 @@ def _index(site: Site) -> str:
 
 
 def _plan(site: Site) -> dict[str, object]:
-    """What the page shows to whom, and asks."""
+    """The plan of the page: what each rater sees, and the questions."""
     return {
         "name": site.name,
         "comparison": site.comparison.value,

@@ -37,8 +37,8 @@ class TTest:
 
 @dataclass(frozen=True, slots=True)
 class DimensionStatistics:
-    """How often U is chosen of all decided answers, how many answers are undecided (both shares; None where nobody
-    decided), and whether raters lean to one side; None where all raters lean alike, or one alone decided."""
+    """The share of U among decided answers, the share of undecided answers (None if nobody decided), and the t test of
+    a preference; None if all raters have the same share, or only one decided."""
 
     answers: int
     units: float | None

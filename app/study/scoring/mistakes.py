@@ -1,4 +1,4 @@
-"""What is wrong in files of answers: every mistake of all files at once, each with its line and column."""
+"""The mistakes in files of answers: all files are checked at once, each mistake with its line and column."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass

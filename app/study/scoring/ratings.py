@@ -1,9 +1,9 @@
 """The statistics of the main paper's study (§5): how appropriate the performances of three modes are.
 
-Ratings are 1 to 10. *Normalised*, a rater's ratings are divided by the highest that he gave. The unit of the analysis
+Ratings are 1 to 10. *Normalised*, ratings are divided by the rater's highest rating. The unit of the analysis
 of variance is a rater's mean in a condition: by this the paper's F(2, 180) has 61 raters in three groups (of the 69
-that it names), while 69 raters of five lines would give 1,035 ratings. Only lines count of which a rater rated every
-clip.
+that it names), while 69 raters of five lines would give 1,035 ratings. A rater's line counts only if every clip of it
+was rated.
 
 The analysis of variance is one-way and the comparison afterwards Tukey's HSD (Tukey-Kramer), both scipy's.
 """

@@ -55,7 +55,7 @@ def read_key(path: Path) -> Key:
 
 
 def _comparison(table: Table) -> Comparison:
-    """What the columns of a file answer; raises AnswersError where they are neither's."""
+    """The comparison that a file's columns belong to; raises AnswersError if they fit neither."""
     if "dimension" in table.columns:
         table.require(("rater", "dimension", "answer"))
         return Comparison.UNITS
@@ -71,7 +71,7 @@ def _key(paths: Sequence[Path], named: Path | None) -> Key | None:
 
 
 class _Reading:
-    """Reads tables one after the other, and keeps what is wrong until the end."""
+    """Reads several tables and collects their mistakes."""
 
     def __init__(self, comparison: Comparison, key: Key | None) -> None:
         self._comparison, self._key = comparison, key
@@ -96,7 +96,7 @@ class _Reading:
             read_row(row)
 
     def answers(self) -> Answers:
-        """What was read; raises AnswersError with every mistake."""
+        """The answers; raises AnswersError with every mistake."""
         if self._mistakes:
             raise AnswersError(self._mistakes)
         return Answers(self._comparison, tuple(self._ratings), tuple(self._verdicts), tuple(self._understood))

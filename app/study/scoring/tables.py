@@ -1,7 +1,6 @@
 """CSV files with a header: their cells by column, and what is wrong with them, by line and column of the file.
 
-Lines and columns count from 1, the header being line 1 and a column a cell of it. Names of columns are taken without
-regard to capitals and blanks.
+Lines and columns count from 1, the header being line 1 and a column a cell of it. Column names ignore case and spaces.
 """
 
 import csv
@@ -44,7 +43,7 @@ class Table:
     rows: tuple[Row, ...]
 
     def require(self, columns: Collection[str]) -> None:
-        """Raises AnswersError with every column that lacks."""
+        """Raises AnswersError with every missing column."""
         lacking = [name for name in columns if name not in self.columns]
         if lacking:
             there = ", ".join(self.columns) or "nothing"

@@ -19,14 +19,16 @@ LARGEST_SEED = 2**31 - 1
 class TargetSettings(bpy.types.PropertyGroup):
     """Something to look and point at."""
 
-    thing: PointerProperty(type=bpy.types.Object, name="Object", description="What words that name it point at")
+    thing: PointerProperty(
+        type=bpy.types.Object, name="Object", description="The object that words with this name point and look at"
+    )
 
 
 class BoneSettings(bpy.types.PropertyGroup):
     """The bone of a joint."""
 
     joint: StringProperty(name="Joint")
-    bone: StringProperty(name="Bone", description="The bone that is turned as this joint of the performer")
+    bone: StringProperty(name="Bone", description="The bone that this joint drives")
 
 
 class PerformanceRecord(bpy.types.PropertyGroup):
@@ -42,8 +44,10 @@ class PerformanceRecord(bpy.types.PropertyGroup):
 class PerformerSettings(bpy.types.PropertyGroup):
     """An armature's own settings."""
 
-    character: StringProperty(name="Character", default="default", description="Who performs: how large and how often")
-    profile: StringProperty(name="Profile", description="A speaker's way of gesturing; empty: the character's own")
+    character: StringProperty(
+        name="Character", default="default", description="Character: size and frequency of gestures"
+    )
+    profile: StringProperty(name="Profile", description="Gesture profile of a speaker; empty for the character's own")
     table: StringProperty()
     bones: CollectionProperty(type=BoneSettings)
     active_bone: IntProperty()
@@ -65,17 +69,22 @@ class LineSettings(bpy.types.PropertyGroup):
     source: EnumProperty(
         name="Recording",
         items=[
-            ("STRIP", "Strip", "A sound strip of the sequencer"),
+            ("STRIP", "Strip", "Sound strip in the sequencer"),
             ("FILE", "File", "A file, placed in the sequencer at the current frame"),
         ],
     )
-    strip: StringProperty(name="Strip", description="A sound strip of the sequencer")
+    strip: StringProperty(name="Strip", description="Sound strip in the sequencer")
     audio: StringProperty(name="File", subtype="FILE_PATH", description="A recording")
-    text: StringProperty(name="Text", description="The words; empty: those of the strip, or of text strips beside it")
-    performer: PointerProperty(
-        type=bpy.types.Object, name="Performer", poll=_is_armature, description="Empty: the active armature"
+    text: StringProperty(
+        name="Text", description="The words of the line; if empty, those of the strip or of text strips beside it"
     )
-    seed: IntProperty(name="Seed", min=-LARGEST_SEED, max=LARGEST_SEED, description="Another number, other movements")
+    performer: PointerProperty(
+        type=bpy.types.Object,
+        name="Performer",
+        poll=_is_armature,
+        description="The armature that performs; if empty, the active one",
+    )
+    seed: IntProperty(name="Seed", min=-LARGEST_SEED, max=LARGEST_SEED, description="Random seed")
     agitation: EnumProperty(
         name="Agitation",
         items=[
@@ -85,28 +94,38 @@ class LineSettings(bpy.types.PropertyGroup):
             ("high", "High", "Tense"),
         ],
     )
-    stillness: FloatProperty(name="Stillness", min=0, max=1, subtype="FACTOR", description="How much less moves")
+    stillness: FloatProperty(name="Stillness", min=0, max=1, subtype="FACTOR", description="Reduces all movement")
     lead_in_s: FloatProperty(
-        name="Lead-In", min=0, max=3, unit="TIME_ABSOLUTE", description="How long before the recording it begins"
+        name="Lead-In",
+        min=0,
+        max=3,
+        unit="TIME_ABSOLUTE",
+        description="Time before the recording in which the performance begins",
     )
     tail_s: FloatProperty(
-        name="Tail", min=0, max=10, unit="TIME_ABSOLUTE", description="How long it goes on after the recording"
+        name="Tail",
+        min=0,
+        max=10,
+        unit="TIME_ABSOLUTE",
+        description="Time after the recording in which the performance ends",
     )
-    listener: PointerProperty(type=bpy.types.Object, name="Listener", description="Who or what is spoken to")
+    listener: PointerProperty(
+        type=bpy.types.Object, name="Listener", description="The person or object that is addressed"
+    )
     listener_performs: BoolProperty(
-        name="Listener Reacts", default=True, description="Whether the listener, if it is an armature, performs too"
+        name="Listener Reacts", default=True, description="Perform the listener too, if it is an armature"
     )
     camera: PointerProperty(
         type=bpy.types.Object,
         name="Camera",
         poll=_is_camera,
-        description="A camera to look at; without a listener it is spoken to",
+        description="A camera to look at; it is addressed if there is no listener",
     )
     targets: CollectionProperty(type=TargetSettings)
     active_target: IntProperty()
-    set_range: BoolProperty(name="Set Range", default=True, description="Has the scene's frames take in the line")
+    set_range: BoolProperty(name="Set Range", default=True, description="Extend the scene's frame range to the line")
     behavior_strips: BoolProperty(
-        name="Behaviours as Strips", default=True, description="Lays an NLA strip for each behaviour, to be edited"
+        name="Behaviours as Strips", default=True, description="Add an editable NLA strip for each behaviour"
     )
 
 
