@@ -143,7 +143,12 @@ class BehaviorModels:
             characters=characters,
             rules=rules,
             families=families,
-            planner=Planner.load(models / "acting", lexicon / "acting", families, rules.program.argument_counts),
+            planner=Planner.load(
+                (models / "acting", lexicon / "acting"),
+                families,
+                rules.program.argument_counts,
+                load_function_classes(),
+            ),
             head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
             performers=FormedCharacters.of(characters, load_gesture_table(characters.gesture_lexemes)),
             profiles={
@@ -250,6 +255,14 @@ def load_profile_file(path: Path, lexemes: Collection[str]) -> Profile:
     from .profiles.files.reading import read_profile
 
     return read_profile(path, lexemes, load_tags())
+
+
+def load_function_classes() -> Mapping[str, Mapping[str, float]]:
+    """The classes of functions, with their subtypes and base priorities; raises AuthoringError with every mistake in
+    their table."""
+    from .rules.priorities import Priorities
+
+    return Priorities.load(RULES / "functions" / "priorities.yaml").root
 
 
 def load_tags() -> frozenset[str]:

@@ -57,7 +57,7 @@ from .profiles.profile import Profile
 from .progress import Progress, no_progress
 from .rules.mapping import map_functions
 
-QUANTITY = MappingProxyType({Level.LOW: 0.9, Level.MEDIUM: 1.0, Level.HIGH: 1.15})
+QUANTITY = MappingProxyType({Level.LOW: 0.85, Level.MEDIUM: 1.0, Level.HIGH: 1.2})
 """How the amount of movement is scaled at each level of agitation (paper §1)."""
 
 PLAIN_EMPHASIS = ("beat",)

@@ -11,7 +11,7 @@ from ..acoustic.pronunciation.normalisation import Normaliser
 from ..behavior.candidates.vocabulary import BANNABLE
 from ..behavior.characters.overlays import Characters
 from ..behavior.listeners.head_rates import HeadRates
-from ..behavior.reading.authored_weights import load_weights
+from ..behavior.reading.authored_weights import TermNames, load_weights
 from ..behavior.reading.choice_model import ChoiceModel
 from ..behavior.reading.families import load_families
 from ..behavior.reading.terms import TermTable
@@ -29,6 +29,7 @@ from ..model import Channel, Hand, Level
 from ..models import (
     AUTHORED,
     load_characters,
+    load_function_classes,
     load_function_rules,
     load_gestures,
     load_mapping_rules,
@@ -58,7 +59,11 @@ Check = Callable[[], object]
 
 def _check_weights(file: Path) -> None:
     choice = ChoiceModel.load(resource_folder("models") / "acting" / "weights.json")
-    load_weights(file, choice.families, choice.terms)
+    table = TermTable.load(
+        resource_folder("lexicon") / "acting" / "terms.yaml", load_function_rules().program.argument_counts
+    )
+    names = TermNames.of(choice.terms, table.names.values(), load_function_classes())
+    load_weights(file, choice.families, names, (*choice.head, *choice.face))
 
 
 def _check_column_names(file: Path) -> None:

@@ -19,8 +19,6 @@ import numpy as np
 from ...errors import ServiceError
 from ...model import SingleArray, Term
 
-VOICE_TERMS = frozenset(("voice(stressed)",))
-
 READING = "reading in context"
 BIAS = "how common it is"
 
@@ -70,11 +68,12 @@ class ChoiceModel:
 
     @property
     def terms(self) -> frozenset[str]:
-        """The terms that can be weighted: the fitted ones, and those of the voice, which directed lines do not have."""
-        return frozenset(self.rows) | VOICE_TERMS
+        """The fitted terms."""
+        return frozenset(self.rows)
 
     def with_weights(self, added: Mapping[str, Mapping[str, float]]) -> "ChoiceModel":
-        """The model with weights by term and family added to its own; new terms are new rows."""
+        """The model with weights by term and family added to its own; new terms are new rows. Weights of
+        others than families are left to others."""
         rows = dict(self.rows)
         for name in added:
             rows.setdefault(name, len(rows))
@@ -82,7 +81,8 @@ class ChoiceModel:
         weights[: len(self.weights)] = self.weights
         for name, by_family in added.items():
             for family, weight in by_family.items():
-                weights[rows[name], self.families.index(family)] += weight
+                if family in self.families:
+                    weights[rows[name], self.families.index(family)] += weight
         return replace(self, rows=MappingProxyType(rows), weights=weights)
 
     def log_odds(self, read: SingleArray, terms: Sequence[Iterable[str]]) -> SingleArray:

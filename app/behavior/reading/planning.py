@@ -16,7 +16,7 @@ from types import MappingProxyType
 import numpy as np
 
 from ...model import BehaviorCandidates, Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
-from .authored_weights import load_weights
+from .authored_weights import TermNames, load_weights
 from .choice_model import READING, ChoiceModel, log_odds_of, worth_of
 from .contrasts import CONTRAST, Ground, PlacedStroke, placed_strokes, with_placed
 from .decoding import NEAR, USUAL_WORD_S, gains, spans_of, spread, stretches_of, strokes, usual_times_s
@@ -26,7 +26,7 @@ from .families import Families, merged
 from .player import Player
 from .supports import Support, supports_of
 from .terms import Fact, TermTable, terms_of
-from .worths import LineWorths, chance_of, focus_of, lexeme_worth, shown_by_lexemes, summed
+from .worths import LineWorths, chance_of, focus_of, kinds_added, lexeme_worth, shown_by_lexemes, summed
 
 AT_WORD_SHARE = 0.5
 """The share of the words' own worths in the reading's expected worth, the rest coming from the nearby worths: measured
@@ -63,23 +63,37 @@ class Planner:
     shown: SingleArray
     needed_lemmas: Mapping[str, frozenset[str]]
     terms: TermTable
+    kind_weights: Mapping[str, Mapping[str, float]]
 
     @classmethod
-    def load(cls, models: Path, lexicon: Path, families: Families, predicates: Mapping[str, int]) -> "Planner":
-        """Loads from the folders models/acting and lexicon/acting; `predicates` are those of the rules with their
-        numbers of arguments.
+    def load(
+        cls,
+        folders: tuple[Path, Path],
+        families: Families,
+        predicates: Mapping[str, int],
+        classes: Mapping[str, Collection[str]],
+    ) -> "Planner":
+        """Loads from the `folders` models/acting and lexicon/acting; `predicates` are those of the rules with their
+        numbers of arguments, `classes` those of functions with their subtypes.
 
         Raises ServiceError `model_unreadable`, and AuthoringError for the weights and terms of authors.
         """
+        models, lexicon = folders
         choice = ChoiceModel.load(models / "weights.json")
-        authored = load_weights(lexicon / "weights.yaml", choice.families, choice.terms)
+        table = TermTable.load(lexicon / "terms.yaml", predicates)
+        names = TermNames.of(choice.terms, table.names.values(), classes)
+        kinds = (*choice.head, *choice.face)
+        authored = load_weights(lexicon / "weights.yaml", choice.families, names, kinds)
         return cls(
             encoder=Encoder.load(models / "encoder.onnx"),
             choice=choice.with_weights(authored),
             lexemes=MappingProxyType({lexeme: column for column, lexeme in enumerate(families.shows)}),
             shown=shown_by_lexemes(families.shows, choice.families),
             needed_lemmas=MappingProxyType(dict(_needed_lemmas(families))),
-            terms=TermTable.load(lexicon / "terms.yaml", predicates),
+            terms=table,
+            kind_weights=MappingProxyType(
+                {term: {kind: by[kind] for kind in kinds if by.get(kind)} for term, by in authored.items()}
+            ),
         )
 
 
@@ -118,16 +132,29 @@ def plan(planner: Planner, line: Understood, player: Player, *, still: Sequence[
     taken = with_placed(taken, placed.values(), ground)
     moments = chain(
         (_in_place(moment, placed) for moment in _gestures(worths, utterance, taken, ground)),
-        _heads_and_faces(planner, reading, utterance, player),
+        _heads_and_faces(planner, reading, line, worths.terms, player),
     )
     return Plan(tuple(sorted(moments, key=lambda moment: (moment.stroke, moment.channel, moment.first))), worths)
 
 
-def _heads_and_faces(planner: Planner, reading: Reading, utterance: Utterance, player: Player) -> Iterator[Moment]:
-    stretches, choice = stretches_of([word.text for word in utterance.words]), planner.choice
-    of_head, of_face = _at_quantity(choice.head, player.quantity), _at_quantity(choice.face, player.quantity)
-    yield from _spans(Channel.HEAD, reading.head, stretches, planner.encoder.head, of_head)
-    yield from _spans(Channel.FACE, reading.face, stretches, planner.encoder.face, of_face)
+def _heads_and_faces(
+    planner: Planner, reading: Reading, line: Understood, terms: Sequence[frozenset[str]], player: Player
+) -> Iterator[Moment]:
+    utterance, choice = line.utterance, planner.choice
+    stretches = stretches_of([word.text for word in utterance.words])
+    for channel, likely, kinds, levels in (
+        (Channel.HEAD, reading.head, planner.encoder.head, choice.head),
+        (Channel.FACE, reading.face, planner.encoder.face, choice.face),
+    ):
+        added = kinds_added(kinds, terms, planner.kind_weights) + _of_chance(channel, player, utterance, len(kinds))
+        heard = worth_of(log_odds_of(likely) + added)
+        yield from _spans(channel, heard, stretches, kinds, _at_quantity(levels, player.quantity))
+
+
+def _of_chance(channel: Channel, player: Player, utterance: Utterance, kinds: int) -> SingleArray:
+    """The draws of a take for each kind, the same on all words of the line."""
+    text = " ".join((channel, *(word.text for word in utterance.words)))
+    return chance_of(player.seed, text, (1, kinds))
 
 
 def meanings(planner: Planner, line: Understood, player: Player, words: Collection[int]) -> dict[int, tuple[str, ...]]:

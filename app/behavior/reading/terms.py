@@ -16,9 +16,17 @@ from typing import Annotated, TypeAlias
 from pydantic import Field
 
 from ...errors import AuthoringError
-from ...model import Function, Token, Utterance
+from ...model import Function, Level, Token, Tone, Utterance
 from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
+
+HEARD_TERMS = frozenset(
+    {"voice(stressed)", *(f"agitation({level})" for level in Level), *(f"tone({tone})" for tone in Tone)}
+)
+"""The terms of the voice, which directed lines that are only read do not have."""
+
+CLEAR_TONE = 0.4
+"""The share from which a tone is a term of its words."""
 
 _ENDS_SENTENCE = (".", "!", "?", "…")
 _PERSONS = {
@@ -171,3 +179,10 @@ def _of_voice(utterance: Utterance) -> Iterator[Term]:
     for word in utterance.words:
         if word.is_emphasised:
             yield "voice(stressed)", word.index, word.index
+    if utterance.agitation and utterance.words:
+        yield f"agitation({utterance.level})", 0, len(utterance.words) - 1
+    if utterance.affect:
+        for word in utterance.words:
+            affect = utterance.affect.at(word.index)
+            if affect.share(affect.tone) >= CLEAR_TONE:
+                yield f"tone({affect.tone})", word.index, word.index

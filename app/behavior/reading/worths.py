@@ -105,6 +105,18 @@ def focus_of(shares: Sequence[float | None]) -> SingleArray:
     return np.asarray(FOCUS_WEIGHT * np.log(relative), np.float32)
 
 
+def kinds_added(
+    kinds: Sequence[str], terms: Sequence[frozenset[str]], weights: Mapping[str, Mapping[str, float]]
+) -> SingleArray:
+    """What authors' weights add to each kind of head movement or face on each word (W, K)."""
+    added = np.zeros((len(terms), len(kinds)), np.float32)
+    for term, by_kind in weights.items():
+        for kind, weight in by_kind.items():
+            if kind in kinds:
+                added[[term in names for names in terms], kinds.index(kind)] += weight
+    return added
+
+
 def chance_of(seed: int, text: str, shape: tuple[int, int]) -> SingleArray:
     """The draws (W, L) of a seed for a text; none for seed 0."""
     if not seed:

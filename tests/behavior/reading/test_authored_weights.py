@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.behavior.reading.authored_weights import load_weights
+from understudy.behavior.reading.authored_weights import TermNames, load_weights
 from understudy.errors import AuthoringError
 
 FAMILIES = ("present", "negation")
@@ -35,3 +35,29 @@ def test_weights_are_numbers_that_do_not_settle_all(tmp_path: Path, weight: str)
     path = written(tmp_path, f"terms:\n  voice(stressed): {{any: {weight}}}\n")
     with pytest.raises(AuthoringError):
         load_weights(path, FAMILIES, TERMS)
+
+
+def test_heads_and_faces_are_weighed_beside_families_and_any_does_not_mean_them(tmp_path: Path) -> None:
+    path = written(tmp_path, "terms:\n  function(negation): {any: 0.5, shake: -2}\n")
+    found = load_weights(path, FAMILIES, TERMS, ("shake", "nod"))
+    assert found == {"function(negation)": {"present": 0.5, "negation": 0.5, "shake": -2.0}}
+
+
+@pytest.mark.parametrize(
+    ("term", "known"),
+    [
+        ("function(dismissal)", True),
+        ("function(dismissal.plain)", True),
+        ("function(dismissal) here", True),
+        ("given(dismissal)", True),
+        ("waved off(3)", True),
+        ("tone(angry)", True),
+        ("agitation(high)", True),
+        ("clause(root) end", True),
+        ("function(dismissal.odd)", False),
+        ("waved(3)", False),
+    ],
+)
+def test_an_authors_own_classes_and_facts_are_terms(term: str, *, known: bool) -> None:
+    names = TermNames.of({"clause(root) end"}, ["waved off({0})"], {"dismissal": ("plain",)})
+    assert (term in names) == known
