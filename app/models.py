@@ -25,11 +25,13 @@ AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
 
 if TYPE_CHECKING:
     from .acoustic.stage import AcousticModels
+    from .behavior.candidates.attitudes import Attitude
     from .behavior.characters.gesture_forms import FormedCharacters
     from .behavior.characters.overlays import Characters
     from .behavior.listeners.head_rates import HeadRates
     from .behavior.reading.families import Families
     from .behavior.reading.planning import Planner
+    from .model import Tone
     from .model.gesture_limits import GestureTable
     from .profiles.profile import Profile
     from .realizer.gestures.library import Library
@@ -121,6 +123,7 @@ class BehaviorModels:
     characters: Characters
     rules: MappingRules
     families: Families
+    attitudes: Mapping[Tone, Attitude]
     planner: Planner
     head_rates: HeadRates
     performers: FormedCharacters
@@ -130,6 +133,7 @@ class BehaviorModels:
     def load(cls, settings: Settings) -> Self:
         """Raises AuthoringError with every mistake in characters, behaviour table, families and mapping rules,
         ServiceError when a model is missing or broken."""
+        from .behavior.candidates.attitudes import load_attitudes
         from .behavior.characters.gesture_forms import FormedCharacters
         from .behavior.listeners.head_rates import HeadRates
         from .behavior.reading.planning import Planner
@@ -143,6 +147,7 @@ class BehaviorModels:
             characters=characters,
             rules=rules,
             families=families,
+            attitudes=load_attitudes(lexicon / "acting" / "attitudes.yaml", characters.behavior_names, families.face),
             planner=Planner.load(
                 (models / "acting", lexicon / "acting"),
                 families,

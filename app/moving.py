@@ -9,6 +9,7 @@ from functools import partial, reduce
 from types import MappingProxyType
 from typing import Self
 
+from .behavior.candidates.attitudes import attitude_candidates, without_faces
 from .behavior.candidates.demands import banned_by, beside, demanded, kept_free, permitted, wherever_offered
 from .behavior.candidates.notes import directed, unplayed_notes
 from .behavior.candidates.planned import candidates_of
@@ -108,6 +109,8 @@ def move(
     performer = replace(performer, direction=_with_marked(performer, analysis, line, player))
     asked = demanded(player, demands)
     planned = _planned(performer, line, player, asked)
+    held = attitude_candidates(behavior.attitudes, line.utterance, planned.moments, player) if performer.reads else ()
+    planned, asked = replace(planned, moments=without_faces(planned.moments, held)), (*asked, *held)
     analysis = replace(analysis, utterance=with_lead_in(analysis.utterance, options.lead_in_s))
     progress("mapping")
     candidates, moments = _offered(performer, line, player, planned, asked)

@@ -8,6 +8,7 @@ from types import MappingProxyType
 from pydantic import RootModel
 
 from ..acoustic.pronunciation.normalisation import Normaliser
+from ..behavior.candidates.attitudes import load_attitudes
 from ..behavior.candidates.vocabulary import BANNABLE
 from ..behavior.characters.overlays import Characters
 from ..behavior.listeners.head_rates import HeadRates
@@ -57,6 +58,12 @@ Check = Callable[[], object]
 """Loads something, and raises AuthoringError if it has mistakes."""
 
 
+def _check_attitudes(file: Path) -> None:
+    lexicon = resource_folder("lexicon")
+    lines = load_table(lexicon / "behaviors.yaml").lines
+    load_attitudes(file, lines, load_families(lexicon / "acting" / "families.yaml", lines).face)
+
+
 def _check_weights(file: Path) -> None:
     choice = ChoiceModel.load(resource_folder("models") / "acting" / "weights.json")
     table = TermTable.load(
@@ -86,6 +93,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "families.yaml": lambda file: load_families(
             file, load_table(resource_folder("lexicon") / "behaviors.yaml").lines
         ),
+        "attitudes.yaml": _check_attitudes,
         "weights.yaml": _check_weights,
         "terms.yaml": _check_terms,
         "head_rates.yaml": HeadRates.load,
@@ -117,6 +125,7 @@ def check_files_in_use() -> None:
         partial(FaceTables.load, lexicon / "face.yaml"),
         partial(MovementStyle.load, lexicon / "movement.yaml"),
         lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),
+        lambda: _check_attitudes(lexicon / "acting" / "attitudes.yaml"),
         lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
         partial(SmartBodyTables.load, lexicon / SMARTBODY),

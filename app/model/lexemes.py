@@ -62,10 +62,13 @@ ACTION_UNITS: Mapping[str, int] = MappingProxyType(
 )
 """Our lexemes for FACS action units."""
 
+LIDS_AND_CHEEKS = frozenset({"WIDEN_EYES", "CLOSE_EYES", "NARROW_EYES", "RAISE_CHEEKS"})
+"""The lexemes of lids and cheeks, which brows and mouth leave free."""
+
 LOWER_FACE = frozenset(
     lexeme
     for lexeme in (*CORE_LEXEMES, *ACTION_UNITS)
     if any(part in lexeme for part in ("MOUTH", "LIP", "NOSE", "DIMPLE"))
 )
-"""The lexemes of mouth and nose; the others are of brows, lids and cheeks. FACS divides the face in the same way: the
-halves move independently of each other."""
+"""The lexemes of mouth and nose; the others are of brows, or of lids and cheeks. FACS divides the face in the same way:
+the parts move independently of each other."""

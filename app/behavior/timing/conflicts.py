@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 
 from ...model import Behavior, Channel, Hand
 from ...model.gesture_limits import TransitionTimes, transition_times
-from ...model.lexemes import GLANCE, LOOK, LOWER_FACE
+from ...model.lexemes import GLANCE, LIDS_AND_CHEEKS, LOOK, LOWER_FACE
 from ..table.behavior_table import Phase
 from .anchoring import PlacedBehavior
 from .phases import Window, placed
@@ -178,8 +178,13 @@ def compete(one: Behavior, other: Behavior) -> bool:
     if one.kind is not other.kind:
         return _turns_the_head(one, other) or _turns_the_head(other, one)
     if one.kind is Channel.FACE:
-        return (one.lexeme in LOWER_FACE) == (other.lexeme in LOWER_FACE)
+        return _part_of_face(one) == _part_of_face(other)
     return one.kind is not Channel.GESTURE or one.hand is other.hand or Hand.BOTH in (one.hand, other.hand)
+
+
+def _part_of_face(face: Behavior) -> tuple[bool, bool]:
+    """Mouth and nose, lids and cheeks, or brows: what moves by itself."""
+    return face.lexeme in LOWER_FACE, face.lexeme in LIDS_AND_CHEEKS
 
 
 def _turns_the_head(gaze: Behavior, head: Behavior) -> bool:

@@ -3,6 +3,7 @@ from pathlib import Path
 
 import pytest
 
+from understudy.behavior.candidates.attitudes import load_attitudes
 from understudy.behavior.candidates.targets import LOOK
 from understudy.behavior.reading.families import load_families
 from understudy.behavior.table.behavior_table import UNASKED, Anchor, load_table
@@ -109,4 +110,6 @@ def test_every_behaviour_is_chosen_by_a_rule_or_for_a_family_or_done_unasked() -
     acted = {behavior.name for behaviors in asked for behavior in behaviors}
     rules = (TABLE.parents[1] / "app" / "rules" / "behaviors").glob("*.rules")
     called = {name for path in rules for name in re.findall(r"(\w+)\(\$\w+, \$end\)", path.read_text(encoding="utf-8"))}
-    assert table.lines.keys() - called - acted - postures - {*UNASKED, LOOK} == set()
+    attitudes = load_attitudes(TABLE.parent / "acting" / "attitudes.yaml", table.lines, families.face)
+    held = {name for attitude in attitudes.values() for name in attitude.shows}
+    assert table.lines.keys() - called - acted - held - postures - {*UNASKED, LOOK} == set()
