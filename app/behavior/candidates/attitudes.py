@@ -27,7 +27,8 @@ from ...model import (
     Tone,
     Utterance,
 )
-from ...yaml_files import Entry, Source, did_you_mean
+from ...suggestions import did_you_mean
+from ...yaml_files import Entry, Source
 from ..reading.player import Player
 
 WORDS_SHARE = 0.3
