@@ -17,6 +17,7 @@ from .manifest.entries import Entry, State, WrittenFile
 from .manifest.hashes import KnownRecording, input_hash, installation_hash, settings_hash
 from .manifest.store import FILE, Manifest
 from .planning import Plan, entry_of, hopeless_entries, plan_batch, with_voices
+from .reports.html_report import Heading, Thumbnail
 from .reports.writing import remove_reports, reports_are_there, write_reports
 from .request import BatchRequest
 from .running.engine import Engine
@@ -77,7 +78,7 @@ def _run(
         thumbnails = _thumbnails(request, plan, entries, engine)
         clear_unfinished(request.out)
     if thumbnails or not reports_are_there(request.out):
-        write_reports(request.out, request.script.name, entries, thumbnails)
+        write_reports(request.out, Heading(request.script.name, plan.script.unit), entries, thumbnails)
     return entries
 
 
@@ -112,7 +113,7 @@ def _changed(plan: Plan, work: Sequence[Work], before: Mapping[str, Entry], requ
 
 def _thumbnails(
     request: BatchRequest, plan: Plan, entries: Sequence[Entry], engine: OnDemand[Engine]
-) -> dict[str, bytes]:
+) -> dict[str, Thumbnail]:
     """Contact sheets of the lines most in need of a check, drawn where they do not exist yet."""
     paths = thumbnail_paths(entries, request.thumbnails)
     jobs = list(thumbnail_jobs([job for _take, job in plan.jobs], paths, request.out))

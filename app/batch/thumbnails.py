@@ -11,6 +11,7 @@ from pathlib import Path
 from ..model.motion_formats import MotionFormat
 from .layout import file_name
 from .manifest.entries import Entry, State
+from .reports.html_report import Thumbnail
 from .reports.writing import in_order_of_attention
 from .work.jobs import LineJob, Target
 
@@ -46,9 +47,10 @@ def remove_other_thumbnails(paths: dict[str, str], out: Path) -> None:
             path.unlink(missing_ok=True)
 
 
-def read_thumbnails(paths: dict[str, str], out: Path) -> dict[str, bytes]:
+def read_thumbnails(paths: dict[str, str], out: Path) -> dict[str, Thumbnail]:
     """The sheets that exist, scaled down for the report, by line id."""
-    return {name: _small((out / path).read_bytes()) for name, path in paths.items() if (out / path).is_file()}
+    there = {name: path for name, path in paths.items() if (out / path).is_file()}
+    return {name: Thumbnail(path, _small((out / path).read_bytes())) for name, path in there.items()}
 
 
 def _small(png: bytes) -> bytes:

@@ -1,4 +1,8 @@
-"""Which lines somebody should check, why, and how urgently."""
+"""Which lines somebody should check, why, and how urgently.
+
+A line that is performed a little otherwise than it was planned, as most are, needs no check; one of which a movement is
+missing or late does (`Measures.unplayed`).
+"""
 
 from collections.abc import Iterator
 
@@ -20,8 +24,11 @@ _WEIGHTS = {
     "audio_antiphase": 12,
     "word_unreadable": 10,
     "agitation_unsure": 2,
+    "pronunciation_guessed": 0,
+    "listener_unknown": 0,
+    "audio_length_unstated": 0,
 }
-"""The urgency of warnings; others weigh 5."""
+"""The urgency of warnings; others weigh 5. With 0 nobody has to look: the line says so itself."""
 
 _OTHER = 5
 _FAILED, _FLAT, _DROPPED, _UNPLAYED, _STILL = 1000, 20, 4, 3, 8

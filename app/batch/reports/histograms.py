@@ -12,7 +12,7 @@ from ..work.jobs import Measures
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-INCHES = (13.0, 5.2)
+INCHES = (12.0, 5.2)
 DOTS_PER_INCH = 80
 BINS = 30
 MOST_FUNCTIONS = 14

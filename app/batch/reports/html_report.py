@@ -1,41 +1,53 @@
-"""Writes `report.html`: every line in one self-contained file, the most urgent to check first."""
+"""Writes `report.html`: every line in one file, the most urgent to check first, with its recording to listen to.
+
+Pictures are in the page; recordings and a line's files are linked, relative to the folder of the report.
+"""
 
 import base64
+import os
+import shlex
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 from string import Template
+from urllib.parse import quote
 
 from ..manifest.entries import Entry, State
+from .advice import plain_words
 from .attention import attention, reasons
 from .histograms import draw_histograms
 
-HEADINGS = (
-    "row",
-    "line",
-    "who",
-    "words",
-    "seconds",
-    "agitation",
-    "functions",
-    "gestures",
-    "gave way",
-    "look at",
-    "warnings and errors",
-)
 _TEMPLATE = Path(__file__).with_name("report.html")
+_COLUMNS = ("line", "words", "look at", "seconds", "agitation", "gestures")
 
 
-def to_html(script: str, entries: Sequence[Entry], thumbnails: Mapping[str, bytes]) -> bytes:
-    """The report, in the order of `entries`; `thumbnails` are PNG by the lines' ids."""
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """The script's name, and what its rows are called."""
+
+    script: str
+    unit: str = "row"
+
+
+@dataclass(frozen=True, slots=True)
+class Thumbnail:
+    """A contact sheet: its path relative to the output folder, and a smaller PNG of it."""
+
+    path: str
+    content: bytes
+
+
+def to_html(heading: Heading, entries: Sequence[Entry], thumbnails: Mapping[str, Thumbnail], out: Path) -> bytes:
+    """The report for the folder `out`, in the order of `entries`; `thumbnails` are by the lines' ids."""
     template = Template(_TEMPLATE.read_text(encoding="utf-8"))
     return template.substitute(
-        title=f"{escape(script)}: performed",
+        title=f"{escape(heading.script)}: performed",
         summary=_summary(entries),
         histograms=_histograms(entries),
-        headings="".join(f"<th>{heading}</th>" for heading in HEADINGS),
-        rows="\n".join(_row(entry, thumbnails.get(entry.id)) for entry in entries),
+        headings="".join(f'<th scope="col"><button>{told}</button></th>' for told in (heading.unit, *_COLUMNS)),
+        rows="\n".join(_row(entry, thumbnails.get(entry.id), out) for entry in entries),
     ).encode()
 
 
@@ -62,35 +74,84 @@ def _picture(png: bytes, kind: str, told: str) -> str:
     return f'<img class="{kind}" alt="{escape(told)}" src="data:image/png;base64,{content}">'
 
 
-def _row(entry: Entry, thumbnail: bytes | None) -> str:
+def _row(entry: Entry, thumbnail: Thumbnail | None, out: Path) -> str:
     kind = "failed" if entry.state is State.FAILED else "look" if attention(entry) else "fine"
-    return f'<tr class="{kind}">{"".join(_cells(entry, thumbnail))}</tr>'
+    return f'<tr class="{kind}">{"".join(_cells(entry, thumbnail, out))}</tr>'
 
 
-def _cells(entry: Entry, thumbnail: bytes | None) -> Iterator[str]:
+def _cells(entry: Entry, thumbnail: Thumbnail | None, out: Path) -> Iterator[str]:
     measures = entry.measures
     yield _number(entry.row)
-    yield f"<td>{escape(entry.id)}</td>"
-    played = f'<div class="comment">{escape(entry.performer)}</div>' if entry.performer else ""
-    yield f"<td>{escape(entry.character)}{played}</td>"
+    played = f" <small>by {escape(entry.performer)}</small>" if entry.performer else ""
+    yield f'<td><strong class="id">{escape(entry.id)}</strong><div>{escape(entry.character)}{played}</div></td>'
     comment = f'<div class="comment">{escape(entry.comment)}</div>' if entry.comment else ""
-    picture = _picture(thumbnail, "thumbnail", f"key poses of {entry.id}") if thumbnail else ""
-    yield f"<td>{escape(entry.text)}{comment}{picture}</td>"
+    picture = _enlarging(thumbnail, entry.id) if thumbnail else ""
+    yield f'<td><p class="words">{escape(entry.text)}</p>{comment}{_player(entry, out)}{_links(entry)}{picture}</td>'
+    yield f'<td data-value="{attention(entry)}">{"".join(_looks(entry))}</td>'
     yield _number(f"{measures.duration_s:.2f}" if measures else "")
     yield f"<td>{measures.agitation if measures else ''}</td>"
-    functions = measures.functions if measures else {}
-    yield f"<td>{escape(', '.join(f'{count} × {name}' for name, count in functions.items()))}</td>"
-    yield _number(measures.gestures if measures else "")
-    yield _number(measures.gestures_dropped if measures else "")
-    told = "".join(f'<span class="reason">{escape(reason)}</span>' for _weight, reason in reasons(entry))
-    yield f'<td data-value="{attention(entry)}">{told}</td>'
-    yield f"<td>{_messages(entry)}</td>"
+    yield _gestures(entry)
 
 
 def _number(value: object) -> str:
     return f'<td class="number">{value}</td>'
 
 
-def _messages(entry: Entry) -> str:
-    error = f'<div class="error">{escape(entry.failure.message)}</div>' if entry.failure else ""
-    return error + "".join(f'<div class="warning">{escape(notice.message)}</div>' for notice in entry.warnings)
+def _gestures(entry: Entry) -> str:
+    """How many gestures there are, how many gave way, and what the words do."""
+    measures = entry.measures
+    if measures is None:
+        return "<td></td>"
+    dropped = f" <small>{measures.gestures_dropped}\u00a0gave\u00a0way</small>" if measures.gestures_dropped else ""
+    counted = ", ".join(
+        name.replace("_", " ") if count == 1 else f"{count}\u00a0{name.replace('_', ' ')}"
+        for name, count in measures.functions.items()
+    )
+    why = f"<details><summary>functions</summary>{escape(counted)}</details>" if counted else ""
+    return f'<td data-value="{measures.gestures}">{measures.gestures}{dropped}{why}</td>'
+
+
+def _looks(entry: Entry) -> Iterator[str]:
+    """What somebody should look at and what can be done, then the messages."""
+    for weight, code in reasons(entry):
+        meaning, advice = plain_words(code)
+        kind = "reason" if weight else "reason mild"
+        yield f'<div class="{kind}"><b>{escape(meaning)}</b><span>{escape(advice)}</span></div>'
+    if entry.failure:
+        yield f'<p class="error">{escape(entry.failure.message)}</p>'
+    told = "".join(f"<p>{escape(notice.message)}</p>" for notice in entry.warnings)
+    if told:
+        yield f'<details class="messages"><summary>messages</summary>{told}</details>'
+
+
+def _player(entry: Entry, out: Path) -> str:
+    if not entry.audio:
+        return ""
+    cut = "" if entry.start_s is None or entry.end_s is None else f"#t={entry.start_s:.3f},{entry.end_s:.3f}"
+    address = f"{_relative(Path(entry.audio), out)}{cut}"
+    return f'<audio controls preload="none" src="{address}" aria-label="{escape(entry.id)}"></audio>'
+
+
+def _relative(path: Path, out: Path) -> str:
+    """The address of a file for a page in `out`; on another drive there is only an absolute one."""
+    try:
+        return f"./{quote(Path(os.path.relpath(path, out)).as_posix())}"
+    except ValueError:
+        return path.absolute().as_uri()
+
+
+def _links(entry: Entry) -> str:
+    """The line's files, and the command that opens it in the studio."""
+    links = [
+        f'<a href="./{quote(file.path)}">{escape(f"{file.listener}: " if file.listener else "")}{escape(file.form)}</a>'
+        for file in entry.outputs
+    ]
+    if entry.audio and entry.start_s is None:
+        command = shlex.join(["understudy", "studio", entry.audio, "--text", entry.text])
+        links.append(f'<button class="studio" data-command="{escape(command)}">studio</button>')
+    return f'<div class="links">{" ".join(links)}</div>' if links else ""
+
+
+def _enlarging(thumbnail: Thumbnail, name: str) -> str:
+    picture = _picture(thumbnail.content, "thumbnail", f"key poses of {name}")
+    return f'<a class="enlarge" href="./{quote(thumbnail.path)}">{picture}</a>'

@@ -7,7 +7,7 @@ from ..manifest.entries import Entry
 from ..work.files import clear_unfinished, write_whole
 from .attention import attention
 from .csv_report import to_csv
-from .html_report import to_html
+from .html_report import Heading, Thumbnail, to_html
 from .index_json import to_index
 
 REPORTS = ("report.csv", "report.html", "index.json")
@@ -18,12 +18,12 @@ def in_order_of_attention(entries: Sequence[Entry]) -> list[Entry]:
     return sorted(entries, key=lambda entry: (-attention(entry), entry.place))
 
 
-def write_reports(out: Path, script: str, entries: Sequence[Entry], thumbnails: Mapping[str, bytes]) -> None:
-    """Writes the reports; `thumbnails` are PNG by the lines' ids. Raises OSError."""
+def write_reports(out: Path, heading: Heading, entries: Sequence[Entry], thumbnails: Mapping[str, Thumbnail]) -> None:
+    """Writes the reports; `thumbnails` are by the lines' ids. Raises OSError."""
     urgent = in_order_of_attention(entries)
     write_whole(out, "report.csv", to_csv(urgent))
-    write_whole(out, "report.html", to_html(script, urgent, thumbnails))
-    write_whole(out, "index.json", to_index(script, entries))
+    write_whole(out, "report.html", to_html(heading, urgent, thumbnails, out))
+    write_whole(out, "index.json", to_index(heading.script, entries))
     clear_unfinished(out)
 
 

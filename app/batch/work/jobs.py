@@ -48,8 +48,8 @@ class LineJob:
 @dataclass(frozen=True, slots=True)
 class Measures:
     """The figures about a performance in a report. `functions` counts the kept ones by class, `gestures_dropped` those
-    that lost conflicts, `unplayed` what the realizer changed or left out; `pitch_spread_st` is the standard deviation
-    of the voice's pitch, in semitones, None if it has none."""
+    that lost conflicts, `unplayed` the movements that the realizer left out or made late; `pitch_spread_st` is the
+    standard deviation of the voice's pitch, in semitones, None if it has none."""
 
     duration_s: float
     words: int

@@ -29,6 +29,9 @@ from .files import write_files
 from .formats import LineFormat, act_path, beside, needs_motion, recording_name
 from .jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
 
+_NOT_AS_ASKED = frozenset({"dropped", "late", "cut"})
+"""The realizer's decisions that somebody may mind; a hold that is shorter or a blend nobody does."""
+
 
 def perform_job(job: LineJob, models: Understudy) -> LineOutcome:
     """The outcome of a job. Raises ServiceError for failures of the service, after which a retry may succeed, and
@@ -124,8 +127,13 @@ def _measures(analysis: Analysis, performance: Performance, realized: Realized |
         behaviors=len(kept),
         emphasised=sum(word.is_emphasised for word in utterance.words),
         pitch_spread_st=_pitch_spread_st(analysis),
-        unplayed=None if realized is None else len(realized.motion.decisions),
+        unplayed=None if realized is None else _unplayed(realized),
     )
+
+
+def _unplayed(realized: Realized) -> int:
+    """The number of movements that are missing or come late."""
+    return sum(decision.action in _NOT_AS_ASKED for decision in realized.motion.decisions)
 
 
 def _pitch_spread_st(analysis: Analysis) -> float | None:
