@@ -14,19 +14,11 @@ from ..manifest.entries import Entry, State
 from ..matching.near_names import NearNames
 from ..model import place_told
 from ..planning import Plan, without_audio
-from ..work.formats import needs_motion
 from ..work.jobs import LineJob
+from .costs import LOADING_S, REPORTS_S, VOICE, line_s, sheets_s
 
 MOST_TOLD = 40
 FIRST_LINES = 3
-
-SECONDS_A_LINE, SECONDS_A_SECOND = 0.03, 0.025
-"""Processor time per line and per second of speech, without motion (docs/measurements.md, "Batch")."""
-
-MOTION_SECONDS_A_SECOND = 0.02
-"""Additional time per second of motion."""
-
-LOADING_S = 4.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +29,9 @@ class DryRun:
     is_whole: bool
 
 
-def dry_run(plan: Plan, before: Mapping[str, Entry], *, workers: int) -> DryRun:
-    """What would be done by so many workers; `before` is the manifest of an earlier run."""
+def dry_run(plan: Plan, before: Mapping[str, Entry], *, workers: int, thumbnails: int = 0) -> DryRun:
+    """What would be done by so many workers; `before` is the manifest of an earlier run, `thumbnails` the number of
+    lines that the report pictures."""
     durations_s = {job.id: _duration_s(job) for _take, job in plan.jobs}
     problems = [str(problem) for problem in plan.script.problems]
     unit = plan.script.unit
@@ -57,7 +50,7 @@ def dry_run(plan: Plan, before: Mapping[str, Entry], *, workers: int) -> DryRun:
         *_speakers(plan, durations_s),
         *_sections(sections),
         "",
-        _summary(plan, durations_s, before, workers),
+        _summary(plan, durations_s, _expected_s(plan, durations_s, before, thumbnails), workers),
     ]
     return DryRun(tuple(told), not (problems or missing or unreadable))
 
@@ -114,20 +107,34 @@ def _shared(plan: Plan) -> Iterator[str]:
         yield f"{path.name}: {', '.join(line.id for line in lines)}"
 
 
-def _summary(plan: Plan, durations_s: Mapping[str, float | None], before: Mapping[str, Entry], workers: int) -> str:
-    waiting = [job for _take, job in plan.jobs if (old := before.get(job.id)) is None or old.state is not State.DONE]
+def _summary(plan: Plan, durations_s: Mapping[str, float | None], expected: "_Expected", workers: int) -> str:
     total_s = sum(duration_s or 0.0 for duration_s in durations_s.values())
-    expected_s = sum(_expected_s(job, durations_s[job.id] or 0.0) for job in waiting) / workers
-    expected_s += LOADING_S if waiting else 0.0
+    expected_s = expected.whole_s + expected.shared_s / workers
     return (
-        f"{len(plan.jobs)} lines with recordings, {total_s / 3600:.2f} hours; {len(waiting)} to perform, "
-        f"about {_time(expected_s)} with {workers} workers"
+        f"{len(plan.jobs)} lines with recordings, {total_s / 3600:.2f} hours; {expected.lines} to perform, "
+        f"about {_time(expected_s)} with {workers} workers, formats, listeners and pictures included"
     )
 
 
-def _expected_s(job: LineJob, duration_s: float) -> float:
-    motion_s = MOTION_SECONDS_A_SECOND * duration_s if needs_motion([target.form for target in job.targets]) else 0.0
-    return SECONDS_A_LINE + SECONDS_A_SECOND * duration_s + motion_s
+@dataclass(frozen=True, slots=True)
+class _Expected:
+    """The number of lines to perform, the seconds that they take together, and those that more workers do not
+    shorten."""
+
+    lines: int
+    shared_s: float
+    whole_s: float
+
+
+def _expected_s(
+    plan: Plan, durations_s: Mapping[str, float | None], before: Mapping[str, Entry], thumbnails: int
+) -> _Expected:
+    waiting = [job for _take, job in plan.jobs if (old := before.get(job.id)) is None or old.state is not State.DONE]
+    lasting_s = [durations_s[job.id] or 0.0 for job in waiting]
+    shared_s = sum(map(line_s, waiting, lasting_s)) + sheets_s(lasting_s[:thumbnails])
+    usual_s = sum(lasting_s) / max(1, len(lasting_s))
+    shared_s += VOICE * usual_s * sum(len(voice.recordings) for voice in plan.voices) if waiting else 0.0
+    return _Expected(len(waiting), shared_s, LOADING_S + REPORTS_S if waiting else 0.0)
 
 
 def _time(seconds: float) -> str:

@@ -58,7 +58,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 def _dry_run(request: BatchRequest, workers: int) -> int:
     """Writes to standard output what would be done."""
-    told = dry_run(plan_batch(request), entries_before(request.out), workers=workers)
+    before = entries_before(request.out)
+    told = dry_run(plan_batch(request), before, workers=workers, thumbnails=request.thumbnails)
     write_standard("\n".join((*told.lines, "")).encode())
     return 0 if told.is_whole else SOME_FAILED
 
