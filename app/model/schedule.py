@@ -71,7 +71,7 @@ class Behavior:
     curved: bool = False
     edit: int | None = None
     manner: Manner | None = None
-    decided_by: tuple[Term, ...] = ()
+    decided_by: tuple[Term, ...] = field(default=(), compare=False)
     limit: str | None = None
 
 
