@@ -7,7 +7,7 @@ BIN := .venv/bin
 help:
 	@awk '/^# /{c=substr($$0,3)} /^[a-z][a-z-]*:/{sub(":.*",""); printf "%-14s %s\n", $$0, c; c=""}' $(MAKEFILE_LIST)
 
-.PHONY: help format docs bench perform test search test-clients serve npc plugin test-plugins lock client-types clean
+.PHONY: help format docs bench perform test search drill audit sbom test-clients serve npc plugin test-plugins lock client-types clean
 
 # Installs into .venv and performs the bundled line: out/example.bml.
 perform: .venv/installed
@@ -31,6 +31,20 @@ test: .venv/installed-test
 	$(BIN)/lint-imports
 	$(BIN)/understudy rules check
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n auto --maxprocesses 4 --dist loadfile -rs
+
+# The service under attack, on loopback alone, some ten minutes; python -m benchmarks.api.drill takes longer.
+drill: .venv/installed-test
+	OMP_NUM_THREADS=1 $(BIN)/python -m benchmarks.api.drill --inputs 2000 --messages 2000 --files 4000 --soak 500 --kills 5 --no-load
+
+# Known holes in what the locks install; skipped, with the reason, without a network.
+audit:
+	PYTHON=$(PYTHON) .ci/audit
+
+# What a release is made of, by the lock: out/sbom.json (CycloneDX).
+sbom:
+	mkdir -p out
+	test -x .venv-audit/bin/cyclonedx-py || { $(PYTHON) -m venv .venv-audit && .venv-audit/bin/pip install --quiet --disable-pip-version-check "cyclonedx-bom>=7,<8"; }
+	.venv-audit/bin/cyclonedx-py requirements requirements.lock --pyproject pyproject.toml --output-reproducible --of JSON -o out/sbom.json
 
 # Formats the Python code.
 format: .venv/installed-test
@@ -98,4 +112,4 @@ client-types: .venv/installed
 
 # Removes everything that make has made.
 clean:
-	rm -rf .venv .venv-bpy out dist clients/typescript/dist examples/npc/.cache .mypy_cache .ruff_cache .pytest_cache .import_linter_cache
+	rm -rf .venv .venv-bpy .venv-audit out dist clients/typescript/dist examples/npc/.cache .mypy_cache .ruff_cache .pytest_cache .import_linter_cache

@@ -58,7 +58,7 @@ class Source:
         self._text = _read(path) if text is None else text
         self.lines = self._text.splitlines()
         self._root = self._compose()
-        self._refuse_repeated_keys()
+        self._refuse_wrong_keys()
         self.value = _plain(self._root)
 
     def validated(self, schema: type[Schema]) -> Schema:
@@ -105,12 +105,9 @@ class Source:
         if hidden:
             raise _wrong(hidden)
 
-    def _refuse_repeated_keys(self) -> None:
-        """Refuses keys that a later one of the same name would override."""
-        mistakes = [
-            self._at(key.start_mark, f"the key {shown(key.value)} stands here a second time")
-            for key in _repeated_keys(self._root)
-        ]
+    def _refuse_wrong_keys(self) -> None:
+        """Refuses keys that a later one of the same name would override, or that are no words."""
+        mistakes = [self._at(key.start_mark, message) for key, message in _wrong_keys(self._root)]
         if mistakes:
             raise _wrong(mistakes)
 
@@ -135,17 +132,20 @@ def _read(path: Path) -> str:
         raise AuthoringError((Mistake(path, 1, 1, f"cannot be read as UTF-8 text: {error}"),)) from None
 
 
-def _repeated_keys(node: yaml.Node) -> Iterator[yaml.Node]:
+def _wrong_keys(node: yaml.Node) -> Iterator[tuple[yaml.Node, str]]:
     if isinstance(node, yaml.SequenceNode):
         for item in node.value:
-            yield from _repeated_keys(item)
+            yield from _wrong_keys(item)
     elif isinstance(node, yaml.MappingNode):
         seen: set[str] = set()
         for key, value in node.value:
+            if not isinstance(key, yaml.ScalarNode):
+                yield key, "a key is a word, not a list or a mapping"
+                continue
             if key.value in seen:
-                yield key
-            seen.add(str(key.value))
-            yield from _repeated_keys(value)
+                yield key, f"the key {shown(key.value)} stands here a second time"
+            seen.add(key.value)
+            yield from _wrong_keys(value)
 
 
 def _plain(node: yaml.Node) -> Plain:

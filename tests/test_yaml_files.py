@@ -47,6 +47,8 @@ def test_a_missing_key_is_told_where_its_mapping_begins(tmp_path: Path) -> None:
         ("name: !!str soup\nprice: 1\n", 1, 7),
         ("name: soup\nprice: 1\nname: stew\n", 3, 1),
         ("name: [soup\nprice: 1\n", 2, 6),
+        ("name: soup\n? [a, b]\n: 1\n", 2, 3),
+        ("name: soup\n{a: 1}: 1\n", 2, 1),
         ("", 1, 1),
         ("name: s\x01p\n", 1, 1),
     ],

@@ -1,12 +1,18 @@
 """Tests the service with broken inputs, a long soak, killed workers and attacks, and prints a table of the bars.
 
-    python -m benchmarks.api.drill [--inputs 100000] [--soak 10000] [--kills 20] [--seed 0] [--clients 4] [--no-attacks]
-                               [--no-load] [--keep FOLDER]
+    python -m benchmarks.api.drill [--inputs 100000] [--messages 10000] [--files 10000] [--soak 10000] [--kills 20]
+                                   [--seed 0] [--clients 4] [--only WORDS] [--no-attacks] [--no-disturbances]
+                                   [--no-load] [--keep FOLDER]
+
+`make drill` runs a short one.
 
 Starts services of its own on free ports of 127.0.0.1, with the settings that a service has by default. Every answer but
 a 5xx other than 503 and 504 is right, as long as it is a problem with a code or has content, and JSON where it says so;
 inputs that are answered otherwise are kept in FOLDER (default out/drill). `benchmarks.api.inputs` has the inputs,
-`benchmarks.api.attacks` the attacks of issue 15. Ends with 1 if a bar is missed.
+`broken_streams` the messages of live streams, `broken_files` what is read from disk; `attacks` has single requests,
+`disturbances` what goes on while others ask honestly. Not tried: a clock that jumps, for it is everybody's on a
+machine; the time of day is read for the expiry of keys alone, all else by the monotonic clock. Ends with 1 if a bar is
+missed.
 """
 
 import argparse
@@ -18,6 +24,9 @@ from pathlib import Path
 from .asking import Client, in_threads
 from .attacks import ATTACKS, hold_headers, hold_uploads
 from .bars import Bar, watched
+from .broken_files import files_broken
+from .broken_streams import streams_broken
+from .disturbed import disturbed
 from .endurance import killed, soaked
 from .fuzzing import fuzzed
 from .lines import usual
@@ -63,14 +72,20 @@ def drill(options: argparse.Namespace) -> list[Bar]:
         if options.inputs:
             keep, seed = options.keep, options.seed
             bars += fuzzed(service, options.inputs, seed=seed, clients=options.clients, keep=keep)
+        if options.messages:
+            bars += streams_broken(service, options.messages, seed=options.seed, clients=options.clients)
         if options.soak:
             bars += soaked(service, options.soak, options.clients)
         if options.kills:
             bars += killed(service, options.kills, options.seed)
         runs = service.process.poll() is None
         bars.append(Bar("the service at the end", "runs" if runs else "ended", "runs", runs))
+    if options.files:
+        bars += files_broken(options.files, options.seed)
     if not options.no_attacks:
         bars += attacked(options.only)
+    if not options.no_disturbances:
+        bars += disturbed(options.only)
     if not options.no_load:
         bars += [bar for part in PARTS.values() for bar in part(USUAL_S)]
     return bars
@@ -79,12 +94,15 @@ def drill(options: argparse.Namespace) -> list[Bar]:
 def main(argv: list[str] | None = None) -> int:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--inputs", type=int, default=100_000, help="broken inputs")
+    arguments.add_argument("--messages", type=int, default=10_000, help="broken messages to live streams")
+    arguments.add_argument("--files", type=int, default=10_000, help="broken files")
     arguments.add_argument("--soak", type=int, default=10_000, help="usual requests")
     arguments.add_argument("--kills", type=int, default=20, help="workers that are killed")
     arguments.add_argument("--seed", type=int, default=0)
     arguments.add_argument("--clients", type=int, default=4, help="requests at the same time")
-    arguments.add_argument("--only", default="", help="attacks with this in their names")
+    arguments.add_argument("--only", default="", help="attacks and disturbances with this in their names")
     arguments.add_argument("--no-attacks", action="store_true")
+    arguments.add_argument("--no-disturbances", action="store_true", help="nothing that goes on while others ask")
     arguments.add_argument("--no-load", action="store_true", help="neither waits, throughput nor freed places")
     arguments.add_argument("--keep", type=Path, default=OUT, help="where inputs that were answered wrong are kept")
     bars = drill(arguments.parse_args(argv))

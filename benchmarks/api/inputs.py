@@ -14,11 +14,14 @@ from itertools import islice
 from types import MappingProxyType
 from typing import Any
 
+from understudy.resources import resource_folder
+
 from ..realizer.exporting.avatar_mutants import mutants, small_avatar
 from .attacks import Attack, Body, bml, form
 from .breaking import VALUES, Rng, broken, json_changed
 from .broken_audio import recordings, wav
 from .broken_bml import behaviors
+from .broken_files import yaml_broken
 
 TEXT = "No, I have never seen those."
 WORDS = tuple({"text": word, "start_s": 0.1 * at, "end_s": 0.1 * (at + 1)} for at, word in enumerate(TEXT.split(), 1))
@@ -154,6 +157,17 @@ def _bml(rng: Rng) -> Attack:
     return request("/realize", form(bml=("b.bml", content), options=options), accept)
 
 
+def _yaml(rng: Rng) -> Attack:
+    """A gesture profile with a line, or words among edited rules to be checked."""
+    if rng.random() < 0.5:
+        profile = (resource_folder("lexicon") / "profiles" / "sparing.yaml").read_bytes()[:4000]
+        return _line(rng, profile=("p.yaml", yaml_broken(profile, rng)))
+    name = "lexicon/en/spatial.yaml"
+    words = yaml_broken((resource_folder("lexicon") / "en" / "spatial.yaml").read_bytes()[:4000], rng)
+    body = json.dumps({"files": {name: words.decode("utf-8", "replace")}}).encode()
+    return request("/rules/check", ("application/json", body))
+
+
 NOD = bml('<head id="h" lexeme="NOD" start="0" end="0.4"/>')[1]
 
 
@@ -198,6 +212,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         "BML": Kind(14, _bml),
         "avatars": Kind(6, _avatar),
         "forms": Kind(6, _form),
+        "YAML": Kind(4, _yaml),
     }
 )
 """By name."""
