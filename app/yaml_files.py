@@ -9,12 +9,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import islice
 from pathlib import Path
-from typing import Protocol, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeAlias, TypeVar, get_args
 
 import yaml
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, RootModel, ValidationError
 
 from .errors import AuthoringError, Mistake, shown
+
+if TYPE_CHECKING:
+    from pydantic_core import ErrorDetails
 
 Plain: TypeAlias = "str | list[Plain] | dict[str, Plain]"
 DEEPEST = 32
@@ -66,7 +69,7 @@ class Source:
         try:
             return schema.model_validate(self.value)
         except ValidationError as error:
-            found = [(tuple(each["loc"]), _readable(each["msg"])) for each in error.errors()]
+            found = [(tuple(each["loc"]), _readable(each, schema)) for each in error.errors()]
             raise _wrong(self.mistake(*each) for each in found) from None
 
     def mistake(self, location: Sequence[str | int], message: str) -> Mistake:
@@ -165,6 +168,45 @@ def _child(node: yaml.Node, step: str | int) -> yaml.Node | None:
     return None
 
 
-def _readable(message: str) -> str:
-    """Pydantic's message in words for somebody who edits a file."""
-    return message.replace("Extra inputs are not permitted", "unknown key").replace("Field required", "key is missing")
+def _readable(found: "ErrorDetails", schema: type[BaseModel]) -> str:
+    """Pydantic's message about a file of this schema, in words for somebody who edits it."""
+    match found["type"]:
+        case "missing":
+            return f"the key {found['loc'][-1]!r} is missing"
+        case "extra_forbidden":
+            return "unknown key"
+        case "model_type" | "dict_type":
+            return f"{_value_told(found['input'])}; give keys with values here{_keys_of(found, schema)}"
+        case "tuple_type" | "list_type" | "set_type" | "frozen_set_type":
+            return f"{_value_told(found['input'])}; give a list here, as [one, two]"
+        case _:
+            return found["msg"]
+
+
+def _value_told(value: object) -> str:
+    """What stands in the place of something else."""
+    if isinstance(value, dict):
+        return "keys with values stand here"
+    return "a list stands here" if isinstance(value, list) else f"{shown(value)} stands here alone"
+
+
+def _keys_of(found: "ErrorDetails", schema: type[BaseModel]) -> str:
+    """The keys of the entry that was meant, those that it must have first."""
+    name = found.get("ctx", {}).get("class_name")
+    model = next((each for each in _models_in(schema, set()) if each.__name__ == name), None)
+    if model is None or issubclass(model, RootModel):
+        return ""
+    fields = sorted(model.model_fields.items(), key=lambda field: not field[1].is_required())
+    keys = [f"{field.alias or key}{' (always)' if field.is_required() else ''}" for key, field in fields]
+    return f": {', '.join(keys)}"
+
+
+def _models_in(annotation: object, seen: set[object]) -> Iterator[type[BaseModel]]:
+    """The schemas that an annotation names, and those in them."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel) and annotation not in seen:
+        seen.add(annotation)
+        yield annotation
+        for field in annotation.model_fields.values():
+            yield from _models_in(field.annotation, seen)
+    for part in get_args(annotation):
+        yield from _models_in(part, seen)

@@ -6,10 +6,16 @@ from understudy.errors import AuthoringError
 from understudy.yaml_files import DEEPEST, MOST_MISTAKES, MOST_NODES, Entry, Source
 
 
+class Side(Entry):
+    name: str
+    hot: bool = False
+
+
 class Dish(Entry):
     name: str
     price: float
     tags: tuple[str, ...] = ()
+    sides: tuple[Side, ...] = ()
 
 
 def _source(folder: Path, text: str) -> Source:
@@ -37,7 +43,21 @@ def test_every_mistake_is_told_where_it_stands(tmp_path: Path) -> None:
 
 
 def test_a_missing_key_is_told_where_its_mapping_begins(tmp_path: Path) -> None:
-    assert _mistakes(tmp_path, "# a dish\nname: soup\n") == [(2, 1, "key is missing")]
+    assert _mistakes(tmp_path, "# a dish\nname: soup\n") == [(2, 1, "the key 'price' is missing")]
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "told"),
+    [
+        ("sides: [rice]", (3, 9), "'rice' stands here alone; give keys with values here: name (always), hot"),
+        ("sides: [[rice]]", (3, 9), "a list stands here; give keys with values here: name (always), hot"),
+        ("sides: rice", (3, 8), "'rice' stands here alone; give a list here, as [one, two]"),
+        ("sides: {name: rice}", (3, 8), "keys with values stand here; give a list here, as [one, two]"),
+        ("sides: [{hot: yes}]", (3, 9), "the key 'name' is missing"),
+    ],
+)
+def test_what_was_meant_is_said(text: str, place: tuple[int, int], told: str, tmp_path: Path) -> None:
+    assert _mistakes(tmp_path, f"name: soup\nprice: 1\n{text}\n") == [(*place, told)]
 
 
 @pytest.mark.parametrize(

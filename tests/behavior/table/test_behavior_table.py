@@ -64,7 +64,7 @@ def test_an_entry_has_what_its_line_says_and_nothing_else() -> None:
         ("{channel: head, lexeme: NOD, timing: nod, amount: 1.5}", "less than or equal to 1"),
         ("{channel: head, lexeme: NOD, timing: nod, amuont: 1}", "unknown key"),
         ("{channel: knee, lexeme: NOD, timing: nod}", "'gesture', 'head'"),
-        ("{lexeme: NOD, timing: nod}", "key is missing"),
+        ("{lexeme: NOD, timing: nod}", "is missing"),
     ],
 )
 def test_a_wrong_line_is_told_with_its_place(tmp_path: Path, line: str, message: str) -> None:

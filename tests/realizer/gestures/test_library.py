@@ -95,7 +95,7 @@ def test_lexemes_of_others(tmp_path: Path) -> None:
         ("aliases:\n  BEAT: [baton]", 2, "'baton': lexemes are written in capitals"),
         ("aliases:\n  BEAT: [BATON, BATON]", 2, "BATON is listed under BEAT already"),
         ("aliases:\n  BEAT:\n    - BEAT", 3, "BEAT has gestures of its own"),
-        ("alias: 3", 1, "key is missing"),
+        ("alias: 3", 1, "the key 'aliases' is missing"),
     ],
 )
 def test_wrong_aliases(tmp_path: Path, aliases: str, line: int, told: str) -> None:
