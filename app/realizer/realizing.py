@@ -30,6 +30,7 @@ from .head_and_gaze.gaze_targets import LISTENER, LISTENER_M, Position
 from .head_and_gaze.head import apply_head_movements
 from .head_and_gaze.head_movements import realized_heads
 from .physics.tracking import with_physics
+from .scheduling.deviations import timing_deviations
 from .scheduling.gesture_controller import accents_of, apply_gestures
 from .scheduling.planning import plan_gestures
 from .scheduling.unplayable import unplayable_behaviors
@@ -134,21 +135,36 @@ def realize(
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
     body = _moving_body(performer.skeleton, schedule, plan, times_s, style=style, targets_m=aims_m, seed=seed)
     body, moved = _apart(performer.skeleton, body, physics=physics)
+    realized = _realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz, end_s=float(times_s[-1]))
     return Motion(
         frame_rate_hz=frame_rate_hz,
         body=body,
         shapes=face_weights(realizer.face, schedule, body, performer.skeleton, seed=seed),
-        realized=_realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz, end_s=float(times_s[-1])),
+        realized=realized,
         decisions=(
-            *plan.decisions,
-            *_cut(plan, schedule.duration_s),
-            *unplayable_behaviors(schedule, targets_m=aims_m),
-            *unknown_faces(realizer.face.lexemes, schedule.behaviors),
+            *_decided(realizer, schedule, plan, realized, aims_m),
             *moved,
             *_unknown_body(realizer, schedule.character),
         ),
         lead_in_s=schedule.lead_in_s,
     )
+
+
+def _decided(
+    realizer: Realizer,
+    schedule: Schedule,
+    plan: GesturePlan,
+    realized: Mapping[str, SyncPoints],
+    targets_m: Mapping[str, Position],
+) -> tuple[Decision, ...]:
+    """What is not played as it was asked for."""
+    decisions = (
+        *plan.decisions,
+        *_cut(plan, schedule.duration_s),
+        *unplayable_behaviors(schedule, targets_m=targets_m),
+        *unknown_faces(realizer.face.lexemes, schedule.behaviors),
+    )
+    return (*decisions, *timing_deviations(schedule.behaviors, realized, decisions))
 
 
 def _moving_body(

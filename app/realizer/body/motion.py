@@ -94,7 +94,7 @@ class Event:
 class Decision:
     """How and why the realization of a behaviour differs from the schedule.
 
-    `action` is one word, such as `dropped`, `replaced`, `held`, `blended`, `repeated`, `shortened` or `late`.
+    `action` is one word, such as `dropped`, `replaced`, `held`, `blended`, `repeated`, `shortened`, `timed` or `late`.
     """
 
     behavior: str
