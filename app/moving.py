@@ -16,6 +16,7 @@ from .behavior.candidates.planned import candidates_of
 from .behavior.candidates.targets import mentions, pointing_candidates, without_overlapped
 from .behavior.characters.abstaining import abstaining, forbidden
 from .behavior.characters.overlays import Character
+from .behavior.choice.offered import not_taken
 from .behavior.choice.scheduling import numbered, schedule
 from .behavior.idle.stillness import with_stillness
 from .behavior.listeners.addressees import addressed, placed_listeners
@@ -116,6 +117,9 @@ def move(
     candidates, moments = _offered(performer, line, player, planned, asked)
     progress("schedule")
     behaviors, script = _scheduled(performer, analysis, candidates, player)
+    if performer.reads:
+        line = replace(line, utterance=analysis.utterance)
+        behaviors = (*behaviors, *not_taken(line, planned, player, behaviors))
     return _told(performer, analysis, moments, behaviors), script
 
 
@@ -124,7 +128,8 @@ def _player(performer: _Performer, line: Understood, demands: Sequence[Demand]) 
     character, families = performer.character, performer.behavior.families
     quantity = QUANTITY[line.utterance.level] * character.liveliness
     bans = tuple(banned_by(demands, families, character.entries))
-    return Player(families, character.entries, performer.options.seed, quantity, bans)
+    seed = performer.options.seed
+    return Player(families, character.entries, seed, quantity, bans, character.stands_for)
 
 
 def _understood(performer: _Performer, analysis: Analysis) -> tuple[Understood, tuple[Demand, ...]]:
@@ -147,14 +152,6 @@ def _planned(performer: _Performer, line: Understood, player: Player, asked: Seq
     moments = beside(planned.moments, asked)
     moments = moments if direction is None else directed(direction, moments)
     return replace(planned, moments=without_planned_gestures(moments) if performer.profile else moments)
-
-
-def plan_line(behavior: BehaviorModels, analysis: Analysis, options: Options) -> Plan:
-    """The plan of an analysed line, as it would be performed."""
-    performer = _Performer.of(behavior, analysis.utterance.level, options, None)
-    line, demands = _understood(performer, analysis)
-    player = _player(performer, line, demands)
-    return _planned(performer, line, player, demanded(player, demands))
 
 
 def _with_marked(performer: _Performer, analysis: Analysis, line: Understood, player: Player) -> Direction | None:

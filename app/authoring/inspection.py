@@ -1,16 +1,20 @@
 """Answers authors' questions about rules and words: why a line was interpreted as it was, and what a corpus never uses;
 and reloads authored files.
 
-Traces have no audio, so conditions on stress, pauses or agitation do not hold (agitation counts as medium).
+Without a recording, conditions on stress, pauses or agitation do not hold (agitation counts as medium), and words have
+usual times.
 """
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
+from ..behavior.reading.decoding import usual_times_s
 from ..errors import InputError
-from ..model import Fact, Function, Level, Moment, Utterance
+from ..model import Analysis, Behavior, Fact, Function, Interval, Level, Moment, Utterance
+from ..model.schedule import DEFAULT_CHARACTER
 from ..models import BehaviorModels, LanguageModels, Understudy, load_function_rules, load_realizer
-from ..moving import plan_line
+from ..moving import move
 from ..on_demand import OnDemand
 from ..options import Options
 from ..rules.chaining.chainer import Derivation, derive
@@ -24,15 +28,19 @@ from ..rules.stage import find_functions
 from ..suggestions import did_you_mean
 from ..transcript import read_transcript
 
+LEAD_S = 1.0
+
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """A text, the traces of the function rules and mapping rules on it, and the moments that are planned."""
+    """A text, the traces of the function rules and mapping rules on it, the moments that are planned, and what was and
+    was not shown."""
 
     utterance: Utterance
     functions: RuleTrace
     mappings: RuleTrace
     moments: tuple[Moment, ...] = ()
+    behaviors: tuple[Behavior, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,16 +51,38 @@ class Unused:
     words: tuple[LexicalEntry, ...]
 
 
-def trace(language: LanguageModels, behavior: BehaviorModels, text: str) -> Trace:
-    """The rules that fired, those that nearly did, and the plan. Raises InputError for an unusable text."""
-    utterance, found, mapped = _derived(language, behavior, text)
-    analysis = find_functions(language, text)
+def trace(language: LanguageModels, behavior: BehaviorModels, text: str, character: str = DEFAULT_CHARACTER) -> Trace:
+    """The rules that fired, those that nearly did, the plan, and what is shown at usual times. Raises InputError for an
+    unusable text and an unknown character."""
+    return trace_heard(language, behavior, _at_usual_times(find_functions(language, text)), character)
+
+
+def trace_heard(
+    language: LanguageModels, behavior: BehaviorModels, analysis: Analysis, character: str = DEFAULT_CHARACTER
+) -> Trace:
+    """The same for an analysed recording."""
+    utterance = analysis.utterance
+    found = derive_facts(language.rules, utterance)
+    mapped = _mapped(behavior.rules, utterance, language.rules)
+    performance, _script = move(behavior, analysis, Options(character=character))
     return Trace(
         utterance,
         trace_rules(language.rules.program, found.facts),
         trace_rules(behavior.rules.program, mapped.facts),
-        plan_line(behavior, analysis, Options()).moments,
+        performance.moments,
+        performance.behaviors,
     )
+
+
+def _at_usual_times(analysis: Analysis) -> Analysis:
+    """The analysis of words alone as if they had been said, after a second in which hands can be raised."""
+    words = analysis.utterance.words
+    times_s = usual_times_s(len(words) + 1)
+    timed = tuple(
+        replace(word, interval=Interval(LEAD_S + begin_s, LEAD_S + end_s))
+        for word, (begin_s, end_s) in zip(words, pairwise(times_s), strict=True)
+    )
+    return replace(analysis, utterance=replace(analysis.utterance, words=timed, duration_s=LEAD_S + times_s[-1]))
 
 
 def trace_one(language: LanguageModels, behavior: BehaviorModels, text: str, *, rule: str) -> Trace:

@@ -103,12 +103,17 @@ def _rated(
     player: Player, moment: Moment, plan: Plan, name: str, support: Support | None
 ) -> tuple[float, tuple[Term, ...]]:
     """The log-odds of a behaviour at a moment, and their parts; from the plan's sum, if a gesture was weighed there."""
-    lexeme = player.behaviors[name].lexeme
+    lexeme = player.lexeme(name)
     weighed = plan.worths and moment.channel is Channel.GESTURE and moment.note is None and moment.set_against is None
     if weighed and plan.worths and (odds := plan.worths.of(moment.stroke, lexeme)) is not None:
         return odds, plan.worths.parts(moment.stroke, lexeme)
     worth = max(_worth(player, moment.channel, _shares(moment), name), 1e-6)
     return log(worth) + (support.log_odds if support else 0.0), (*moment.terms, *(support.parts if support else ()))
+
+
+def behaviors_of(families: Families, moment: Moment) -> list[str]:
+    """The names of all behaviours that show one of the moment's families."""
+    return [each.name for family in moment.families for each in _behaviors_of(families, moment.channel, family)]
 
 
 def _behaviors_of(families: Families, channel: Channel, family: str) -> tuple[FamilyBehavior, ...]:
@@ -143,7 +148,7 @@ def _worth(player: Player, channel: Channel, shares: Mapping[str, float], name: 
         return max(
             (share for kind, share in shares.items() if any(each.name == name for each in kinds[kind])), default=0.0
         )
-    shown = _all_merged(player.families.shows.get(player.behaviors[name].lexeme, ()))
+    shown = _all_merged(player.families.shows.get(player.lexeme(name), ()))
     return sum((1.0 if not place else OTHER_FAMILY) * shares.get(family, 0.0) for place, family in enumerate(shown))
 
 

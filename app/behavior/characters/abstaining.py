@@ -16,13 +16,14 @@ WHOLE_LINE = 1_000_000
 def abstaining(character: Character, families: Families) -> Character:
     """The character with the behaviours it never shows replaced by those it shows instead; whatever asks for them
     (rules, the reading, targets) then has the others."""
-    entries = dict(character.entries)
+    entries, stands_for = dict(character.entries), dict[str, str]()
     for what, instead in character.never.items():
         if instead is not None:
             for name in meant(what, families, character.entries):
                 if character.entries[name].channel is character.entries[instead].channel:
                     entries[name] = replace(character.entries[instead], name=name)
-    return replace(character, entries=MappingProxyType(entries)) if character.never else character
+                    stands_for[name] = character.entries[name].lexeme
+    return replace(character, entries=MappingProxyType(entries), stands_for=stands_for) if stands_for else character
 
 
 def forbidden(character: Character) -> Iterator[Demand]:

@@ -38,7 +38,8 @@ class Character:
     already applied to `entries`), `stillness` how little it moves without need (0 to 1), `eye_contact` the share of
     time in which it looks at the listener while it talks, `rest_poses` the postures between which it changes, `figure`
     its body. `always` are behaviours that it shows wherever a rule offers them, `never` what it never shows, each with
-    the behaviour that comes instead; `choice` is how its movements are chosen, if it says.
+    the behaviour that comes instead; `choice` is how its movements are chosen, if it says, `stands_for` the
+    lexemes, by behaviour, that it shows by others.
     """
 
     name: str
@@ -55,6 +56,7 @@ class Character:
     always: tuple[str, ...] = ()
     never: Mapping[str, str | None] = field(default_factory=dict)
     choice: str | None = None
+    stands_for: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def liveliness(self) -> float:
@@ -136,8 +138,10 @@ class _Gestures(Entry):
 
 
 def _without_instead(value: object) -> object:
-    """Lets what never comes be a list, where nothing comes instead."""
-    return dict.fromkeys(value) if isinstance(value, list) else value
+    """Lets what never comes be a list, where nothing comes instead, and have nothing after its colon."""
+    if isinstance(value, list):
+        return dict.fromkeys(value)
+    return {what: instead or None for what, instead in value.items()} if isinstance(value, dict) else value
 
 
 class _CharacterFile(Entry):

@@ -219,12 +219,13 @@ def _supports(
     best: dict[tuple[int, str], Support] = {}
     for support in supports_of(offers):
         entry = player.behaviors[support.name]
-        if entry.channel is not Channel.GESTURE or entry.lexeme not in planner.lexemes:
+        lexeme = player.lexeme(support.name)
+        if entry.channel is not Channel.GESTURE or lexeme not in planner.lexemes:
             continue
         for word in range(support.function.first, support.function.last + 1):
-            held = best.get((word, entry.lexeme))
+            held = best.get((word, lexeme))
             if held is None or support.log_odds > held.log_odds:
-                best[word, entry.lexeme] = support
+                best[word, lexeme] = support
     return best
 
 

@@ -2,7 +2,7 @@
 and which take it is."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ...model import Channel
 from .families import Families, Playable
@@ -25,13 +25,18 @@ class Ban:
 @dataclass(frozen=True, slots=True)
 class Player:
     """The families of behaviours, the character's table by name, the seed of the take, how much is played (1 is as much
-    as directors want, 0 nothing), and what is forbidden where."""
+    as directors want, 0 nothing), what is forbidden where, and the lexemes that some behaviours stand for."""
 
     families: Families
     behaviors: Mapping[str, Playable]
     seed: int = 0
     quantity: float = 1.0
     bans: tuple[Ban, ...] = ()
+    stands_for: Mapping[str, str] = field(default_factory=dict)
+
+    def lexeme(self, name: str) -> str:
+        """What a behaviour is worth: its lexeme, or the one in whose place the character shows it."""
+        return self.stands_for.get(name, self.behaviors[name].lexeme)
 
     def banned(self, name: str, first: int, last: int) -> Ban | None:
         """What forbids a behaviour over these words, if anything does."""
@@ -39,7 +44,7 @@ class Player:
 
     def lexemes(self) -> frozenset[str]:
         """The lexemes of its gestures."""
-        return frozenset(each.lexeme for each in self.behaviors.values() if each.channel is Channel.GESTURE)
+        return self._gestures(self.behaviors)
 
     def banned_lexemes(self) -> Iterator[tuple[Ban, frozenset[str]]]:
         """The gesture lexemes that each ban leaves no behaviour for."""
@@ -48,5 +53,4 @@ class Player:
             yield ban, self._gestures(ban.names) - free
 
     def _gestures(self, names: Iterable[str]) -> frozenset[str]:
-        entries = (self.behaviors[name] for name in names)
-        return frozenset(each.lexeme for each in entries if each.channel is Channel.GESTURE)
+        return frozenset(self.lexeme(name) for name in names if self.behaviors[name].channel is Channel.GESTURE)

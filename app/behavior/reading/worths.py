@@ -22,13 +22,13 @@ from .supports import Support
 OTHER_SHARE = 0.7
 """The share of the worth of a lexeme's further families that its first family does not already include."""
 
-FOCUS_WEIGHT = 0.5
+FOCUS_WEIGHT = 0.3
 """How much the odds of a stroke follow the share of its word in the focus, relative to an even share."""
 
 LEAST_SHARE, MOST_SHARE = 0.25, 6.0
 """The focus counts between these multiples of an even share."""
 
-TEMPERATURE = 0.26
+TEMPERATURE = 0.23
 """The size of chance in log-odds: the scale of the logistic draws of every seed but 0, which takes the best set."""
 
 LEAST_WORTH = 5e-4

@@ -19,6 +19,8 @@ def add_rules(add: Adding) -> None:
     explain.add_argument("name", metavar="NAME", help="a rule, a behaviour, a word or a phrase")
     trace = add_action("trace", "which rules fire on a text, which nearly do, and what they lack")
     trace.add_argument("--text", required=True, help="the words")
+    trace.add_argument("--audio", metavar="FILE", type=InputFile, help="the recording of the words (default: none)")
+    trace.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
     trace.add_argument("--rule", metavar="NAME", help="only this rule: where it fires, or comes nearest")
     unused = add_action("unused", "rules and words that no line of a corpus uses")
     unused.add_argument("corpus", metavar="CORPUS", help='a file with an utterance a line, or {"id", "text"} a line')

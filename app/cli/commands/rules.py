@@ -3,15 +3,22 @@
 Each action imports what it needs: checking rules requires no parser and no aligner.
 """
 
+from __future__ import annotations
+
 import argparse
 from collections.abc import Iterable, Sequence
 from itertools import chain
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ...authoring.proofreading import check_files, check_files_in_use
 from ...errors import AuthoringError
-from ..files import write_standard
+from ..files import read_bytes, write_standard
 from ..log import Log
+
+if TYPE_CHECKING:
+    from ...authoring.inspection import Trace
+    from ...settings import Settings
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -76,12 +83,27 @@ def _trace(arguments: argparse.Namespace, _log: Log) -> None:
     from ..outputs.traces import trace_lines
 
     settings = read_settings()
+    if arguments.audio is not None and arguments.rule is None:
+        _print(trace_lines(_trace_heard(arguments, settings)))
+        return
     language, behavior = LanguageModels.load(settings), BehaviorModels.load(settings)
     if arguments.rule is None:
-        found = trace(language, behavior, arguments.text)
+        found = trace(language, behavior, arguments.text, arguments.character)
     else:
         found = trace_one(language, behavior, arguments.text, rule=arguments.rule)
     _print(trace_lines(found))
+
+
+def _trace_heard(arguments: argparse.Namespace, settings: Settings) -> Trace:
+    from ...authoring.inspection import trace_heard
+    from ...model import Line
+    from ...models import Understudy
+    from ...performance import analyze
+
+    sound = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
+    with Understudy.load(settings) as understudy:
+        analysis = analyze(understudy, Line(sound, arguments.text))
+        return trace_heard(understudy.language, understudy.behavior, analysis, arguments.character)
 
 
 def _unused(arguments: argparse.Namespace, _log: Log) -> None:

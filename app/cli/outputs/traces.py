@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 
 from ...authoring.catalogue import shown_path
 from ...authoring.inspection import Trace, Unused
-from ...model import Moment, Word
-from ...rules.chaining.tracing import Firing, NearMiss, Said
+from ...model import Behavior, Moment, Word
+from ...rules.chaining.tracing import Firing, NearMiss, RuleTrace, Said
 from ...rules.program.program import Rule
 
 MOST_NEAR_MISSES = 12
@@ -17,20 +17,28 @@ def trace_lines(trace: Trace) -> Iterator[str]:
     the plan: for each phrase what was chosen, because of which terms, and what lost."""
     words = trace.utterance.words
     for title, part in (("function rules", trace.functions), ("mapping rules", trace.mappings)):
-        if part.firings:
-            yield f"{title} that fired"
-        for firing in part.firings:
-            yield from _firing(firing, words)
-        if part.near_misses:
-            yield f"{title} that nearly fired"
-        for miss in part.near_misses[:MOST_NEAR_MISSES]:
-            yield from _near_miss(miss, words)
-        if len(part.near_misses) > MOST_NEAR_MISSES:
-            yield f"  and {len(part.near_misses) - MOST_NEAR_MISSES} with fewer conditions met (see --rule NAME)"
+        yield from _rules(title, part, words)
     if trace.moments:
         yield "the plan, phrase by phrase"
     for moment in trace.moments:
         yield from _moment(moment, words)
+    shown = [each for each in trace.behaviors if each.function is not None or each.moment is not None]
+    if shown:
+        yield "what is shown, and what is not"
+    yield from (_behavior(each, words) for each in shown)
+
+
+def _rules(title: str, part: RuleTrace, words: Sequence[Word]) -> Iterator[str]:
+    if part.firings:
+        yield f"{title} that fired"
+    for firing in part.firings:
+        yield from _firing(firing, words)
+    if part.near_misses:
+        yield f"{title} that nearly fired"
+    for miss in part.near_misses[:MOST_NEAR_MISSES]:
+        yield from _near_miss(miss, words)
+    if len(part.near_misses) > MOST_NEAR_MISSES:
+        yield f"  and {len(part.near_misses) - MOST_NEAR_MISSES} with fewer conditions met (see --rule NAME)"
 
 
 def unused_lines(unused: Unused) -> Iterator[str]:
@@ -52,6 +60,15 @@ def _moment(moment: Moment, words: Sequence[Word]) -> Iterator[str]:
         yield f"    {term.weight:+.2f}  {term.name}"
     for rejected in moment.rejected:
         yield f"    not {', '.join(rejected.families)}, worth {rejected.worth:.2f}: {rejected.reason}"
+
+
+def _behavior(behavior: Behavior, words: Sequence[Word]) -> str:
+    """A movement on its words, with what spoke most for it; or why it is not shown."""
+    spoken = " ".join(word.text for word in words[behavior.first : behavior.last + 1])
+    told = f"{'' if behavior.kept else 'not '}{behavior.kind} {behavior.lexeme.lower()}"
+    part = max(behavior.decided_by, key=lambda each: each.weight, default=None)
+    why = f"{part.name} {part.weight:+.2f}" if part else behavior.rule or ""
+    return f"  {told:30s} {spoken:30s} {why if behavior.kept else behavior.reason or ''}".rstrip()
 
 
 def _firing(firing: Firing, words: Sequence[Word]) -> Iterator[str]:

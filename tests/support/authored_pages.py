@@ -1,0 +1,81 @@
+"""Runs the examples of a page for authors: files that are written, and commands with a part of their output."""
+
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+FOLLOW = """
+import contextlib, io, json, sys
+from pathlib import Path
+from understudy.cli.main import main
+for line in sys.stdin:
+    step = json.loads(line)
+    if "file" in step:
+        Path(step["file"]).write_text(step["text"], encoding="utf-8")
+        continue
+    out, err = io.TextIOWrapper(io.BytesIO(), encoding="utf-8"), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        main(step["command"])
+    sys.stdout.write(json.dumps(out.buffer.getvalue().decode() + err.getvalue()) + "\\n")
+"""
+"""Writes files and runs commands one after another, in one process that has loaded what they need."""
+
+
+def examples_of(page: Path) -> list[tuple[str, str, str]]:
+    """The kind, the file if it is one, and the text of each example."""
+    return re.findall(r"```(\S+)(?: (\S+))?\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+
+
+def failed_commands(page: Path, folder: Path, *, at_least: int) -> list[str]:
+    """The commands, of which there are `at_least` so many, whose output lacks a line of the page; in a copy of the
+    checkout in `folder`."""
+    steps, expected = _steps(page)
+    assert len(expected) >= at_least
+    answers = _answers(_copy(folder), steps)
+    failed = []
+    for answer, (command, lines) in zip(answers, expected, strict=True):
+        said = " ".join(answer.split())
+        if any(" ".join(line.split()) not in said for line in lines):
+            failed.append(f"{command}\n{answer}")
+    return failed
+
+
+def _steps(page: Path) -> tuple[list[dict[str, object]], list[tuple[str, list[str]]]]:
+    steps: list[dict[str, object]] = []
+    expected: list[tuple[str, list[str]]] = []
+    for kind, file, text in examples_of(page):
+        if kind == "console":
+            told = [(command, lines) for command, *lines in map(str.splitlines, text.split("$ ")[1:])]
+            expected += told
+            steps += [{"command": shlex.split(command)[1:]} for command, _ in told]
+        else:
+            steps.append({"file": file, "text": text})
+    return steps, expected
+
+
+def _answers(copy: Path, steps: list[dict[str, object]]) -> list[str]:
+    run = subprocess.run(
+        [sys.executable, "-c", FOLLOW],
+        cwd=copy,
+        env={**os.environ, "PYTHONPATH": str(copy / "src")},
+        input="".join(json.dumps(step) + "\n" for step in steps),
+        text=True,
+        capture_output=True,
+        check=True,
+    )
+    return [json.loads(line) for line in run.stdout.splitlines()]
+
+
+def _copy(folder: Path) -> Path:
+    for part in ("app", "lexicon", "src"):
+        shutil.copytree(ROOT / part, folder / part, symlinks=True, ignore=shutil.ignore_patterns("__pycache__"))
+    for part in ("models", "examples"):
+        (folder / part).symlink_to(ROOT / part)
+    return folder
