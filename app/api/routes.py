@@ -19,7 +19,7 @@ async def post_perform(request: Request, shared: Shared) -> Response:
     """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation, affect (a
     tone, three numbers, or rows of a time and these), seed, mode, listener (a list of names; then only JSON is
     answered), dialect, timing, visemes, bmlt_audio, lead_in_s (0 to 3), stillness (0 to 1), profile (whose gestures),
-    contours (JSON has f0 and energy, too), targets (names,
+    choice (terms or priority), contours (JSON has f0 and energy, too), targets (names,
     each with [x, y, z] in metres), reference (what `understudy reference` writes). The file `reference` is the same
     as a .json, or another recording of the speaker; `functions` are functions known already, `direction` is a
     director's notes (docs/directing.md), `edits` are what an author changed (docs/edits.md), `profile` is a gesture

@@ -77,6 +77,9 @@ Positions = Annotated[
 ]
 Checked = TypeVar("Checked", bound=BaseModel)
 
+MOST_WRONG = 5
+"""Parts of a request about which an error tells what is wrong."""
+
 
 class PerformOptions(BaseModel):
     """How a line is performed, with the names of the command line's options."""
@@ -290,13 +293,18 @@ def read_timings(file_name: str, content: bytes) -> Timings:
 
 
 def checked(model: type[Checked], fields: dict[str, Any]) -> Checked:
-    """The fields as `model`; raises InputError `value_wrong` with the first part that is wrong in `field`."""
+    """The fields as `model`; raises InputError `value_wrong` with all parts that are wrong, the first as `field`."""
     try:
         return model.model_validate(fields)
     except ValidationError as error:
-        found = error.errors()[0]
-    where = [str(part)[:LONGEST_SHOWN] for part in found["loc"]]
-    raise InputError("value_wrong", f"{'.'.join(where) or repr('')}: {_reason(found, model)}", field=where[0])
+        found = error.errors()
+    told = [f"{'.'.join(_where(each)) or repr('')}: {_reason(each, model)}" for each in found[:MOST_WRONG]]
+    more = [f"and {len(found) - MOST_WRONG} more"] if len(found) > MOST_WRONG else []
+    raise InputError("value_wrong", "; ".join((*told, *more)), field=_where(found[0])[0])
+
+
+def _where(found: ErrorDetails) -> list[str]:
+    return [str(part)[:LONGEST_SHOWN] for part in found["loc"]]
 
 
 def _reason(found: ErrorDetails, model: type[BaseModel]) -> str:

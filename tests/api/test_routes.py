@@ -100,6 +100,14 @@ def test_options_say_how_it_is_performed(client: TestClient) -> None:
     assert (told["agitation"], told["seed"]) == ("high", 9)
 
 
+def test_every_wrong_option_is_told_and_a_character_that_does_not_exist_with_them(client: TestClient) -> None:
+    asked = '{"agitation": "hi", "caracter": "bob", "character": "bob", "seed": "x"}'
+    told = _post(client, options=asked).json()
+    assert (told["code"], told["field"]) == ("value_wrong", "agitation")
+    for part in ("agitation: ", "caracter: ", "seed: ", "'bob'"):
+        assert part in told["detail"]
+
+
 def test_words_timed_elsewhere_are_taken_as_they_are(client: TestClient, understudy: Understudy) -> None:
     words = json.loads(AlignResponse.of(align(understudy.acoustic, Line(AUDIO, TEXT))).to_json())["words"]
     words[0]["start_s"] += 0.012

@@ -1,5 +1,7 @@
 """Input other than audio and text: read if valid, mistakes reported by part."""
 
+import json
+
 import pytest
 
 from understudy.errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError
@@ -7,6 +9,7 @@ from understudy.model import Level, Timings
 from understudy.options import Options
 from understudy.schemas.requests import (
     LARGEST_SEED,
+    MOST_WRONG,
     check_options,
     line_id,
     read_object,
@@ -54,7 +57,7 @@ def test_a_wrong_option_is_named(content: bytes, field: str) -> None:
     [
         (b'{"charcter": "shy"}', "did you mean 'character'?"),
         (b'{"lead_in": 1}', "did you mean 'lead_in_s'?"),
-        (b'{"voice": 1}', "there are character, agitation, seed"),
+        (b'{"xyzzy": 1}', "there are character, agitation, "),
         (b'{"agitation": "hgh"}', "'low', 'medium' or 'high'; did you mean 'high'?"),
         (b'{"mode": "semantics"}', "did you mean 'semantic'?"),
         (b'{"reference": {"features": "full"}}', "reference.recordings: field required"),
@@ -64,6 +67,16 @@ def test_a_misspelt_option_is_told_the_nearest_name(content: bytes, told: str) -
     with pytest.raises(InputError) as caught:
         read_options(content)
     assert told in caught.value.message
+
+
+def test_all_that_is_wrong_is_told_up_to_a_few() -> None:
+    with pytest.raises(InputError) as caught:
+        read_options(b'{"charcter": "shy", "agitation": "hi", "seed": "x"}')
+    assert all(part in caught.value.message for part in ("charcter: ", "agitation: ", "seed: "))
+    with pytest.raises(InputError) as caught:
+        read_options(json.dumps({f"x{n}": n for n in range(1000)}).encode())
+    assert f"and {1000 - MOST_WRONG} more" in caught.value.message
+    assert len(caught.value.message) < 2000
 
 
 @pytest.mark.parametrize("name", ["voice" * 100_000, "\u0001" * 100_000])

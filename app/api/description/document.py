@@ -30,12 +30,14 @@ from ...schemas.rules import (
 )
 from .answers import SHARED_HEADERS, Json, shared_errors
 from .authoring_operations import AUTHORING_OPERATIONS
+from .live_operation import LIVE, LIVE_MESSAGES, live_operation
 from .operations import OPERATIONS
 
 _ASKED: tuple[type[BaseModel], ...] = (
     *(PerformOptions, RealizeOptions, FunctionsRequest, GivenFunctionRequest, DirectionRequest, EditsForm),
     *(GestureCheckRequest, GestureMotionRequest, AvatarPoseOptions),
     *(RuleEditsRequest, RuleExplanationRequest, RuleComparisonRequest),
+    *LIVE_MESSAGES,
 )
 _ANSWERED: tuple[type[BaseModel], ...] = (
     *(PerformResponse, FunctionsResponse, ClipResponse, Problem, StatusResponse),
@@ -62,6 +64,7 @@ def _made(app: FastAPI) -> Json:
             document["paths"][path][method] = operation.described() | {
                 kept: told[kept] for kept in ("description", "parameters") if kept in told
             }
+    document["paths"][LIVE] = {"get": live_operation()}
     document["components"] = {
         "schemas": _schemas(),
         "responses": shared_errors(),

@@ -52,7 +52,7 @@ def answered(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, 
 def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
     form = read_form(job.content_type, content, form_limits(Task.PERFORM, understudy.acoustic.settings))
     line = _line(form)
-    options = with_profile(_options(form), form.get("profile"), understudy)
+    options = with_profile(_options(form, understudy), form.get("profile"), understudy)
     options = with_reference(options, form.get("reference"), understudy)
     offered = (JSON,) if options.listeners else (XML, JSON)
     media_type = chosen(job.accept, offered, "a performance with listeners" if options.listeners else "a performance")
@@ -93,13 +93,27 @@ def _line(form: Mapping[str, Part]) -> Line:
     return Line(form["audio"].content, form["text"].text, timings, functions, direction)
 
 
-def _options(form: Mapping[str, Part]) -> Options:
+def _options(form: Mapping[str, Part], understudy: Understudy) -> Options:
     """What `options` and then an author's edits say; the recording goes by the name of its file."""
-    options = read_options(form["options"].content) if "options" in form else Options()
+    options = _read_options(form["options"].content, understudy) if "options" in form else Options()
     if "edits" in form:
         options = options.with_edits(read_edits(form["edits"].content))
     audio_file = PurePath(form["audio"].file_name or "").name or None
     return replace(options, form=replace(options.form, audio_file=audio_file))
+
+
+def _read_options(content: bytes, understudy: Understudy) -> Options:
+    """The options; where some are wrong, an unknown character is told with them, which else is found out later."""
+    try:
+        return read_options(content)
+    except InputError as error:
+        name = read_object(content, "options").get("character") if error.code == "value_wrong" else None
+        if isinstance(name, str):
+            try:
+                understudy.behavior.characters.named(name)
+            except InputError as unknown:
+                raise InputError(error.code, f"{error.message}; {unknown.message}", field=error.field) from None
+        raise
 
 
 @dataclass(frozen=True, slots=True)

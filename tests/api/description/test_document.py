@@ -15,6 +15,7 @@ from understudy.api import authoring
 from understudy.api.admission.admission import PROBES
 from understudy.api.description.authoring_operations import AUTHORING_OPERATIONS
 from understudy.api.description.document import describe
+from understudy.api.description.live_operation import LIVE_MESSAGES
 from understudy.api.description.operations import OPERATIONS
 from understudy.api.routes import router
 from understudy.model import Level, Mode
@@ -23,6 +24,7 @@ from understudy.model.lead_in import LONGEST_LEAD_IN_S
 from understudy.realizer.exporting.clip_json import to_clip_json
 from understudy.realizer.exporting.retargeting import load_rigs
 from understudy.resources import resource_folder
+from understudy.schemas.live import StartMessage
 from understudy.schemas.motion import ClipResponse
 from understudy.schemas.problem import CODES, Problem
 from understudy.schemas.requests import PerformOptions, RealizeOptions, check_options, check_realize_options
@@ -80,6 +82,15 @@ def test_operation_ids_are_names_that_clients_can_use() -> None:
     assert OPERATIONS["post", "/perform"].id == "perform"
 
 
+def test_live_streams_are_described_with_what_a_client_sends() -> None:
+    told = DOCUMENT["paths"]["/live"]["get"]
+    assert {"101", "401", "403", "421", "429"} == told["responses"].keys()
+    for message in LIVE_MESSAGES:
+        assert message.__name__ in told["description"]
+        assert SCHEMAS[message.__name__]["additionalProperties"] is False
+    assert SCHEMAS["StartMessage"]["properties"].keys() == StartMessage.model_fields.keys()
+
+
 def test_probes_ask_for_no_key_and_all_others_may() -> None:
     is_open = {path for path, told in DOCUMENT["paths"].items() if told.get("get", {}).get("security") == []}
     assert is_open == PROBES
@@ -121,7 +132,7 @@ def test_the_examples_are_right() -> None:
 def test_every_error_is_a_problem_with_its_codes() -> None:
     for path in DOCUMENT["paths"].values():
         for operation in path.values():
-            errors = {status: told for status, told in operation["responses"].items() if status != "200"}
+            errors = {status: told for status, told in operation["responses"].items() if status not in ("101", "200")}
             assert errors
             assert all(told["$ref"].startswith("#/components/responses/") for told in errors.values())
     assert {"type", "title", "status", "code", "detail"} == set(SCHEMAS["Problem"]["required"])
