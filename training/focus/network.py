@@ -2,7 +2,8 @@
 
 Each line's target is a distribution over its words: what has the focus shares it, less a little that goes to the words
 in proportion to how emphasised listeners would find them; where no focus is known, all goes to them. The listeners'
-judgement is withheld from a share of the lines, since it is not always there, and noise is added to all inputs.
+judgement and the tilt of the spectrum are each withheld from a share of the lines, since live streams have neither, and
+noise is added to all inputs.
 """
 
 from collections.abc import Sequence
@@ -95,7 +96,8 @@ def _loss(network: Network, lessons: Sequence[Lesson]) -> Tensor:
         given[row, :, :count] = torch.tensor(lesson.given.T)
         target[row, :count], there[row, :count] = torch.tensor(lesson.target), True
     given = given + NOISE * torch.randn_like(given)
-    given[:, len(CUES)] *= torch.rand(len(lessons), 1) > WITHHELD
+    for column in (CUES.index("tilt"), len(CUES)):
+        given[:, column] *= torch.rand(len(lessons), 1) > WITHHELD
     surprise = -(target * network(given, there).masked_fill(~there, 0)).sum(1)
     return (surprise * torch.tensor([lesson.weight for lesson in lessons])).mean()
 
