@@ -39,7 +39,7 @@ from .focus.listeners import Listeners
 from .signal.background import doubts
 from .signal.decoding import AudioLimits, decode
 from .stress.emphasis import Measure, with_emphasis
-from .stress.prominence import prominence
+from .stress.prominence import prominence, with_listeners
 from .stress.stress import stress
 
 
@@ -147,11 +147,12 @@ def measure_stress(
     acoustic: AcousticModels, words: tuple[Word, ...], contours: Contours, audio: Audio | None = None
 ) -> tuple[tuple[Word, ...], StressThresholds]:
     """Timed words with their stress, prominence, emphasis and focus, and the utterance's own thresholds (paper §3.1.5).
-    The focus is surer with the recording itself."""
-    stressed, thresholds = stress(prominence(words, contours), contours)
+    Prominence and focus are surer with the recording itself."""
+    listeners = acoustic.listeners.heard(audio, words) if audio else {}
+    stressed, thresholds = stress(with_listeners(prominence(words, contours), listeners), contours)
     settings = acoustic.settings
     measure = Measure(settings.emphasis)
-    focused = acoustic.focus.with_focus(stressed, contours, acoustic.listeners.heard(audio, words) if audio else None)
+    focused = acoustic.focus.with_focus(stressed, contours, listeners)
     return with_emphasis(focused, measure), thresholds
 
 

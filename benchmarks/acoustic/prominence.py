@@ -28,10 +28,12 @@ from training.alignment.timit import Sentence, read_sentences
 from training.emodb import JudgedSentence, read_judged
 from training.prominence import SPEECH, STRESSED, fit, regression, threshold
 from understudy.acoustic.contours import contours_of
+from understudy.acoustic.focus.listeners import Listeners
 from understudy.acoustic.stress.emphasis import PROMINENT
-from understudy.acoustic.stress.prominence import cues, log_odds, prominence
+from understudy.acoustic.stress.prominence import cues, log_odds, prominence, with_listeners
 from understudy.acoustic.stress.stress import stress
 from understudy.model import Contours, FloatArray, Interval, Phone, Word
+from understudy.resources import resource_folder
 
 FUNCTION_WORDS = frozenset(
     re.findall(
@@ -169,14 +171,24 @@ def print_words(sentences: list[Sentence]) -> None:
     """Content words against function words, by the paper's ratio and by prominence."""
     measures: dict[str, Callable[[Word], float]] = {
         "the paper's stressed ratio": lambda word: word.stressed_ratio or 0.0,
-        "prominence": lambda word: word.prominence or 0.0,
+        "syllables' prominence": lambda word: word.prominence or 0.0,
     }
+    listeners = Listeners.load(resource_folder("models") / "focus" / "emphases.onnx")
     print(f"\n{sum(len(sentence.words) for sentence in sentences)} words, {len(sentences)} sentences")
     heard = [_stressed(sentence) for sentence in sentences]
     for name, measure in measures.items():
-        print(f"{name:38}{np.mean([content_over_function(words, list(map(measure, words))) for words in heard]):.3f}")
+        _print_words(name, heard, measure)
+    heard = [
+        with_listeners(words, listeners.heard(sentence.audio, words))
+        for words, sentence in zip(heard, sentences, strict=True)
+    ]
+    _print_words("prominence, with listeners", heard, measures["syllables' prominence"])
     prominent = np.mean([(word.prominence or 0.0) > PROMINENT for words in heard for word in words])
     print(f"{'words that prominence emphasises':38}{prominent:.3f}")
+
+
+def _print_words(name: str, heard: list[tuple[Word, ...]], measure: Callable[[Word], float]) -> None:
+    print(f"{name:38}{np.mean([content_over_function(words, list(map(measure, words))) for words in heard]):.3f}")
 
 
 def _highest(syllables: Sequence[Interval], contour: FloatArray) -> FloatArray:

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from understudy.acoustic.stress.prominence import BIAS, cues, prominence
+from understudy.acoustic.stress.prominence import BIAS, cues, prominence, with_listeners
 from understudy.model import Contours, FloatArray, Interval, Phone, Word
 
 LEVEL_HZ = np.full(400, 120.0)
@@ -123,3 +123,18 @@ def test_cues_are_relative_to_the_utterance() -> None:
 
 def test_a_word_without_a_vowel_is_one_syllable() -> None:
     assert values(in_a_row((("M", 0.3),), SHORT, SHORT))[0] > 0.2
+
+
+def test_what_listeners_hear_outweighs_syllables_and_words_that_they_did_not_judge_stay() -> None:
+    words = tuple(Word(index, "word", prominence=value) for index, value in enumerate((0.3, 0.3, 0.6, None)))
+    likely, unlikely, not_judged, without = with_listeners(words, {0: 2.0, 1: -3.0, 3: 2.0})
+    assert (likely.prominence or 0) > 0.8
+    assert (unlikely.prominence or 1) < 0.1
+    assert (not_judged.prominence, without.prominence) == (0.6, None)
+
+
+def test_syllables_still_count_where_listeners_find_words_alike() -> None:
+    words = tuple(Word(index, "word", prominence=value) for index, value in enumerate((0.0, 0.2, 1.0)))
+    found = [word.prominence or 0.0 for word in with_listeners(words, dict.fromkeys(range(3), -1.0))]
+    assert found == sorted(found)
+    assert 0 < found[0] < found[1] < found[2] < 1
