@@ -20,7 +20,6 @@ from .bml.writing.writer import write_bml as _write_bml
 from .bml.writing.writer import write_bml_json as _write_bml_json
 from .bml.writing.writer import write_listener as _write_listener
 from .bml.writing.writer import write_speech_file as _write_speech_file
-from .edits.values import NO_EDITS, Edits
 from .errors import InputError
 from .model import (
     AlignedLine,
@@ -35,6 +34,7 @@ from .model import (
     Tone,
 )
 from .model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from .model.edits import NO_EDITS, Edits
 from .model.lead_in import with_lead_in
 from .model.motion_formats import AudioFile
 from .model.speaker_reference import SpeakerReference

@@ -3,7 +3,6 @@
 from dataclasses import dataclass, fields, replace
 from typing import Literal, Self
 
-from .edits.values import NO_EDITS, Edits
 from .errors import InputError
 from .model import (
     DEFAULT_CHARACTER,
@@ -13,6 +12,7 @@ from .model import (
     Target,
 )
 from .model.bml_form import CORE_FORM, BmlForm
+from .model.edits import NO_EDITS, Edits
 from .model.lead_in import LONGEST_LEAD_IN_S
 from .model.speaker_reference import SpeakerReference
 from .model.targets import check_targets

@@ -1,19 +1,33 @@
 """Runs all stages of a line in order: the paper's Figure 2, up to the schedule.
 
-Every stage is a pure function over the values of `understudy.model`; what stages need besides (models, rules, tables)
-is loaded once into an `Understudy` and never changes.
+Read `analyze`, then `perform_behaviors`, its two halves, in which a line is a stage; `perform_line` joins them. Every
+stage is a pure function over the values of `understudy.model`; what stages need besides (models, rules, tables) is
+loaded once into an `Understudy` and never changes.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from .acoustic.affect.given import given_line
 from .acoustic.stage import AcousticModels, align_words, analyze_signal, hear_affect, hear_manners, measure_stress
 from .behavior.candidates.notes import check_direction, conflicts
-from .edits.values import WordEdit
+from .behavior.idle.stillness import with_stillness
+from .behavior.stage import (
+    Performer,
+    assemble,
+    meanings_at,
+    offer_candidates,
+    performer_of,
+    plan_line,
+    schedule_line,
+    with_listeners,
+)
+from .bml.writing.writer import losses
+from .edits.applying import edited
 from .edits.word_times import corrected
+from .edits.words import marked, unmarked, with_marked
 from .errors import InputError
 from .model import (
     AffectTrack,
@@ -29,31 +43,90 @@ from .model import (
     Utterance,
     Word,
 )
+from .model.edits import WordEdit, WordMark
+from .model.lead_in import with_lead_in
 from .model.speaker_reference import SpeakerReference
-from .models import Understudy
-from .moving import move
+from .models import BehaviorModels, Understudy
 from .options import Options
 from .profiles.generation.script import GestureScript
 from .progress import Progress, no_progress
 from .rules.derivation import understand
+from .rules.mapping import map_functions
 from .transcript import read_transcript
 
 
-def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress) -> Performance:
-    """The performance of a recorded line (paper §3, Figure 2).
+@dataclass(frozen=True, slots=True)
+class PerformedLine:
+    """A line's analysis and performance, and the gesture script that its hands follow if the options name a profile."""
 
-    Raises InputError for audio, text, timings, functions, notes or options that cannot be used.
+    analysis: Analysis
+    performance: Performance
+    script: GestureScript | None = None
+
+
+def perform_line(
+    understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
+) -> PerformedLine:
+    """The whole way of a recorded line (paper §3, Figure 2).
+
+    Raises InputError for audio, text, timings, functions, notes or options that cannot be used; names and notes are
+    checked before anything is heard.
     """
+    understudy.behavior.characters.named(options.character)
+    understudy.behavior.profile(options.profile)
+    contradictions = _checked_direction(understudy, line)
+    analysis = analyze(
+        understudy,
+        line,
+        agitation=options.agitation,
+        affect=options.affect,
+        reference=options.reference,
+        edits=options.edits.words,
+        progress=progress,
+    )
+    performed = perform_behaviors(understudy.behavior, analysis, options, line.direction, progress)
+    performance = performed.performance
+    return replace(performed, performance=replace(performance, notices=contradictions + performance.notices))
+
+
+def perform_behaviors(
+    models: BehaviorModels,
+    analysis: Analysis,
+    options: Options,
+    direction: Direction | None = None,
+    progress: Progress = no_progress,
+) -> PerformedLine:
+    """The second half of Figure 2: from an analysed line to its behaviours (paper §3.4, §3.5), with a director's notes.
+
+    Raises InputError `unknown_character`, `unknown_profile`.
+    """
+    progress("plan")
+    performer = _performer(models, analysis, options, direction)
+    planned = plan_line(performer)
+    progress("mapping")
+    candidates, moments = offer_candidates(performer, planned)
+    progress("schedule")
+    timed = replace(analysis, utterance=with_lead_in(analysis.utterance, options.lead_in_s))
+    behaviors, script = schedule_line(performer, timed, planned, candidates)
+    performance = assemble(performer, timed, moments, behaviors)
+    performance = edited(performance, options.edits.behaviors, performer.character)
+    performance = with_listeners(models, performance, options)
+    performance = with_stillness(performance, options.stillness)
+    lost = (*unmarked(options.edits.words, timed.utterance.words), *losses(performance, options.form))
+    return PerformedLine(analysis, replace(performance, notices=(*performance.notices, *lost)), script)
+
+
+def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress) -> Performance:
+    """The performance of a recorded line; raises as `perform_line` does."""
     return perform_heard(understudy, line, options, progress)[1]
 
 
 def perform_heard(
     understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
 ) -> tuple[Analysis, Performance]:
-    """The analysis of a line and its performance; raises as `perform` does."""
-    analysis, direction_notices = _heard(understudy, line, options, progress)
-    performance = perform_analysis(understudy, analysis, options, line.direction, progress)
-    return analysis, replace(performance, notices=direction_notices + performance.notices)
+    """The analysis of a line and its performance; raises as `perform_line` does."""
+    performed = perform_line(understudy, line, options, progress)
+    return performed.analysis, performed.performance
 
 
 def perform_analysis(
@@ -64,7 +137,7 @@ def perform_analysis(
     progress: Progress = no_progress,
 ) -> Performance:
     """The performance of an analysed line (paper §3.4, §3.5), with a director's notes applied."""
-    return move(understudy.behavior, analysis, options, direction, progress)[0]
+    return perform_behaviors(understudy.behavior, analysis, options, direction, progress).performance
 
 
 def write_script(
@@ -72,38 +145,33 @@ def write_script(
 ) -> tuple[Performance, GestureScript]:
     """The performance of a recorded line and the gesture script that its hands follow, by the profile of the options
     (NGS §3.3); raises as `perform` does, and InputError `value_wrong` where there is no profile."""
-    analysis, direction_notices = _heard(understudy, line, options, progress)
-    performance, script = script_analysis(understudy, analysis, options, line.direction)
-    return replace(performance, notices=direction_notices + performance.notices), script
+    return _scripted(perform_line(understudy, line, options, progress))
 
 
 def script_analysis(
     understudy: Understudy, analysis: Analysis, options: Options, direction: Direction | None = None
 ) -> tuple[Performance, GestureScript]:
     """The same for an analysed line."""
-    performance, script = move(understudy.behavior, analysis, options, direction)
-    if script is None:
+    return _scripted(perform_behaviors(understudy.behavior, analysis, options, direction))
+
+
+def _scripted(performed: PerformedLine) -> tuple[Performance, GestureScript]:
+    if performed.script is None:
         raise InputError("value_wrong", "profile: a gesture script is written by a profile; name one", field="profile")
-    return performance, script
+    return performed.performance, performed.script
 
 
-def _heard(
-    understudy: Understudy, line: Line, options: Options, progress: Progress
-) -> tuple[Analysis, tuple[Notice, ...]]:
-    """The analysis, and notices of contradictions in a director's notes; names are checked first."""
-    understudy.behavior.characters.named(options.character)
-    understudy.behavior.profile(options.profile)
-    notices = _checked_direction(understudy, line)
-    analysis = analyze(
-        understudy,
-        line,
-        agitation=options.agitation,
-        affect=options.affect,
-        reference=options.reference,
-        edits=options.edits.words,
-        progress=progress,
+def _performer(models: BehaviorModels, analysis: Analysis, options: Options, direction: Direction | None) -> Performer:
+    """Who performs the line, with what the mapping rules offer (paper §3.4) and the words that the author marked."""
+    mapped = map_functions(
+        models.rules, analysis.utterance, analysis.functions, seed=options.seed, facts=analysis.facts
     )
-    return analysis, notices
+    performer = performer_of(
+        models, analysis, options, offers=mapped.offers, demands=mapped.demands, direction=direction
+    )
+    edits, words = options.edits.words, analysis.utterance.words
+    important = {index for mark, index in marked(edits, words) if mark is WordMark.IMPORTANT}
+    return replace(performer, direction=with_marked(direction, edits, words, meanings_at(performer, important)))
 
 
 def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:

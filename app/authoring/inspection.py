@@ -14,9 +14,9 @@ from ..errors import InputError
 from ..model import Analysis, Behavior, Fact, Function, Interval, Level, Moment, Utterance
 from ..model.schedule import DEFAULT_CHARACTER
 from ..models import BehaviorModels, LanguageModels, Understudy, load_function_rules, load_realizer
-from ..moving import move
 from ..on_demand import OnDemand
 from ..options import Options
+from ..performance import perform_behaviors
 from ..rules.chaining.chainer import Derivation, derive
 from ..rules.chaining.matching import FactBase
 from ..rules.chaining.tracing import RuleTrace, fires, trace_rule, trace_rules
@@ -64,7 +64,7 @@ def trace_heard(
     utterance = analysis.utterance
     found = derive_facts(language.rules, utterance)
     mapped = _mapped(behavior.rules, utterance, language.rules)
-    performance, _script = move(behavior, analysis, Options(character=character))
+    performance = perform_behaviors(behavior, analysis, Options(character=character)).performance
     return Trace(
         utterance,
         trace_rules(language.rules.program, found.facts),

@@ -4,8 +4,8 @@ recording, ID being that of the take, that of the line or the recording's own na
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from ..edits.values import Edits
 from ..errors import InputError
+from ..model.edits import Edits
 from ..schemas.edits import read_edits
 from .layout import file_name
 from .model import Problem, Take

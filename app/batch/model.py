@@ -7,8 +7,8 @@ cue. Times are seconds from the start of the recording.
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..edits.values import Edits
 from ..model import AffectTrack, Direction, Interval, Level, Target
+from ..model.edits import Edits
 
 
 @dataclass(frozen=True, slots=True)

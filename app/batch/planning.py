@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from ..edits.values import NO_EDITS
 from ..errors import InputError
+from ..model.edits import NO_EDITS
 from ..model.speaker_reference import SpeakerReference
 from ..models import load_characters
 from ..options import Options

@@ -8,12 +8,12 @@ from math import inf
 from ..behavior.characters.overlays import Character
 from ..behavior.choice.scheduling import numbered
 from ..model import Behavior, Channel, Notice, Performance, SyncPoints, Utterance, Word
+from ..model.edits import BehaviorEdit
 from ..model.lexemes import SHIFT
 from .finding import find_behaviors
 from .forms import Formed, added, formed, forms_of, unplayed
 from .marks import moved, place_s
 from .room import INSTANT_S, Placed, with_room
-from .values import BehaviorEdit
 from .words import find_word, word_gone
 
 

@@ -9,7 +9,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..model import Behavior, Notice, Performance, Word
-from .values import BehaviorEdit, BehaviorReference
+from ..model.edits import BehaviorEdit, BehaviorReference
 from .words import find_word, word_gone
 
 _ON_ITS_FIRST_WORD = 4

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ..model import SyncPoints, Word
-from .values import MARKS, Edge, MarkPlace
+from ..model.edits import MARKS, Edge, MarkPlace
 from .words import find_word
 
 _LEADING = ("stroke", "stroke_end", "stroke_start", "ready")

@@ -9,7 +9,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from ..model import Interval, Notice, Phone, Word
-from .values import WordEdit
+from ..model.edits import WordEdit
 from .words import find_word, word_gone
 
 SAME_TIME_S = 0.05

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from ..behavior.candidates.vocabulary import STILL
 from ..model import DirectedMoment, Direction, Notice, Word
-from .values import WordEdit, WordMark, WordReference
+from ..model.edits import WordEdit, WordMark, WordReference
 
 IMPORTANCE = 3
 """The importance of a marked word, on the scale of a director's notes."""

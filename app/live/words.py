@@ -17,8 +17,8 @@ from ..acoustic.stage import measure_stress
 from ..errors import InputError, shown
 from ..model import Analysis, Behavior, Interval, Phone, Utterance, Viseme, Word
 from ..models import Understudy
-from ..moving import move
 from ..options import Options
+from ..performance import perform_analysis
 from ..rules.derivation import understand
 from ..transcript import read_transcript
 from .models import LiveModels
@@ -104,7 +104,7 @@ def perform_words(understudy: Understudy, words: tuple[Word, ...], options: Opti
     utterance = Utterance(heard, understudy.language.parser.parse(heard), duration_s=spoken.end_s - begin_s)
     known = understand(understudy.language.rules, utterance)
     analysis = Analysis(utterance, known.functions, facts=known.facts)
-    performance, _ = move(understudy.behavior, analysis, options)
+    performance = perform_analysis(understudy, analysis, options)
     later = (replace(each, sync=each.sync.shifted(begin_s)) for each in performance.behaviors if each.kept)
     visemes = tuple(
         replace(each, interval=_moved(each.interval, begin_s))

@@ -10,7 +10,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
-from ..edits.values import (
+from ..errors import InputError
+from ..model import Channel, Hand, Level, Mode
+from ..model.edits import (
     MARKS,
     BehaviorEdit,
     BehaviorReference,
@@ -25,8 +27,6 @@ from ..edits.values import (
     WordMark,
     WordReference,
 )
-from ..errors import InputError
-from ..model import Channel, Hand, Level, Mode
 from ..model.lexemes import GazeDirection
 from .mistakes import mistakes_told
 from .requests import LARGEST_SEED, read_object

@@ -7,7 +7,7 @@ import pytest
 
 from understudy.batch.edits_files import edits_of_takes
 from understudy.batch.model import Recording, ScriptLine, Take
-from understudy.edits.values import Edits, LineSettings
+from understudy.model.edits import Edits, LineSettings
 
 SEED_4 = Edits(LineSettings(seed=4))
 OWN = Edits(LineSettings(seed=5))

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from understudy.behavior.timing.conflicts import compete
 from understudy.bml.writing.writer import write_bml
 from understudy.edits.applying import edited
-from understudy.edits.values import (
+from understudy.model import Analysis, Behavior, Channel, Hand, Level, Performance, Word
+from understudy.model.edits import (
     MARKS,
     NO_EDITS,
     BehaviorEdit,
@@ -23,7 +24,6 @@ from understudy.edits.values import (
     WordMark,
     WordReference,
 )
-from understudy.model import Analysis, Behavior, Channel, Hand, Level, Performance, Word
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform_analysis

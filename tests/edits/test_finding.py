@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 
 from understudy.edits.finding import find_behaviors
-from understudy.edits.values import BehaviorEdit, BehaviorReference, WordReference
 from understudy.model import Channel, Performance
+from understudy.model.edits import BehaviorEdit, BehaviorReference, WordReference
 
 from ..support.edits import reference_to
 

@@ -5,8 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from understudy.edits.marks import moved, place_s
-from understudy.edits.values import MARKS, Edge, MarkPlace, WordReference
 from understudy.model import Interval, SyncPoints, Word
+from understudy.model.edits import MARKS, Edge, MarkPlace, WordReference
 
 GESTURE = SyncPoints(start=1.0, ready=1.4, stroke_start=1.4, stroke=1.7, stroke_end=1.9, relax=2.4, end=2.9)
 FACE = SyncPoints(start=1.0, ready=1.2, relax=2.0, end=2.3)

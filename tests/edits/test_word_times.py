@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from understudy.edits.values import HeardTime, WordEdit, WordReference
 from understudy.edits.word_times import corrected
 from understudy.model import Interval, Phone, Word
+from understudy.model.edits import HeardTime, WordEdit, WordReference
 
 AH = Phone("AH", Interval(1.0, 1.2), stress=1)
 WORDS = (

@@ -2,9 +2,9 @@
 
 import pytest
 
-from understudy.edits.values import WordEdit, WordMark, WordReference
 from understudy.edits.words import find_word, unmarked, with_marked
 from understudy.model import Direction, Word
+from understudy.model.edits import WordEdit, WordMark, WordReference
 
 WORDS = tuple(Word(number, text) for number, text in enumerate(["No,", "not", "the", "one,", "the", "other."]))
 

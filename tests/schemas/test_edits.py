@@ -5,7 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from understudy.edits.values import (
+from understudy.errors import InputError, UndecodableError
+from understudy.model import Channel, Hand, Level, Mode
+from understudy.model.edits import (
     BehaviorEdit,
     BehaviorReference,
     Edge,
@@ -19,8 +21,6 @@ from understudy.edits.values import (
     WordMark,
     WordReference,
 )
-from understudy.errors import InputError, UndecodableError
-from understudy.model import Channel, Hand, Level, Mode
 from understudy.schemas.edits import MOST_EDITS, edits_schema, read_edits, write_edits
 
 ROOT = Path(__file__).parents[2]

@@ -4,15 +4,20 @@ import json
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from understudy.errors import InputError
 from understudy.model import (
+    NEUTRAL,
     Agitation,
     AlignedLine,
     Analysis,
+    Audio,
     Because,
     Behavior,
     Channel,
     Clause,
+    Contours,
     Filler,
     Function,
     Hand,
@@ -22,10 +27,12 @@ from understudy.model import (
     Performance,
     Phone,
     Phrase,
+    SignalAnalysis,
     StressThresholds,
     SyncPoints,
     Token,
     Utterance,
+    VoiceQuality,
     Word,
 )
 from understudy.schemas.line_parts import BehaviorResponse, FunctionResponse, WordResponse
@@ -158,7 +165,18 @@ def test_a_word_says_so_when_its_times_are_guessed_and_only_then() -> None:
 
 
 def test_the_small_shapes() -> None:
-    assert _told(AgitationResponse.of("a.wav", Agitation(0.5, 0.25, 0.25))) == {
+    silence = np.zeros(0, np.float32)
+    heard = SignalAnalysis(
+        Audio(silence),
+        Contours(*(silence,) * 4),
+        VoiceQuality(*(silence,) * 4),
+        Agitation(0.5, 0.25, 0.25),
+        NEUTRAL,
+        (),
+    )
+    told = _told(AgitationResponse.of("a.wav", heard))
+    assert told["affect"]["tones"]["neutral"] == 1.0
+    assert {key: told[key] for key in ("file", "agitation", "memberships")} == {
         "file": "a.wav",
         "agitation": "low",
         "memberships": {"low": 0.5, "medium": 0.25, "high": 0.25},

@@ -1,7 +1,7 @@
 """What an author would write of a behaviour that a performance has."""
 
-from understudy.edits.values import BehaviorReference, MarkPlace, WordReference
 from understudy.model import Behavior, Performance
+from understudy.model.edits import BehaviorReference, MarkPlace, WordReference
 
 
 def reference_to(behavior: Behavior, performance: Performance) -> BehaviorReference:

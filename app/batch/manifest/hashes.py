@@ -5,7 +5,7 @@ import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ...edits.values import NO_EDITS
+from ...model.edits import NO_EDITS
 from ...model.speaker_reference import SpeakerReference
 from ...resources import RULES, resource_folder
 from ...settings import Settings

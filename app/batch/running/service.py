@@ -17,10 +17,10 @@ from typing import Any
 import requests
 
 from ...acoustic.affect.given import affect_rows
-from ...edits.values import NO_EDITS
 from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
 from ...model.bml_form import DialectName
+from ...model.edits import NO_EDITS
 from ...model.speaker_reference import SpeakerReference
 from ...profiles.files.writing import profile_yaml
 from ...profiles.profile import Profile

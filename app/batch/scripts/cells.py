@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import TypeVar
 
 from ...acoustic.affect.given import read_affect, read_affect_track
-from ...edits.values import Edits
 from ...errors import InputError
 from ...model import AffectTrack, Direction, Interval, Level, Target
+from ...model.edits import Edits
 from ...model.targets import read_targets
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits

@@ -2,9 +2,9 @@
 
 import argparse
 
-from ...edits.values import NO_EDITS, Edits
 from ...errors import InputError
 from ...model import Direction, GivenFunction, Line, Timings
+from ...model.edits import NO_EDITS, Edits
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions

@@ -9,9 +9,9 @@ from understudy.batch.manifest.hashes import input_hash, installation_hash, sett
 from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, MotionForm, Target
-from understudy.edits.values import Edits, WordEdit, WordMark, WordReference
 from understudy.model import Direction, Interval, Level, Mode
 from understudy.model import Target as Place
+from understudy.model.edits import Edits, WordEdit, WordMark, WordReference
 from understudy.options import Options
 from understudy.settings import Settings
 

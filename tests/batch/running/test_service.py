@@ -19,11 +19,11 @@ from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import Failure, LineJob, Target
 from understudy.batch.work.performing import perform_job
-from understudy.edits.values import BehaviorEdit, Edits, WordReference
 from understudy.errors import InputError
 from understudy.model import Channel, DirectedMoment, Direction
 from understudy.model import Target as Place
 from understudy.model.bml_form import BmlForm, DialectName
+from understudy.model.edits import BehaviorEdit, Edits, WordReference
 from understudy.model.motion_formats import MotionFormat
 from understudy.models import Understudy
 from understudy.options import Options

@@ -6,9 +6,9 @@ import pytest
 
 from understudy.batch.model import Script
 from understudy.batch.scripts.delimited import read_delimited
-from understudy.edits.values import Edits, LineSettings
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Interval, Level, Target
+from understudy.model.edits import Edits, LineSettings
 
 
 def read(text: str, **named: str) -> Script:

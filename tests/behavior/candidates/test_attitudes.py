@@ -17,7 +17,7 @@ NEUTRAL_LINE = "Kids are talking by the door."
 
 
 def toned(tone: Tone, share: float) -> Affect:
-    rest = {tone: share, Tone.NEUTRAL: 1 - share} if tone is not Tone.NEUTRAL else {tone: 1.0}
+    rest: dict[Tone, float] = {Tone.NEUTRAL: 1 - share, tone: share if tone is not Tone.NEUTRAL else 1.0}
     return Affect(tones=tuple(rest.get(each, 0.0) for each in Tone))
 
 

@@ -2,7 +2,7 @@
 
 import io
 import sys
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cache
 
 import numpy as np
@@ -13,7 +13,18 @@ from numpy.typing import NDArray
 from tests.support.by_hand import spoken, utterance
 from understudy.cli.outputs.plot import EMPHASIS, MEMBERSHIPS, NARROWEST_INCHES, THRESHOLD, plot, require_plot
 from understudy.errors import InputError, ServiceError
-from understudy.model import Agitation, Analysis, Audio, Contours, FloatArray, Level, SignalAnalysis, StressThresholds
+from understudy.model import (
+    NEUTRAL,
+    Agitation,
+    Analysis,
+    Audio,
+    Contours,
+    FloatArray,
+    Level,
+    SignalAnalysis,
+    StressThresholds,
+    VoiceQuality,
+)
 
 DURATION_S = 3.0
 WORDS = spoken("I never said that", start_s=0.5, stressed=[1])
@@ -30,7 +41,8 @@ def heard(duration_s: float = DURATION_S, f0_hz: float = 120.0) -> SignalAnalysi
         np.zeros((frames, 40), np.float32),
     )
     samples: FloatArray = 0.5 * np.sin(np.arange(round(16_000 * duration_s)) / 20)
-    return SignalAnalysis(Audio(samples), contours, Agitation(0.2, 0.5, 0.3), ())
+    quality = VoiceQuality(*(np.zeros(frames) for _ in fields(VoiceQuality)))
+    return SignalAnalysis(Audio(samples), contours, quality, Agitation(0.2, 0.5, 0.3), NEUTRAL, ())
 
 
 def pixels(picture: bytes) -> NDArray[np.float32]:

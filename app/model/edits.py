@@ -9,7 +9,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from ..model import Channel, Hand, Level, Mode
+from .body import Channel, Hand
+from .choice import Mode
+from .speech import Level
 
 MARKS = ("start", "ready", "stroke_start", "stroke", "stroke_end", "relax", "end")
 """The sync points, in the order in which they must fall."""

@@ -1,0 +1,291 @@
+"""The behaviour stage: from functions, the voice and a reading of the words to scheduled behaviours (paper §3.4, §3.5),
+by the rules alone or with a speaker's gesture profile (NGS §3.3).
+
+In order: `plan_line` plans the moments of a line, `offer_candidates` says what could show them, `schedule_line` decides
+and times, `assemble` makes the performance, `with_listeners` adds whoever listens.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial, reduce
+from types import MappingProxyType
+from typing import Protocol
+
+from ..model import (
+    DEFAULT_CHARACTER,
+    Analysis,
+    Behavior,
+    BehaviorCandidates,
+    Demand,
+    Direction,
+    Level,
+    Listening,
+    Moment,
+    Notice,
+    Performance,
+    Tone,
+)
+from ..options import Options
+from ..profiles.generation.script import GestureScript
+from ..profiles.profile import Profile
+from ..settings import Settings
+from .candidates.attitudes import Attitude, attitude_candidates, without_faces
+from .candidates.demands import banned_by, beside, demanded, kept_free, permitted, wherever_offered
+from .candidates.notes import directed, unplayed_notes
+from .candidates.planned import candidates_of
+from .candidates.targets import mentions, pointing_candidates, without_overlapped
+from .characters.abstaining import abstaining, forbidden
+from .characters.gesture_forms import FormedCharacters
+from .characters.overlays import Character, Characters
+from .choice.offered import not_taken
+from .choice.scheduling import numbered, schedule
+from .listeners.addressees import addressed, placed_listeners
+from .listeners.head_rates import HeadRates
+from .listeners.listening import Listener, listen
+from .reading.families import Families
+from .reading.planning import Plan, Planner, Understood, meanings, plan, times_s_of
+from .reading.player import Player
+from .reading.supports import supports_of
+from .speaker_profiles.gesture_scripts import (
+    gesture_script,
+    repertoire_of,
+    scripted_behaviors,
+    without_chosen_gestures,
+    without_planned_gestures,
+)
+from .speaker_profiles.habits import as_listener, as_speaker, listening_postures, speaking_postures
+from .speech.visemes import visemes
+from .timing.manner import with_manner
+
+QUANTITY = MappingProxyType({Level.LOW: 0.85, Level.MEDIUM: 1.0, Level.HIGH: 1.2})
+"""How the amount of movement is scaled at each level of agitation (paper §1)."""
+
+PLAIN_EMPHASIS = ("beat",)
+"""The gesture families for an important word of which nothing else is known."""
+
+
+class BehaviorStage(Protocol):
+    """What the stage needs of the models that are loaded once, such as `understudy.models.BehaviorModels`."""
+
+    @property
+    def settings(self) -> Settings: ...
+
+    @property
+    def characters(self) -> Characters: ...
+
+    @property
+    def families(self) -> Families: ...
+
+    @property
+    def attitudes(self) -> Mapping[Tone, Attitude]: ...
+
+    @property
+    def planner(self) -> Planner: ...
+
+    @property
+    def head_rates(self) -> HeadRates: ...
+
+    @property
+    def performers(self) -> FormedCharacters: ...
+
+    def profile(self, profile: Profile | str | None) -> Profile | None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Performer:
+    """Who performs a line, and what the line, the rules, the notes and the caller ask for; the character already has
+    the habits of the profile."""
+
+    models: BehaviorStage
+    character: Character
+    profile: Profile | None
+    options: Options
+    line: Understood
+    player: Player
+    demands: tuple[Demand, ...] = ()
+    direction: Direction | None = None
+
+    @property
+    def reads(self) -> bool:
+        """Whether the one choice is made, and not the paper's by priority alone: as the caller says, else the
+        character, else the settings."""
+        choice = self.options.choice or self.character.choice or self.models.settings.choice
+        return choice == "terms"
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedLine:
+    """The moments of a line, and the candidates that are shown whatever else is: those asked for always, and attitudes
+    held over phrases."""
+
+    plan: Plan
+    held: tuple[BehaviorCandidates, ...]
+
+
+def performer_of(
+    models: BehaviorStage,
+    analysis: Analysis,
+    options: Options,
+    *,
+    offers: Sequence[BehaviorCandidates],
+    demands: Sequence[Demand],
+    direction: Direction | None = None,
+) -> Performer:
+    """The performer of an analysed line; `offers` and `demands` are those of the mapping rules (paper §3.4).
+
+    Raises InputError `unknown_character`, `unknown_profile`.
+    """
+    profile = models.profile(options.profile)
+    character = abstaining(models.performers.named(options.character, analysis.utterance.level), models.families)
+    character = as_speaker(character, profile) if profile else character
+    always = wherever_offered(character.always, supports_of(offers), f"the character {character.name}")
+    noted = direction.demands if direction else ()
+    demands = (*demands, *always, *forbidden(character), *noted)
+    line = Understood(analysis.utterance, analysis.functions, analysis.facts, tuple(offers))
+    player = _player(models, character, line, options, demands)
+    return Performer(models, character, profile, options, line, player, demands, direction)
+
+
+def _player(
+    models: BehaviorStage, character: Character, line: Understood, options: Options, demands: Sequence[Demand]
+) -> Player:
+    """The character as the choice sees it. How much it does depends on the speaker's agitation too (paper §1)."""
+    quantity = QUANTITY[line.utterance.level] * character.liveliness
+    bans = tuple(banned_by(demands, models.families, character.entries))
+    return Player(models.families, character.entries, options.seed, quantity, bans, character.stands_for)
+
+
+def meanings_at(performer: Performer, words: Collection[int]) -> Mapping[int, tuple[str, ...]]:
+    """The gesture families that suit each of these words: what the plan would show there; a beat where functions choose
+    by priority."""
+    if words and performer.reads:
+        return meanings(performer.models.planner, performer.line, performer.player, words)
+    return dict.fromkeys(words, PLAIN_EMPHASIS)
+
+
+def plan_line(performer: Performer) -> PlannedLine:
+    """The plan of the line: what its phrases mean for gestures, heads and faces, with a director's notes first; the
+    notes alone where functions choose by priority, as in the paper."""
+    asked = demanded(performer.player, performer.demands)
+    planned = _planned(performer, asked)
+    if not performer.reads:
+        return PlannedLine(planned, asked)
+    utterance, attitudes = performer.line.utterance, performer.models.attitudes
+    held = attitude_candidates(attitudes, utterance, planned.moments, performer.player)
+    return PlannedLine(replace(planned, moments=without_faces(planned.moments, held)), (*asked, *held))
+
+
+def _planned(performer: Performer, asked: Sequence[BehaviorCandidates]) -> Plan:
+    """The plan beside what is `asked` for always."""
+    line, direction = performer.line, performer.direction
+    still = kept_free(asked, times_s_of(line.utterance))
+    planned = plan(performer.models.planner, line, performer.player, still=still) if performer.reads else Plan()
+    moments = beside(planned.moments, asked)
+    moments = moments if direction is None else directed(direction, moments)
+    return replace(planned, moments=without_planned_gestures(moments) if performer.profile else moments)
+
+
+def offer_candidates(
+    performer: Performer, planned: PlannedLine
+) -> tuple[tuple[BehaviorCandidates, ...], tuple[Moment, ...]]:
+    """The candidates for the functions or the moments, those that point at things the words name, and those asked for
+    always; and all moments."""
+    line, player = performer.line, performer.player
+    candidates = _candidates(performer, planned.plan)
+    if performer.profile:
+        candidates = tuple(without_chosen_gestures(candidates, performer.character.lexemes))
+    named = mentions(line.utterance, performer.options.targets)
+    pointing = tuple(pointing_candidates(named, line.functions))
+    candidates = permitted((*without_overlapped(candidates, named), *pointing), player)
+    own = tuple(each.moment for each in (*pointing, *planned.held) if each.moment)
+    return (*candidates, *planned.held), planned.plan.moments + own
+
+
+def _candidates(performer: Performer, planned: Plan) -> tuple[BehaviorCandidates, ...]:
+    """The candidates for the functions, or for the moments of a line that is planned."""
+    if not planned.moments and not performer.reads:
+        return tuple(performer.line.offers)
+    return candidates_of(performer.player, performer.line.utterance, planned, performer.line.offers)
+
+
+def schedule_line(
+    performer: Performer, analysis: Analysis, planned: PlannedLine, candidates: Sequence[BehaviorCandidates]
+) -> tuple[tuple[Behavior, ...], GestureScript | None]:
+    """The chosen behaviours with their times, those of a profile's gesture script among them, what was offered and not
+    taken, and that script; the analysis is on the clock of the performance."""
+    options, profile = performer.options, performer.profile
+    behaviors = schedule(
+        tuple(candidates),
+        analysis.utterance,
+        performer.character,
+        seed=options.seed,
+        mode=options.mode,
+        several_listeners=len(options.listeners) > 1,
+        bans=performer.player.bans,
+    )
+    if profile is None:
+        return (*behaviors, *_not_taken(performer, analysis, planned, behaviors)), None
+    repertoire = repertoire_of(performer.character, performer.models.families, performer.direction, behaviors)
+    script = gesture_script(profile, repertoire, analysis.utterance, analysis.functions, seed=options.seed)
+    behaviors = (*behaviors, *speaking_postures(profile))
+    behaviors = numbered((*behaviors, *scripted_behaviors(script, analysis.functions, behaviors)))
+    return (*behaviors, *_not_taken(performer, analysis, planned, behaviors)), script
+
+
+def _not_taken(
+    performer: Performer, analysis: Analysis, planned: PlannedLine, behaviors: tuple[Behavior, ...]
+) -> Sequence[Behavior]:
+    if not performer.reads:
+        return ()
+    line = replace(performer.line, utterance=analysis.utterance)
+    return tuple(not_taken(line, planned.plan, performer.player, behaviors))
+
+
+def assemble(
+    performer: Performer, analysis: Analysis, moments: tuple[Moment, ...], behaviors: tuple[Behavior, ...]
+) -> Performance:
+    """The performance: behaviours with the manner of the voice and their addressees, lips, targets and notices."""
+    options, utterance = performer.options, analysis.utterance
+    targets = placed_listeners(options.listeners, options.targets)
+    behaviors = addressed(with_manner(behaviors, utterance), options.listeners, targets)
+    lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
+    return Performance(
+        utterance=utterance,
+        functions=analysis.functions,
+        behaviors=behaviors,
+        character=performer.character.name,
+        seed=options.seed,
+        notices=(*analysis.notices, *lip_notices, *unplayed_notes(moments, behaviors)),
+        visemes=lips,
+        moments=moments,
+        targets=targets,
+    )
+
+
+def with_listeners(models: BehaviorStage, performance: Performance, options: Options) -> Performance:
+    """The performance with everybody who listens (paper §3.6). Raises InputError `unknown_profile`."""
+    return reduce(partial(_heard_by, models, options), options.listeners, performance)
+
+
+def _heard_by(models: BehaviorStage, options: Options, performance: Performance, name: str) -> Performance:
+    """The performance with one more listener: played by the character the options name, else by the character of that
+    name, else by the default; with the head, posture and rests of the profile that the options name, if any.
+
+    Raises InputError `unknown_profile`.
+    """
+    characters, notices = models.characters, performance.notices
+    played = dict(options.played_by).get(name, name)
+    if played not in characters.by_name:
+        message = f"no character is called {name!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
+        notices = (*notices, Notice("listener_unknown", message))
+    character = characters.by_name.get(played) or characters.named(DEFAULT_CHARACTER)
+    profile = models.profile(dict(options.listener_profiles).get(name))
+    rates = as_listener(models.head_rates, profile) if profile else models.head_rates
+    listener = Listener(replace(character, name=name), rates, performance.character)
+    behaviors = listen(performance.behaviors, performance.utterance, listener, seed=performance.seed)
+    if profile:
+        postures = listening_postures(profile, performance.utterance.duration_s or 0.0)
+        behaviors = numbered((*postures, *behaviors))
+    return replace(performance, listeners=(*performance.listeners, Listening(name, behaviors)), notices=notices)
