@@ -25,11 +25,13 @@ LEAST_WORTH = 0.25
 
 @dataclass(frozen=True, slots=True)
 class PlacedStroke:
-    """A stroke on `word` that shows one side of a contrast, `side`; its counterpart lies on word `other`."""
+    """A stroke on `word` that shows one side of a contrast, `side`; its counterpart lies on word `other`. `log_odds` are
+    its own, of parallel phrases; None for those of the reading."""
 
     word: int
     side: str
     other: int
+    log_odds: float | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -23,6 +23,7 @@ from .decoding import NEAR, USUAL_WORD_S, gains, spans_of, spread, stretches_of,
 from .delivery import Delivery
 from .encoder import Encoder, Reading
 from .families import Families, merged
+from .parallels import parallel_strokes
 from .player import Player
 from .supports import Support, supports_of
 from .terms import Fact, TermTable, terms_of
@@ -40,6 +41,9 @@ PACE_WEIGHT = 1.0
 
 SLOWEST, FASTEST = 2.0, 0.6
 """Pauses and haste count up to these multiples of the usual time of a word."""
+
+SPARING = 0.3
+"""With less than this quantity parallel phrases are not placed for their own sake."""
 
 FORBIDDEN = -30.0
 """The log-odds of what is never made."""
@@ -128,7 +132,8 @@ def plan(planner: Planner, line: Understood, player: Player, *, still: Sequence[
     quantity = player.quantity * pace_of(utterance) ** PACE_WEIGHT
     price = planner.choice.price - QUANTITY_WEIGHT * log(quantity)
     taken = strokes(ground.gain[:, None], price, ground.times_s, still=still)
-    placed = _placed(planner, worths, line.functions, taken, ground)
+    placed = {each.word: each for each in parallel_strokes(utterance, ground)} if player.quantity > SPARING else {}
+    placed = placed or _placed(planner, worths, line.functions, taken, ground)
     taken = with_placed(taken, placed.values(), ground)
     moments = chain(
         (_in_place(moment, placed) for moment in _gestures(worths, utterance, taken, ground)),
@@ -299,7 +304,8 @@ def _in_place(moment: Moment, placed: Mapping[int, PlacedStroke]) -> Moment:
     stroke = placed.get(moment.stroke)
     if stroke is None:
         return moment
-    share = max(moment.shares)
+    share = max(moment.shares) if stroke.log_odds is None else 1.0
+    told = stroke.log_odds if stroke.log_odds is not None else float(log_odds_of(np.array([share], np.float32))[0])
     others = [
         pair for pair in zip(moment.families, moment.shares, strict=True) if pair[0] not in (CONTRAST, stroke.side)
     ]
@@ -309,6 +315,7 @@ def _in_place(moment: Moment, placed: Mapping[int, PlacedStroke]) -> Moment:
         families=families,
         shares=shares,
         set_against=stroke.other,
+        terms=(Term(f"set against word {stroke.other}", round(told, 2)),),
     )
 
 
