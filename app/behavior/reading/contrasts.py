@@ -25,7 +25,7 @@ LEAST_WORTH = 0.25
 
 @dataclass(frozen=True, slots=True)
 class PlacedStroke:
-    """A stroke on `word` that shows one side of a contrast, `side`; its counterpart lies on word `other`. `log_odds` are
+    """A stroke on `word` that shows one side of a contrast, `side`; its counterpart lies on word `other`. `log_odds` is
     its own, of parallel phrases; None for those of the reading."""
 
     word: int
