@@ -4,7 +4,8 @@
     python -m training.acting.lines_check write NOTATION... --writer 2
 
 `check` looks at every record in `lines/` and `lines/deliveries/`: words in range, families, names of heads, faces and
-gazes, strokes a moment apart, names and texts that come twice, texts that nearly do. `write` makes one file a kind.
+gazes, strokes a moment apart, names and texts that come twice, texts that nearly do; and at `lines/second/`, whose
+lines must be among those. `write` makes one file a kind.
 """
 
 import argparse
@@ -17,7 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from training.acting.directed import OWN
+from training.acting.directed import OWN, SECOND
 from training.acting.notation import AVOIDABLE, CHANNELS, FAMILIES, TONES, NotationError, records_of
 
 DELIVERIES = OWN / "deliveries"
@@ -51,6 +52,14 @@ def doubles_in(texts: dict[str, str], known: dict[str, str]) -> Iterator[str]:
         if name in texts:
             yield from (f"{name} is {other} again, or nearly" for other in seen.like(words))
         seen.add(name, words)
+
+
+def strangers_in(again: Iterable[dict[str, Any]], records: Iterable[dict[str, Any]]) -> Iterator[str]:
+    """Second readings of lines that are not among `records`, or have other words there."""
+    texts = {each["id"]: _text(each) for each in records}
+    for each in again:
+        if texts.get(each["id"]) != each["text"]:
+            yield f"second reading {each['id']} is of no line here"
 
 
 @dataclass(slots=True)
@@ -113,15 +122,18 @@ def _text(record: dict[str, Any]) -> str:
 
 
 def _check(beside: Path | None) -> int:
-    records = [*_records(OWN), *_records(DELIVERIES)]
-    complaints = [f"{each['id']}: {problem}" for each in records for problem in problems_of(each)]
-    names = Counter(each["id"] for each in records)
-    complaints += [f"{name} comes {count} times" for name, count in names.items() if count > 1]
+    records, again = [*_records(OWN), *_records(DELIVERIES)], list(_records(SECOND))
+    complaints = [f"{each['id']}: {problem}" for each in [*records, *again] for problem in problems_of(each)]
+    for some in (records, again):
+        names = Counter(each["id"] for each in some)
+        complaints += [f"{name} comes {count} times" for name, count in names.items() if count > 1]
+    complaints += strangers_in(again, records)
     known: dict[str, str] = {}
     for folder in (beside, beside / "more", beside / "deliveries") if beside else ():
         known |= _texts(_records(folder))
     complaints += doubles_in(_texts(records), known)
-    print(*complaints, f"{len(records)} readings, {len(complaints)} complaints", sep="\n")
+    told = f"{len(records)} readings, {len(again)} second readings, {len(complaints)} complaints"
+    print(*complaints, told, sep="\n")
     return 1 if complaints else 0
 
 

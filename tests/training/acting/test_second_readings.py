@@ -1,0 +1,50 @@
+"""Second readings of our own lines."""
+
+import json
+
+import pytest
+
+from tests.support.shared_data import SHARED, needs
+from training.acting.directed import OWN, SECOND, read_lines
+from training.acting.lines_check import strangers_in
+from training.acting.second_readings import KINDS, pairs_of, words_to_read
+
+DIRECTING = SHARED / "directing"
+
+
+@needs(DIRECTING)
+def test_training_reads_no_line_a_second_time() -> None:
+    second = {json.dumps(reading) for kind in KINDS for _, reading in pairs_of(kind)}
+    lines = [line for line in read_lines(DIRECTING) if line.careful and "base" not in line.reading]
+    assert second
+    assert not second & {json.dumps(line.reading) for line in lines}
+    assert len({line.name for line in lines}) == len(lines)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_both_readings_are_of_the_same_words(kind: str) -> None:
+    pairs = pairs_of(kind)
+    assert pairs
+    assert all(first["text"] == second["text"] and first is not second for first, second in pairs)
+
+
+def test_every_second_reading_is_of_a_kind_that_is_compared() -> None:
+    assert {path.stem for path in SECOND.glob("*")} == set(KINDS)
+
+
+def test_words_to_read_show_nothing_of_the_first_reading() -> None:
+    text = "".join(path.read_text(encoding="utf-8") for path in OWN.glob("npc_[12].jsonl"))
+    records = [json.loads(line) for line in text.splitlines()]
+    expected = {
+        " ".join([each["id"], *(f"{number}:{word}" for number, word in enumerate(each["text"].split()))])
+        for each in records
+    }
+    assert set(words_to_read("npc", len(records))) == expected
+    assert len(list(words_to_read("npc", 5))) == 5
+
+
+def test_second_readings_of_unknown_lines_and_other_words_are_told() -> None:
+    known = [{"id": "npc1-001", "text": "Halt."}]
+    assert not list(strangers_in(known, known))
+    again = [{"id": "npc1-002", "text": "Halt."}, {"id": "npc1-001", "text": "Stop."}]
+    assert len(list(strangers_in(again, known))) == 2

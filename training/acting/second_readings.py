@@ -1,0 +1,80 @@
+"""Second readings of our own directed lines: the words to read, and how far two readings agree.
+
+    python -m training.acting.second_readings words --each 73
+    python -m training.acting.second_readings agree --score ../shared/directing/score.py
+
+`words` draws lines of every kind that has them and prints their names and numbered words, and nothing of the first
+reading. `agree` runs the scorer of directors on the lines that were read twice, all of them and kind by kind.
+"""
+
+import argparse
+import json
+import random
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from training.acting.directed import OWN, SECOND, read_file
+
+KINDS = (
+    "npc", "previs", "lecture", "quarrel", "tender", "monologue", "instruction", "banter", "interview", "rhetoric",
+    "smalltalk",
+)  # fmt: skip
+
+
+def words_to_read(kind: str, count: int) -> Iterator[str]:
+    """`count` lines of a kind, drawn by chance but always the same ones: the name, then each word with its number."""
+    lines = [line for path in _files_of(kind) for line in read_file(path, careful=True)]
+    random.Random(kind).shuffle(lines)
+    for line in sorted(lines[:count], key=lambda each: each.name):
+        yield " ".join([line.name, *(f"{number}:{word}" for number, word in enumerate(line.words))])
+
+
+def pairs_of(kind: str) -> list[tuple[dict[str, Any], dict[str, Any]]]:
+    """The first and the second reading of each line of a kind that has both."""
+    firsts = {line.name: line.reading for path in _files_of(kind) for line in read_file(path, careful=True)}
+    path = SECOND / f"{kind}.jsonl"
+    seconds = [line.reading for line in read_file(path, careful=True)] if path.exists() else []
+    return [(firsts[each["id"]], each) for each in seconds]
+
+
+def _files_of(kind: str) -> list[Path]:
+    return sorted(OWN.glob(f"{kind}_[12].jsonl"))
+
+
+def _agreement(pairs: list[tuple[dict[str, Any], dict[str, Any]]], score: Path) -> str:
+    """What the scorer says of the two readings, each judged by the other."""
+    with TemporaryDirectory() as folder:
+        paths = [Path(folder) / name for name in ("first.jsonl", "second.jsonl")]
+        for path, readings in zip(paths, zip(*pairs, strict=True), strict=True):
+            path.write_text("".join(f"{json.dumps(each)}\n" for each in readings), encoding="utf-8")
+        command = [sys.executable, str(score), "agree", *map(str, paths)]
+        return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+
+
+def _agree(score: Path) -> None:
+    pairs = {kind: found for kind in KINDS if (found := pairs_of(kind))}
+    print(_agreement([pair for found in pairs.values() for pair in found], score))
+    for kind, found in pairs.items():
+        print(f"{kind}, {len(found)} lines: {_agreement(found, score).splitlines()[-1]}")
+
+
+def main() -> None:
+    """Prints words or agreement."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n", 1)[0])
+    verbs = parser.add_subparsers(dest="verb", required=True)
+    verbs.add_parser("words").add_argument("--each", type=int, default=73)
+    verbs.add_parser("agree").add_argument("--score", type=Path, required=True)
+    chosen = parser.parse_args()
+    if chosen.verb == "agree":
+        _agree(chosen.score)
+        return
+    for kind in KINDS:
+        print(*words_to_read(kind, chosen.each), sep="\n")
+
+
+if __name__ == "__main__":
+    main()
