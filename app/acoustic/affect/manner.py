@@ -17,22 +17,23 @@ from ..agitation.utterance_features import PITCH_RANGE_OCTAVES, SYLLABLES_A_SECO
 from .stretch import Stretch
 
 MEASURES = ("arousal", "sadness", "syllables a second", "pitch range in octaves")
-USUAL = (-0.165, 0.244, 5.282, 0.6)
-SIZE = (0.289, -0.6, 0.286, 0.624)
-SPEED = (0.389, -0.413, 0.314, 0.361)
+USUAL = (-0.145, 0.269, 5.282, 0.6)
+SIZE = (0.254, -0.721, 0.281, 0.607)
+SPEED = (0.361, -0.509, 0.313, 0.357)
 """The mean of each measure, and what a unit of it adds to the size and the speed asked for, of which 1 is "larger" or
 "faster" and -1 the contrary."""
 
 IN_SPEECH = ((3.0, 8.0), (0.1, 1.4))
 """What the last two measures are in speech; what is beyond is noise."""
 
-AMPLITUDE_STEP, SPEED_STEP, TENSION_STEP = 0.45, 0.35, 0.5
-"""The logs of the factors for "larger", "faster" and all that makes tense."""
+AMPLITUDE_STEP, SPEED_STEP, TENSION_STEP = 0.65, 0.25, 0.5
+"""The logs of the factors for "larger", "faster" and all that makes tense. A larger stroke is a faster one already, and
+a stroke that would be too fast is made smaller (paper §3.8), so that speed must leave room for size."""
 
 WORD_STEP = 0.1
 """The log of the factor for a word that is 6 dB louder than half of the line's."""
 
-LIMITS = {"amplitude": (0.6, 1.45), "speed": (0.7, 1.4), "tension": (0.6, 1.5)}
+LIMITS = {"amplitude": (0.5, 1.5), "speed": (0.75, 1.3), "tension": (0.6, 1.5)}
 _DOUBLE_DB = 6.0
 _MOST_DOUBLINGS = 1.5
 _LOUD_PERCENT = 90
