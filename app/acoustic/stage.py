@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Self
 
 from ..model import (
+    Affect,
     Agitation,
     AlignedLine,
     Audio,
@@ -117,6 +118,12 @@ def hear_affect(
 ) -> LineAffect:
     """The feeling of the line and of each phrase of the timed words."""
     return line_affect(acoustic.affect, _stretch(heard), heard.affect, words, reference)
+
+
+def hear_sound(acoustic: AcousticModels, sound: Audio) -> Affect:
+    """The feeling of a sound that is heard as it comes."""
+    contours = contours_of(sound)
+    return acoustic.affect.affect_of(Stretch(sound, contours, voice_quality(sound, contours.f0_hz)))
 
 
 def hear_manners(

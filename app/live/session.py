@@ -11,13 +11,14 @@ from dataclasses import replace
 import numpy as np
 
 from ..errors import InputError
-from ..model import FloatArray, Word
+from ..model import Affect, FloatArray, Word
 from ..options import Options
 from .agenda import REMEMBERED_S, WORDED, Agenda
 from .attention import Attention
 from .body import Asked, BodyFrame, LiveBody, Performing
 from .ear import Ear
 from .events import LiveEvents
+from .feeling import RunningFeeling
 from .models import LiveModels
 from .mouth import MouthShape, StreamingMouth
 from .movements import Movements
@@ -42,7 +43,7 @@ class LiveSession:
         self._models, self._options = models, options
         self._placer = Placer.of(behavior.characters.named(options.character), options.seed)
         self._own, self._other = Ear(options.sample_rate_hz), Ear(options.sample_rate_hz)
-        self._recent = RecentVoice()
+        self._recent, self._feeling = RecentVoice(), RunningFeeling()
         self._events, self._mouth = LiveEvents(models.voice), StreamingMouth(models.mouth)
         self._movements = Movements(models.table, self._placer)
         self._attention = Attention(models.table, self._placer, behavior.head_rates)
@@ -58,6 +59,14 @@ class LiveSession:
     def heard_s(self) -> float:
         """Now, on the stream's clock."""
         return self._heard / self._options.sample_rate_hz
+
+    @property
+    def affect(self) -> Affect | None:
+        """How the voice sounds in the phrase that is being spoken, as far as it was heard; else in the one before."""
+        began_s = self._own.phrase_began_s
+        return self._feeling.of_phrase(
+            self._models.understudy.acoustic, None if began_s is None else self.heard_s - began_s
+        )
 
     def hear(self, own: FloatArray | None, other: FloatArray | None = None) -> tuple[Told, ...]:
         """Mono samples in [-1, 1] of the character's voice, and of whom it listens to; None is silence, as long as the
@@ -112,6 +121,7 @@ class LiveSession:
     def _spoken(self, samples: FloatArray) -> Iterator[Told]:
         """What the character's own voice has the body do."""
         samples = self._own.resampled(samples)
+        self._feeling.hear(samples)
         energy_db, f0_hz = self._own.contours(samples)
         self._recent.hear(energy_db, f0_hz)
         for shape in self._mouth.hear(samples):
@@ -146,7 +156,7 @@ class LiveSession:
     def _perform(self, words: tuple[Word, ...]) -> Iterator[Told]:
         """The rules take over for these words; what the voice began ends as they begin."""
         options = Options(character=self._options.character, seed=self._options.seed, stillness=self._options.stillness)
-        phrase = perform_words(self._models.understudy, words, options, self.heard_s)
+        phrase = perform_words(self._models.understudy, words, options, self.heard_s, self.affect)
         self._performed += 1
         named = (replace(each, id=f"{WORDED}{self._performed}.{each.id}") for each in phrase.behaviors)
         behaviors = self._agenda.beside(named)

@@ -59,7 +59,7 @@ def test_a_loud_word_gets_more_than_the_others_of_its_line() -> None:
     time_s = np.arange(round(1.6 * SAMPLE_RATE_HZ)) / SAMPLE_RATE_HZ
     gain = np.where((time_s > 0.55) & (time_s < 1.05), 0.5, 0.1)
     stretch = stretch_of(Audio(gain * np.random.default_rng(0).normal(0, 0.3, len(time_s))))
-    so, dash, good, now = word_manners(stretch, WORDS, MEDIUM, LineAffect(NEUTRAL))
+    so, dash, good, now = word_manners(stretch, WORDS, CALM, LineAffect(affect_of_tone(Tone.SAD)))
     assert good.amplitude > max(so.amplitude, now.amplitude)
     assert good.speed > max(so.speed, now.speed)
     assert dash.amplitude == pytest.approx(so.amplitude, abs=0.05)
