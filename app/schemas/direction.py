@@ -5,7 +5,8 @@ Whether the families and words exist is checked where the line is known (`unders
 """
 
 import json
-from typing import Annotated
+from dataclasses import asdict
+from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
@@ -148,6 +149,16 @@ def read_direction(content: bytes) -> Direction:
     except ValidationError as error:
         told = mistakes_told(error, most=_MOST_IN_MESSAGE)
     raise InputError("direction_wrong", f"{FIELD}: {told}", field=FIELD)
+
+
+def direction_fields(direction: Direction) -> dict[str, Any]:
+    """The notes as they are sent: what `read_direction` reads."""
+    demands: dict[bool, list[dict[str, object]]] = {True: [], False: []}
+    for each in direction.demands:
+        demands[each.always].append({"first": each.first, "last": each.last, "what": each.what})
+    fields = asdict(direction)
+    del fields["demands"]
+    return {**fields, "always": demands[True], "never": demands[False]}
 
 
 def direction_schema() -> str:

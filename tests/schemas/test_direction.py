@@ -9,7 +9,7 @@ from tests.support.shared_data import SHARED, needs
 from understudy.behavior.candidates.notes import check_direction
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Avoidance, DirectedMoment, Direction
-from understudy.schemas.direction import MOST_NOTES, direction_schema, read_direction
+from understudy.schemas.direction import MOST_NOTES, direction_fields, direction_schema, read_direction
 
 ROOT = Path(__file__).resolve().parents[2]
 DIRECTING = SHARED / "directing"
@@ -71,6 +71,19 @@ def test_what_is_wrong_is_told_by_note_and_key(content: str, said: str) -> None:
     assert (caught.value.code, caught.value.field) == ("direction_wrong", "direction")
     assert said in caught.value.message
     assert "\n" not in caught.value.message
+
+
+def test_notes_that_are_sent_are_read_as_they_were() -> None:
+    """As a batch sends them to a service."""
+    notes = {
+        "moments": [{"first": 0, "last": 1, "gesture": ["negation"], "idea": "no"}],
+        "avoid": [{"first": 2, "last": 2, "what": ["hands"]}],
+        "always": [{"first": 0, "last": 0, "what": "nod"}],
+        "never": [{"first": 1, "last": 2, "what": "any"}, {"first": 3, "last": 3, "what": "hands"}],
+        "complete": True,
+    }
+    direction = read_direction(json.dumps(notes).encode())
+    assert read_direction(json.dumps(direction_fields(direction)).encode()) == direction
 
 
 def test_what_is_no_object_is_told() -> None:

@@ -10,7 +10,7 @@ import threading
 import time
 from collections.abc import Iterator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import asdict, replace
+from dataclasses import replace
 from email.utils import parsedate_to_datetime
 from typing import Any
 
@@ -24,6 +24,7 @@ from ...model.edits import NO_EDITS
 from ...model.speaker_reference import SpeakerReference
 from ...profiles.files.writing import profile_yaml
 from ...profiles.profile import Profile
+from ...schemas.direction import direction_fields
 from ...schemas.edits import write_edits
 from ...schemas.references import ReferenceForm
 from ...settings import PREFIX, Settings
@@ -139,7 +140,7 @@ def _post(url: str, job: LineJob, audio: bytes, headers: Mapping[str, str]) -> t
         files["profile"] = (f"{job.options.profile.name}.yaml", profile_yaml(job.options.profile))
     fields = {"text": job.text, "options": json.dumps(_options(job))}
     if job.direction is not None:
-        fields["direction"] = json.dumps(asdict(job.direction))
+        fields["direction"] = json.dumps(direction_fields(job.direction))
     if job.options.edits != NO_EDITS:
         fields["edits"] = write_edits(job.options.edits).decode()
     try:

@@ -75,6 +75,7 @@ def test_a_line_is_performed_there_as_here(
     job = replace(JOB, options=replace(JOB.options, form=BmlForm(dialect, audio_file="figure8.flac")))
     with closing(ServiceEngine(url, 2, Settings(api_key=KEY))) as engine:
         there = engine.submit(job).result()
+    assert there.failure is None, there.failure
     here = perform_job(job, understudy)
     assert [file for file in there.files if file.form is LineFormat.BML] == [
         file for file in here.files if file.form is LineFormat.BML
