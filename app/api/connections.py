@@ -11,7 +11,8 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 from ..settings import Settings
 from .http_errors import bad_request, connections_full
 
-MOST_UPGRADE_HEADERS = 100
+MOST_HEADERS = 100
+"""They are counted before they are read, which takes milliseconds for hundreds."""
 
 
 class LimitedProtocol(H11Protocol):
@@ -33,6 +34,9 @@ class LimitedProtocol(H11Protocol):
     def data_received(self, data: bytes) -> None:
         if self.transport.is_closing():
             return
+        if self.conn.their_state is h11.IDLE and data.partition(b"\r\n\r\n")[0].count(b"\n") > MOST_HEADERS:
+            self.send_400_response(f"a request has {MOST_HEADERS} headers at most")
+            return
         if not self._is_in_request and self.timeout_keep_alive_task is not None:
             self._headers_due_s = self.loop.time() + self.settings.header_s
         super().data_received(data)
@@ -41,9 +45,6 @@ class LimitedProtocol(H11Protocol):
         """From here on the connection has the limits of a WebSocket (`websockets.py`). A body would come after the
         head, as if it were messages."""
         headers = dict(self.headers)
-        if len(self.headers) > MOST_UPGRADE_HEADERS:
-            self.send_400_response(f"an upgrade to a WebSocket has {MOST_UPGRADE_HEADERS} headers at most")
-            return
         if b"transfer-encoding" in headers or headers.get(b"content-length", b"0") != b"0":
             self.send_400_response("an upgrade to a WebSocket has no body")
             return

@@ -12,7 +12,7 @@ import pytest
 import uvicorn
 from starlette.types import Receive, Scope, Send
 
-from understudy.api.connections import limited_protocol
+from understudy.api.connections import MOST_HEADERS, limited_protocol
 from understudy.settings import Settings
 
 GET = b"GET / HTTP/1.1\r\nHost: x\r\n\r\n"
@@ -69,6 +69,14 @@ def test_what_is_no_http_is_answered_with_a_problem() -> None:
     assert head.startswith(b"HTTP/1.1 400 ")
     assert b"application/problem+json" in head
     assert json.loads(body)["code"] == "http_error"
+
+
+@pytest.mark.parametrize(("headers", "status"), [(MOST_HEADERS - 1, b"200"), (MOST_HEADERS + 1, b"400")])
+def test_so_many_headers_and_no_more(headers: int, status: bytes) -> None:
+    with served() as (_server, connect), connect() as client:
+        more = b"".join(b"X-%d: y\r\n" % number for number in range(headers - 1))
+        client.sendall(GET.replace(b"\r\n\r\n", b"\r\n" + more + b"\r\n"))
+        assert client.recv(4096).startswith(b"HTTP/1.1 " + status)
 
 
 @pytest.mark.parametrize("begun", [b"", b"POST / HTTP/1.1\r\nHost: x\r\nX-A: "])

@@ -40,9 +40,9 @@ def page_served() -> Iterator[str]:
 
 
 @contextmanager
-def service_started(folder: Path) -> Iterator[str]:
+def service_started(folder: Path, page: str) -> Iterator[str]:
     log = folder / "log"
-    command = [sys.executable, "-m", "understudy.cli", "serve", "--port", "0"]
+    command = [sys.executable, "-m", "understudy.cli", "serve", "--port", "0", "--allow-origin", page]
     with log.open("wb") as out:
         process = subprocess.Popen(
             command, stderr=out, env=os.environ | {"UNDERSTUDY_WORKERS": "1", "UNDERSTUDY_API_KEYS": KEY}
@@ -62,7 +62,7 @@ def test_a_voice_with_the_right_key_moves_the_body_until_it_is_ended(tmp_path: P
     samples, rate_hz = soundfile.read(ROOT / "examples/example.flac")
     soundfile.write(tmp_path / "voice.wav", np.clip(samples, -1, 1), rate_hz, subtype="PCM_16")
     flags = [*FLAGS, f"--use-file-for-fake-audio-capture={tmp_path / 'voice.wav'}"]
-    with service_started(tmp_path) as address, page_served() as url, sync_playwright() as started:
+    with page_served() as url, service_started(tmp_path, url) as address, sync_playwright() as started:
         browser = started.chromium.launch(executable_path=CHROMIUM, args=flags)
         page, wrong = browser.new_page(), list[str]()
         page.set_default_timeout(PATIENCE_MS)
