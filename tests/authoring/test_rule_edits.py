@@ -67,3 +67,19 @@ def test_wrong_rules_cannot_perform(understudy: Understudy) -> None:
     with pytest.raises(InputError, match=rf"^{WORDS}:1:1: ") as caught:
         with_edits(understudy, {WORDS: "clas: thanks\n"})
     assert caught.value.code == "rules_wrong"
+
+
+def test_figure_3_as_printed_is_accepted_beside_the_shipped_rules(understudy: Understudy) -> None:
+    printed = """
+semantics_strong_positive_comparative
+foreach
+  fcn(quantifier,positive,$start1,$end1,$priority1)
+  fcn(comparative,positive,$end1,$end2,$priority2)
+  $newPri = increase_priority($priority1,$priority2)
+assert
+  fcn(comparative,strong_positive,$start1,$end2,$newPri)
+"""
+    name = "app/rules/functions/comparison.rules"
+    edited = with_edits(understudy, {name: text_of(name) + printed})
+    found = find_functions(edited.language, "That is a lot more important.").functions
+    assert ("comparison", "strong_positive") in {(each.class_name, each.subtype) for each in found if each.kept}

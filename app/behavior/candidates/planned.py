@@ -16,6 +16,7 @@ from ..reading.families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyB
 from ..reading.planning import Plan
 from ..reading.player import Player
 from ..reading.supports import Support, strongest, supports_of
+from ..reading.worths import LineWorths
 
 LATER_CHOICE = 0.4
 """The worth of each further choice in a director's note, relative to the previous one."""
@@ -68,21 +69,21 @@ def _of_moment(
 ) -> BehaviorCandidates | None:
     offered = _offered(player, moment, supports)
     asking = dict(_asking(player, utterance, moment))
-    rated = {name: _rated(player, moment, plan, name, offered.get(name)) for name in (*asking, *offered)}
-    for name, asked in asking.items():
-        if asked:
-            odds, parts = rated[name]
-            rated[name] = odds + ASKED_BY_LEMMA, (*parts, Term("a word that asks for it", ASKED_BY_LEMMA))
+    rated = {
+        name: _log_odds(player, moment, plan, name, offered.get(name)) + ASKED_BY_LEMMA * asking.get(name, False)
+        for name in (*asking, *offered)
+        if not player.banned(name, moment.first, moment.last)
+    }
     generator = random.Random(f"{player.seed} {moment.id} {utterance.words[moment.stroke].text}")
-    able = {name: each for name, each in rated.items() if not player.banned(name, moment.first, moment.last)}
-    best = sorted(able.items(), key=lambda item: (-item[1][0], item[0]))[:MOST_ALTERNATIVES]
+    best = sorted(rated.items(), key=lambda item: (-item[1], item[0]))[:MOST_ALTERNATIVES]
     alternatives = tuple(
         Alternative(
-            (_movement(moment, name, offered.get(name), parts),),
-            weight=exp(STEEPNESS * (odds - best[0][1][0])),
+            (_movement(moment, name, support, _parts(player, moment, plan, name, support) + _by_lemma(asking, name)),),
+            weight=exp(STEEPNESS * (odds - best[0][1])),
             lot=generator.uniform(0.9, 1.1),
         )
-        for name, (odds, parts) in best
+        for name, odds in best
+        for support in (offered.get(name),)
         if odds > LEAST_ODDS
     )
     return BehaviorCandidates(None, alternatives, moment) if alternatives else None
@@ -99,16 +100,32 @@ def _asking(player: Player, utterance: Utterance, moment: Moment) -> Iterator[tu
             yield name, name in asking
 
 
-def _rated(
-    player: Player, moment: Moment, plan: Plan, name: str, support: Support | None
-) -> tuple[float, tuple[Term, ...]]:
-    """The log-odds of a behaviour at a moment, and their parts; from the plan's sum, if a gesture was weighed there."""
-    lexeme = player.lexeme(name)
-    weighed = plan.worths and moment.channel is Channel.GESTURE and moment.note is None and moment.set_against is None
-    if weighed and plan.worths and (odds := plan.worths.of(moment.stroke, lexeme)) is not None:
-        return odds, plan.worths.parts(moment.stroke, lexeme)
+def _by_lemma(asking: Mapping[str, bool], name: str) -> tuple[Term, ...]:
+    return (Term("a word that asks for it", ASKED_BY_LEMMA),) if asking.get(name) else ()
+
+
+def _weighed(moment: Moment, plan: Plan) -> LineWorths | None:
+    """The plan's worths, if the moment is a gesture that they weighed."""
+    planned = moment.channel is Channel.GESTURE and moment.note is None and moment.set_against is None
+    return plan.worths if planned else None
+
+
+def _log_odds(player: Player, moment: Moment, plan: Plan, name: str, support: Support | None) -> float:
+    """The log-odds of a behaviour at a moment; from the plan's sum, if a gesture was weighed there."""
+    worths = _weighed(moment, plan)
+    odds = worths.of(moment.stroke, player.lexeme(name)) if worths else None
+    if odds is not None:
+        return odds
     worth = max(_worth(player, moment.channel, _shares(moment), name), 1e-6)
-    return log(worth) + (support.log_odds if support else 0.0), (*moment.terms, *(support.parts if support else ()))
+    return log(worth) + (support.log_odds if support else 0.0)
+
+
+def _parts(player: Player, moment: Moment, plan: Plan, name: str, support: Support | None) -> tuple[Term, ...]:
+    """The named parts of that, the largest first."""
+    worths, lexeme = _weighed(moment, plan), player.lexeme(name)
+    if worths and lexeme in worths.lexemes:
+        return worths.parts(moment.stroke, lexeme)
+    return (*moment.terms, *(support.parts if support else ()))
 
 
 def behaviors_of(families: Families, moment: Moment) -> list[str]:

@@ -25,7 +25,8 @@ def not_taken(line: Understood, planned: Plan, player: Player, behaviors: Sequen
     words = line.utterance.words
     shown = {(each.kind, each.lexeme, each.function) for each in behaviors}
     found = [*_banned_moments(planned, player), *_offered(line, player, shown)]
-    told = (_told(each, planned, player, behaviors, words) for each in found)
+    winners = [each for each in behaviors if each.kept and each.moment is not None]
+    told = (_told(each, planned, player, winners, words) for each in found)
     in_order = sorted(filter(None, told), key=lambda each: (each.first, each.last, each.id))
     return tuple(replace(each, id=f"{each.kind}.offered{number}") for number, each in enumerate(in_order, start=1))
 
@@ -72,23 +73,25 @@ def _behavior(name: str, player: Player, shown: Function | Moment, rule: str, pa
 
 
 def _told(
-    behavior: Behavior, planned: Plan, player: Player, behaviors: Iterable[Behavior], words: Sequence[Word]
+    behavior: Behavior, planned: Plan, player: Player, winners: Sequence[Behavior], words: Sequence[Word]
 ) -> Behavior | None:
     """The behaviour with its time and the reason; None where none of its words is spoken."""
     heard = [word.interval for word in words[behavior.first : behavior.last + 1] if word.interval]
     if not heard:
         return None
     interval = Interval(heard[0].start_s, heard[-1].end_s)
-    behavior = replace(behavior, sync=SyncPoints(interval.start_s, interval.end_s))
+    sync = SyncPoints(interval.start_s, interval.end_s)
     ban = player.banned(behavior.id, behavior.first, behavior.last)
     if ban is not None:
-        return replace(behavior, limit=NEVER, reason=ban.why)
+        return replace(behavior, sync=sync, limit=NEVER, reason=ban.why)
     own = _worth(behavior, planned)
-    winner = _in_its_place(behavior, behaviors, interval)
+    winner = _in_its_place(behavior, winners, interval)
     told = "" if own is None else f" ({own:+.1f} in log-odds)"
     if winner is None:
-        return replace(behavior, limit=PRICE, reason=f"worth too little to be made there{told}")
-    return replace(behavior, lost_to=winner.id, reason=f"{winner.lexeme} is worth more there than this{told}")
+        return replace(behavior, sync=sync, limit=PRICE, reason=f"worth too little to be made there{told}")
+    return replace(
+        behavior, sync=sync, lost_to=winner.id, reason=f"{winner.lexeme} is worth more there than this{told}"
+    )
 
 
 def _worth(behavior: Behavior, planned: Plan) -> float | None:
@@ -105,9 +108,7 @@ def _in_its_place(behavior: Behavior, behaviors: Iterable[Behavior], interval: I
     near = [
         each
         for each in behaviors
-        if each.kept
-        and each.kind is behavior.kind
-        and each.moment is not None
+        if each.kind is behavior.kind
         and each.sync.start < interval.end_s + apart_s
         and interval.start_s - apart_s < each.sync.end
     ]
