@@ -9,7 +9,7 @@ from understudy.batch.manifest.hashes import input_hash, installation_hash, sett
 from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, MotionForm, Target
-from understudy.model import Direction, Interval, Level, Mode
+from understudy.model import NEUTRAL, AffectTrack, Direction, Interval, Level, Mode
 from understudy.model import Target as Place
 from understudy.model.edits import Edits, WordEdit, WordMark, WordReference
 from understudy.options import Options
@@ -27,6 +27,7 @@ JOB = LineJob("a", "No.", AudioSource(Path("a.wav")), Options(), (Target(LineFor
         replace(JOB, options=Options(seed=1)),
         replace(JOB, options=Options(character="expansive")),
         replace(JOB, options=Options(agitation=Level.LOW)),
+        replace(JOB, options=Options(affect=AffectTrack((0.0,), (NEUTRAL,)))),
         replace(JOB, options=Options(stillness=0.5)),
         replace(JOB, options=Options().with_edits(Edits(words=(WordEdit(WordReference(0), mark=WordMark.STILL),)))),
         replace(JOB, options=Options(targets=(Place("door", (1.0, 1.0, 1.0)),))),
