@@ -16,6 +16,7 @@ import { openExample } from "./opening.js";
 
 const EXAMPLE_PROFILES = ["sparing", "sweeping"];
 const LEVELS = /** @type {const} */ ([["", "As the voice"], ["low", "Low"], ["medium", "Medium"], ["high", "High"]]);
+const CHOICES = /** @type {const} */ ([["", "As the character"], ["terms", "By everything"], ["priority", "By priority"]]);
 const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stress"], ["random", "Chance"]]);
 
 /**
@@ -62,6 +63,7 @@ function options(store, service) {
   const character = choice([["default", "default"]], "default", (value) => setOption(store, "character", value));
   void fillCharacters(character, store, service);
   const agitation = choice(LEVELS, "", (value) => setOption(store, "agitation", value || undefined));
+  const chosen = choice(CHOICES, "", (value) => setOption(store, "choice", value || undefined));
   const mode = choice(MODES, "semantic", (value) => setOption(store, "mode", value));
   const seed = el("input", { type: "number", step: 1, value: 0, id: "seed" });
   seed.addEventListener("change", () => setOption(store, "seed", Number(seed.value)));
@@ -72,11 +74,12 @@ function options(store, service) {
     profile.value = now.profile ?? "";
     character.value = now.character ?? "default";
     agitation.value = now.agitation ?? "";
+    chosen.value = now.choice ?? "";
     mode.value = now.mode ?? "semantic";
     seed.value = String(now.seed ?? 0);
     stillness.value = String(now.stillness ?? 0);
   });
-  const controls = { Character: character, Agitation: agitation, "Gestures from": mode, Seed: seed, Stillness: stillness, "Gesture profile": profile };
+  const controls = { Character: character, Agitation: agitation, "Movements chosen": chosen, "Gestures from": mode, Seed: seed, Stillness: stillness, "Gesture profile": profile };
   return el("div", { class: "pair" }, [...Object.entries(controls).map(([name, control]) => labelled(name, control)), examples]);
 }
 
