@@ -10,9 +10,6 @@ from ...settings import Settings
 from .pool import Pool
 from .processes import Worker
 
-_FORK_WITHIN_S = 20.0
-"""A nursery that has ended is started again meanwhile: some seconds."""
-
 _AGAIN_AFTER_S = 5.0
 
 
@@ -67,7 +64,7 @@ class Streams:
 
     async def _forked(self) -> Worker:
         try:
-            async with asyncio.timeout(_FORK_WITHIN_S):
+            async with asyncio.timeout(self._settings.deadline_s):  # a nursery that has ended is started meanwhile
                 return await self._pool.forked(is_live=True)
         except TimeoutError:
             message = "no process could be started for this stream; try again"
