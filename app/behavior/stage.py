@@ -59,7 +59,7 @@ from .speaker_profiles.habits import as_listener, as_speaker, listening_postures
 from .speech.visemes import visemes
 from .timing.manner import with_manner
 
-QUANTITY = MappingProxyType({Level.LOW: 0.85, Level.MEDIUM: 1.0, Level.HIGH: 1.2})
+QUANTITY = MappingProxyType({Level.LOW: 0.8, Level.MEDIUM: 1.0, Level.HIGH: 1.25})
 """How the amount of movement is scaled at each level of agitation (paper §1)."""
 
 PLAIN_EMPHASIS = ("beat",)

@@ -27,7 +27,16 @@ from .parallels import parallel_strokes
 from .player import Player
 from .supports import Support, supports_of
 from .terms import Fact, TermTable, terms_of
-from .worths import LineWorths, chance_of, focus_of, kinds_added, lexeme_worth, shown_by_lexemes, summed
+from .worths import (
+    LineWorths,
+    chance_of,
+    chance_of_lexemes,
+    focus_of,
+    kinds_added,
+    lexeme_worth,
+    shown_by_lexemes,
+    summed,
+)
 
 AT_WORD_SHARE = 0.5
 """The share of the words' own worths in the reading's expected worth, the rest coming from the nearby worths: measured
@@ -200,7 +209,7 @@ def _worths(planner: Planner, reading: Reading, line: Understood, player: Player
     supports = _supports(planner, line.offers, player)
     focus = focus_of([word.focus for word in utterance.words])
     text = " ".join(word.text for word in utterance.words)
-    chance = chance_of(player.seed, text, (len(worth), len(planner.lexemes)))
+    chance = chance_of_lexemes(player.seed, text, len(worth), planner.shown)
     total = summed(lexeme_worth(worth, planner.shown), supports, planner.lexemes, chance + focus[:, None])
     for column in _unplayable(planner, player):
         total[:, column] = FORBIDDEN

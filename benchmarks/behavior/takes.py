@@ -1,0 +1,81 @@
+"""What changes with the seed and with agitation: other gestures, and how many.
+
+    python -m benchmarks.behavior.takes [--directing FOLDER] [--seeds N]
+
+The 78 lines that three directors read are performed from their recordings with each seed; it prints F of each take by
+score.py of that folder, and in how many pairs of takes a line's gestures differ. Then each line is performed as if its
+voice had low, medium and high agitation.
+"""
+
+import argparse
+import json
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+from benchmarks.behavior.directing import READERS, gestures_of, load_score
+from understudy.model import Agitation, Analysis, Channel, Level, Line, Performance
+from understudy.models import Understudy
+from understudy.options import Options
+from understudy.performance import analyze, perform_analysis
+from understudy.settings import Settings
+
+
+def gestures(performance: Performance) -> list[str]:
+    """The lexemes of the gestures in order of time."""
+    return [each.lexeme for each in performance.behaviors if each.kept and each.kind is Channel.GESTURE]
+
+
+def takes(understudy: Understudy, analyses: Mapping[str, Analysis], score: Any, folder: Path, seeds: int) -> None:  # noqa: ANN401
+    """Prints F of each take, and how often takes differ."""
+    records = [score.read(folder / name) for name in READERS]
+    made = []
+    for seed in range(seeds):
+        total: Counter[str] = Counter()
+        lines = {name: perform_analysis(understudy, each, Options(seed=seed)) for name, each in analyses.items()}
+        for name, performance in lines.items():
+            total += score.judge([record[name] for record in records], gestures_of(score, performance))
+        worth = score.f_of(total["worth"] / total["n"], total["given"] / total["weight"])
+        made.append((worth, {name: gestures(performance) for name, performance in lines.items()}))
+        print(f"seed {seed}: F {worth:.3f}, {total['n'] / len(lines):.2f} gestures a line")
+    differ = [one[name] != other[name] for (_, one), (_, other) in combinations(made, 2) for name in analyses]
+    print(f"mean F {sum(worth for worth, _ in made) / seeds:.3f}; other gestures in {sum(differ) / len(differ):.2f}")
+
+
+def agitations(understudy: Understudy, analyses: Mapping[str, Analysis]) -> None:
+    """Prints the gestures a line at each level."""
+    for level in Level:
+        certain = Agitation(**{each.value: float(each is level) for each in Level})
+        made = [
+            len(gestures(perform_analysis(understudy, _with(analysis, certain), Options())))
+            for analysis in analyses.values()
+        ]
+        print(f"agitation {level}: {sum(made) / len(made):.2f} gestures a line")
+
+
+def _with(analysis: Analysis, agitation: Agitation) -> Analysis:
+    return replace(analysis, utterance=replace(analysis.utterance, agitation=agitation))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
+    parser.add_argument("--seeds", type=int, default=10)
+    arguments = parser.parse_args()
+    folder: Path = arguments.directing
+    with Understudy.load(Settings()) as understudy:
+        score = load_score(folder, understudy.behavior.families.shows)
+        analyses = {}
+        for line in map(json.loads, (folder / "dev-lines.jsonl").read_text(encoding="utf-8").splitlines()):
+            text = " ".join(word.split(":", 1)[1] for word in line["words"])
+            sound = (folder / "audio" / f"{line['id']}.flac").read_bytes()
+            analyses[line["id"]] = analyze(understudy, Line(sound, text))
+        takes(understudy, analyses, score, folder, arguments.seeds)
+        agitations(understudy, analyses)
+
+
+if __name__ == "__main__":
+    main()
