@@ -228,9 +228,13 @@ def _resources(element: etree._Element) -> tuple[str, ...]:
     if name == "faceFacs":
         if element.get("au") in ("43", "45"):
             return ("eyelids",)
-        return ("brows",) if element.get("au") in ("1", "2", "4", "5", "6", "7") else ("mouth",)
+        part = {"1": "brows", "2": "brows", "4": "brows", "5": "lids", "6": "lids", "7": "lids"}
+        return (part.get(element.get("au") or "", "mouth"),)
     if name == "faceLexeme":
-        return ("mouth",) if any(part in element.get("lexeme", "") for part in ("MOUTH", "LIP")) else ("brows",)
+        lexeme = element.get("lexeme", "")
+        if any(part in lexeme for part in ("MOUTH", "LIP")):
+            return ("mouth",)
+        return ("lids",) if "EYES" in lexeme else ("brows",)
     return {"head": ("head",), "gaze": ("gaze",), "gazeShift": ("gaze",)}.get(name, ())
 
 
