@@ -16,6 +16,7 @@ from understudy.api.deadlines import Deadline
 from understudy.api.workers.messages import Answer
 from understudy.api.workers.pool import Pool
 from understudy.api.workers.processes import Nursery
+from understudy.api.workers.turns import Turns
 from understudy.errors import InputError, ServiceError, TooLargeError, UnderstudyError
 from understudy.settings import Settings
 
@@ -89,7 +90,9 @@ def test_jobs_past_the_queue_are_told_when_to_come_again_and_the_rest_wait(nurse
 
 def test_who_comes_again_when_told_is_served_before_who_comes_first(nursery: Nursery) -> None:
     async def scenario() -> None:
+        now_s = [0.0]
         async with _pool(nursery, queue=2) as pool:
+            pool._turns = Turns(lambda: now_s[0])
             running = await _begun(pool)
             waiting = [asyncio.create_task(_short(pool)) for _ in range(2)]
             await _until(lambda: pool.waiting == 2)
@@ -98,7 +101,7 @@ def test_who_comes_again_when_told_is_served_before_who_comes_first(nursery: Nur
             assert caught.value.retry_after_s
             waiting.pop().cancel()
             await _until(lambda: pool.waiting == 1)
-            await asyncio.sleep(math.ceil(caught.value.retry_after_s))
+            now_s[0] = math.ceil(caught.value.retry_after_s)
             with pytest.raises(ServiceError):
                 pool.require_place("newcomer")
             pool.require_place("told")
