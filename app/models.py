@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from .behavior.listeners.head_rates import HeadRates
     from .behavior.reading.families import Families
     from .behavior.reading.planning import Planner
+    from .behavior.slots.table import SlotTable
     from .model import Tone
     from .model.gesture_limits import GestureTable
     from .profiles.profile import Profile
@@ -125,6 +126,7 @@ class BehaviorModels:
     families: Families
     attitudes: Mapping[Tone, Attitude]
     planner: Planner
+    slots: SlotTable
     head_rates: HeadRates
     performers: FormedCharacters
     profiles: Mapping[str, OnDemand[Profile]]
@@ -154,6 +156,7 @@ class BehaviorModels:
                 rules.program.argument_counts,
                 load_function_classes(),
             ),
+            slots=load_slots(families),
             head_rates=HeadRates.load(lexicon / "acting" / "head_rates.yaml"),
             performers=FormedCharacters.of(characters, load_gesture_table(characters.gesture_lexemes)),
             profiles={
@@ -194,6 +197,13 @@ def load_families(characters: Characters) -> Families:
     from .model import DEFAULT_CHARACTER
 
     return load(resource_folder("lexicon") / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
+
+
+def load_slots(families: Families) -> SlotTable:
+    """What words say of size and place; raises AuthoringError with every mistake in the file."""
+    from .behavior.slots.table import SlotTable
+
+    return SlotTable.load(resource_folder("lexicon") / "acting" / "slots.yaml", families.shows)
 
 
 def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:

@@ -16,6 +16,7 @@ from ..behavior.reading.authored_weights import TermNames, load_weights
 from ..behavior.reading.choice_model import ChoiceModel
 from ..behavior.reading.families import load_families
 from ..behavior.reading.terms import TermTable
+from ..behavior.slots.table import SlotTable
 from ..behavior.table.behavior_table import BehaviorEntry, load_table
 from ..bml.reading.aliases import FILE as BML_ALIASES
 from ..bml.reading.aliases import LexemeAliases
@@ -64,6 +65,12 @@ def _check_attitudes(file: Path) -> None:
     load_attitudes(file, lines, load_families(lexicon / "acting" / "families.yaml", lines).face)
 
 
+def _check_slots(file: Path) -> None:
+    lexicon = resource_folder("lexicon")
+    families = load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines)
+    SlotTable.load(file, families.shows)
+
+
 def _check_weights(file: Path) -> None:
     choice = ChoiceModel.load(resource_folder("models") / "acting" / "weights.json")
     table = TermTable.load(
@@ -94,6 +101,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
             file, load_table(resource_folder("lexicon") / "behaviors.yaml").lines
         ),
         "attitudes.yaml": _check_attitudes,
+        "slots.yaml": _check_slots,
         "weights.yaml": _check_weights,
         "terms.yaml": _check_terms,
         "head_rates.yaml": HeadRates.load,
@@ -126,6 +134,7 @@ def check_files_in_use() -> None:
         partial(MovementStyle.load, lexicon / "movement.yaml"),
         lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),
         lambda: _check_attitudes(lexicon / "acting" / "attitudes.yaml"),
+        lambda: _check_slots(lexicon / "acting" / "slots.yaml"),
         lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
         partial(SmartBodyTables.load, lexicon / SMARTBODY),

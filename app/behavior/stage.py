@@ -48,6 +48,8 @@ from .reading.families import Families
 from .reading.planning import Plan, Planner, Understood, meanings, plan, times_s_of
 from .reading.player import Player
 from .reading.supports import supports_of
+from .slots.gestures import with_slots
+from .slots.table import SlotTable
 from .speaker_profiles.gesture_scripts import (
     gesture_script,
     repertoire_of,
@@ -83,6 +85,9 @@ class BehaviorStage(Protocol):
 
     @property
     def planner(self) -> Planner: ...
+
+    @property
+    def slots(self) -> SlotTable: ...
 
     @property
     def head_rates(self) -> HeadRates: ...
@@ -246,10 +251,11 @@ def _not_taken(
 def assemble(
     performer: Performer, analysis: Analysis, moments: tuple[Moment, ...], behaviors: tuple[Behavior, ...]
 ) -> Performance:
-    """The performance: behaviours with the manner of the voice and their addressees, lips, targets and notices."""
+    """The performance: behaviours with the manner of the voice, addressees and slots, lips, targets and notices."""
     options, utterance = performer.options, analysis.utterance
     targets = placed_listeners(options.listeners, options.targets)
     behaviors = addressed(with_manner(behaviors, utterance), options.listeners, targets)
+    behaviors = with_slots(behaviors, analysis, moments, performer.models.slots, options.listeners)
     lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
     return Performance(
         utterance=utterance,

@@ -21,6 +21,7 @@ from .performance import Notice, Performance
 from .reasons import Term
 from .schedule import DEFAULT_CHARACTER, Behavior, Listening, Schedule, SyncPoints, Target, Viseme
 from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray, VoiceQuality
+from .slots import Distance, Height, Side, Size, Slots, Which
 from .speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
 
 __all__ = [
@@ -48,12 +49,14 @@ __all__ = [
     "Demand",
     "DirectedMoment",
     "Direction",
+    "Distance",
     "Fact",
     "Filler",
     "FloatArray",
     "Function",
     "GivenFunction",
     "Hand",
+    "Height",
     "Interval",
     "Level",
     "Line",
@@ -71,8 +74,11 @@ __all__ = [
     "PhraseAffect",
     "Rejected",
     "Schedule",
+    "Side",
     "SignalAnalysis",
     "SingleArray",
+    "Size",
+    "Slots",
     "StressThresholds",
     "SyncPoints",
     "Target",
@@ -83,6 +89,7 @@ __all__ = [
     "Utterance",
     "Viseme",
     "VoiceQuality",
+    "Which",
     "Word",
     "mean_affect",
 ]

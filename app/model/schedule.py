@@ -7,6 +7,7 @@ from .affect import Manner
 from .body import Channel, Hand
 from .functions import Function
 from .reasons import Term
+from .slots import Slots
 from .speech import Interval, Level, Word
 
 DEFAULT_CHARACTER = "default"
@@ -46,8 +47,8 @@ class Behavior:
     conflict stays, with `kept` false, the winner's id in `lost_to` and the reason in words. `after_strokes_s` are the
     ends of a gesture's strokes after its main one, seconds after that; None leaves them to the realizer. The stroke of
     one that is `curved` is an arc, others' are as the library has them. `edit` is the number of the author's edit that
-    made or changed it, `manner` how it is made. `decided_by` are the named parts
-    of its worth in log-odds, the largest first; `limit` names what forbade one that was offered."""
+    made or changed it, `manner` how it is made, `slots` what its words say of size and place. `decided_by` are the
+    named parts of its worth in log-odds, the largest first; `limit` names what forbade one that was offered."""
 
     id: str
     kind: Channel
@@ -73,6 +74,7 @@ class Behavior:
     manner: Manner | None = None
     decided_by: tuple[Term, ...] = field(default=(), compare=False)
     limit: str | None = None
+    slots: Slots | None = None
 
 
 @dataclass(frozen=True, slots=True)

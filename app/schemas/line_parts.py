@@ -253,6 +253,23 @@ class StrokeMannerResponse(ResponseModel):
     tension: Number
 
 
+class SlotsResponse(ResponseModel):
+    """What the words of a gesture say of size and place; sides are the performer's own, elevation is above (below, if
+    negative) the level of the eyes. The `_m` are metres as said, else usual for the class."""
+
+    height: str | None = None
+    height_m: Number | None = None
+    size: str | None = None
+    size_m: Number | None = None
+    count: int | None = None
+    side: str | None = None
+    distance: str | None = None
+    elevation_deg: Number | None = None
+    which: str | None = None
+    referent: str | None = None
+    listener: str | None = None
+
+
 class BehaviorResponse(ResponseModel):
     """A scheduled behaviour; the times of `sync` are seconds from the start of the audio. `edit` is the number of the
     author's edit that made or changed it; the stroke of a gesture that is `curved` is an arc. `decided_by`
@@ -282,6 +299,7 @@ class BehaviorResponse(ResponseModel):
     decided_by: list[TermResponse] = Field(default_factory=list)
     limit: str | None = None
     manner: StrokeMannerResponse | None = None
+    slots: SlotsResponse | None = None
 
 
 class RejectedResponse(ResponseModel):

@@ -165,7 +165,7 @@ _RECORD = _kind(
                 "afterStrokes": Attribute(Kind.DURATIONS),
                 "path": _one_of("curved"),
                 "manner": Attribute(Kind.DURATIONS),
-                **dict.fromkeys(("target", "rule", "function", "moment", "reason"), _TEXT),
+                **dict.fromkeys(("target", "rule", "function", "moment", "reason", "slots"), _TEXT),
             },
             namespace=OURS,
         ),

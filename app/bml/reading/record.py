@@ -13,6 +13,7 @@ from ...model import Behavior, Channel, Interval, Level, Manner, Notice, Phone, 
 from ..markup.documents import Document, Element, Value
 from ..markup.elements import RECORD_TYPE
 from ..markup.marks import FIRST_MOMENT_S
+from ..markup.slots import read_slots
 from ..markup.speech import behaviors_of, speech_of
 
 
@@ -46,6 +47,7 @@ class Record:
             after_strokes_s=_times_s(found, "afterStrokes") if gesture else None,
             curved=gesture and "path" in found,
             manner=_manner(found) if gesture else None,
+            slots=read_slots(_text(found, "slots") or "") if gesture else None,
             rule=_text(found, "rule"),
             function=_text(found, "function"),
             moment=_text(found, "moment"),

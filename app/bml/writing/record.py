@@ -14,6 +14,7 @@ from ...model.lead_in import later_s, later_word
 from ..markup.documents import Element, Value
 from ..markup.elements import OURS, RECORD_TYPE
 from ..markup.marks import to_milli
+from ..markup.slots import written_slots
 from ..markup.values import text_of
 
 
@@ -89,6 +90,8 @@ def _of_behavior(behavior: Behavior) -> Iterator[tuple[str, Value]]:
         if behavior.manner is not None:
             manner = behavior.manner
             yield "manner", " ".join(map(text_of, (manner.amplitude, manner.speed, manner.tension)))
+        if behavior.slots is not None:
+            yield "slots", written_slots(behavior.slots)
     times_s = [time_s for _name, time_s in behavior.sync.in_order()]
     yield "phases", " ".join(text_of(to_milli(end_s - start_s)) for start_s, end_s in pairwise(times_s))
     why = {"rule": behavior.rule, "function": behavior.function, "moment": behavior.moment, "reason": behavior.reason}

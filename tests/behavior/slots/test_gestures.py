@@ -1,0 +1,85 @@
+"""What the words of lines say, and which gestures get it."""
+
+from dataclasses import replace
+
+import pytest
+
+from tests.behavior.candidates.test_demands import spoken
+from tests.support.gesture_clips import gesture
+from understudy.behavior.slots.gestures import slots_of, slots_said, with_slots
+from understudy.model import Channel, Slots
+from understudy.models import Understudy
+
+
+def slots(understudy: Understudy, text: str, first: int, last: int, *listeners: str) -> Slots:
+    analysis, table = spoken(understudy, text), understudy.behavior.slots
+    return slots_of(table, slots_said(table, analysis.utterance, analysis.functions, listeners), first, last)
+
+
+def test_a_child_is_lower_than_one_who_is_taller_than_the_speaker(understudy: Understudy) -> None:
+    child = slots(understudy, "You were this tall the last time I saw you.", 2, 3)
+    taller = slots(understudy, "Look at you, you're taller than me now.", 4, 6)
+    assert child.height_m is not None
+    assert taller.height_m is not None
+    assert child.height_m < 1.2
+    assert taller.height_m > 1.7
+
+
+def test_a_length_in_units_is_kept(understudy: Understudy) -> None:
+    assert slots(understudy, "It was ten feet high.", 2, 4).height_m == pytest.approx(3.048)
+    assert slots(understudy, "The cut was two centimeters long.", 3, 5).size_m == pytest.approx(0.02)
+
+
+@pytest.mark.parametrize(
+    ("text", "first", "second"),
+    [
+        ("Do you want this one or that one?", (3, 4), (6, 7)),
+        ("On the one hand it's cheap, on the other hand it's ugly.", (0, 3), (6, 9)),
+        ("On the left, the king. On the right, the thief.", (0, 2), (5, 7)),
+    ],
+)
+def test_contrasted_things_are_on_opposite_sides(
+    understudy: Understudy, text: str, first: tuple[int, int], second: tuple[int, int]
+) -> None:
+    sides = [slots(understudy, text, *words).side for words in (first, second)]
+    assert sides == ["left", "right"]
+
+
+def test_a_thing_keeps_its_place_and_another_of_its_name_has_its_own(understudy: Understudy) -> None:
+    text = "The wall on your left is old, the wall on your right is new. That wall burned."
+    old, new, last = (slots(understudy, text, *words) for words in ((0, 4), (7, 11), (14, 15)))
+    assert (old.referent, old.side) == ("wall", "right")
+    assert (new.referent, new.side) == ("wall_2", "left")
+    assert (last.referent, last.side) == ("wall_2", "left")
+
+
+def test_the_listener_named_last_is_addressed(understudy: Understudy) -> None:
+    text = "Tom, you stay. Anna, come with you."
+    assert slots(understudy, text, 1, 1, "anna", "tom").listener == "tom"
+    assert slots(understudy, text, 6, 6, "anna", "tom").listener == "anna"
+    assert slots(understudy, text, 1, 1).listener is None
+
+
+def test_a_gesture_has_only_slots_that_it_can_show(understudy: Understudy) -> None:
+    analysis = spoken(understudy, "There are four doors on the left.")
+    names = ("COUNT_FOUR", "POINT_LEFT", "BEAT")
+    given = [replace(gesture(name, 0.0, 1.0, lexeme=name), first=0, last=6) for name in names]
+    count, point, beat = with_slots(given, analysis, (), understudy.behavior.slots)
+    assert count.slots == Slots(count=4)
+    assert point.slots is not None
+    assert (point.slots.side, point.slots.count) == ("left", None)
+    assert beat.slots is None
+
+
+def test_nothing_but_gestures_has_slots(understudy: Understudy) -> None:
+    analysis = spoken(understudy, "There are four doors on the left.")
+    turn = replace(gesture("h1", 0.0, 1.0, lexeme="POINT_LEFT"), kind=Channel.HEAD, last=6)
+    assert with_slots((turn,), analysis, (), understudy.behavior.slots) == (turn,)
+
+
+def test_a_gesture_that_places_one_side_of_a_contrast_is_on_that_side(understudy: Understudy) -> None:
+    analysis = spoken(understudy, "The shop is on the left.")
+    place = replace(gesture("g1", 0.0, 1.0, lexeme="PLACE_RIGHT"), last=5)
+    (placed,) = with_slots((place,), analysis, (), understudy.behavior.slots)
+    assert placed.slots is not None
+    assert placed.slots.side == "right"
