@@ -13,7 +13,7 @@ import soundfile
 from tests.support.bml_records import without_record
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
-from understudy.model import Channel, Level, Line, Mode, Performance
+from understudy.model import Channel, Level, Line, Mode, Performance, Side, Slots
 from understudy.model.bml_form import BmlForm, TimeForm
 from understudy.model.motion_limits import MotionLimits
 from understudy.models import Understudy
@@ -68,6 +68,19 @@ def test_our_bml_is_realized_as_performed_byte_for_byte(understudy: Understudy, 
 def test_times_by_marks_are_read_as_performed_too(performance: Performance) -> None:
     bml = write_bml(performance, BmlForm(timing=TimeForm.SYNC))
     assert prepare_schedule(None, BmlInput(bml, Path("a.bml"))) == PreparedSchedule.of(performance)
+
+
+def test_slots_are_read_as_they_were_written(performance: Performance) -> None:
+    slots = Slots(height_m=0.95, count=2, side=Side.LEFT, elevation_deg=-30.0, referent="wall_2")
+    filled = replace(
+        performance,
+        behaviors=tuple(
+            replace(each, slots=slots) if each.kind is Channel.GESTURE else each for each in performance.behaviors
+        ),
+    )
+    staged = prepare_schedule(None, BmlInput(write_bml(filled), Path("a.bml")))
+    assert staged == PreparedSchedule.of(filled)
+    assert slots in {each.slots for each in staged.schedule.behaviors}
 
 
 def test_another_recording_of_the_words_is_heard_anew(understudy: Understudy, performance: Performance) -> None:
