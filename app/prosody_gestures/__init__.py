@@ -1,9 +1,8 @@
-"""Gestures from the voice alone: prosody in, gesture phrases in time out. A stage; numpy only.
+"""Gestures from the voice alone: prosody in, timed gesture phrases out. A stage; depends on numpy only.
 
-`counting`, `mixtures` and `clustering` learn a `semi_markov` model; `viterbi` finds the likeliest path through a whole
-recording and `live_decoder` through one that still goes on; `unit_selection` picks recorded movements that show it.
-Sources: "RTS" is the thesis Real-Time Speech Driven
-Gesture Animation, "AHG" the paper Affect-Expressive Hand Gestures (docs/references.md). Conventions: a frame is
-`semi_markov.FRAME_S` long, boundary b lies after b frames, scores are natural logarithms, minus infinity where
-something cannot be.
+`counting`, `mixtures` and `clustering` train a `semi_markov` model; `viterbi` finds the most likely path through a
+complete recording, `live_decoder` through a live stream; `unit_selection` picks recorded motion units for the path.
+Sources: "RTS" is the thesis Real-Time Speech Driven Gesture Animation, "AHG" the paper Affect-Expressive Hand Gestures
+(docs/references.md). Conventions: a frame is `semi_markov.FRAME_S` long, boundary b lies after b frames, scores are
+natural logarithms, minus infinity for impossible events.
 """

@@ -1,8 +1,8 @@
-"""Activation, valence and dominance of a voice, frame by frame, estimated from its prosody of the last two seconds.
+"""Activation, valence and dominance of a voice, estimated frame by frame from the prosody of the last two seconds.
 
-AHG §3.3 takes annotations, in [-1, 1], and allows that an estimator stands in: this is one, linear in eight measures of
-energy and f0. Prosody tells activation well, dominance somewhat and valence hardly (models/prosody_gestures/README.md);
-whoever knows better gives his own.
+AHG §3.3 uses annotations in [-1, 1] and allows an estimator instead: this is one, linear in eight measures of energy
+and f0. Prosody predicts activation well, dominance somewhat and valence hardly (models/prosody_gestures/README.md);
+callers with better values pass their own.
 """
 
 import io
@@ -33,7 +33,7 @@ MEASURES = (
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AffectModel:
-    """`mean` and `scale` (measures) standardise, `weights` (measures × 3) and `intercepts` (3) estimate."""
+    """A linear model: `mean` and `scale` (measures) standardise; `weights` (measures × 3), `intercepts` (3) predict."""
 
     mean: FloatArray
     scale: FloatArray
@@ -58,8 +58,8 @@ class AffectModel:
 
 
 def measures(raw: FloatArray) -> FloatArray:
-    """`MEASURES` of the last `WINDOW_FRAMES` frames, for each frame (frames × measures); energies and f0 are those of
-    voiced frames, 0 before there are any."""
+    """`MEASURES` over the last `WINDOW_FRAMES` frames, for each frame (frames × measures); energy and f0 are taken from
+    voiced frames only and are 0 before the first."""
     energy, f0_hz, confidence = raw.T
     voiced = (confidence >= VOICED).astype(np.float64)
     log_f0 = np.log(np.where(voiced > 0, np.maximum(f0_hz, 1.0), 1.0))
@@ -84,14 +84,14 @@ def measures(raw: FloatArray) -> FloatArray:
 
 
 def _moments(values: FloatArray, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Mean and deviation over the window."""
+    """Mean and standard deviation over the window."""
     mean = _mean(values, weights)
     deviation: FloatArray = np.sqrt(np.maximum(_mean(values**2, weights) - mean**2, 0))
     return mean, deviation
 
 
 def _mean(values: FloatArray, weights: FloatArray) -> FloatArray:
-    """The weighed mean over the window that ends with each frame; 0 where nothing weighs."""
+    """The weighted mean over the window ending at each frame; 0 where all weights are 0."""
     sums, totals = (_sums(each) for each in (values * weights, weights))
     mean: FloatArray = sums / np.maximum(totals, 1e-9) * (totals > 1e-6)
     return mean

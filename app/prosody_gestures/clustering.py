@@ -1,9 +1,10 @@
-"""Segments recurring movements, or intonation phrases, out of streams of features without labels (AHG §3.1, RTS §2.2).
+"""Unsupervised segmentation of feature streams into recurring movements or intonation phrases (AHG §3.1, RTS §2.2).
 
-A hidden Markov model with parallel branches: each branch is a kind of phrase, a chain of states from left to right that
-takes at least a frame each (10: a third of a second at 30 frames a second). From the end of a branch a path enters any.
-Branches are learnt by segmenting with what is known and estimating anew from the segments. The source leaves open how
-it begins: here with clusters of stretches of a second. Staying and going on are equally likely, as are the branches.
+A hidden Markov model with parallel branches: each branch is a kind of phrase, a left-to-right chain of states lasting
+at least one frame each (10 states: a third of a second at 30 frames a second). From the end of a branch a path may
+enter any branch. Training alternates segmentation and re-estimation from the segments. The source does not say how it
+is initialised: here by clustering one-second stretches. Self and forward transitions are equally likely, as are the
+branches.
 """
 
 from collections.abc import Iterable, Sequence
@@ -20,30 +21,30 @@ from .mixtures import drawn_apart
 from .semi_markov import IntArray, Segment
 
 STATES = 10
-"""N_g: states of a branch, and so the fewest frames of a phrase (AHG §3.1)."""
+"""N_g: the states of a branch, and so the minimum length of a phrase in frames (AHG §3.1)."""
 
 STRETCH_FRAMES = 30
 LEAST_DEVIATION = 0.1
-"""Of the deviation over all frames."""
+"""As a share of the standard deviation over all frames."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ParallelBranches:
-    """`means` and `variances` of each branch's states (branches × states × features)."""
+    """The `means` and `variances` of the states of each branch (branches × states × features)."""
 
     means: FloatArray
     variances: FloatArray
 
     def segment(self, features: FloatArray) -> list[Segment]:
-        """The likeliest phrases of a stream (frames × features); their states are branches. Only the first may begin,
-        and only the last may end, in the middle of a branch."""
+        """The most likely phrases of a stream (frames × features); the state of a phrase is its branch. Only the first
+        may start, and only the last may end, in the middle of a branch."""
         entered, positions = self._aligned(features)
         branches, frames = positions // self.means.shape[1], len(features)
         bounds = [*np.flatnonzero(entered).tolist(), frames]
         return [Segment(int(branches[start]), start, end - start) for start, end in pairwise(bounds)]
 
     def _aligned(self, features: FloatArray) -> tuple[FloatArray, IntArray]:
-        """Whether each frame enters a branch, and its state, counted through the branches."""
+        """For each frame, whether it enters a branch, and its state, numbered across all branches."""
         branches, states, _ = self.means.shape
         densities = self._log_densities(features).reshape(len(features), branches, states)
         entry, step = log(0.5 / branches), log(0.5)
@@ -77,7 +78,7 @@ class ParallelBranches:
         return densities
 
     def estimated(self, streams: Iterable[FloatArray]) -> "ParallelBranches":
-        """The branches anew, from the segments they make of streams; a state that holds no frame stays as it is."""
+        """The branches re-estimated from their segmentation of the streams; a state without frames is unchanged."""
         shape = self.means.shape
         totals, sums = np.zeros(shape[0] * shape[1]), np.zeros((shape[0] * shape[1], shape[2]))
         squares = np.zeros_like(sums)
@@ -95,7 +96,7 @@ class ParallelBranches:
 
 
 def learn_branches(streams: Sequence[FloatArray], branches: int, *, rounds: int = 8, seed: int = 0) -> ParallelBranches:
-    """Branches of streams (frames × features each, every feature about mean 0 and deviation 1)."""
+    """Trains branches on streams (frames × features each), whose features have mean 0 and standard deviation 1."""
     stretches = np.stack([stretch for features in streams for stretch in _stretches(features)])
     points = stretches.reshape(len(stretches), -1)
     centres = drawn_apart(points, branches, np.random.default_rng(seed))
@@ -112,15 +113,15 @@ def learn_branches(streams: Sequence[FloatArray], branches: int, *, rounds: int 
 
 
 def _stretches(features: FloatArray) -> list[FloatArray]:
-    """Stretches of a second, each as the means of as many parts as a branch has states (states × features)."""
+    """One-second stretches, each as the means of as many equal parts as a branch has states (states × features)."""
     part = STRETCH_FRAMES // STATES
     whole = features[: len(features) // STRETCH_FRAMES * STRETCH_FRAMES]
     return list(whole.reshape(-1, STATES, part, features.shape[1]).mean(axis=2))
 
 
 def cluster_correlation(angles: FloatArray, affect: FloatArray, labels: IntArray) -> FloatArray:
-    """The correlation of joint angles (frames × angles) with each affect (frames × affects) within clusters, the mean
-    over clusters weighed by frames (AHG §4.1, Fig. 3). Clusters too small to tell count as 0."""
+    """The correlation of joint angles (frames × angles) with each affect (frames × affects) within clusters, averaged
+    over clusters weighted by their frames (AHG §4.1, Fig. 3). Clusters too small for a correlation count as 0."""
     total = np.zeros(affect.shape[1])
     for label in np.unique(labels):
         inside = labels == label
@@ -131,7 +132,7 @@ def cluster_correlation(angles: FloatArray, affect: FloatArray, labels: IntArray
 
 
 def fewest_clusters(correlations: dict[int, FloatArray], whole: FloatArray) -> int:
-    """The fewest clusters that keep the correlation of the whole, on average over affects; failing that, those that
-    keep most of it (AHG §4.1)."""
+    """The smallest number of clusters whose correlation, averaged over affects, is at least that of the unclustered
+    data; if there is none, the number with the highest correlation (AHG §4.1)."""
     enough = [clusters for clusters, kept in correlations.items() if kept.mean() >= whole.mean()]
     return min(enough) if enough else max(correlations, key=lambda clusters: float(correlations[clusters].mean()))

@@ -1,7 +1,7 @@
-"""What a frame's prosody is set in: how it has gone lately and how it goes on for `LOOKAHEAD_S` more.
+"""Adds temporal context to a frame's prosody: the recent past and `LOOKAHEAD_S` of the future.
 
-A stroke ends on a stressed syllable, so most of what tells of it is heard after it has begun (what looking ahead brings
-is measured in models/prosody_gestures/README.md). The live decode waits as long.
+A stroke ends on a stressed syllable, so most of the evidence for it comes after it has begun (the gain from the
+look-ahead is measured in models/prosody_gestures/README.md). Live decoding is delayed by as much.
 """
 
 from collections import deque
@@ -19,13 +19,13 @@ MEANS_OVER = (4, 8, 16, 32)
 """Frames over which energy, f0 and confidence are averaged."""
 
 PAUSE_FRAMES = 8
-"""A silence as long begins a phrase anew."""
+"""A silence this long starts a new phrase."""
 
 WIDTH = 2 * (len(FEATURES) + 3 * len(MEANS_OVER) + 2)
 
 
 class ProsodyContext:
-    """Sets features in their context as they come."""
+    """Adds the context to a stream of features."""
 
     def __init__(self) -> None:
         longest = max(MEANS_OVER)
@@ -34,12 +34,12 @@ class ProsodyContext:
         self._waiting: deque[FloatArray] = deque()
 
     def push(self, features: FloatArray) -> FloatArray | None:
-        """The row (`WIDTH`) of the frame `LOOKAHEAD_FRAMES` ago, once there is one, after one more frame's features."""
+        """Takes one more frame's features; returns the row (`WIDTH`) of the frame `LOOKAHEAD_FRAMES` ago, if any."""
         self._waiting.append(self._past(features))
         return self._oldest() if len(self._waiting) > LOOKAHEAD_FRAMES else None
 
     def finish(self) -> list[FloatArray]:
-        """The rows of the last frames, as if the last one went on."""
+        """The rows of the remaining frames, the last frame being repeated as their look-ahead."""
         rows = []
         while self._waiting:
             rows.append(self._oldest())
@@ -59,7 +59,7 @@ class ProsodyContext:
 
 
 def in_context(features: FloatArray) -> FloatArray:
-    """The rows (frames × `WIDTH`) of a recording's features (frames × `FEATURES`)."""
+    """The rows with context (frames × `WIDTH`) of a recording's features (frames × `FEATURES`)."""
     context = ProsodyContext()
     rows = [row for frame in features if (row := context.push(frame)) is not None]
     return np.array([*rows, *context.finish()]).reshape(-1, WIDTH)

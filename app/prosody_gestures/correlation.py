@@ -1,19 +1,19 @@
-"""How alike two streams or two distributions are: the measures of AHG §4."""
+"""Similarity measures of two streams or two distributions (AHG §4)."""
 
 import numpy as np
 
 from ..model import FloatArray
 
 LEAST_SHARE = 1e-6
-"""Directions of a stream with less of its largest deviation are not looked at."""
+"""Directions of a stream with a smaller share of its largest deviation are ignored."""
 
 ADDED = 1e-4
-"""A share that a divergence takes for none."""
+"""The share that replaces 0 in a divergence."""
 
 
 def canonical_correlation(one: FloatArray, other: FloatArray) -> float:
-    """The first canonical correlation of two streams (frames × features each): the greatest correlation between a
-    weighted sum of the one's features and one of the other's. 0 where either never changes."""
+    """The first canonical correlation of two streams (frames × features each): the largest correlation between a
+    linear combination of the features of one and one of the other. 0 if either is constant."""
     bases = [_directions(stream) for stream in (one, other)]
     if not all(basis.shape[1] for basis in bases):
         return 0.0
@@ -21,7 +21,7 @@ def canonical_correlation(one: FloatArray, other: FloatArray) -> float:
 
 
 def _directions(stream: FloatArray) -> FloatArray:
-    """An orthonormal basis of the changes of a stream (frames × directions)."""
+    """An orthonormal basis of the variation of a stream (frames × directions)."""
     stream = np.asarray(stream, dtype=np.float64)
     left, sizes, _ = np.linalg.svd(stream - stream.mean(axis=0), full_matrices=False)
     kept: FloatArray = left[:, sizes > LEAST_SHARE * max(sizes.max(initial=0.0), 1e-12)]
@@ -29,14 +29,14 @@ def _directions(stream: FloatArray) -> FloatArray:
 
 
 def symmetric_divergence(one: FloatArray, other: FloatArray) -> float:
-    """The symmetric Kullback-Leibler divergence of two distributions, in nats, the sum of both directions; shares of
-    none count as `ADDED`."""
+    """The symmetric Kullback-Leibler divergence of two distributions in nats, the sum of both directions; shares of 0
+    are replaced by `ADDED`."""
     shares = [(each + ADDED) / (each + ADDED).sum() for each in (one, other)]
     return float(((shares[0] - shares[1]) * np.log(shares[0] / shares[1])).sum())
 
 
 def kinetic_energy(angles: FloatArray, frame_s: float) -> FloatArray:
-    """The sum of squared angular velocities of each frame but the first (AHG §4.4); `angles` is frames × angles."""
+    """The sum of squared angular velocities of each frame except the first (AHG §4.4); `angles` is frames × angles."""
     energy: FloatArray = (np.diff(angles, axis=0) ** 2).sum(axis=1) / frame_s**2
     return energy
 

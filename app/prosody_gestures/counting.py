@@ -1,11 +1,10 @@
-"""Learning a semi-Markov model by counting segments whose states are known (AHG eq. 11, 12 and 14).
+"""Maximum-likelihood training of a semi-Markov model from labelled segments (AHG eq. 11, 12 and 14).
 
-Eq. 11 as printed keeps j in its numerator; the first gestures of each kind are counted, whatever follows them, and
+Eq. 11 as printed has a stray j in its numerator; here the first gestures of each kind, whatever follows them, are
 divided by all first gestures.
 
-Departures, each for want of data: a small count is added to all that is possible, so that nothing unseen is forbidden;
-and a duration that was seen counts for those near it too, since a histogram of 200 bins a state filled by some dozen
-segments is mostly holes.
+Departures, because data are scarce: additive smoothing, so that unseen events remain possible; and a kernel over
+durations, since a histogram with 200 bins a state and a few dozen segments is mostly empty.
 """
 
 from collections.abc import Iterable, Sequence
@@ -20,21 +19,20 @@ from .semi_markov import DiscreteEmissions, IntArray, Segment
 
 @dataclass(frozen=True, slots=True)
 class Smoothing:
-    """`added` is shared out over the initial states, over each state's followers, durations and labels; `spread` is how
-    far a duration counts for others, as the deviation of its logarithm (0: not at all)."""
+    """`added` is a pseudo-count divided among the initial states, and among each state's successors, durations and
+    labels; `spread` is the width of the kernel over durations, a standard deviation of their logarithm (0: none)."""
 
     added: float = 0.5
     spread: float = 0.15
 
 
 PLAIN = Smoothing(added=0.0, spread=0.0)
-"""As printed: what was not seen is impossible."""
+"""As printed: unseen events are impossible."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Counts:
-    """Logarithms of the shares that were counted: initial states (states), transitions (from × to), durations (states ×
-    frames)."""
+    """Log probabilities: initial states (states), transitions (from × to), durations (states × frames)."""
 
     log_initial: FloatArray
     log_transition: FloatArray
@@ -44,7 +42,7 @@ class Counts:
 def count(
     paths: Iterable[Sequence[Segment]], states: int, longest_frames: int, smoothing: Smoothing = Smoothing()
 ) -> Counts:
-    """What is counted in paths. A segment longer than `longest_frames` counts as one that long."""
+    """The probabilities estimated from paths. Durations are clipped to `longest_frames`."""
     initial, followers = np.zeros(states), np.zeros((states, states))
     durations = np.zeros((states, longest_frames))
     for path in paths:
@@ -63,7 +61,7 @@ def count(
 def count_labels(
     pairs: Iterable[tuple[Sequence[Segment], IntArray]], states: int, labels: int, added: float = 0.5
 ) -> DiscreteEmissions:
-    """The probability mass of the labels in each state (RTS eq. 2.2), from paths with a label a frame."""
+    """The emission probabilities of labels in each state (RTS eq. 2.2), from paths with one label a frame."""
     counts = np.zeros((states, labels))
     for path, emitted in pairs:
         for segment in path:
@@ -72,7 +70,7 @@ def count_labels(
 
 
 def _spreading(longest_frames: int, spread: float) -> FloatArray:
-    """How much a duration (row) counts for each (column)."""
+    """The weight of a duration (row) for each other (column)."""
     if not spread:
         return np.eye(longest_frames)
     logarithms = np.log(np.arange(1, longest_frames + 1))
@@ -82,7 +80,7 @@ def _spreading(longest_frames: int, spread: float) -> FloatArray:
 
 
 def _log_shares(counts: FloatArray, added: float) -> FloatArray:
-    """Logarithms of shares along the last axis; all alike where nothing was counted and nothing is added."""
+    """Logarithms of the shares along the last axis; uniform where all counts are 0 and nothing is added."""
     counts = counts + added / counts.shape[-1]
     totals = counts.sum(axis=-1, keepdims=True)
     shares = np.where(totals > 0, counts / np.where(totals > 0, totals, 1), 1 / counts.shape[-1])

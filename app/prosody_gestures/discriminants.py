@@ -1,8 +1,7 @@
-"""The few directions in which states differ most (Fisher's linear discriminants): mixtures with diagonal covariance are
-fitted to these.
+"""Linear discriminant analysis (Fisher): the mixtures with diagonal covariance are fitted to its projections.
 
-AHG §3.4 keeps the first two principal components instead, where features vary most, whatever the states; ours are those
-that tell states apart, and are uncorrelated within states, as such mixtures assume.
+AHG §3.4 uses the first two principal components, which ignore the states; discriminants separate the states and are
+uncorrelated within them, as diagonal mixtures assume.
 """
 
 from dataclasses import dataclass
@@ -13,7 +12,7 @@ from ..model import FloatArray
 from .semi_markov import IntArray
 
 RIDGE = 1e-3
-"""Added to the variances within states, of features of deviation 1."""
+"""Added to the within-state variances of the standardised features."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,7 +30,7 @@ class Discriminants:
 
 
 def fit_discriminants(rows: FloatArray, states: IntArray) -> Discriminants:
-    """As many directions as there are states less one, the most telling first, for rows (frames × features)."""
+    """Fits one direction fewer than there are states, the most discriminative first, to rows (frames × features)."""
     mean, scale = rows.mean(axis=0), rows.std(axis=0) + 1e-9
     standard = (rows - mean) / scale
     kinds = np.unique(states)

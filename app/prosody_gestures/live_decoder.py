@@ -1,15 +1,15 @@
-"""The likeliest path while the recording still goes on, decided with a stated delay (RTS §1.3, §2.3).
+"""Online Viterbi decoding of a stream with bounded delay (RTS §1.3, §2.3).
 
-What has been decided never changes. A stretch of the path is decided
+Decided segments are final. A part of the path is decided
 
 - as soon as all survivors share it: the open paths whose score lies within `beam` of the best; with an infinite beam,
   when no other path can ever win;
-- at the latest `bound_frames` after it was heard, when the best path of that moment decides. Paths that disagree are
-  dropped, and the frames since are decoded again, so that what comes later is the best path that goes on from there.
+- at the latest `bound_frames` after its frames arrived, by the best path at that moment. Paths that disagree are
+  dropped, and the frames since are decoded again, so that the rest is the best continuation.
 
-What is not decided yet may be asked for (`scores`) and may change: who cannot wait for the bound acts on it.
+Provisional states are available from `scores` and may change; callers that cannot wait for the bound use them.
 
-The thesis promises "a finite delay" and states none: its program decodes a minute at a time.
+The thesis promises "a finite delay" without a figure: its program decodes one minute at a time.
 """
 
 from collections.abc import Iterator
@@ -26,8 +26,8 @@ from .trellis import EVERYTHING, Search, Trellis
 
 @dataclass(frozen=True, slots=True)
 class Commitment:
-    """When a path is decided. `bound_frames` is the longest delay (None: none), `at_once` how many frames are decided
-    together when it is reached, and how often survivors are compared; more of them cost less."""
+    """When a path is decided. `bound_frames` is the maximum delay (None: unbounded). `at_once` is how many frames are
+    decided together when it is reached, and the interval at which survivors are compared; larger values cost less."""
 
     bound_frames: int | None = None
     at_once: int = 1
@@ -36,14 +36,14 @@ class Commitment:
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """A decided stretch of the path, `begins` where a segment begins; without, the last piece's segment goes on."""
+    """A decided part of the path. `begins` if it starts a segment; otherwise it continues that of the last piece."""
 
     segment: Segment
     begins: bool
 
 
 class LiveDecoder:
-    """Takes log likelihoods as they come and gives the path as it is decided, in pieces without a gap."""
+    """Takes log likelihoods frame by frame and returns the decided path in contiguous pieces."""
 
     def __init__(
         self, model: SemiMarkovModel, search: Search = EVERYTHING, commitment: Commitment | None = None
@@ -57,11 +57,11 @@ class LiveDecoder:
 
     @property
     def decided(self) -> int:
-        """How many frames are decided."""
+        """The number of decided frames."""
         return self._decided
 
     def push(self, log_likelihoods: FloatArray) -> tuple[Piece, ...]:
-        """What is decided by one more frame (states)."""
+        """Takes the log likelihoods of one more frame (states) and returns the pieces it decides."""
         self._trellis.forget(self._root[0] if self._root else 0)
         self._trellis.push(log_likelihoods)
         pieces: list[Piece] = []
@@ -72,13 +72,12 @@ class LiveDecoder:
         return tuple(pieces)
 
     def scores(self) -> FloatArray:
-        """How likely each state is the one that the last frame is in, as it looks now: the logarithm of its best path
-        (states)."""
+        """The provisional score of each state for the last frame: the log probability of its best path (states)."""
         best: FloatArray = self._trellis.open_scores(self._start).max(axis=1)
         return best
 
     def finish(self) -> tuple[Piece, ...]:
-        """The rest of the path, whose last segment ends now."""
+        """Ends the last segment and returns the rest of the path."""
         if not self._trellis.time:
             return ()
         score, state = self._trellis.closed()
@@ -103,7 +102,7 @@ class LiveDecoder:
             self._trellis.restart(state, boundary, boundary)
 
     def _only_child(self) -> tuple[int, int] | None:
-        """Where the first segment after the root's begins in all survivors, and its state; None unless they agree."""
+        """The start and state of the first segment after the root's in all survivors; None unless they agree."""
         open_scores = self._trellis.open_scores(self._start)
         first = self._trellis.time - open_scores.shape[1]
         states, places = np.nonzero(open_scores >= max(open_scores.max() - self._commitment.beam, np.finfo(float).min))
@@ -121,7 +120,7 @@ class LiveDecoder:
         return None
 
     def _best_until(self, frame: int) -> Iterator[Piece]:
-        """Decides by the best path of now, up to a frame."""
+        """Decides the frames up to this one by the best current path."""
         open_scores = self._trellis.open_scores(self._start)
         state, place = divmod(int(open_scores.argmax()), open_scores.shape[1])
         boundary = place + self._trellis.time - open_scores.shape[1]
@@ -133,7 +132,7 @@ class LiveDecoder:
         self._trellis.restart(holder.state, holder.start, frame)
 
     def _until(self, path: list[Segment], frame: int) -> Iterator[Piece]:
-        """The pieces of a path that were not decided before, up to a frame."""
+        """The undecided pieces of a path, up to a frame."""
         for segment in path:
             start, end = max(segment.start, self._decided), min(segment.end, frame)
             if end > start:

@@ -1,12 +1,12 @@
-"""Contours in as they are heard, gesture phases out: announced at once, decided later.
+"""Streams gesture phases from energy and f0: predictions at once, final decisions later.
 
-The likeliest path up to the newest frame says what a part of the body does now; whoever moves it cannot wait, so a
-change of state is announced as soon as it looks so, `ANNOUNCED_S` after its sound was heard, and may turn out wrong.
-A stroke often looks so only when it has gone on for a while, and a hand needs time to get ready; so a preparation is
-announced while a gesture is still less likely than none (`EARLY`; what that brings is in docs/measurements.md, "Live
+The most likely path up to the newest frame predicts what each part of the body does now. An animated character cannot
+wait, so a change of state is announced as soon as it is likely, `ANNOUNCED_S` after its sound, and may be revised.
+A stroke is often recognised only some time after it has begun, and a hand needs time to prepare it; so a preparation is
+announced while a gesture is still less likely than none (`EARLY`; its effect is in docs/measurements.md, "Live
 streams").
-What is decided never changes, and leaves at the latest `DECIDED_S` after it was heard: the frame's window, the
-look-ahead of its context, and the decoder's bound.
+Decided phases are final and are sent at the latest `DECIDED_S` after their sound: the frame's window, the look-ahead
+of its context, and the decoder's bound.
 """
 
 from collections.abc import Iterator, Sequence
@@ -25,10 +25,10 @@ from .voice_model import PartModel, VoiceModel
 BOUND_S = 1.6
 COMMITMENT = Commitment(bound_frames=round(BOUND_S / FRAME_S), at_once=20, beam=8.0)
 LEAD = 1.0
-"""By how much another state's path must be likelier, in logarithms, before it is announced."""
+"""The margin, in log probability, by which another state must be more likely before it is announced."""
 
 EARLY = 2.5
-"""By how much the best path into a gesture may be less likely than that without, in logarithms, while a preparation is
+"""The margin, in log probability, by which a gesture may be less likely than none for its preparation to be
 announced."""
 
 PREPARATION, STROKE = "preparation", "stroke"
@@ -39,10 +39,10 @@ DECIDED_S = ANNOUNCED_S + BOUND_S
 
 @dataclass(frozen=True, slots=True)
 class Phase:
-    """A stretch of a part's path: `state` of `part`, from `start_s` to `end_s`.
+    """A phase of a part of the body: `part` is in `state` from `start_s` to `end_s`.
 
-    One that is `decided` follows the decided one before without a gap; where it does not `begin`, that one goes on. One
-    that is not was announced, and goes on until another is.
+    `decided` phases are final and contiguous; one that does not `begin` continues the one before it. Others are
+    predictions, which last until the next prediction for the part.
     """
 
     part: str
@@ -54,7 +54,7 @@ class Phase:
 
 
 class LiveGestures:
-    """What hands, head and brows do, from a voice that still goes on. Memory does not grow."""
+    """Predicts the phases of hands, head and brows from a live voice. Memory use is bounded."""
 
     def __init__(self, model: VoiceModel, search: Search = EVERYTHING, commitment: Commitment = COMMITMENT) -> None:
         self._parts = [_LivePart(part, search, commitment) for part in model.parts]
@@ -63,8 +63,8 @@ class LiveGestures:
         self._base = self._frames = 0
 
     def hear(self, energy_db: FloatArray, f0_hz: FloatArray) -> tuple[Phase, ...]:
-        """What is announced and decided by more of the contours (a row each `FRAME_SHIFT_S`; f0 is 0 where
-        unvoiced)."""
+        """Takes more of the contours (one row each `FRAME_SHIFT_S`; f0 is 0 where unvoiced) and returns the phases
+        announced and decided by them."""
         self._levels_db = np.concatenate([self._levels_db, energy_db])
         self._pitches_hz = np.concatenate([self._pitches_hz, f0_hz])
         phases = [phase for _ in iter(self._next_frame, False) for phase in self._told_by_frame()]
@@ -74,7 +74,7 @@ class LiveGestures:
         return tuple(phases)
 
     def finish(self) -> tuple[Phase, ...]:
-        """The rest, when the voice has ended."""
+        """Ends the stream and returns the remaining phases."""
         phases = [phase for row in self._context.finish() for phase in self._told(row)]
         return (*phases, *(phase for part in self._parts for phase in part.finish()))
 
@@ -94,7 +94,7 @@ class LiveGestures:
 
 
 class _LivePart:
-    """One part of the body: its decoder, and what was announced of it last."""
+    """The decoder of one part of the body, and its last announced state."""
 
     def __init__(self, part: PartModel, search: Search, commitment: Commitment) -> None:
         self._part, self._decoder = part, LiveDecoder(part.model, search, commitment)
@@ -102,7 +102,7 @@ class _LivePart:
         self._frames = 0
 
     def push(self, row: FloatArray) -> Iterator[Phase]:
-        """What one more frame (`WIDTH`) tells."""
+        """Takes one more frame (`WIDTH`) and returns the phases it announces and decides."""
         decided = self._decoder.push(self._part.log_likelihoods(row[None])[0])
         state = self._announcing.changed(self._decoder.scores())
         if state is not None:
@@ -123,8 +123,8 @@ class _LivePart:
 
 
 class Announcing:
-    """Tells changes of state, so that they neither flicker nor come late. A model without preparations and strokes, as
-    of a team's own pairs, has no early ones."""
+    """Announces changes of state with hysteresis, and preparations early. A model without the states preparation and
+    stroke, such as one trained on a user's own motion, has no early announcements."""
 
     def __init__(self, states: Sequence[str]) -> None:
         self._state: int | None = None
@@ -132,7 +132,7 @@ class Announcing:
         self._gesture = [states.index(PREPARATION), states.index(STROKE)] if has_gestures else []
 
     def changed(self, scores: FloatArray) -> int | None:
-        """The state that is announced by how likely each is (`LiveDecoder.scores`), if it is another than before."""
+        """The newly announced state by the scores of all states (`LiveDecoder.scores`); None if it is unchanged."""
         state, best = self._state, int(scores.argmax())
         if state is None or scores[best] - scores[state] > LEAD:
             state = best

@@ -1,5 +1,5 @@
-"""Fitting Gaussian mixtures with diagonal covariance to the frames of each state (AHG eq. 13), by expectation and
-maximisation from means drawn far apart."""
+"""Fits Gaussian mixtures with diagonal covariance to the frames of each state (AHG eq. 13), by expectation maximisation
+with k-means++ initialisation."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,8 +12,8 @@ from .semi_markov import MixtureEmissions
 
 @dataclass(frozen=True, slots=True)
 class MixtureOptions:
-    """`components` at most (K in AHG), `rounds` of fitting; no deviation is less than `least_deviation`, and
-    `frames_each` is how many frames a component is worth: a rare state has fewer components."""
+    """At most `components` (K in AHG) a state, one for each `frames_each` frames; `rounds` is the number of iterations;
+    `least_deviation` is the minimum standard deviation."""
 
     components: int = 10
     rounds: int = 30
@@ -23,7 +23,7 @@ class MixtureOptions:
 
 
 def fit_mixtures(frames_by_state: Sequence[FloatArray], options: MixtureOptions = MixtureOptions()) -> MixtureEmissions:
-    """The mixtures of the frames (frames × features) of each state. A state without frames gets those of all."""
+    """The mixtures fitted to the frames (frames × features) of each state; a state without frames uses all frames."""
     everything = np.concatenate([frames for frames in frames_by_state if len(frames)])
     fitted = [_fit(frames if len(frames) else everything, options) for frames in frames_by_state]
     log_weights, means, variances = (np.stack(parts) for parts in zip(*fitted, strict=True))
@@ -46,7 +46,7 @@ def _fit(frames: FloatArray, options: MixtureOptions) -> tuple[FloatArray, Float
 
 
 def _shares(frames: FloatArray, mixture: MixtureEmissions) -> FloatArray:
-    """How much of each frame each component of a single state explains (frames × components)."""
+    """The responsibility of each component of a single state for each frame (frames × components)."""
     densities = mixture.log_densities(frames)[:, 0]
     chances = np.exp(densities - densities.max(axis=1, keepdims=True))
     shares: FloatArray = chances / chances.sum(axis=1, keepdims=True)
@@ -56,7 +56,7 @@ def _shares(frames: FloatArray, mixture: MixtureEmissions) -> FloatArray:
 def _padded(
     weights: FloatArray, means: FloatArray, variances: FloatArray, components: int
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """As many components as every state has; those added weigh next to nothing."""
+    """Pads the mixtures to the same number of components; the added ones have negligible weight."""
     missing = components - len(weights)
     return (
         np.log(np.concatenate([weights, np.full(missing, 1e-12)])),
@@ -66,7 +66,8 @@ def _padded(
 
 
 def drawn_apart(points: FloatArray, count: int, generator: np.random.Generator) -> FloatArray:
-    """`count` of the points, each drawn with a chance in proportion to its squared distance from those drawn before."""
+    """`count` of the points, drawn by k-means++: with probability proportional to the squared distance from the nearest
+    point drawn before."""
     chosen = [int(generator.integers(len(points)))]
     distances = ((points - points[chosen[0]]) ** 2).sum(axis=1)
     while len(chosen) < count:

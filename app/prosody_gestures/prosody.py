@@ -1,13 +1,13 @@
-"""The prosody of speech, a row each `FRAME_S`: what a gesture model observes (AHG §3.2, eq. 3 to 6).
+"""Prosodic features of speech, one row each `FRAME_S`: the observations of the gesture model (AHG §3.2, eq. 3 to 6).
 
-A frame's window is .05 s: the logarithm of its mean energy, the logarithm of f0, and how sure f0 is, all with the
-change since .05 s before. Nothing here looks ahead of a frame's window, so speech that still goes on has the same
-features as its recording.
+A frame's window is .05 s: log mean energy, log f0 and the confidence of f0, each with its change since .05 s before.
+The features are causal, so a live stream has the same features as its recording.
 
-Departures: confidence is the share of the window that our tracker calls voiced, and not YIN's eq. 5, since YIN is not
-run; f0 keeps its last value where nothing is voiced. The mean and deviation of energy and f0 are those of the voiced
-frames so far, not of the whole recording, which nobody has yet: means are the speaker's after some frames, deviations
-begin as typical and become his over `DEVIATION_FRAMES`, and either forgets what is older than about `MEMORY_FRAMES`.
+Departures: confidence is the share of the window that our pitch tracker calls voiced, not YIN's eq. 5, since YIN is not
+run; f0 holds its last value in unvoiced frames. Energy and f0 are normalised by a running mean and standard deviation
+of the voiced frames so far, because a live stream has no end yet: the mean adapts to the speaker within a few frames,
+the deviation starts at a typical value and adapts over `DEVIATION_FRAMES`, and both forget frames older than about
+`MEMORY_FRAMES`.
 """
 
 from math import ceil, floor, log, sqrt
@@ -21,21 +21,21 @@ HALF_WINDOW_S = 0.025
 CHANGE_FRAMES = 2
 MEMORY_FRAMES = 800.0
 MEAN_FRAMES = 4.0
-"""What was heard before the first voiced frames weighs as much as so many."""
+"""The prior of the running mean counts as this many frames."""
 
 DEVIATION_FRAMES = 120.0
 TYPICAL_DEVIATIONS = (1.4, 0.20)
-"""Of the logarithms of energy and f0 over voiced frames, as over TIMIT's training speakers."""
+"""Standard deviations of log energy and log f0 over voiced frames, measured over TIMIT's training speakers."""
 
 VOICED = 0.5
-"""The share of a window that is voiced above which it tells of the speaker's voice."""
+"""Windows with at least this voiced share update the speaker's mean and deviation."""
 
 SILENT_DB = -100.0
 FEATURES = ("energy", "f0", "confidence", "change of energy", "change of f0", "change of confidence")
 
 
 def raw_frames(energy_db: FloatArray, f0_hz: FloatArray) -> FloatArray:
-    """Energy, f0 (0: unvoiced) and share of voiced frames of each window (frames × 3), from contours with a row each
+    """Energy, f0 (0: unvoiced) and voiced share of each window (frames × 3), from contours with one row each
     `FRAME_SHIFT_S`."""
     count = whole_frames(len(f0_hz))
     rows = [raw_frame(energy_db, f0_hz, frame) for frame in range(count)]
@@ -43,12 +43,12 @@ def raw_frames(energy_db: FloatArray, f0_hz: FloatArray) -> FloatArray:
 
 
 def whole_frames(contour_frames: int) -> int:
-    """How many windows lie within so many frames of a contour."""
+    """The number of whole windows in this many frames of a contour."""
     return max(0, floor(((contour_frames - 1) * FRAME_SHIFT_S - HALF_WINDOW_S) / FRAME_S + 1e-6) + 1)
 
 
 def raw_frame(energy_db: FloatArray, f0_hz: FloatArray, frame: int, base: int = 0) -> tuple[float, float, float]:
-    """One window's energy, f0 and share of voiced frames; the contours' first row is their frame `base`."""
+    """The energy, f0 and voiced share of one window; the first row of the contours is frame `base`."""
     centre_s = frame * FRAME_S
     first = max(0, ceil((centre_s - HALF_WINDOW_S) / FRAME_SHIFT_S - 1e-6) - base)
     last = floor((centre_s + HALF_WINDOW_S) / FRAME_SHIFT_S + 1e-6) - base
@@ -66,7 +66,7 @@ def features(raw: FloatArray) -> FloatArray:
 
 
 class ProsodyNormalizer:
-    """Makes features of raw frames as they come."""
+    """Computes normalised features from a stream of raw frames."""
 
     def __init__(self) -> None:
         self._energy = _RunningScale(TYPICAL_DEVIATIONS[0])
@@ -87,7 +87,7 @@ class ProsodyNormalizer:
 
 
 class _RunningScale:
-    """Mean and deviation of what was heard lately, as if typical values had been heard before."""
+    """A running mean and standard deviation with exponential forgetting, starting from a typical prior."""
 
     def __init__(self, deviation: float) -> None:
         self._weight, self._mean = 0.0, 0.0
@@ -102,6 +102,7 @@ class _RunningScale:
         self._variance += (difference * (value - self._mean) - self._variance) / self._spread_weight
 
     def scaled(self, value: float) -> float:
-        """In deviations from the mean, 0 before anything was heard; towards it while little was heard."""
+        """The value in standard deviations from the mean; 0 before the first voiced frame, and shrunk towards 0 while
+        few frames have been heard."""
         trust = self._weight / (self._weight + MEAN_FRAMES)
         return trust * (value - self._mean) / sqrt(self._variance)

@@ -1,7 +1,7 @@
-"""The hidden semi-Markov model Λ = (A, B, D, Π) (RTS eq. 2.1 to 2.4; AHG eq. 7 to 10) as arrays of logarithms.
+"""The hidden semi-Markov model Λ = (A, B, D, Π) (RTS eq. 2.1 to 2.4; AHG eq. 7 to 10) as arrays of log probabilities.
 
-States are kinds of gesture phrases, all connected; a state may follow itself, as one beat follows another. Each segment
-of a path has a state and a duration of whole frames, and emits an observation a frame.
+States are kinds of gesture phrases, fully connected; a state may follow itself, as one beat follows another. Each
+segment of a path has a state and a duration in whole frames, and emits one observation a frame.
 """
 
 from collections.abc import Iterable, Sequence
@@ -15,22 +15,22 @@ from numpy.typing import NDArray
 from ..model import FloatArray
 
 FRAME_S = 0.025
-"""The width δ of a frame and of a bin of durations (RTS §2.2, AHG §3.2)."""
+"""The length δ of a frame and of a bin of the duration histogram (RTS §2.2, AHG §3.2)."""
 
 IntArray = NDArray[np.intp]
 
 
 class Emissions(Protocol):
-    """How likely each state is to emit an observation."""
+    """The emission model of the states."""
 
     def log_likelihoods(self, observations: FloatArray | IntArray) -> FloatArray:
-        """The logarithms b_i(o) (frames × states) of `observations`, a row or a label a frame; all finite."""
+        """The log likelihoods b_i(o) (frames × states) of `observations`, one row or label a frame; all finite."""
         ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DiscreteEmissions:
-    """A probability of each label of intonation phrases (RTS eq. 2.2): `log_probability` is states × labels."""
+    """The probability of each intonation-phrase label (RTS eq. 2.2): `log_probability` is states × labels."""
 
     log_probability: FloatArray
 
@@ -56,7 +56,7 @@ class MixtureEmissions:
         return total
 
     def log_densities(self, observations: FloatArray | IntArray) -> FloatArray:
-        """Logarithm of weight times density of each component (frames × states × components)."""
+        """The log of weight times density of each component (frames × states × components)."""
         states, components, features = self.means.shape
         precisions = 1 / self.variances.reshape(-1, features)
         means = self.means.reshape(-1, features)
@@ -84,7 +84,7 @@ class SemiMarkovModel:
 
 @dataclass(frozen=True, slots=True)
 class Segment:
-    """`frames` frames in `state` from frame `start` on."""
+    """`frames` frames in `state`, starting at frame `start`."""
 
     state: int
     start: int
@@ -96,13 +96,13 @@ class Segment:
 
 
 def states_by_frame(segments: Iterable[Segment]) -> IntArray:
-    """The state of each frame of segments that follow one another."""
+    """The state of each frame of contiguous segments."""
     found = list(segments)
     return np.repeat([each.state for each in found], [each.frames for each in found]).astype(np.intp)
 
 
 def segments_of(states: Sequence[int] | IntArray) -> list[Segment]:
-    """The runs of one state in a state a frame."""
+    """The segments of a state sequence: its runs of equal states."""
     frames = np.asarray(states, dtype=np.intp)
     bounds = [0, *(np.flatnonzero(np.diff(frames)) + 1).tolist(), len(frames)]
     return [Segment(int(frames[start]), start, end - start) for start, end in pairwise(bounds) if end > start]

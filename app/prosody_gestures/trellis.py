@@ -1,17 +1,17 @@
 """The recursion of the semi-Markov Viterbi algorithm, boundary by boundary (RTS eq. 2.5, Algorithm 1; AHG eq. 15).
 
-ψ_t(j), the best score of a path whose last segment is in state j and ends at boundary t, is the greatest over durations
-τ of: ψ_{t-τ}(i) + log a_ij for the best i, plus log d_j(τ), plus what j emits meanwhile. The middle of a path never
-changes with t, so the best predecessor of each (boundary, state) is sought once, when the boundary is reached, and a
-frame costs states² + states × durations, where the double loop as printed costs states² × durations.
+ψ_t(j), the best score of a path whose last segment is in state j and ends at boundary t, is the maximum over durations
+τ of: ψ_{t-τ}(i) + log a_ij for the best i, plus log d_j(τ), plus the log likelihood of the frames in j. The best
+predecessor of a (boundary, state) does not depend on t, so it is computed once, when the boundary is reached, and a
+frame costs states² + states × durations instead of the states² × durations of the printed double loop.
 
-Where Algorithm 1 is unclear or misprinted we read it thus:
+Algorithm 1 is unclear or misprinted in places; we read it as follows:
 
-- The n best states narrow the predecessor alone in print, for φ, while ψ and ν range over all: nothing would be saved,
-  and φ could name another path than ψ has. Here ψ, φ and ν all range over the n best.
-- They are the n best at the boundary where the predecessor ends, not the n best of the frame before t: a state that
-  ended well two seconds ago may be far from the best now (`benchmarks.prosody_gestures.tables` measures both).
-- ν, printed as a maximum, is the duration where the maximum is.
+- As printed, the n best states restrict only the predecessor φ, while ψ and ν range over all: that saves nothing, and φ
+  could belong to another path than ψ. Here ψ, φ and ν all range over the n best.
+- They are the n best at the boundary where the predecessor ends, not those of the frame before t: a state that scored
+  well two seconds ago may be far from the best now (`benchmarks.prosody_gestures.tables` measures both).
+- ν, printed as a maximum, is the duration at which the maximum is attained.
 - ψ_1 has no duration as printed, and ψ_0 is undefined; here the first segment has π_j d_j(τ), like any other.
 - T and D_max are frames and seconds in print; here everything is frames.
 """
@@ -27,8 +27,8 @@ from .semi_markov import IntArray, Segment, SemiMarkovModel
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """What is searched: durations of 1, 1 + step, 1 + 2 step, … frames (m in RTS), and after the `best` best states
-    (n; None: after all)."""
+    """The search space: durations of 1, 1 + step, 1 + 2 step, … frames (m in RTS), and only the `best` predecessor
+    states (n; None: all)."""
 
     step: int = 1
     best: int | None = None
@@ -40,9 +40,9 @@ EVERYTHING = Search()
 class Trellis:
     """The scores of all paths up to boundary `time`; starts at boundary 0.
 
-    Columns are boundaries from `base` on. `entry` (states × boundaries) is the best score of a path that goes on in a
-    state from a boundary, less what the state would have emitted before it, so that one sum over `emitted` (cumulative,
-    states × boundaries) completes it.
+    Columns are boundaries, starting at `base`. `entry` (states × boundaries) is the best score of a path that enters a
+    state at a boundary, minus the state's cumulative emission score there, so that adding `emitted` (cumulative,
+    states × boundaries) at the end completes it.
     """
 
     def __init__(self, model: SemiMarkovModel, search: Search = EVERYTHING, capacity: int = 0) -> None:
@@ -61,7 +61,7 @@ class Trellis:
         self.base = self.time = 0
 
     def push(self, log_likelihoods: FloatArray) -> None:
-        """One more frame (states)."""
+        """Adds the log likelihoods of one more frame (states)."""
         if self.time + 1 - self.base == self._columns:
             self._widen()
         self.time += 1
@@ -70,7 +70,7 @@ class Trellis:
         self._reach(column)
 
     def _reach(self, column: int) -> None:
-        """Finds the best segments that end at a boundary, and the best predecessors of those that begin there."""
+        """Computes the best segments ending at a boundary, and the best predecessors of those that start there."""
         first = max(0, column - self._model.longest_frames)
         latest = self._entry[:, first:column][:, :: -self._search.step]
         scores = latest + self._durations[:, : latest.shape[1]]
@@ -96,15 +96,15 @@ class Trellis:
         return float(self._ended[state]), state
 
     def open_scores(self, since: int) -> FloatArray:
-        """Scores of the paths whose last segment began at boundary `since` or later and still goes on (states ×
-        boundaries up to now): of its duration no more is known than that it is not shorter."""
+        """The scores of the paths whose last segment started at boundary `since` or later and is still open (states ×
+        boundaries up to now); the open segment is scored by the probability of lasting at least this long."""
         first, column = max(since, self.time - self._model.longest_frames) - self.base, self.time - self.base
         remaining = self._remaining[:, column - first - 1 :: -1] if column > first else self._remaining[:, :0]
         scores: FloatArray = self._entry[:, first:column] + remaining + self._emitted[:, column, None]
         return scores
 
     def begun(self, boundary: int | IntArray, state: int | IntArray) -> tuple[IntArray, IntArray]:
-        """The segment before the best one that begins at `boundary` in `state`: where it begins, its state."""
+        """The start and state of the best predecessor of a segment that starts at `boundary` in `state`."""
         before = self._predecessor[boundary - self.base, state]
         return boundary - self._lasted[boundary - self.base, before], before
 
@@ -114,7 +114,7 @@ class Trellis:
         return Segment(state, self.time - lasted, lasted)
 
     def back_to(self, root: int, boundary: int, state: int) -> list[Segment]:
-        """The segments of the best path that goes on in `state` from `boundary`, from the one that begins at `root`."""
+        """The segments of the best path that enters `state` at `boundary`, traced back to the segment at `root`."""
         segments: list[Segment] = []
         while boundary > root:
             start, before = self.begun(boundary, state)
@@ -123,8 +123,8 @@ class Trellis:
         return segments[::-1]
 
     def restart(self, state: int, start: int, boundary: int) -> None:
-        """Keeps only the paths with a segment in `state` from boundary `start` to `boundary` or longer, and decodes
-        again from there: those that had lost to others before are found too."""
+        """Keeps only the paths with a segment in `state` from boundary `start` to at least `boundary`, and decodes
+        again from there, so that paths that had been pruned before are found too."""
         first = start - self.base
         again = max(boundary - self.base, first + 1)
         kept = self._entry[state, first]
@@ -134,7 +134,7 @@ class Trellis:
             self._reach(column)
 
     def forget(self, boundary: int) -> None:
-        """Makes room: no path is traced back beyond `boundary` any more. Does nothing while there is room."""
+        """Frees the columns before `boundary`; no path is traced back beyond it. Does nothing while there is room."""
         dropped = boundary - self.base
         if self.time + 1 - self.base < self._columns or dropped <= 0:
             return
@@ -143,7 +143,7 @@ class Trellis:
         self.base = boundary
 
     def _widen(self) -> None:
-        """Twice the columns: nothing has been forgotten for as long as there are now."""
+        """Doubles the columns, because nothing could be freed."""
         more = self._columns
         self._entry = np.pad(self._entry, ((0, 0), (0, more)), constant_values=-inf)
         self._emitted = np.pad(self._emitted, ((0, 0), (0, more)))
@@ -153,7 +153,7 @@ class Trellis:
 
 
 def _log_survival(log_duration: FloatArray, step: int) -> FloatArray:
-    """Logarithms of the chances that a segment lasts 1, 2, … frames or longer, of the durations that are searched."""
+    """The log survival function of the searched durations: that a segment lasts at least 1, 2, … frames."""
     probability = np.zeros_like(log_duration)
     probability[:, ::step] = np.exp(log_duration[:, ::step])
     chance = np.cumsum(probability[:, ::-1], axis=1)[:, ::-1]

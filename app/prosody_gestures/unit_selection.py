@@ -1,13 +1,13 @@
-"""Which recorded units show a path of states: those that join well, last as long, and feel alike (RTS §2.4, AHG §3.7).
+"""Unit selection: recorded motion units for a path of states, by joint, duration and affect cost (RTS §2.4, AHG §3.7).
 
-A unit is a stretch of joint angles of one state. Dynamic programming over the segments of a path finds the units with
-the least sum of costs; they are stretched to their segments, and the jumps where they meet die away.
+A unit is a clip of joint angles in one state. Dynamic programming over the segments of a path finds the sequence of
+units with the lowest total cost; units are stretched to their segments, and the discontinuities at the joints decay.
 
 Costs, for segment l of state g_i and unit ε of that state:
 
 - RTS eq. 2.6 to 2.8: α ‖ω_end(previous) - ω_begin(ε)‖ + (1 - α) ‖κ_l - κ(ε)‖. As printed the recursion's cost does not
-  depend on the previous unit j, over which it is minimised; it must, by eq. 2.7. The first unit costs its duration
-  alone: printed is its joint, with nothing before it.
+  depend on the previous unit j, over which it is minimised; by eq. 2.7 it must. The first unit has only a duration
+  cost; the printed joint cost has no predecessor.
 - AHG eq. 16: β1 D_ω + (β2 + β3 (1 - α)) D_κ + β3 α D_a, with mean squared differences of angles and of affect, and the
   difference of durations. So with α = 0 what affect does not weigh, duration does.
 
@@ -24,12 +24,12 @@ from ..model import FloatArray
 from .semi_markov import FRAME_S, IntArray, Segment
 
 SMOOTHING_S = 0.2
-"""The time in which all but a twentieth of a jump has died away."""
+"""The time in which a discontinuity decays to a twentieth."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Unit:
-    """A stretch of motion in a state: `angles` (frames × angles), and its mean activation, valence and dominance."""
+    """A motion clip in one state: `angles` (frames × angles), and its mean activation, valence and dominance."""
 
     state: int
     angles: FloatArray
@@ -42,8 +42,8 @@ class Unit:
 
 @dataclass(frozen=True, slots=True)
 class Weights:
-    """How much a joint, a difference of durations and one of affects cost. `joint_norm` and not the mean square is what
-    a joint is measured by in RTS."""
+    """The weights of the joint, duration and affect costs. With `joint_norm` the joint cost is the norm (RTS) instead
+    of the mean square (AHG)."""
 
     joint: float
     duration: float
@@ -57,14 +57,14 @@ def thesis_weights(alpha: float) -> Weights:
 
 
 def paper_weights(alpha: float, betas: tuple[float, float, float] = (0.30, 0.35, 0.35)) -> Weights:
-    """AHG eq. 16 with its β1, β2, β3; α is how much affect adjusts what is chosen."""
+    """AHG eq. 16 with its β1, β2, β3; α is the influence of affect."""
     joint, duration, affect = betas
     return Weights(joint, duration + affect * (1 - alpha), affect * alpha)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pool:
-    """The units of each state, their ends and durations as arrays."""
+    """The units of each state, with their boundary angles and durations as arrays."""
 
     units: Mapping[int, Sequence[Unit]]
 
@@ -77,9 +77,9 @@ class Pool:
 
 
 def select(path: Sequence[Segment], affects: FloatArray, pool: Pool, weights: Weights) -> list[Unit]:
-    """The units with the least cost for a path; `affects` are those of its segments (segments × 3).
+    """The units with the lowest total cost for a path; `affects` are those of its segments (segments × 3).
 
-    Raises InputError `no_units` where a state of the path has none.
+    Raises InputError `no_units` if a state of the path has none.
     """
     missing = {segment.state for segment in path} - set(pool.units)
     if missing:
@@ -100,7 +100,7 @@ def select(path: Sequence[Segment], affects: FloatArray, pool: Pool, weights: We
 
 
 def _fitting(segment: Segment, affect: FloatArray, units: Sequence[Unit], weights: Weights) -> FloatArray:
-    """What each unit costs in a segment, joints aside."""
+    """The duration and affect cost of each unit in a segment."""
     durations_s = np.array([unit.duration_s for unit in units])
     affects = np.stack([unit.affect for unit in units])
     lasting, feeling = np.abs(durations_s - segment.frames * FRAME_S), ((affects - affect) ** 2).mean(axis=1)
@@ -109,7 +109,7 @@ def _fitting(segment: Segment, affect: FloatArray, units: Sequence[Unit], weight
 
 
 def _joints(before: Sequence[Unit], after: Sequence[Unit], weights: Weights) -> FloatArray:
-    """What it costs that a unit (column) follows another (row), before weighing."""
+    """The unweighted cost of joining each unit (column) to each predecessor (row)."""
     ends, begins = (np.stack([unit.angles[place] for unit in units]) for units, place in ((before, -1), (after, 0)))
     squares = (ends**2).sum(axis=1)[:, None] + (begins**2).sum(axis=1) - 2 * ends @ begins.T
     squares = np.maximum(squares, 0)
@@ -118,8 +118,8 @@ def _joints(before: Sequence[Unit], after: Sequence[Unit], weights: Weights) -> 
 
 
 def motion_of(path: Sequence[Segment], units: Sequence[Unit]) -> FloatArray:
-    """The angles of a path (frames × angles): units stretched to their segments; where two meet, the jump is taken back
-    and dies away exponentially."""
+    """The angles of a path (frames × angles): units stretched to their segments; the discontinuity at each joint is
+    removed by an offset that decays exponentially."""
     parts: list[FloatArray] = []
     for segment, unit in zip(path, units, strict=True):
         angles = stretched(unit.angles, segment.frames)
@@ -131,6 +131,6 @@ def motion_of(path: Sequence[Segment], units: Sequence[Unit]) -> FloatArray:
 
 
 def stretched(angles: FloatArray, frames: int) -> FloatArray:
-    """The same course in another number of frames, by linear interpolation."""
+    """The angles resampled to another number of frames by linear interpolation."""
     places = np.linspace(0, len(angles) - 1, frames)
     return np.stack([np.interp(places, np.arange(len(angles)), column) for column in angles.T], axis=1)

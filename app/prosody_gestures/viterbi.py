@@ -1,4 +1,4 @@
-"""The likeliest path through a whole recording (RTS §2.3, AHG §3.6)."""
+"""Viterbi decoding of a complete recording (RTS §2.3, AHG §3.6)."""
 
 from math import isfinite
 
@@ -9,9 +9,9 @@ from .trellis import EVERYTHING, Search, Trellis
 
 
 def decode(model: SemiMarkovModel, log_likelihoods: FloatArray, search: Search = EVERYTHING) -> tuple[Segment, ...]:
-    """The likeliest segments, by `log_likelihoods` (frames × states); the last ends with the recording, as printed.
+    """The most likely segments for `log_likelihoods` (frames × states); the last ends with the recording, as printed.
 
-    With `EVERYTHING` it is the likeliest of all paths. Raises InputError `undecodable` where no path is possible.
+    With `EVERYTHING` the search is exact. Raises InputError `undecodable` if no path is possible.
     """
     if not len(log_likelihoods):
         return ()

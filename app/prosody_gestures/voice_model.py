@@ -1,5 +1,5 @@
-"""The model that gestures from the voice: for hands, head and brows each a semi-Markov model over discriminants of the
-prosody, in one file without pickles."""
+"""The voice-driven gesture model: one semi-Markov model over discriminants of the prosody for each of hands, head and
+brows, in one .npz file without pickles."""
 
 import io
 import zipfile
@@ -34,14 +34,14 @@ _MODEL = ("log_initial", "log_transition", "log_duration")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PartModel:
-    """A part of the body ("hands", "head", "brows"): how its states show in the prosody and follow one another."""
+    """The model of a part of the body ("hands", "head", "brows"): the emissions and sequence of its states."""
 
     part: str
     discriminants: Discriminants
     model: SemiMarkovModel
 
     def log_likelihoods(self, rows: FloatArray) -> FloatArray:
-        """Of prosody in its context (frames × `WIDTH`), for each state (frames × states)."""
+        """The log likelihoods (frames × states) of prosody with context (frames × `WIDTH`)."""
         return self.model.emissions.log_likelihoods(self.discriminants.project(rows))
 
 
@@ -61,7 +61,7 @@ class VoiceModel:
             raise ServiceError("model_unreadable", f"{path} is no model of gestures from the voice: {error}") from None
 
     def save(self, path: Path) -> None:
-        """Written to a temporary name, then renamed."""
+        """Writes the file under a temporary name, then renames it."""
         arrays = {f"{part.part}/{name}": array for part in self.parts for name, array in _arrays(part).items()}
         arrays["parts"] = np.array([part.part for part in self.parts])
         unfinished = path.with_suffix(".unfinished")
@@ -72,7 +72,7 @@ class VoiceModel:
     def decode(
         self, energy_db: FloatArray, f0_hz: FloatArray, search: Search = EVERYTHING
     ) -> dict[str, tuple[Segment, ...]]:
-        """The likeliest path of each part through a whole recording, from its contours (a row each .01 s)."""
+        """The most likely path of each part through a complete recording, from its contours (one row each .01 s)."""
         rows = in_context(features(raw_frames(energy_db, f0_hz)))
         return {part.part: decode(part.model, part.log_likelihoods(rows), search) for part in self.parts}
 
@@ -80,7 +80,7 @@ class VoiceModel:
 def learn_part(
     part: str, states: tuple[str, ...], examples: Sequence[tuple[FloatArray, Sequence[Segment]]]
 ) -> PartModel:
-    """From prosody in its context (frames × `WIDTH`) and the segments beside it."""
+    """Trains a part on prosody with context (frames × `WIDTH`) and its labelled segments."""
     rows = np.concatenate([example for example, _ in examples])
     kinds = np.concatenate([states_by_frame(path) for _, path in examples])
     discriminants = fit_discriminants(rows, kinds)
