@@ -8,7 +8,7 @@ LEAST_SHARE = 1e-6
 """Directions of a stream with a smaller share of its largest deviation are ignored."""
 
 ADDED = 1e-4
-"""The share that replaces 0 in a divergence."""
+"""Added to every share before a divergence, so that none is 0."""
 
 
 def canonical_correlation(one: FloatArray, other: FloatArray) -> float:
@@ -29,8 +29,8 @@ def _directions(stream: FloatArray) -> FloatArray:
 
 
 def symmetric_divergence(one: FloatArray, other: FloatArray) -> float:
-    """The symmetric Kullback-Leibler divergence of two distributions in nats, the sum of both directions; shares of 0
-    are replaced by `ADDED`."""
+    """The symmetric Kullback-Leibler divergence of two distributions in nats, the sum of both directions; `ADDED` is
+    added to every share."""
     shares = [(each + ADDED) / (each + ADDED).sum() for each in (one, other)]
     return float(((shares[0] - shares[1]) * np.log(shares[0] / shares[1])).sum())
 
