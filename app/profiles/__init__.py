@@ -1,7 +1,7 @@
-"""Whose gestures these are: a speaker's annotated gestures in, a profile of how they gesture, gestures in their way out
+"""Speaker profiles: annotated gestures in, a profile of how the speaker gestures, new gestures in that style out
 (Neff, Kipp et al. 2007, called NGS in this package).
 
-    annotation   what people marked in a recording, read from the formats of their tools and checked
+    annotation   manual annotation of a recording, read from the formats of their tools and checked
     proposing    a first annotation of a motion, for people to correct
     learning     from annotation to profile (§3.2)
     profile …    the profile itself, its file, and profiles mixed
