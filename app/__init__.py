@@ -151,8 +151,8 @@ if TYPE_CHECKING:
         Viseme,
         Word,
     )
-    from .model.bml_form import DialectName, TimeForm
-    from .model.speaker_reference import SpeakerReference
+    from .model.formats.bml_form import DialectName, TimeForm
+    from .model.voice.speaker_reference import SpeakerReference
     from .models import LanguageModels, Understudy
     from .realization import MotionFormat, Realized, Realizer
     from .realizer.body.motion import Motion

@@ -33,12 +33,12 @@ from .model import (
     Timings,
     Tone,
 )
-from .model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
 from .model.edits import NO_EDITS, Edits
+from .model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from .model.formats.motion_formats import AudioFile
 from .model.lead_in import with_lead_in
-from .model.motion_formats import AudioFile
-from .model.speaker_reference import SpeakerReference
 from .model.targets import targets_of
+from .model.voice.speaker_reference import SpeakerReference
 from .models import LanguageModels, Understudy
 from .performance import analyze as _analyze
 from .performance import perform as _perform

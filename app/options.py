@@ -11,11 +11,11 @@ from .model import (
     Mode,
     Target,
 )
-from .model.bml_form import CORE_FORM, BmlForm
 from .model.edits import NO_EDITS, Edits
+from .model.formats.bml_form import CORE_FORM, BmlForm
 from .model.lead_in import LONGEST_LEAD_IN_S
-from .model.speaker_reference import SpeakerReference
 from .model.targets import check_targets
+from .model.voice.speaker_reference import SpeakerReference
 from .profiles.profile import Profile
 
 

@@ -45,7 +45,7 @@ from .model import (
 )
 from .model.edits import WordEdit, WordMark
 from .model.lead_in import with_lead_in
-from .model.speaker_reference import SpeakerReference
+from .model.voice.speaker_reference import SpeakerReference
 from .models import BehaviorModels, Understudy
 from .options import Options
 from .profiles.generation.script import GestureScript

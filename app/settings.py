@@ -8,7 +8,7 @@ from pydantic import Field, SecretStr, ValidationError
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from .errors import InputError
-from .model.motion_limits import MotionLimits
+from .model.limits.motion_limits import MotionLimits
 
 PREFIX = "UNDERSTUDY_"
 

@@ -14,8 +14,8 @@ from typing import assert_type
 import pytest
 
 import understudy as library
-from tests.support.bml_checker import check
-from tests.support.bml_records import without_record
+from tests.support.bml.bml_checker import check
+from tests.support.bml.bml_records import without_record
 from understudy.bml.writing.writer import write_bml
 from understudy.library import PerformKeywords, RealizeKeywords
 from understudy.model import Line, Performance
@@ -53,7 +53,7 @@ def test_importing_it_imports_nothing_else() -> None:
     run = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
     assert run.stdout.splitlines() == [
         "['understudy', 'understudy.version']",
-        "understudy.library understudy.model.speech understudy.realizer.body.motion",
+        "understudy.library understudy.model.voice.speech understudy.realizer.body.motion",
     ]
 
 

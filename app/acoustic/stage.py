@@ -19,7 +19,7 @@ from ..model import (
     Timings,
     Word,
 )
-from ..model.speaker_reference import SpeakerReference
+from ..model.voice.speaker_reference import SpeakerReference
 from ..on_demand import OnDemand
 from ..progress import Progress, no_progress
 from ..resources import resource_folder

@@ -9,7 +9,7 @@ from contextlib import ExitStack, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ..model.speaker_reference import SpeakerReference
+from ..model.voice.speaker_reference import SpeakerReference
 from ..on_demand import OnDemand
 from ..settings import Settings
 from .casting.voices import keep_learnt, read_learnt

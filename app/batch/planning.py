@@ -7,7 +7,7 @@ from functools import cache
 
 from ..errors import InputError
 from ..model.edits import NO_EDITS
-from ..model.speaker_reference import SpeakerReference
+from ..model.voice.speaker_reference import SpeakerReference
 from ..models import load_characters
 from ..options import Options
 from .casting.cast_file import NOBODY_CAST, read_cast

@@ -9,7 +9,7 @@ from ..behavior.characters.overlays import Character
 from ..behavior.choice.scheduling import numbered
 from ..model import Behavior, Channel, Notice, Performance, SyncPoints, Utterance, Word
 from ..model.edits import BehaviorEdit
-from ..model.lexemes import SHIFT
+from ..model.tables.lexemes import SHIFT
 from .finding import find_behaviors
 from .forms import Formed, added, formed, forms_of, unplayed
 from .marks import moved, place_s

@@ -14,7 +14,7 @@ from ..behavior.timing.anchoring import asked
 from ..behavior.timing.phases import Placing, Window, placed, soonest, underway
 from ..model import Behavior, Channel, Hand, Movement, Notice, SyncPoints, Word
 from ..model.edits import BehaviorEdit
-from ..model.gesture_limits import Forms
+from ..model.limits.gesture_limits import Forms
 from ..suggestions import did_you_mean
 
 PRIORITY = 10.0

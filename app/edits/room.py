@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 
 from ..behavior.timing.conflicts import compete
 from ..model import Behavior, Channel, SyncPoints
-from ..model.gesture_limits import Forms, transition_times
-from ..model.lexemes import GLANCE, LOOK
+from ..model.limits.gesture_limits import Forms, transition_times
+from ..model.tables.lexemes import GLANCE, LOOK
 
 INSTANT_S = 0.001
 """How long it takes at least to leave a posture: one that ends where it relaxes is held for good."""

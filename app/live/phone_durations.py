@@ -12,7 +12,7 @@ from pydantic import Field, RootModel
 
 from ..errors import AuthoringError, Mistake
 from ..model import Interval, Phone, Word
-from ..model.mouth_shapes import PHONES
+from ..model.tables.mouth_shapes import PHONES
 from ..suggestions import did_you_mean
 from ..yaml_files import Source
 

@@ -9,7 +9,6 @@ the words, `direction` and `choice` the plan and the candidates, `body` and `sch
 of it. Import the values from here.
 """
 
-from .affect import NEUTRAL, Affect, AffectTrack, LineAffect, Manner, PhraseAffect, Tone, mean_affect
 from .body import Channel, Hand
 from .choice import Alternative, BehaviorCandidates, Demand, Mode, Moment, Movement, Rejected
 from .direction import Avoidance, DirectedMoment, Direction
@@ -20,9 +19,10 @@ from .line import AlignedLine, Analysis, Line, SignalAnalysis, Timings
 from .performance import Notice, Performance
 from .reasons import Term
 from .schedule import DEFAULT_CHARACTER, Behavior, Listening, Schedule, SyncPoints, Target, Viseme
-from .signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray, VoiceQuality
 from .slots import Distance, Height, Side, Size, Slots, Which
-from .speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
+from .voice.affect import NEUTRAL, Affect, AffectTrack, LineAffect, Manner, PhraseAffect, Tone, mean_affect
+from .voice.signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray, VoiceQuality
+from .voice.speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
 
 __all__ = [
     "DEFAULT_CHARACTER",

@@ -11,7 +11,7 @@ from enum import StrEnum
 
 from .body import Channel, Hand
 from .choice import Mode
-from .speech import Level
+from .voice.speech import Level
 
 MARKS = ("start", "ready", "stroke_start", "stroke", "stroke_end", "relax", "end")
 """The sync points, in the order in which they must fall."""

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from .affect import LineAffect, Manner
-from .speech import Agitation, Filler, Level, StressThresholds, Word
+from .voice.affect import LineAffect, Manner
+from .voice.speech import Agitation, Filler, Level, StressThresholds, Word
 
 
 @dataclass(frozen=True, slots=True)

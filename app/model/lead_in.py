@@ -7,7 +7,7 @@ With a lead-in, all times are on the clock of the performance (of its BML block)
 from dataclasses import replace
 
 from .language import Utterance
-from .speech import Interval, Word
+from .voice.speech import Interval, Word
 
 LONGEST_LEAD_IN_S = 3.0
 

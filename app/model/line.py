@@ -2,14 +2,14 @@
 
 from dataclasses import dataclass, field
 
-from .affect import Affect
 from .direction import Direction
 from .facts import Fact
 from .functions import Function, GivenFunction
 from .language import Utterance
 from .performance import Notice
-from .signal import Audio, Contours, VoiceQuality
-from .speech import Agitation, Filler, Word
+from .voice.affect import Affect
+from .voice.signal import Audio, Contours, VoiceQuality
+from .voice.speech import Agitation, Filler, Word
 
 
 @dataclass(frozen=True, slots=True)

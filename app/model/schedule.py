@@ -3,12 +3,12 @@
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
-from .affect import Manner
 from .body import Channel, Hand
 from .functions import Function
 from .reasons import Term
 from .slots import Slots
-from .speech import Interval, Level, Word
+from .voice.affect import Manner
+from .voice.speech import Interval, Level, Word
 
 DEFAULT_CHARACTER = "default"
 """The character that plays where none is named."""

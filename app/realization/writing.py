@@ -12,9 +12,9 @@ from ..editorial.events import timeline_events, tracks_of
 from ..editorial.table import to_event_table
 from ..editorial.timeline import to_otio
 from ..model import FloatArray
-from ..model.motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat
+from ..model.formats.motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat
 from ..realizer.exporting.arkit_csv import to_arkit_csv
-from ..realizer.exporting.avatar import to_avatar_glb
+from ..realizer.exporting.avatars.avatar import to_avatar_glb
 from ..realizer.exporting.bvh import to_bvh
 from ..realizer.exporting.clip_json import to_clip_json
 from ..realizer.exporting.extras import require_usd

@@ -5,7 +5,7 @@ from typing import Annotated, Self
 from pydantic import BaseModel, ConfigDict, Field
 
 from ..model import Hand
-from ..realizer.exporting.avatar_pose import AvatarPose
+from ..realizer.exporting.avatars.pose import AvatarPose
 from .requests import checked, read_object
 from .response_model import Number, ResponseModel
 

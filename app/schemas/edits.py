@@ -27,7 +27,7 @@ from ..model.edits import (
     WordMark,
     WordReference,
 )
-from ..model.lexemes import GazeDirection
+from ..model.tables.lexemes import GazeDirection
 from .mistakes import mistakes_told
 from .requests import LARGEST_SEED, read_object
 

@@ -13,9 +13,9 @@ from pydantic_core import ErrorDetails
 from ..acoustic.affect.given import affect_track
 from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
 from ..model import Level, Mode, Timings
-from ..model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from ..model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from ..model.formats.motion_formats import FileOptions, Keys
 from ..model.lead_in import LONGEST_LEAD_IN_S
-from ..model.motion_formats import FileOptions, Keys
 from ..model.targets import MOST_TARGETS, NAME, targets_of
 from ..options import Options
 from ..suggestions import did_you_mean

@@ -10,7 +10,7 @@ from ..authoring.catalogue import Catalogue, Item, Kind
 from ..authoring.rule_comparison import LineChange
 from ..authoring.rule_files import RuleText
 from ..errors import Mistake
-from .gestures import PlacedMistakeResponse
+from .gestures.definitions import PlacedMistakeResponse
 from .library import RuleResponse
 from .line_parts import FunctionResponse
 from .requests import checked, read_object

@@ -24,7 +24,7 @@ from training.agitation.conditions import TRAINING_CONDITIONS
 from training.agitation.measuring import measured
 from understudy.acoustic.affect.affect_model import DIMENSIONS, FEATURE_SET, AffectModel
 from understudy.model import Affect, Tone
-from understudy.model.speaker_reference import SpeakerReference
+from understudy.model.voice.speaker_reference import SpeakerReference
 
 SPEECH = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech"
 TESTED = (Tone.NEUTRAL, Tone.HAPPY, Tone.SAD, Tone.ANGRY, Tone.AFRAID)

@@ -24,7 +24,7 @@ from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, LineOutcome, Measures, OutputFile
 from understudy.batch.work.speaking import ReferenceJob
 from understudy.model import Notice
-from understudy.model.speaker_reference import SpeakerReference
+from understudy.model.voice.speaker_reference import SpeakerReference
 from understudy.settings import read_settings
 
 from .corpus import SPEECH, write_script

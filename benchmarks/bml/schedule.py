@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations, islice, pairwise
 from pathlib import Path
 
-from tests.support.bml_checker import check
+from tests.support.bml.bml_checker import check
 from understudy.behavior.candidates.planned import candidates_of
 from understudy.behavior.characters.overlays import Character
 from understudy.behavior.choice.scheduling import schedule

@@ -4,8 +4,8 @@
 
 Every recorded line (NAME.flac with NAME.txt; default: the examples and ../shared/data/speech/lines) is written for
 SmartBody, with absolute times and from marks, to nobody and to a listener, and checked against what a SmartBody that
-was built accepts (`tests.support.smartbody_checker`). Then the gestures of the table are counted that its gesture map
-has by type, with their hand, and with hand and style.
+was built accepts (`tests.support.bml.smartbody_checker`). Then the gestures of the table are counted that its gesture
+map has by type, with their hand, and with hand and style.
 """
 
 import argparse
@@ -13,12 +13,12 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from pathlib import Path
 
-from tests.support.smartbody_checker import check_act, check_speech_file
+from tests.support.bml.smartbody_checker import check_act, check_speech_file
 from understudy.behavior.table.behavior_table import load_table
 from understudy.bml.writing.smartbody_tables import shipped_tables
 from understudy.bml.writing.writer import losses, write_bml, write_speech_file
 from understudy.model import Channel, Line, Performance
-from understudy.model.bml_form import BmlForm, DialectName, TimeForm
+from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

@@ -3,11 +3,11 @@
     python -m benchmarks.realizer.soak [--seeds 5] [--every N] [--first K] [--physics]
 
 The recordings are those of `benchmarks.realizer.liveliness`, each heard once; characters are all of the lexicon,
-agitation all three levels. What must hold is in `tests/support/motion_limits.py` and `tests/support/soaking.py`:
-no error, no number that is none, joints, head, eyes and hips within their speeds and ranges in every frame, hands
-outside the body, valid BML, losers that lost to somebody. `--every N` takes each N-th variant of a recording, and
-`--first K` begins with the K-th, so that a soak can be done in parts. With `--physics` bodies have mass, and must not
-fall.
+agitation all three levels. What must hold is in `tests/support/motion/motion_limits.py` and
+`tests/support/motion/soaking.py`: no error, no number that is none, joints, head, eyes and hips within their speeds and
+ranges in every frame, hands outside the body, valid BML, losers that lost to somebody. `--every N` takes each N-th
+variant of a recording, and `--first K` begins with the K-th, so that a soak can be done in parts. With `--physics`
+bodies have mass, and must not fall.
 """
 
 import argparse
@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from benchmarks.realizer.liveliness import recorded_lines
-from tests.support.soaking import Variant, broken_by, variants
+from tests.support.motion.soaking import Variant, broken_by, variants
 from understudy.model import Analysis
 from understudy.models import Understudy
 from understudy.performance import analyze

@@ -10,7 +10,7 @@ from fastapi import FastAPI
 from fastapi.testclient import TestClient
 
 from tests.authoring.test_rule_edits import AGREEMENT, WORDS, text_of
-from tests.support.gesture_files import gesture
+from tests.support.motion.gesture_files import gesture
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
 from understudy.settings import Settings

@@ -9,7 +9,7 @@ import pytest
 from fastapi.testclient import TestClient
 
 from tests.cli.test_realize import BEAT
-from tests.support.bml_records import without_record
+from tests.support.bml.bml_records import without_record
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
 from understudy.bml.writing.writer import write_bml

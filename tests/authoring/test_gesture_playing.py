@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.gesture_files import gesture
+from tests.support.motion.gesture_files import gesture
 from understudy.authoring.gesture_playing import BEFORE_S, BEHAVIOR, Playing, schedule_of_gesture, with_only
 from understudy.authoring.gesture_texts import one_gesture
 from understudy.errors import InputError

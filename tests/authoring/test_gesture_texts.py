@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.gesture_files import gesture
+from tests.support.motion.gesture_files import gesture
 from understudy.authoring.gesture_texts import check_text, one_gesture
 from understudy.errors import InputError
 from understudy.realizer.body.skeleton import Skeleton

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.gesture_files import gesture
+from tests.support.motion.gesture_files import gesture
 from understudy.authoring.catalogue import load_gestures
 from understudy.cli.main import main
 from understudy.model import Level

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.gesture_files import mistakes_in, read_one
+from tests.support.motion.gesture_files import mistakes_in, read_one
 from understudy.model import Level
 from understudy.realizer.gestures.clips import EMPHASIS
 from understudy.realizer.gestures.definitions import FACTORS, MEDIUM, RANGES, SUMMANDS

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
-from tests.support.bml_checker import check
+from tests.support.bml.bml_checker import check
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
 from understudy.bml.reading.reader import read_bml
@@ -16,7 +16,7 @@ from understudy.bml.writing.writer import write_bml, write_speech_file
 from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.model import Line, Performance
-from understudy.model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 import soundfile
 
-from tests.support.by_hand import FIGURE_8, spoken
 from tests.support.shipped_rules import shipped_parser, shipped_rules
+from tests.support.words.by_hand import FIGURE_8, spoken
 from understudy.model import Channel, Filler, Interval, Line, Utterance
 from understudy.models import Understudy
 from understudy.options import Options

@@ -12,15 +12,15 @@ import soundfile
 from fastapi.testclient import TestClient
 from lxml import etree
 
-from tests.support.bml_checker import check
+from tests.support.bml.bml_checker import check
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
 from understudy.bml.writing.writer import write_bml
 from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.model import Behavior, Channel, GivenFunction, Line, Performance, Timings
-from understudy.model.bml_form import BmlForm, DialectName, TimeForm
-from understudy.model.gesture_limits import LATEST_S
+from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
+from understudy.model.limits.gesture_limits import LATEST_S
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from fastapi.testclient import TestClient
 
-from tests.support.bml_checker import check
+from tests.support.bml.bml_checker import check
 from tests.support.shared_data import SHARED_LINES, needs
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery

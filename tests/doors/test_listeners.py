@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from fastapi.testclient import TestClient
 
-from tests.support.bml_checker import check
+from tests.support.bml.bml_checker import check
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
 from understudy.bml.writing.writer import write_listener

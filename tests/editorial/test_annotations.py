@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.editorial import LEAD_IN_S, REALIZED, SCHEDULE
+from tests.support.motion.editorial import LEAD_IN_S, REALIZED, SCHEDULE
 from understudy.editorial.annotations import to_elan, to_textgrid
 from understudy.editorial.events import timeline_events, tracks_of
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.support.editorial import LEAD_IN_S, REALIZED, SCHEDULE
+from tests.support.motion.editorial import LEAD_IN_S, REALIZED, SCHEDULE
 from understudy.editorial.events import timeline_events, tracks_of
 from understudy.model import SyncPoints
 

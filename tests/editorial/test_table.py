@@ -3,7 +3,7 @@
 import csv
 import io
 
-from tests.support.editorial import LEAD_IN_S, REALIZED, SCHEDULE
+from tests.support.motion.editorial import LEAD_IN_S, REALIZED, SCHEDULE
 from understudy.editorial.events import timeline_events
 from understudy.editorial.table import to_event_table
 from understudy.model import SyncPoints

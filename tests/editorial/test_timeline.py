@@ -10,10 +10,10 @@ pytest.importorskip("opentimelineio", reason="OpenTimelineIO is not installed (t
 
 import opentimelineio as otio
 
-from tests.support.editorial import LEAD_IN_S, REALIZED, SCHEDULE
+from tests.support.motion.editorial import LEAD_IN_S, REALIZED, SCHEDULE
 from understudy.editorial.events import TimelineEvent, timeline_events
 from understudy.editorial.timeline import to_otio
-from understudy.model.motion_formats import AudioFile
+from understudy.model.formats.motion_formats import AudioFile
 
 EVENTS = timeline_events(SCHEDULE, REALIZED)
 RATE_HZ = 30

@@ -5,7 +5,7 @@ from dataclasses import replace
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.support.by_hand import FIGURE_8, spoken, utterance
+from tests.support.words.by_hand import FIGURE_8, spoken, utterance
 from understudy.model import Filler, Interval, Word
 from understudy.model.lead_in import LONGEST_LEAD_IN_S, later_word, with_lead_in
 

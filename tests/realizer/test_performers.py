@@ -6,9 +6,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tests.support.gltf_reading import read
+from tests.support.motion.gltf_reading import read
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
-from understudy.model.motion_formats import MotionFormat
+from understudy.model.formats.motion_formats import MotionFormat
 from understudy.models import load_realizer
 from understudy.realization import Realized, Realizer, realize, write_motion
 from understudy.realizer.body.contacts import penetrations_m

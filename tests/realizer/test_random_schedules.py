@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.examples import examples
-from tests.support.motion_limits import broken_limits
+from tests.support.motion.motion_limits import broken_limits
 from understudy.model import Behavior, Channel, Hand, Interval, Level, Schedule, SyncPoints
 from understudy.models import load_realizer
 from understudy.realizer.head_and_gaze.gaze_targets import DIRECTIONS

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.motion.soaking import Variant, broken_by, performed, variants
 from tests.support.shared_data import SHARED_LINES, needs
-from tests.support.soaking import Variant, broken_by, performed, variants
 from understudy.model import Analysis, Level, Line
 from understudy.models import Understudy
 from understudy.options import Options

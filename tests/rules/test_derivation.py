@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.operations import operations_of
-from tests.support.utterances import utterance
+from tests.support.words.utterances import utterance
 from understudy.errors import AuthoringError
 from understudy.model import Because, Function, Utterance
 from understudy.rules.conflicts import Conflicts, resolved

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.support.shipped_rules import shipped_rules
-from tests.support.utterances import utterance
+from tests.support.words.utterances import utterance
 from understudy.errors import InputError
 from understudy.model import Function, GivenFunction
 from understudy.rules.derivation import FunctionRules, derive_functions

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.shipped_rules import shipped_parser
-from tests.support.utterances import utterance, words_of
+from tests.support.words.utterances import utterance, words_of
 from understudy.errors import AuthoringError
 from understudy.model import Utterance
 from understudy.rules.lexicon import GAP, SLOT, LexicalEntry, Lexicon

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.by_hand import FIGURE_8, figure_8, function, spoken, utterance
+from tests.support.words.by_hand import FIGURE_8, figure_8, function, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
 from understudy.errors import AuthoringError
 from understudy.model import BehaviorCandidates, Function, Level, Movement, Parse, Utterance, Word

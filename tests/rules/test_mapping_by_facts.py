@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.shipped_rules import shipped_parser, shipped_rules
-from tests.support.utterances import words_of
+from tests.support.words.utterances import words_of
 from understudy.behavior.characters.overlays import Characters
 from understudy.model import Utterance
 from understudy.rules.derivation import understand

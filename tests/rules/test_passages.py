@@ -7,7 +7,7 @@ import pytest
 
 from tests.support.operations import calls_of
 from tests.support.shipped_rules import shipped_parser, shipped_rules
-from tests.support.utterances import words_of
+from tests.support.words.utterances import words_of
 from understudy.model import Fact, Function, Parse, Utterance
 from understudy.rules.chaining.facts import utterance_facts
 from understudy.rules.derivation import derive_functions

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.shipped_rules import shipped_rules
-from tests.support.utterances import utterance
+from tests.support.words.utterances import utterance
 from understudy.errors import AuthoringError
 from understudy.model import Utterance
 from understudy.rules.derivation import FunctionRules, derive_functions

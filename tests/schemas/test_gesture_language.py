@@ -2,10 +2,10 @@
 
 from itertools import product
 
-from tests.support.gesture_files import gesture
+from tests.support.motion.gesture_files import gesture
 from understudy.authoring.gesture_texts import check_text
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.schemas.gesture_language import GestureLanguageResponse
+from understudy.schemas.gestures.language import GestureLanguageResponse
 
 BODY = Skeleton.standing()
 TOLD = GestureLanguageResponse.of(BODY)

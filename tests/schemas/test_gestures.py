@@ -7,7 +7,7 @@ from understudy.authoring.gesture_texts import NAME
 from understudy.errors import InputError
 from understudy.realizer.gestures.library import parse_definitions
 from understudy.realizer.gestures.writing import write_gesture
-from understudy.schemas.gestures import GestureValues, read_gesture_check
+from understudy.schemas.gestures.definitions import GestureValues, read_gesture_check
 
 
 def test_every_gesture_of_the_library_is_the_same_as_values_and_as_text() -> None:

@@ -7,8 +7,8 @@ from typing import Any, Literal
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tests.support.gltf_reading import read
-from tests.support.hand_made_motion import BODY, still
+from tests.support.motion.gltf_reading import read
+from tests.support.motion.hand_made_motion import BODY, still
 from understudy.model import FloatArray
 from understudy.realizer.exporting.glb import to_glb
 from understudy.realizer.exporting.gltf import Accessors, to_glb_bytes

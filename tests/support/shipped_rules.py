@@ -3,7 +3,7 @@
 from functools import cache
 from pathlib import Path
 
-from tests.support.utterances import PARSER, words_of
+from tests.support.words.utterances import PARSER, words_of
 from understudy.model import Fact, Utterance
 from understudy.rules.derivation import FunctionRules, derive_facts, derive_functions
 from understudy.syntax.parser import Parser

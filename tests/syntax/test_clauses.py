@@ -1,6 +1,6 @@
 """Clauses of trees written by hand."""
 
-from tests.support.syntax_trees import read_tree
+from tests.support.words.syntax_trees import read_tree
 from tests.syntax.test_phrases import FIGURE_8
 from understudy.syntax.clauses import find_clauses
 from understudy.syntax.tree import Tree

@@ -1,6 +1,6 @@
 """Noun phrases and verb groups of trees written by hand."""
 
-from tests.support.syntax_trees import read_tree
+from tests.support.words.syntax_trees import read_tree
 from understudy.syntax.phrases import find_phrases
 from understudy.syntax.tree import Tree
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.syntax_trees import read_tree
+from tests.support.words.syntax_trees import read_tree
 from understudy.model import Token
 from understudy.syntax.clauses import find_clauses
 from understudy.syntax.phrases import find_phrases

@@ -21,7 +21,7 @@ from training.agitation.corpus import Samples
 from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm, squared_distances
 from understudy.acoustic.agitation.speaker import TypicalSpeaker
 from understudy.model import FloatArray
-from understudy.model.speaker_reference import SpeakerReference
+from understudy.model.voice.speaker_reference import SpeakerReference
 
 CALIBRATION_FOLDS = 4
 

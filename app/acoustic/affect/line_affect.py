@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Protocol
 
 from ...model import Affect, LineAffect, PhraseAffect, Word, mean_affect
-from ...model.speaker_reference import SpeakerReference
+from ...model.voice.speaker_reference import SpeakerReference
 from .affect_model import AffectModel
 from .phrases import phrase_interval, phrases_of
 from .stretch import Stretch

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from ...errors import ServiceError
 from ...model import Affect, SingleArray
-from ...model.speaker_reference import SpeakerReference
+from ...model.voice.speaker_reference import SpeakerReference
 from .affect_model import DIMENSIONS
 from .dimensions import affect_of_dimensions
 from .stretch import Stretch

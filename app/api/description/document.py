@@ -10,8 +10,8 @@ from pydantic.json_schema import JsonSchemaMode, models_json_schema
 from ...schemas.avatar_pose import AvatarPoseOptions, AvatarPoseResponse
 from ...schemas.direction import DirectionRequest
 from ...schemas.edits import EditsForm
-from ...schemas.gesture_language import GestureLanguageResponse
-from ...schemas.gestures import GestureCheckRequest, GestureCheckResponse, GestureMotionRequest
+from ...schemas.gestures.definitions import GestureCheckRequest, GestureCheckResponse, GestureMotionRequest
+from ...schemas.gestures.language import GestureLanguageResponse
 from ...schemas.given_functions import GivenFunctionRequest
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from ...schemas.motion import ClipResponse

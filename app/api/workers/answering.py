@@ -11,7 +11,7 @@ from ...authoring.rule_edits import Edits, rules_wrong, with_edits
 from ...bml.writing.writer import write_bml, write_listener, write_speech_file
 from ...errors import AuthoringError, InputError, UnsupportedFormatError
 from ...model import Analysis, Line, Notice, Performance
-from ...model.motion_formats import AudioFile
+from ...model.formats.motion_formats import AudioFile
 from ...model.targets import targets_of
 from ...models import Understudy
 from ...options import Options

@@ -10,9 +10,9 @@ from ...authoring.rule_edits import mistakes_in, with_edits
 from ...errors import InputError, TooLargeError, UnsupportedFormatError
 from ...models import Understudy
 from ...realization import OURS, realize_prepared, write_motion
-from ...realizer.exporting.avatar_pose import read_pose
+from ...realizer.exporting.avatars.pose import read_pose
 from ...schemas.avatar_pose import AvatarPoseResponse, read_pose_options
-from ...schemas.gestures import GestureCheckResponse, read_gesture_check, read_gesture_motion
+from ...schemas.gestures.definitions import GestureCheckResponse, read_gesture_check, read_gesture_motion
 from ...schemas.requests import read_object
 from ...schemas.rules import (
     MOST_LINES,

@@ -33,7 +33,7 @@ from ...options import Options
 from ...performance import perform
 from ...realization import realize, schedule_of
 from ...resources import resource_folder
-from ...schemas.gesture_language import GestureLanguageResponse
+from ...schemas.gestures.language import GestureLanguageResponse
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from ...schemas.rules import RuleFileResponse
 from .live_worker import stream

@@ -9,8 +9,8 @@ from pydantic import Field, RootModel
 
 from ...errors import AuthoringError, InputError, Mistake
 from ...model import Level, Target
-from ...model.speaker_reference import SpeakerReference
 from ...model.targets import targets_of
+from ...model.voice.speaker_reference import SpeakerReference
 from ...models import usable_profile
 from ...profiles.profile import Profile
 from ...schemas.references import read_reference

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ...model.edits import NO_EDITS
-from ...model.speaker_reference import SpeakerReference
+from ...model.voice.speaker_reference import SpeakerReference
 from ...resources import RULES, resource_folder
 from ...settings import Settings
 from ...version import __version__

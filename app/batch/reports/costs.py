@@ -7,7 +7,7 @@ Seconds are those of one processor of the machine on which `python -m benchmarks
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
-from ...model.motion_formats import MotionFormat
+from ...model.formats.motion_formats import MotionFormat
 from ..work.formats import OutputFormat, needs_motion
 from ..work.jobs import LineJob
 

@@ -12,7 +12,7 @@ from concurrent.futures import Future
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 from ...errors import InputError, ServiceError
-from ...model.speaker_reference import SpeakerReference
+from ...model.voice.speaker_reference import SpeakerReference
 from ...settings import Settings
 from ...version import __version__
 from ..work.jobs import LineJob, LineOutcome

@@ -19,9 +19,9 @@ import requests
 from ...acoustic.affect.given import affect_rows
 from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
-from ...model.bml_form import DialectName
 from ...model.edits import NO_EDITS
-from ...model.speaker_reference import SpeakerReference
+from ...model.formats.bml_form import DialectName
+from ...model.voice.speaker_reference import SpeakerReference
 from ...profiles.files.writing import profile_yaml
 from ...profiles.profile import Profile
 from ...schemas.direction import direction_fields

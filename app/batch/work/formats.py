@@ -7,7 +7,7 @@ from enum import StrEnum
 from pathlib import PurePosixPath
 
 from ...errors import InputError
-from ...model.motion_formats import PICTURES, MotionFormat
+from ...model.formats.motion_formats import PICTURES, MotionFormat
 from ...realizer.exporting.extras import require_writer
 from ...settings import Settings
 from ...suggestions import did_you_mean

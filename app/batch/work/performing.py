@@ -20,8 +20,8 @@ from ...bml.writing.writer import (
 from ...errors import InputError
 from ...library import write_ctm, write_json, write_textgrid
 from ...model import Analysis, Channel, Line, Performance
-from ...model.bml_form import BmlForm, DialectName
-from ...model.motion_formats import AudioFile, FileOptions, MotionFormat
+from ...model.formats.bml_form import BmlForm, DialectName
+from ...model.formats.motion_formats import AudioFile, FileOptions, MotionFormat
 from ...models import Understudy
 from ...performance import perform_heard
 from ...realization import AvatarOptions, PreparedSchedule, Realized, realize_prepared, write_motion

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ...acoustic.stage import AcousticModels, analyze_signal, make_reference
 from ...errors import InputError
 from ...model import SignalAnalysis
-from ...model.speaker_reference import SpeakerReference
+from ...model.voice.speaker_reference import SpeakerReference
 from .audio import AudioSource
 
 

@@ -15,8 +15,8 @@ from pydantic import AfterValidator, Field
 
 from ...errors import AuthoringError
 from ...model import Channel, Hand
-from ...model.gesture_limits import Forms
-from ...model.lexemes import ACTION_UNITS, CORE_LEXEMES, GAZE_LEXEMES, GazeDirection
+from ...model.limits.gesture_limits import Forms
+from ...model.tables.lexemes import ACTION_UNITS, CORE_LEXEMES, GAZE_LEXEMES, GazeDirection
 from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 

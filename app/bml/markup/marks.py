@@ -12,7 +12,7 @@ from collections.abc import Callable
 from functools import partial
 
 from ...model import SyncPoints, Word
-from ...model.bml_form import TimeForm
+from ...model.formats.bml_form import TimeForm
 from .documents import Reference, Time
 
 SPEECH = "speech1"

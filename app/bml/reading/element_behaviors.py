@@ -11,7 +11,7 @@ from functools import partial
 from types import MappingProxyType
 
 from ...model import Behavior, Channel, Hand, SyncPoints
-from ...model.lexemes import ACTION_UNITS, GLANCE, LOOK, SHIFT
+from ...model.tables.lexemes import ACTION_UNITS, GLANCE, LOOK, SHIFT
 from ..markup.documents import Element
 from ..markup.elements import SBM
 from ..writing.blocks import GAZE_RANGE_DEGREES, MODES

@@ -13,10 +13,10 @@ from itertools import pairwise
 from typing import TypeGuard
 
 from ...model import Behavior, Channel, Interval, Level, Notice, SyncPoints, Target, Viseme, Word
-from ...model.bml_form import DialectName
+from ...model.formats.bml_form import DialectName
 from ...model.lead_in import later_word
-from ...model.lexemes import GLANCE, SHIFT
-from ...model.mouth_shapes import OPENINGS
+from ...model.tables.lexemes import GLANCE, SHIFT
+from ...model.tables.mouth_shapes import OPENINGS
 from ..markup.documents import (
     Document,
     Element,

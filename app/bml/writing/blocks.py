@@ -9,8 +9,8 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from ...model import Behavior, Channel, Hand, Performance, Word
-from ...model.bml_form import DialectName, TimeForm
-from ...model.lexemes import ACTION_UNITS
+from ...model.formats.bml_form import DialectName, TimeForm
+from ...model.tables.lexemes import ACTION_UNITS
 from ..markup.documents import (
     Document,
     Element,

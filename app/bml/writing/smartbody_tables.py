@@ -16,8 +16,8 @@ from pydantic import Field
 
 from ...errors import AuthoringError, Mistake
 from ...model import Hand
-from ...model.bml_form import VisemeNames
-from ...model.mouth_shapes import OPENINGS, SILENCE
+from ...model.formats.bml_form import VisemeNames
+from ...model.tables.mouth_shapes import OPENINGS, SILENCE
 from ...resources import resource_folder
 from ...yaml_files import Entry, Source
 

@@ -7,7 +7,7 @@
 from dataclasses import dataclass, replace
 
 from ...model import Listening, Notice, Parse, Performance
-from ...model.bml_form import CORE_FORM, BmlForm, DialectName, TimeForm
+from ...model.formats.bml_form import CORE_FORM, BmlForm, DialectName, TimeForm
 from ..markup.documents import Document
 from ..markup.xml_writing import to_xml
 from .blocks import to_core

@@ -3,8 +3,8 @@
 import argparse
 
 from ...model import Level, Mode, Tone
-from ...model.bml_form import DialectName, TimeForm, VisemeNames
-from ...model.motion_formats import BapVersion, Keys
+from ...model.formats.bml_form import DialectName, TimeForm, VisemeNames
+from ...model.formats.motion_formats import BapVersion, Keys
 from ...realizer.body.motion import FRAME_RATES_HZ
 from ..distinct_files import InputFile, OutputFile
 

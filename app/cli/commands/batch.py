@@ -18,7 +18,7 @@ from ...batch.work.formats import formats_named, needs_pictures, require_writers
 from ...batch.work.jobs import MotionForm
 from ...errors import InputError
 from ...model import Level, Mode
-from ...model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from ...model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
 from ...model.targets import read_targets
 from ...options import Options
 from ...settings import Settings, read_settings

@@ -13,8 +13,8 @@ from ...bml.writing.writer import (
 )
 from ...errors import InputError
 from ...model import Level, Line, Mode, Performance
-from ...model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
-from ...model.motion_formats import is_editorial
+from ...model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from ...model.formats.motion_formats import is_editorial
 from ...model.targets import read_targets
 from ...options import Options
 from ...schemas.requests import listener_names

@@ -45,7 +45,7 @@ def _prepared(
     from ...realization import BmlInput, PreparedSchedule, prepare_schedule
 
     if bml.lstrip().startswith(b"{"):
-        from ...schemas.gesture_script import read_script  # takes long to import, and BML does not need it
+        from ...schemas.gestures.script import read_script  # takes long to import, and BML does not need it
 
         return PreparedSchedule.of(read_script(bml))
     sheet = BmlInput(bml, Path("standard input" if arguments.bml == STANDARD else arguments.bml), audio)

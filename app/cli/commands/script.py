@@ -4,7 +4,7 @@ import argparse
 
 from ...model import Level
 from ...options import Options
-from ...schemas.gesture_script import script_json
+from ...schemas.gestures.script import script_json
 from ...settings import read_settings
 from ..files import require_writable, write
 from ..inputs.early import require_character, require_usable

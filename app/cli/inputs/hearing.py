@@ -7,7 +7,7 @@ from pathlib import PurePath
 from ...acoustic.stage import AcousticModels, analyze_signal, make_reference
 from ...errors import InputError
 from ...model import SignalAnalysis
-from ...model.speaker_reference import SpeakerReference
+from ...model.voice.speaker_reference import SpeakerReference
 from ...schemas.references import read_reference
 from ...settings import Settings
 from ..files import STANDARD, read_bytes

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...model.motion_formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
+from ...model.formats.motion_formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
 from ...models import load_realizer
 from ...realizer.body.motion import Decision, check_tail
 from ...realizer.body.skeleton import Skeleton

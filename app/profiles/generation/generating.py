@@ -19,7 +19,7 @@ from math import inf
 from statistics import fmean
 
 from ...model import Hand, Interval, Utterance, Word
-from ...model.gesture_limits import USUAL_AMOUNT, transition_times
+from ...model.limits.gesture_limits import USUAL_AMOUNT, transition_times
 from ..annotation.model import TaggedWords
 from ..profile import Occurrence, Profile
 from ..space import size_of

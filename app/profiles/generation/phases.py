@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ...model import Hand, Interval, Word
-from ...model.gesture_limits import LATEST_S
+from ...model.limits.gesture_limits import LATEST_S
 from ..profile import FormHabit, LexemeHabit, Profile, Spread
 from ..segments import time_of
 

@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from ...model import Hand, Interval
-from ...model.gesture_limits import Forms
+from ...model.limits.gesture_limits import Forms
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,13 +2,13 @@
 
 The paper does not time-warp strokes and drops a gesture that has no time (§3.8). People whose ideas crowd make less of
 each: here a brief stroke begins nearer to where it ends and is as fast as ever, so that hands have no more to do than
-in a whole one. How much is left is in `understudy.model.gesture_limits`, by which schedules are made.
+in a whole one. How much is left is in `understudy.model.limits.gesture_limits`, by which schedules are made.
 """
 
 from dataclasses import replace
 
 from ...model import Hand
-from ...model.gesture_limits import brief_share
+from ...model.limits.gesture_limits import brief_share
 from .gesture import ArmKey, Clip, ClipKey, Markers, Place
 from .gesture_space import sector_m
 

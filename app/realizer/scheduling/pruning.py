@@ -2,14 +2,15 @@
 
 Gestures are processed in order of their strokes. Of two that overlap the one with the lower priority is dropped, and of
 equals the later one. For a transition that is too fast another clip of the category is tried first. What is too fast is
-in `understudy.model.gesture_limits`, by which our own schedules are made: conflicts come from edited or foreign BML.
+in `understudy.model.limits.gesture_limits`, by which our own schedules are made: conflicts come from edited or foreign
+BML.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...model import Hand
-from ...model.gesture_limits import shortest_transition_s
+from ...model.limits.gesture_limits import shortest_transition_s
 from ..body.motion import Decision
 from ..gestures.gesture_plan import PlacedGesture
 from .transitions import TransitionContext, blends, gap_s, stroke_speed_m_s, way_m

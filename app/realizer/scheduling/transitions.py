@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from math import inf
 
 from ...model import Hand, Interval
-from ...model.gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
+from ...model.limits.gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..gestures.gesture_plan import PlacedGesture
 from .rests import (

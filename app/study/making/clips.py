@@ -11,7 +11,7 @@ import soundfile
 
 from ...errors import UndecodableError
 from ...model import Schedule
-from ...model.motion_formats import MotionFormat
+from ...model.formats.motion_formats import MotionFormat
 from ...models import Understudy
 from ...realization import PreparedSchedule, Realized, realize_prepared, write_motion
 

@@ -3,11 +3,11 @@
     python -m benchmarks.realizer.exporting.formats --node-modules FOLDER
 
 FOLDER is where `npm install gltf-validator three` put its packages; without it, or without node, the first part is left
-out. The motion is made by hand (`tests/support/hand_made_motion.py`) with every joint and shape shaken a little, so
-that every track has all its keys. "Apart" is the greatest distance between where three.js's readers of GLB and BVH put
-a joint, and where our own forward kinematics does; three.js needs BVH with its root at the origin. Times are processor
-time on one core, "memory" is what the export adds to the process at its peak, the file itself included; files are those
-of 10 minutes at 60 frames a second.
+out. The motion is made by hand (`tests/support/motion/hand_made_motion.py`) with every joint and shape shaken a little,
+so that every track has all its keys. "Apart" is the greatest distance between where three.js's readers of GLB and BVH
+put a joint, and where our own forward kinematics does; three.js needs BVH with its root at the origin. Times are
+processor time on one core, "memory" is what the export adds to the process at its peak, the file itself included; files
+are those of 10 minutes at 60 frames a second.
 """
 
 import argparse
@@ -23,7 +23,7 @@ from resource import RUSAGE_SELF, getrusage
 
 import numpy as np
 
-from tests.support.hand_made_motion import BODY, waving
+from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.model import FloatArray
 from understudy.model.figure import PLAIN, Looks
 from understudy.realizer.body.motion import Motion

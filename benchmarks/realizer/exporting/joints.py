@@ -24,10 +24,10 @@ import numpy as np
 from pxr import Usd, UsdSkel, UsdValidation
 from scipy.spatial.transform import Rotation
 
-from tests.support.mpeg4_reading import Body, read_parameters, world
+from tests.support.motion.mpeg4_reading import Body, read_parameters, world
 from understudy.errors import ServiceError
 from understudy.model import FloatArray, Line
-from understudy.model.motion_formats import AudioFile, FileOptions, MotionFormat
+from understudy.model.formats.motion_formats import AudioFile, FileOptions, MotionFormat
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.realizer.motion import LINES, of_lines
-from tests.support.gltf_reading import Gltf, read
+from tests.support.motion.gltf_reading import Gltf, read
 from understudy.model import FloatArray
 from understudy.realization import Realizer, realize, schedule_of
 from understudy.realizer.body.motion import Motion

@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.support.measured import stretch_of
+from tests.support.words.measured import stretch_of
 from understudy.acoustic.affect.affect_model import AffectModel, Expert, Gate, KernelMachines
 from understudy.acoustic.agitation.agitation import FuzzySvm
 from understudy.acoustic.agitation.speaker import TypicalSpeaker
 from understudy.errors import InputError, ServiceError
 from understudy.model import NEUTRAL, SAMPLE_RATE_HZ, Audio, FloatArray, Tone
-from understudy.model.speaker_reference import SpeakerReference
+from understudy.model.voice.speaker_reference import SpeakerReference
 from understudy.resources import resource_folder
 
 SHIPPED = resource_folder("models") / "affect"

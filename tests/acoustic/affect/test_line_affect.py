@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.measured import stretch_of
+from tests.support.words.measured import stretch_of
 from understudy.acoustic.affect.line_affect import HALF_TRUSTED_S, line_affect
 from understudy.acoustic.affect.stretch import Stretch
 from understudy.model import SAMPLE_RATE_HZ, Affect, Audio, Interval, Word

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.measured import stretch_of
+from tests.support.words.measured import stretch_of
 from understudy.acoustic.affect.dimensions import affect_of_tone
 from understudy.acoustic.affect.manner import LIMITS, SIZE, USUAL, line_manner, measures, word_manners
 from understudy.model import NEUTRAL, SAMPLE_RATE_HZ, Agitation, Audio, Interval, LineAffect, Tone, Word

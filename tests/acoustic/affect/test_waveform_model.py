@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.support.measured import stretch_of
 from tests.support.onnx_files import constant_plus_mean
+from tests.support.words.measured import stretch_of
 from understudy.acoustic.affect.waveform_model import WaveformModel
 from understudy.errors import ServiceError
 from understudy.model import SAMPLE_RATE_HZ, Audio, Tone

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.measured import measured
+from tests.support.words.measured import measured
 from understudy.acoustic.agitation.utterance_features import full_features, paper_features
 from understudy.model import SAMPLE_RATE_HZ, Audio, Contours, VoiceQuality
 

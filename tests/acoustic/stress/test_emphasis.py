@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.shipped_rules import shipped_rules
-from tests.support.utterances import utterance, words_of
+from tests.support.words.utterances import utterance, words_of
 from understudy.acoustic.stress.emphasis import Measure, with_emphasis
 from understudy.model import EMPHASISED, Utterance, Word
 from understudy.rules.derivation import derive_functions

@@ -10,7 +10,7 @@ import pytest
 from fastapi import FastAPI
 from fastapi.routing import APIRoute
 
-from tests.support.hand_made_motion import BODY, waving
+from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.api import authoring
 from understudy.api.admission.admission import PROBES
 from understudy.api.description.authoring_operations import AUTHORING_OPERATIONS
@@ -19,7 +19,7 @@ from understudy.api.description.live_operation import LIVE_MESSAGES
 from understudy.api.description.operations import OPERATIONS
 from understudy.api.routes import router
 from understudy.model import Level, Mode
-from understudy.model.bml_form import DialectName, TimeForm
+from understudy.model.formats.bml_form import DialectName, TimeForm
 from understudy.model.lead_in import LONGEST_LEAD_IN_S
 from understudy.realizer.exporting.clip_json import to_clip_json
 from understudy.realizer.exporting.retargeting import load_rigs

@@ -22,9 +22,9 @@ from understudy.batch.work.performing import perform_job
 from understudy.errors import InputError
 from understudy.model import Channel, DirectedMoment, Direction
 from understudy.model import Target as Place
-from understudy.model.bml_form import BmlForm, DialectName
 from understudy.model.edits import BehaviorEdit, Edits, WordReference
-from understudy.model.motion_formats import MotionFormat
+from understudy.model.formats.bml_form import BmlForm, DialectName
+from understudy.model.formats.motion_formats import MotionFormat
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.profiles.annotation.reading import read_annotations

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.voice_scripts import SCREENPLAY, SHEET, Rows, acts, workbook
+from tests.support.words.voice_scripts import SCREENPLAY, SHEET, Rows, acts, workbook
 from understudy.batch.model import Script
 from understudy.batch.scripts.columns import ColumnNames, find_columns
 from understudy.batch.scripts.reading import read_script

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.utterances import utterance
+from tests.support.words.utterances import utterance
 from understudy.behavior.candidates.targets import mentions, pointing_candidates, without_overlapped
 from understudy.model import BehaviorCandidates, Channel, Function, Moment, Target, Utterance
 

@@ -3,13 +3,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
+from tests.support.words.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from understudy.behavior.characters.gesture_forms import FormedCharacters, with_forms
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.errors import InputError
 from understudy.model import Channel, Hand, Level
-from understudy.model.gesture_limits import ArmEnds, GestureForm, GestureTable
+from understudy.model.limits.gesture_limits import ArmEnds, GestureForm, GestureTable
 
 ENDS = ArmEnds((0.0, 0.0, 0.0), (0.3, 0.0, 0.0), (0.3, 0.0, 0.0))
 SHORT, LONG = (GestureForm(0.3, after_s, 0.6, {Hand.RIGHT: ENDS}) for after_s in (0.1, 0.2))

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.by_hand import function, movement, spoken
 from tests.support.operations import calls_of
+from tests.support.words.by_hand import function, movement, spoken
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.attempts import Line
 from understudy.behavior.choice.choosing import EASILY_S, choose

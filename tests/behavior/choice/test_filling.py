@@ -4,13 +4,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.by_hand import movement, spoken, utterance
+from tests.support.words.by_hand import movement, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.filling import GAZE_RANGE_DEGREES, LOOK_DEGREES, LOOK_S, Rest, fillers, free
 from understudy.behavior.idle.saccades import TALKING
 from understudy.behavior.timing.anchoring import asked
 from understudy.model import Behavior, Channel, Interval
-from understudy.model.lexemes import GLANCE, LOOK
+from understudy.model.tables.lexemes import GLANCE, LOOK
 
 DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
 WORDS = spoken(" ".join(["word"] * 60), start_s=0.0)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.by_hand import movement, spoken
+from tests.support.words.by_hand import movement, spoken
 from understudy.behavior.characters.gesture_forms import with_forms
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.hands import fitted_as_asked

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.by_hand import function, movement, offered, spoken, utterance
+from tests.support.words.by_hand import function, movement, offered, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.modes import BEAT
 from understudy.behavior.choice.scheduling import schedule

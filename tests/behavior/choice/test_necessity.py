@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.by_hand import function, movement, offered, spoken, utterance
+from tests.support.words.by_hand import function, movement, offered, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.model import Behavior, BehaviorCandidates, Channel

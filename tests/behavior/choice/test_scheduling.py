@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
+from tests.support.words.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from understudy.behavior.characters.overlays import Character, Characters
 from understudy.behavior.choice.scheduling import ASKED_MORE, schedule
 from understudy.behavior.timing.anchoring import stressed_vowel_s

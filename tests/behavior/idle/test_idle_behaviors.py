@@ -2,7 +2,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.support.by_hand import spoken, utterance
+from tests.support.words.by_hand import spoken, utterance
 from understudy.behavior.idle.idle_behaviors import BLINKS_PER_MINUTE, IdleBehavior, idle_behaviors
 from understudy.model import Interval, Word
 

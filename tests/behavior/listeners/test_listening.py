@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.by_hand import movement, offered, spoken, utterance
+from tests.support.words.by_hand import movement, offered, spoken, utterance
 from understudy.behavior.characters.overlays import Character, Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.listeners.head_rates import HeadRates

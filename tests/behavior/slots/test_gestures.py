@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from tests.behavior.candidates.test_demands import spoken
-from tests.support.gesture_clips import gesture
+from tests.support.motion.gesture_clips import gesture
 from understudy.behavior.slots.gestures import slots_of, slots_said, with_slots
 from understudy.model import Channel, Slots
 from understudy.models import Understudy

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.utterances import utterance
+from tests.support.words.utterances import utterance
 from understudy.behavior.slots.patterns import find, read_pattern
 from understudy.model import Token
 

@@ -27,7 +27,7 @@ from understudy.options import Options
 from understudy.performance import perform_analysis, script_analysis
 from understudy.realization import BmlInput, PreparedSchedule, prepare_schedule, realize_prepared
 from understudy.rules.stage import find_functions_in_all
-from understudy.schemas.gesture_script import read_script, script_json
+from understudy.schemas.gestures.script import read_script, script_json
 
 TEXT = "No, I told you that I have never seen so many people, and we all know it. What do you want from me?"
 WORD_S = 0.35

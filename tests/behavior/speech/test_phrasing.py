@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.support.by_hand import spoken
+from tests.support.words.by_hand import spoken
 from understudy.behavior.speech.phrasing import emphases_s, phrases
 from understudy.model import Interval, Word
 

@@ -10,8 +10,8 @@ from understudy.behavior.timing.anchoring import PlacedBehavior
 from understudy.behavior.timing.conflicts import compete, resolve
 from understudy.behavior.timing.phases import Placing, Window, placed
 from understudy.model import Behavior, Channel, Hand
-from understudy.model.gesture_limits import ArmEnds, GestureForm
-from understudy.model.lexemes import GLANCE, LOOK
+from understudy.model.limits.gesture_limits import ArmEnds, GestureForm
+from understudy.model.tables.lexemes import GLANCE, LOOK
 
 GESTURE = Timing(Phase(0.2, 0.4), Phase(0.2, 0.4), Phase(0.0, 1.0), Phase(0.0, 0.5))
 NOD = Timing(Phase(0.0604, 0.15), Phase(0.1404, 0.3333), Phase(0, 0), Phase(0.0, 0.2), alignment=0.6)

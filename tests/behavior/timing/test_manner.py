@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from tests.support.gesture_clips import gesture
-from tests.support.utterances import utterance
+from tests.support.motion.gesture_clips import gesture
+from tests.support.words.utterances import utterance
 from understudy.behavior.timing.manner import with_manner
 from understudy.model import Channel, Interval, Manner, Utterance, Word
 

@@ -7,13 +7,13 @@ import pytest
 from lxml import etree
 
 from tests.bml.writing.test_writer import everything
-from tests.support.bml_checker import check
-from tests.support.by_hand import spoken
+from tests.support.bml.bml_checker import check
+from tests.support.words.by_hand import spoken
 from understudy.bml.markup.documents import Document, Element, Reference
 from understudy.bml.markup.marks import FIRST_MOMENT_S, time_formatter
 from understudy.bml.writing.writer import to_document, write_bml
 from understudy.model import SyncPoints
-from understudy.model.bml_form import BmlForm, TimeForm
+from understudy.model.formats.bml_form import BmlForm, TimeForm
 
 SYNC = BmlForm(timing=TimeForm.SYNC)
 STROKE = SyncPoints(start=1.3, ready=1.45, stroke_start=1.5, stroke=1.6, stroke_end=1.7, relax=2.0, end=3.25)

@@ -6,7 +6,7 @@ from time import process_time
 
 import pytest
 
-from tests.support.by_hand import spoken
+from tests.support.words.by_hand import spoken
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.resolving import Resolved, resolve
 from understudy.model import SyncPoints, Word

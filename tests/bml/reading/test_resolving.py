@@ -6,15 +6,15 @@ from pathlib import Path
 import pytest
 
 from tests.bml.writing.test_writer import everything
-from tests.support.by_hand import spoken
 from tests.support.shared_data import BML_SUITE, needs
+from tests.support.words.by_hand import spoken
 from understudy.behavior.table.behavior_table import STROKED
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.resolving import Resolved, resolve
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import WrongBmlError
 from understudy.model import Behavior, Channel, Interval, Level, Word
-from understudy.model.bml_form import BmlForm, DialectName, TimeForm
+from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
 
 CORE = 'xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="c"'
 

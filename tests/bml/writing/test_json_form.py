@@ -16,7 +16,7 @@ from understudy.bml.markup.documents import (
 )
 from understudy.bml.writing.json_form import to_json
 from understudy.bml.writing.writer import to_document
-from understudy.model.bml_form import BmlForm, DialectName, TimeForm
+from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
 
 PAGE = (ROOT / "docs" / "bml-json.md").read_text()
 SCHEMA = json.loads(re.findall(r"```json\n(.*?)```", PAGE, re.DOTALL)[0])

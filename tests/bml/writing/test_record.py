@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
-from tests.support.bml_checker import check
-from tests.support.by_hand import FIGURE_8, spoken, utterance
+from tests.support.bml.bml_checker import check
+from tests.support.words.by_hand import FIGURE_8, spoken, utterance
 from understudy.bml.markup.elements import CORE, OURS, RECORD_TYPE
 from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import read_bml

@@ -8,9 +8,9 @@ import pytest
 from lxml import etree
 
 from tests.bml.writing.test_writer import PEAK, ROOT, STROKE, behavior, everything, performance
-from tests.support.by_hand import spoken
-from tests.support.smartbody_checker import GESTURES as FOUND
-from tests.support.smartbody_checker import STYLE, check_act, check_speech_file
+from tests.support.bml.smartbody_checker import GESTURES as FOUND
+from tests.support.bml.smartbody_checker import STYLE, check_act, check_speech_file
+from tests.support.words.by_hand import spoken
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.speech.visemes import visemes
 from understudy.bml.markup.documents import Document, Element, Reference
@@ -24,8 +24,8 @@ from understudy.bml.writing.writer import (
     write_speech_file,
 )
 from understudy.model import Agitation, Behavior, Channel, Hand, Level, Listening, Performance, Target, Word
-from understudy.model.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
-from understudy.model.lexemes import ACTION_UNITS, CORE_LEXEMES
+from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from understudy.model.tables.lexemes import ACTION_UNITS, CORE_LEXEMES
 
 FORM = BmlForm(dialect=DialectName.SMARTBODY, audio_file="line1.wav")
 TYPES = {name for name, _hand, _style in FOUND}

@@ -5,16 +5,16 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
-from tests.support.bml_checker import check
-from tests.support.by_hand import FIGURE_8, spoken, utterance
+from tests.support.bml.bml_checker import check
 from tests.support.shared_data import SHARED, needs
+from tests.support.words.by_hand import FIGURE_8, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.table.behavior_table import STROKED
 from understudy.bml.markup.elements import CORE, CORE_EXTENSIONS
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Behavior, Channel, Hand, Performance, SyncPoints, Word
-from understudy.model.bml_form import BmlForm
-from understudy.model.lexemes import GAZE_LEXEMES
+from understudy.model.formats.bml_form import BmlForm
+from understudy.model.tables.lexemes import GAZE_LEXEMES
 
 ROOT = Path(__file__).resolve().parents[3]
 CHARACTERS = Characters.load(ROOT / "lexicon")

@@ -10,7 +10,7 @@ import pytest
 from matplotlib import image
 from numpy.typing import NDArray
 
-from tests.support.by_hand import spoken, utterance
+from tests.support.words.by_hand import spoken, utterance
 from understudy.cli.outputs.plot import EMPHASIS, MEMBERSHIPS, NARROWEST_INCHES, THRESHOLD, plot, require_plot
 from understudy.errors import InputError, ServiceError
 from understudy.model import (

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.support.scripted import habit, line, profile, repertoire
+from tests.support.words.scripted import habit, line, profile, repertoire
 from understudy.model import Interval
 from understudy.profiles.annotation.model import TaggedWords
 from understudy.profiles.generation.behaviors import behaviors_of

@@ -2,7 +2,7 @@
 
 from collections import Counter
 
-from tests.support.scripted import habit, line, profile, repertoire
+from tests.support.words.scripted import habit, line, profile, repertoire
 from understudy.profiles.annotation.model import TaggedWords
 from understudy.profiles.generation.generating import Speaker, generate
 

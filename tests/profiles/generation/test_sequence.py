@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.support.scripted import habit, line, profile, repertoire
+from tests.support.words.scripted import habit, line, profile, repertoire
 from understudy.model import Hand
 from understudy.profiles.annotation.model import TaggedWords
 from understudy.profiles.generation.candidates import Place, places_of

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.support.scripted import habit, profile
+from tests.support.words.scripted import habit, profile
 from understudy.model import Interval
 from understudy.profiles.generation.phases import Timed
 from understudy.profiles.generation.units import joined

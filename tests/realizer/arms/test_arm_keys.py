@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.gesture_clips import clip, gesture, library, place
+from tests.support.motion.gesture_clips import clip, gesture, library, place
 from understudy.model import Behavior, Hand, Schedule
 from understudy.realizer.arms.arm_keys import HOLD_NOISE, arm_track
 from understudy.realizer.arms.arms import TimedPose

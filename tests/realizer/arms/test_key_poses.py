@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tests.support.gesture_files import gesture, read_one
+from tests.support.motion.gesture_files import gesture, read_one
 from understudy.model import FloatArray, Hand, Level
 from understudy.realizer.arms.key_poses import REST, key_poses
 from understudy.realizer.arms.posing import wrist_of

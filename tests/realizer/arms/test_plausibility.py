@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.gesture_files import gesture, read_one
+from tests.support.motion.gesture_files import gesture, read_one
 from understudy.authoring.catalogue import load_gestures
 from understudy.model import Level
 from understudy.realizer.arms.plausibility import doubts

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation, Slerp
 
-from tests.support.gltf_reading import Gltf, read
-from tests.support.hand_made_motion import BODY, waving
+from tests.support.motion.gltf_reading import Gltf, read
+from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.model import Behavior, Channel, SyncPoints
 from understudy.realizer.exporting.animations import CHANNELS, Layer
 from understudy.realizer.exporting.glb import to_glb

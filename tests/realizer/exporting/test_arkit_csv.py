@@ -6,7 +6,7 @@ import io
 import numpy as np
 import pytest
 
-from tests.support.hand_made_motion import BODY, X, Y, Z, turned, waving
+from tests.support.motion.hand_made_motion import BODY, X, Y, Z, turned, waving
 from understudy.realizer.body.motion import SHAPES, Motion
 from understudy.realizer.exporting.arkit_csv import COLUMNS, to_arkit_csv
 from understudy.realizer.geometry.rotations import from_axis_angle

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.support.hand_made_motion import BODY, X, Y, Z, still, turned, waving
+from tests.support.motion.hand_made_motion import BODY, X, Y, Z, still, turned, waving
 from understudy.model import FloatArray
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import forward

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pydantic import BaseModel, ConfigDict, Field
 
-from tests.support.hand_made_motion import BODY, waving
+from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.exporting.clip_json import to_clip_json
 from understudy.realizer.exporting.retargeting import load_rigs

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.hand_made_motion import BODY, still, waving
+from tests.support.motion.hand_made_motion import BODY, still, waving
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.exporting.arkit_csv import to_arkit_csv
 from understudy.realizer.exporting.bvh import to_bvh

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.support.gltf_reading import Gltf, read
-from tests.support.hand_made_motion import BODY, Y, Z, turned, waving
+from tests.support.motion.gltf_reading import Gltf, read
+from tests.support.motion.hand_made_motion import BODY, Y, Z, turned, waving
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.exporting.glb import to_glb

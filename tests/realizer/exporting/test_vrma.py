@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.support.gltf_reading import Gltf, read
-from tests.support.hand_made_motion import BODY, Y, turned, waving
+from tests.support.motion.gltf_reading import Gltf, read
+from tests.support.motion.hand_made_motion import BODY, Y, turned, waving
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.exporting.vrma import MOODS, VOWELS, presets, to_vrma
 from understudy.realizer.geometry.rotations import from_axis_angle

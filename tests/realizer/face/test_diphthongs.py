@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.support.speaking import SKELETON, TABLES, still, times
+from tests.support.words.speaking import SKELETON, TABLES, still, times
 from understudy.behavior.speech.visemes import visemes
 from understudy.model import Interval, Phone, Schedule, Viseme, Word
 from understudy.realizer.face.diphthongs import GLIDES, with_glides

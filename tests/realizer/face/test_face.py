@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.examples import examples
-from tests.support.speaking import SKELETON, TABLES, faced, middle_s, said, shape, shown, still, times
+from tests.support.words.speaking import SKELETON, TABLES, faced, middle_s, said, shape, shown, still, times
 from understudy.model import Behavior, Interval, Schedule, SyncPoints, Viseme
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.face.face import face_weights

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.speaking import TABLES
+from tests.support.words.speaking import TABLES
 from understudy.errors import AuthoringError
 from understudy.realizer.face.face_tables import COLUMNS, INDEX, VISEMES, FaceTables, Side, sided
 

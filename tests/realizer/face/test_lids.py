@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.speaking import SKELETON, TABLES, shown, still, times
+from tests.support.words.speaking import SKELETON, TABLES, shown, still, times
 from understudy.model import Behavior, FloatArray, Schedule, SyncPoints
 from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import INDEX

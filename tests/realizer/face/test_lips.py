@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.speaking import START_S, TABLES, faced, middle_s, said, shape, times
+from tests.support.words.speaking import START_S, TABLES, faced, middle_s, said, shape, times
 from understudy.model import Interval, Viseme
 from understudy.realizer.face.face_tables import INDEX, VISEMES
 from understudy.realizer.face.lip_closure import SHUT, lip_closures, lip_opening

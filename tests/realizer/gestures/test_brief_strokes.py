@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from understudy.model import Hand, Level
-from understudy.model.gesture_limits import brief_share
+from understudy.model.limits.gesture_limits import brief_share
 from understudy.models import load_gestures
 from understudy.realizer.arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
 from understudy.realizer.gestures.brief_strokes import brief

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.gesture_files import FIRST, LAST, gesture, mistakes_in, read_one
+from tests.support.motion.gesture_files import FIRST, LAST, gesture, mistakes_in, read_one
 from understudy.errors import AuthoringError
 from understudy.realizer.gestures.library import read_definitions
 

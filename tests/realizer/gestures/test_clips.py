@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.realizer.gestures.test_checking import frames
-from tests.support.gesture_files import gesture, read_one
+from tests.support.motion.gesture_files import gesture, read_one
 from understudy.model import Hand, Level
 from understudy.realizer.gestures.clips import EMPHASIS, clip, relative_markers
 from understudy.realizer.gestures.gesture import FrameType, Markers

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.gesture_files import gesture, mistakes_in, read_one
+from tests.support.motion.gesture_files import gesture, mistakes_in, read_one
 from understudy.model import Hand, Level
 from understudy.realizer.gestures.definitions import RANGES, derived_expressivity
 from understudy.realizer.gestures.gesture import Expressivity, FrameType

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.gesture_files import gesture
+from tests.support.motion.gesture_files import gesture
 from understudy.realizer.gestures.language import FRAME, HEADER, parse_gestures, read_gestures
 
 PATH = Path("trial.gesture")

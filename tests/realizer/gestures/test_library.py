@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.gesture_files import gesture
+from tests.support.motion.gesture_files import gesture
 from understudy.authoring.catalogue import load_gestures
 from understudy.bml.writing.smartbody_tables import shipped_tables
 from understudy.errors import AuthoringError, InputError

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.gesture_clips import clip
+from tests.support.motion.gesture_clips import clip
 from understudy.model import Manner
 from understudy.realizer.gestures.mannered import mannered
 

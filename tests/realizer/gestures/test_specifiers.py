@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.gesture_files import FIRST, LAST, gesture, mistakes_in, read_one
+from tests.support.motion.gesture_files import FIRST, LAST, gesture, mistakes_in, read_one
 from understudy.realizer.gestures.gesture import (
     ArmKey,
     Bend,

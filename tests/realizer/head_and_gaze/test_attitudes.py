@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.movements import TIMES_S, schedule
+from tests.support.motion.movements import TIMES_S, schedule
 from understudy.model import FloatArray, Interval, Schedule
 from understudy.realizer.head_and_gaze.attitudes import FORWARD_DEGREES, HeadAttitude, head_attitude
 

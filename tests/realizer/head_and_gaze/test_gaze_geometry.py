@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.movements import BODY
+from tests.support.motion.movements import BODY
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.geometry.angles import from_pitch_yaw_roll
 from understudy.realizer.geometry.rotations import IDENTITY

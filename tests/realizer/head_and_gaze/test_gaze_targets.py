@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.movements import behavior, schedule
+from tests.support.motion.movements import behavior, schedule
 from understudy.model import Channel
 from understudy.realizer.head_and_gaze.gaze_targets import AT_EASE, DIRECTIONS, HEAD_SHARE, LISTENER_M, gaze_targets
 

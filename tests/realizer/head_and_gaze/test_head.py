@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.movements import BODY, TIMES_S, behavior, faced, schedule, seen_by
+from tests.support.motion.movements import BODY, TIMES_S, behavior, faced, schedule, seen_by
 from understudy.model import Behavior, Channel, FloatArray, Schedule
 from understudy.realizer.body.limits import violations
 from understudy.realizer.geometry.angles import to_pitch_yaw_roll

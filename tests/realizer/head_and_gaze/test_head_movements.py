@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.movements import behavior
+from tests.support.motion.movements import behavior
 from understudy.model import Channel
 from understudy.realizer.head_and_gaze.head_movements import (
     FASTEST_WAVE_RAD_S,

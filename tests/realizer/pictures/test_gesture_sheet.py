@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.gesture_clips import clip, place
+from tests.support.motion.gesture_clips import clip, place
 from understudy.model import Hand
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.gestures.gesture import ArmKey, Clip, ClipKey, FrameType, KeyCurve

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.hand_made_motion import BODY, Y, still, turned, waving
+from tests.support.motion.hand_made_motion import BODY, Y, still, turned, waving
 from understudy.model import Behavior, Channel, Hand, Interval, Schedule, Word
 from understudy.realizer.geometry.rotations import from_axis_angle
 from understudy.realizer.pictures.speed_plot import draw_speeds, wrist_speeds_m_s

@@ -7,15 +7,15 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tests.support.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from tests.support.examples import examples
-from tests.support.gesture_clips import MARKERS, clip, gesture, library
+from tests.support.motion.gesture_clips import MARKERS, clip, gesture, library
+from tests.support.words.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from understudy.behavior.characters.gesture_forms import with_forms
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.idle.stillness import stilled
 from understudy.model import Channel, Hand, Level, Schedule
-from understudy.model.gesture_limits import equal_transition_s, shortest_transition_s, transition_times
+from understudy.model.limits.gesture_limits import equal_transition_s, shortest_transition_s, transition_times
 from understudy.models import load_gesture_table, load_gestures
 from understudy.realizer.scheduling.gesture_table import gesture_table
 from understudy.realizer.scheduling.planning import plan_gestures

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.gesture_clips import clip, gesture, library
+from tests.support.motion.gesture_clips import clip, gesture, library
 from understudy.model import Schedule
 from understudy.realizer.body.movement_style import Holds
 from understudy.realizer.gestures.gesture import Expressivity

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.gesture_clips import HandMade, clip, gesture, library, place
+from tests.support.motion.gesture_clips import HandMade, clip, gesture, library, place
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
 from understudy.realizer.arms.arm_keys import arm_track
 from understudy.realizer.arms.wrist_paths import relax_m

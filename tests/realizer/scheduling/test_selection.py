@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 import pytest
 
-from tests.support.gesture_clips import clip, gesture, library
+from tests.support.motion.gesture_clips import clip, gesture, library
 from understudy.model import Hand, Level, Manner, Schedule, SyncPoints
 from understudy.realizer.scheduling.selection import (
     candidate_clips,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.realizer.scheduling.test_gesture_controller import RATE_HZ, moved, planned, wrist
-from tests.support.gesture_clips import MARKERS, clip, gesture, library
+from tests.support.motion.gesture_clips import MARKERS, clip, gesture, library
 from understudy.model import FloatArray, Hand
 from understudy.realizer.gestures.gesture import Clip, OffsetTrack, TrackForm
 from understudy.realizer.scheduling.stroke_arcs import ARC

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.realizer.scheduling.test_gesture_controller import RATE_HZ, SKELETON, still
-from tests.support.gesture_clips import MARKERS, clip, gesture, library
+from tests.support.motion.gesture_clips import MARKERS, clip, gesture, library
 from understudy.model import FloatArray, Hand, Schedule
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.geometry.rotations import inverse, multiply, to_rotation_vector

@@ -2,9 +2,9 @@
 
 import pytest
 
-from tests.support.gesture_clips import clip, gesture
+from tests.support.motion.gesture_clips import clip, gesture
 from understudy.model import Hand, Interval, Schedule
-from understudy.model.gesture_limits import EASY_TRANSITION_S, SLOWEST_STROKE_M_S, TOP_STROKE_SPEED_M_S
+from understudy.model.limits.gesture_limits import EASY_TRANSITION_S, SLOWEST_STROKE_M_S, TOP_STROKE_SPEED_M_S
 from understudy.realizer.gestures.gesture import Clip
 from understudy.realizer.gestures.gesture_plan import PlacedGesture
 from understudy.realizer.scheduling.selection import place_clip, requests_of

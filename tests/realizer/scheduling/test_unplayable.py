@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.movements import behavior, schedule
+from tests.support.motion.movements import behavior, schedule
 from understudy.behavior.characters.overlays import Characters
 from understudy.model import Channel
 from understudy.realizer.scheduling.unplayable import unplayable_behaviors

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.movements import BODY, TIMES_S, behavior, schedule
+from tests.support.motion.movements import BODY, TIMES_S, behavior, schedule
 from understudy.model import Channel, Level, Schedule
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.skeleton import forward

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.movements import BODY, TIMES_S, schedule
+from tests.support.motion.movements import BODY, TIMES_S, schedule
 from understudy.realizer.body.movement_style import IdleLife
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.geometry.rotations import angle_between

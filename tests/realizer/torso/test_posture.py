@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.support.movements import TIMES_S, behavior
+from tests.support.motion.movements import TIMES_S, behavior
 from understudy.model import Behavior, Channel
 from understudy.realizer.torso.posture import POSTURES, SHORTEST_SHIFT_S, trunk_postures
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from tests.support.utterances import utterance, words_of
+from tests.support.words.utterances import utterance, words_of
 from understudy.model import (
     Affect,
     Agitation,

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.shipped_rules import shipped_parser, shipped_rules
-from tests.support.utterances import words_of
+from tests.support.words.utterances import words_of
 from understudy.model import Fact, Utterance
 from understudy.rules.chaining.chainer import derive
 from understudy.rules.chaining.matching import FactBase

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.support.shipped_rules import found, shipped_rules
-from tests.support.utterances import utterance
+from tests.support.words.utterances import utterance
 from understudy.rules.derivation import derive_functions
 
 AFFIRMATION = [

@@ -17,7 +17,7 @@ from pxr import Kind, Sdf, Usd, UsdGeom, UsdMedia, UsdSkel, UsdUtils
 
 from ....model import Behavior
 from ....model.figure import PLAIN, Looks
-from ....model.motion_formats import AudioFile
+from ....model.formats.motion_formats import AudioFile
 from ...body.motion import Motion
 from ...body.skeleton import Skeleton
 from ...mannequin.mannequin import Mannequin, joined

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.support.hand_made_motion import BODY, waving
+from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.errors import ServiceError
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.exporting.fbx.conversion import blender_command, to_fbx

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.support.hand_made_motion import BODY, X, Y, Z, turned, waving
-from tests.support.mpeg4_reading import COLUMNS, RAD, Body, greta_world, read_parameters, world
+from tests.support.motion.hand_made_motion import BODY, X, Y, Z, turned, waving
+from tests.support.motion.mpeg4_reading import COLUMNS, RAD, Body, greta_world, read_parameters, world
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
-from understudy.model.motion_formats import BapVersion
+from understudy.model.formats.motion_formats import BapVersion
 from understudy.models import load_realizer
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.exporting.mpeg4.angles import arms_down, euler_rad, thumb_hinge

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.support.hand_made_motion import BODY, X, Y, turned, waving
-from tests.support.mpeg4_reading import read_parameters
+from tests.support.motion.hand_made_motion import BODY, X, Y, turned, waving
+from tests.support.motion.mpeg4_reading import read_parameters
 from understudy.errors import AuthoringError
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.exporting.mpeg4.fap import TABLE, FapTable, to_fap

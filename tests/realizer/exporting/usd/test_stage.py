@@ -12,9 +12,9 @@ pytest.importorskip("pxr", reason="usd-core is not installed: pip install 'under
 
 from pxr import Usd, UsdGeom, UsdMedia, UsdShade, UsdSkel, UsdValidation
 
-from tests.support.hand_made_motion import BODY, waving
+from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.model import Behavior, Channel, FloatArray, SyncPoints
-from understudy.model.motion_formats import AudioFile
+from understudy.model.formats.motion_formats import AudioFile
 from understudy.realizer.body.motion import SHAPES, Motion
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.exporting.usd.stage import ROOT, UsdForm, to_usd

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from itertools import product
 from math import dist, sqrt
 
-from .body import Hand
-from .figure import Manner
-from .speech import Level
+from ..body import Hand
+from ..figure import Manner
+from ..voice.speech import Level
 
 USUAL_AMOUNT = 0.5
 """The amount of a gesture of usual size."""

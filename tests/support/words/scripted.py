@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from understudy.model import Hand, Interval, Parse, Token, Utterance, Word
-from understudy.model.gesture_limits import ArmEnds, GestureForm
+from understudy.model.limits.gesture_limits import ArmEnds, GestureForm
 from understudy.profiles.generation.repertoire import PlayableGesture, Repertoire
 from understudy.profiles.profile import (
     LexemeHabit,

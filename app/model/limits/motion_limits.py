@@ -3,8 +3,8 @@
 import math
 from dataclasses import dataclass
 
-from ..errors import InputError
-from .schedule import Schedule
+from ...errors import InputError
+from ..schedule import Schedule
 
 
 @dataclass(frozen=True, slots=True)

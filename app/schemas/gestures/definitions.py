@@ -7,12 +7,12 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from ..authoring.gesture_texts import CheckedText
-from ..errors import InputError, Mistake
-from ..model import Hand, Level
-from ..realizer.arms.plausibility import Doubt
-from ..realizer.gestures.definitions import completed_by_mirroring
-from ..realizer.gestures.gesture import (
+from ...authoring.gesture_texts import CheckedText
+from ...errors import InputError, Mistake
+from ...model import Hand, Level
+from ...realizer.arms.plausibility import Doubt
+from ...realizer.gestures.definitions import completed_by_mirroring
+from ...realizer.gestures.gesture import (
     ArmKey,
     Bend,
     Definition,
@@ -33,10 +33,10 @@ from ..realizer.gestures.gesture import (
     TrackForm,
     Wrist,
 )
-from ..realizer.gestures.library import Library
-from ..realizer.gestures.writing import write_gesture
-from .requests import checked
-from .response_model import ResponseModel
+from ...realizer.gestures.library import Library
+from ...realizer.gestures.writing import write_gesture
+from ..requests import checked
+from ..response_model import ResponseModel
 
 MOST_GESTURES, MOST_FRAMES, MOST_TRACKS = 400, 100, 21
 

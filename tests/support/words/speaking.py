@@ -12,7 +12,7 @@ from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import INDEX, FaceTables
 from understudy.realizer.geometry.rotations import IDENTITY
 
-TABLES = FaceTables.load(Path(__file__).resolve().parents[2] / "lexicon" / "face.yaml")
+TABLES = FaceTables.load(Path(__file__).resolve().parents[3] / "lexicon" / "face.yaml")
 SKELETON = Skeleton.standing()
 START_S = 0.5
 """When the first phone begins: the mouth is at rest before."""

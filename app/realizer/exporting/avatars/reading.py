@@ -14,12 +14,12 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from ...errors import InputError, UndecodableError
-from ...model import FloatArray
-from ..body.skeleton import SIDES
-from ..geometry.rotations import IDENTITY, from_axes, multiply, normalized, rotate
-from .avatar_schema import LARGEST, AvatarFile, Node
-from .retargeting import Rig
+from ....errors import InputError, UndecodableError
+from ....model import FloatArray
+from ...body.skeleton import SIDES
+from ...geometry.rotations import IDENTITY, from_axes, multiply, normalized, rotate
+from ..retargeting import Rig
+from .schema import LARGEST, AvatarFile, Node
 
 NEEDED = ("hips", "spine", "head", *(f"{side}{part}" for side in SIDES for part in ("UpperArm", "LowerArm", "Hand")))
 """The joints that an avatar must have."""

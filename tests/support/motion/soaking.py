@@ -6,8 +6,8 @@ from itertools import product
 
 import numpy as np
 
-from tests.support.bml_checker import check
-from tests.support.motion_limits import broken_limits
+from tests.support.bml.bml_checker import check
+from tests.support.motion.motion_limits import broken_limits
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Agitation, Analysis, Level, Performance
 from understudy.models import Understudy

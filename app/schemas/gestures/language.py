@@ -7,14 +7,14 @@ from typing import Self
 
 import numpy as np
 
-from ..model import Hand, Level
-from ..realizer.arms.plausibility import SHORT_M
-from ..realizer.arms.posing import pose_arms
-from ..realizer.body.skeleton import Skeleton
-from ..realizer.gestures.arm_joints import arm_joints
-from ..realizer.gestures.checking import IN_ORDER, REPEATED
-from ..realizer.gestures.definitions import FACTORS, MAX_DURATION_S, MIN_DURATION_S, RANGES, SUMMANDS
-from ..realizer.gestures.gesture import (
+from ...model import Hand, Level
+from ...realizer.arms.plausibility import SHORT_M
+from ...realizer.arms.posing import pose_arms
+from ...realizer.body.skeleton import Skeleton
+from ...realizer.gestures.arm_joints import arm_joints
+from ...realizer.gestures.checking import IN_ORDER, REPEATED
+from ...realizer.gestures.definitions import FACTORS, MAX_DURATION_S, MIN_DURATION_S, RANGES, SUMMANDS
+from ...realizer.gestures.gesture import (
     ArmKey,
     Bend,
     Depth,
@@ -27,10 +27,10 @@ from ..realizer.gestures.gesture import (
     Thumb,
     TrackForm,
 )
-from ..realizer.gestures.gesture_space import DEPTH_M, DIRECTIONS, HEIGHT, SHOULDERS_ABOVE_HIPS_M, SIDEWAYS_M, sector_m
-from ..realizer.gestures.offset_tracks import FEWEST_TURNS, MOST_DEGREES, MOST_PHASE_DEG, MOST_TURNS, TrackJoint
-from ..realizer.gestures.specifiers import MAX_DEGREES, MAX_OFFSET_M, THUMB_IN_FORM, orthogonal
-from .response_model import Number, ResponseModel
+from ...realizer.gestures.gesture_space import DEPTH_M, DIRECTIONS, HEIGHT, SHOULDERS_ABOVE_HIPS_M, SIDEWAYS_M, sector_m
+from ...realizer.gestures.offset_tracks import FEWEST_TURNS, MOST_DEGREES, MOST_PHASE_DEG, MOST_TURNS, TrackJoint
+from ...realizer.gestures.specifiers import MAX_DEGREES, MAX_OFFSET_M, THUMB_IN_FORM, orthogonal
+from ..response_model import Number, ResponseModel
 
 _AXES = (
     (Direction.UP, Direction.DOWN),

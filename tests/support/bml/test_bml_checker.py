@@ -1,6 +1,6 @@
 import pytest
 
-from tests.support.bml_checker import check
+from tests.support.bml.bml_checker import check
 from tests.support.shared_data import BML_SUITE, needs
 
 RIGHT = """\

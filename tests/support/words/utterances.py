@@ -4,7 +4,7 @@ from pathlib import Path
 
 from understudy.model import Clause, Parse, Phrase, Token, Utterance, Word
 
-PARSER = Path(__file__).resolve().parents[2] / "models" / "parser"
+PARSER = Path(__file__).resolve().parents[3] / "models" / "parser"
 
 
 def words_of(text: str) -> tuple[Word, ...]:

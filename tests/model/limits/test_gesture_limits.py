@@ -4,7 +4,7 @@ import pytest
 
 from understudy.model import Hand, Level
 from understudy.model.figure import Manner
-from understudy.model.gesture_limits import (
+from understudy.model.limits.gesture_limits import (
     BRIEFEST_SHARE,
     EASY_TRANSITION_S,
     SHORTEST_STROKE_S,

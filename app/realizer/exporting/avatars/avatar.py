@@ -2,7 +2,7 @@
 
 The rest pose may be any: where an arm, leg or finger does not point as in our T-pose (as in an A-pose), it is first
 rotated there by the smallest rotation. Nodes that the rig does not name keep their rest pose. Face weights go to every
-mesh that has morph targets with ARKit's names. Conventions as in `understudy.realizer.exporting.avatar_reading`.
+mesh that has morph targets with ARKit's names. Conventions as in `understudy.realizer.exporting.avatars.reading`.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -10,10 +10,10 @@ from itertools import chain
 
 import numpy as np
 
-from ...model import Behavior, FloatArray
-from ..body.motion import SHAPES, Motion
-from ..body.skeleton import FINGERS, SIDES, Skeleton, forward
-from ..geometry.rotations import (
+from ....model import Behavior, FloatArray
+from ...body.motion import SHAPES, Motion
+from ...body.skeleton import FINGERS, SIDES, Skeleton, forward
+from ...geometry.rotations import (
     IDENTITY,
     from_axis_angle,
     inverse,
@@ -23,11 +23,11 @@ from ..geometry.rotations import (
     rotate,
     shortest_rotation,
 )
-from ..mannequin.carrying import t_pose_m
-from .animations import Layer, NodeTrack, animations, joint_track
-from .avatar_reading import Avatar, read_avatar, turn_and_scale
-from .gltf import Accessors, Json, to_glb_bytes
-from .retargeting import Rig
+from ...mannequin.carrying import t_pose_m
+from ..animations import Layer, NodeTrack, animations, joint_track
+from ..gltf import Accessors, Json, to_glb_bytes
+from ..retargeting import Rig
+from .reading import Avatar, read_avatar, turn_and_scale
 
 _POINTED: tuple[tuple[str, str], ...] = (
     ("UpperArm", "LowerArm"),

@@ -8,13 +8,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from ..behavior.speech.visemes import visemes
-from ..errors import InputError, UndecodableError
-from ..model import Agitation, Hand, Interval, Level, Parse, Performance, Phone, Utterance, Word
-from ..profiles.annotation.model import PathForm
-from ..profiles.generation.behaviors import behaviors_of
-from ..profiles.generation.script import GestureScript, ScriptedGesture, ScriptedUnit
-from .requests import LARGEST_SEED
+from ...behavior.speech.visemes import visemes
+from ...errors import InputError, UndecodableError
+from ...model import Agitation, Hand, Interval, Level, Parse, Performance, Phone, Utterance, Word
+from ...profiles.annotation.model import PathForm
+from ...profiles.generation.behaviors import behaviors_of
+from ...profiles.generation.script import GestureScript, ScriptedGesture, ScriptedUnit
+from ..requests import LARGEST_SEED
 
 MOST_GESTURES = 5000
 DECIMALS = 3

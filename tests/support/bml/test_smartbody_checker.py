@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.smartbody_checker import check_act, check_speech_file
+from tests.support.bml.smartbody_checker import check_act, check_speech_file
 
 ACT = (
     '<act><participant id="a" role="actor"/><bml><speech id="speech1" ref="line" type="application/ssml+xml">'

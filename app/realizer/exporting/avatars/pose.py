@@ -12,16 +12,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from pydantic import ValidationError
 
-from ...errors import InputError, UndecodableError
-from ...model import FloatArray, Hand
-from ..body.limits import MIRROR
-from ..body.skeleton import SIDES, Skeleton
-from ..geometry.rotations import IDENTITY, inverse, multiply, normalized
-from ..gestures.arm_joints import arm_joints
+from ....errors import InputError, UndecodableError
+from ....model import FloatArray, Hand
+from ...body.limits import MIRROR
+from ...body.skeleton import SIDES, Skeleton
+from ...geometry.rotations import IDENTITY, inverse, multiply, normalized
+from ...gestures.arm_joints import arm_joints
+from ..gltf_tracks import animation_names, bind_matrices, rotations_at
+from ..retargeting import Rig
 from .avatar import at_front, to_t_pose
-from .avatar_reading import Avatar, local_matrix, read_avatar, turn_and_scale
-from .gltf_tracks import animation_names, bind_matrices, rotations_at
-from .retargeting import Rig
+from .reading import Avatar, local_matrix, read_avatar, turn_and_scale
 
 _DECIMALS = 1
 """To a tenth of a degree, which nobody sees."""

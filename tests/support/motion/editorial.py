@@ -2,7 +2,7 @@
 
 from types import MappingProxyType
 
-from tests.support.by_hand import spoken
+from tests.support.words.by_hand import spoken
 from understudy.model import Behavior, Channel, Function, Hand, Schedule, SyncPoints
 
 LEAD_IN_S = 0.5

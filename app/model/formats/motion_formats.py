@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from ..errors import InputError
+from ...errors import InputError
 
 
 class MotionFormat(StrEnum):

@@ -4,7 +4,7 @@ import pytest
 
 from understudy.errors import InputError
 from understudy.model import Schedule
-from understudy.model.motion_limits import MotionLimits
+from understudy.model.limits.motion_limits import MotionLimits
 
 LIMITS = MotionLimits(behaviors=0, duration_s=10.0, frames=600, content_bytes=5)
 

@@ -1,0 +1,1 @@
+"""The schemas of gestures: definitions, the gesture language, gesture scripts."""

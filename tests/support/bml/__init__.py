@@ -1,0 +1,1 @@
+"""Checkers of BML documents that tests use, and their own tests."""

@@ -1,0 +1,1 @@
+"""Motions, gestures and files of motion that tests make and read."""

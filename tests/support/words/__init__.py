@@ -1,0 +1,1 @@
+"""Words, utterances and voices that tests make."""
