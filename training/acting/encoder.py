@@ -28,13 +28,13 @@ import torch
 from torch import Tensor, nn
 from torch.nn.functional import binary_cross_entropy_with_logits
 
-from understudy.behavior.reading.delivery import Delivery, features_of
+from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery, features_of
 from understudy.behavior.reading.encoder import MOST_PIECES
 from understudy.behavior.reading.wordpieces import FIRST, LAST, pieces_of
 from understudy.model import SingleArray
 
 from .directed import FACE, FAMILIES, GAZE, HEAD, MANNER, OUTPUTS, DirectedLine, Targets, read_lines, targets_of
-from .listening import as_written, heard
+from .listening import Voices, as_written, heard, voices_of
 from .network import Reader, shipped_weights, with_delivery
 from .recordings import read_measured
 
@@ -45,7 +45,7 @@ RATE, OUTPUT_RATE, NEW_RATE = 5e-5, 2e-4, 1e-3
 
 FROZEN = 1
 OLD_SHARE = 0.4
-"""How many of the lines that the shipped weights know are read again in an epoch."""
+"""How many of the lines whose heads and faces were not directed with care are read in an epoch, drawn anew in each."""
 
 SIZES = (len(FAMILIES), len(FAMILIES), 1, len(HEAD), len(FACE), len(GAZE), len(MANNER))
 LOSS_WEIGHTS = (1.0, 0.4, 0.5, 0.25, 0.25, 0.1, 0.0)
@@ -113,21 +113,23 @@ def _counts(line: DirectedLine, targets: Targets) -> SingleArray:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Training:
-    """The lines of a training, what was measured of their deliveries, its length, and a factor of its rates."""
+    """The lines of a training, what was measured in recordings, its length, a factor of its rates, and how many of the
+    less careful lines an epoch has."""
 
     lines: Sequence[Encoded]
     checked: Sequence[Encoded]
-    measured: Mapping[str, Sequence[Delivery]]
+    voices: Voices
     epochs: int
     seed: int
     pace: float = 1.0
+    old_share: float = OLD_SHARE
 
 
 def trained(reader: Reader, training: Training, output: Path) -> None:
     """Trains a reader, and writes its weights after each epoch."""
     torch.manual_seed(training.seed)
     chance = random.Random(training.seed)
-    steps = training.epochs * math.ceil(len(_drawn(training.lines, random.Random(0))) / BATCH)
+    steps = training.epochs * math.ceil(len(_drawn(training, random.Random(0))) / BATCH)
     optimizer = _optimizer(reader, training.pace)
     schedule = torch.optim.lr_scheduler.LambdaLR(
         optimizer, lambda step: min(1.0, (step + 1) / (WARM_UP * steps)) * max(0.03, 1 - step / steps)
@@ -135,8 +137,8 @@ def trained(reader: Reader, training: Training, output: Path) -> None:
     for epoch in range(training.epochs):
         reader.train()
         losses, began_s = [], time.monotonic()
-        for batch in _batches(_drawn(training.lines, chance), chance):
-            loss = _loss(reader, batch, [heard(each.line, training.measured, chance) for each in batch])
+        for batch in _batches(_drawn(training, chance), chance):
+            loss = _loss(reader, batch, [heard(each.line, training.voices, chance) for each in batch])
             optimizer.zero_grad()
             loss.backward()
             nn.utils.clip_grad_norm_(reader.parameters(), 1.0)
@@ -161,34 +163,31 @@ def _tell(reader: Reader, training: Training) -> None:
             ("lines", others, False),
         ):
             values = [
-                float(_loss(reader, batch, [_told(each, training.measured, chance, told) for each in batch]))
+                float(
+                    _loss(
+                        reader,
+                        batch,
+                        [as_written(each.line, training.voices, chance) if told else WORDS_ALONE for each in batch],
+                    )
+                )
                 for batch in _batches(lines, random.Random(0))
             ]
             print(f"  held out, {name} ({len(lines)}): {np.mean(values):.3f}", flush=True)
 
 
-def _told(each: Encoded, measured: Mapping[str, Sequence[Delivery]], chance: random.Random, told: bool) -> Delivery:
-    known = measured.get(each.line.name, ())
-    if not told:
-        return Delivery()
-    return known[0] if known else as_written(each.line, chance)
-
-
-def _drawn(lines: Sequence[Encoded], chance: random.Random) -> list[Encoded]:
+def _drawn(training: Training, chance: random.Random) -> list[Encoded]:
     """The lines of an epoch."""
-    return [each for each in lines if each.line.careful or chance.random() < OLD_SHARE]
+    return [each for each in training.lines if each.line.careful or chance.random() < training.old_share]
 
 
-def read(
-    reader: Reader, lines: Sequence[Encoded], measured: Mapping[str, Sequence[Delivery]]
-) -> dict[str, SingleArray]:
+def read(reader: Reader, lines: Sequence[Encoded], voices: Voices) -> dict[str, SingleArray]:
     """What a reader makes of lines: probabilities (W, outputs) by name."""
     reader.eval()
     found: dict[str, SingleArray] = {}
     chance = random.Random(0)
     with torch.no_grad():
         for batch in _batches(lines, chance):
-            likely = torch.sigmoid(reader(*_inputs(batch, [_told(each, measured, chance, True) for each in batch])))
+            likely = torch.sigmoid(reader(*_inputs(batch, [as_written(each.line, voices, chance) for each in batch])))
             found |= {each.line.name: row[: len(each.ends)].numpy() for each, row in zip(batch, likely, strict=True)}
     return found
 
@@ -275,6 +274,7 @@ def main() -> None:
     parser.add_argument("--all", action="store_true", help="hold nothing out of the training")
     parser.add_argument("--epochs", type=int, default=EPOCHS)
     parser.add_argument("--pace", type=float, default=1.0, help="a factor of the learning rates")
+    parser.add_argument("--old-share", type=float, default=OLD_SHARE)
     parser.add_argument("--frozen", type=int, default=FROZEN)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--threads", type=int, default=1)
@@ -284,14 +284,15 @@ def main() -> None:
     lines = [each for line in read_lines(arguments.directing) if (each := encoded(line, vocabulary))]
     checked = [each for each in lines if is_held_out(each.line, arguments.without)]
     measured = read_measured(arguments.measured) if arguments.measured else {}
+    voices = voices_of(measured, (each.line for each in lines))
     if arguments.task == "read":
-        np.savez_compressed(arguments.files[1], allow_pickle=False, **read(Reader(weights), checked, measured))
+        np.savez_compressed(arguments.files[1], allow_pickle=False, **read(Reader(weights), checked, voices))
         return
     kept = lines if arguments.all else [each for each in lines if not is_held_out(each.line, arguments.without)]
     print(
         f"{len(kept)} lines, {sum(each.line.is_delivery for each in kept)} of them deliveries; {len(checked)} held out"
     )
-    training = Training(kept, checked, measured, arguments.epochs, arguments.seed, arguments.pace)
+    training = Training(kept, checked, voices, arguments.epochs, arguments.seed, arguments.pace, arguments.old_share)
     trained(Reader(weights, frozen=arguments.frozen), training, arguments.files[0])
 
 

@@ -1,15 +1,17 @@
 """What the analysis hears of a delivery as it is written, so that the reader learns from what it will be told.
 
-Where recordings of a delivery were analysed (`training.acting.recordings`), a delivery is what was measured in one of
-them. Else it is guessed: the focus as likely found as the analysis finds it, the tone as one of its seven or a mixture,
-everything with noise. Lines that were directed without a delivery are read as words alone, or as said without any
-expression, or as their director seems to have imagined them (the focus on what has the stroke, the tone that of the
-face). Whatever is told is dropped at random, so that the reader does without it too.
+A delivery is guessed: the focus as likely found as the analysis finds it, from hardly to surely; affect and loudness
+mostly as they were measured in some recording of the same tone and loudness (`training.acting.recordings`), else the
+tone as one of the seven of the analysis or a mixture, with noise. Lines that were directed without a delivery are read
+as words alone, or as said without any expression, or as their director seems to have imagined them (the focus on what
+has the stroke, the tone that of the face). Whatever is told is dropped at random, so that the reader does without it
+too.
 """
 
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import TypeAlias
 
 import numpy as np
 
@@ -39,67 +41,81 @@ TONES: Mapping[str, tuple[tuple[float, float, float], dict[Tone, float]]] = {
 FACE_TONES = {"smile": "amused", "frown": "angry", "sad": "sad", "disgust": "disgusted", "wide_eyes": "excited"}
 """The tone in which a line is said with such a face, where nothing else is known of it."""
 
-FOCUS_HEARD, CONTENT_HEARD, FOCUS_NOISE = 3.0, 0.6, 1.0
-"""How much stronger than other words a focused word, or one of many letters, seems: with this noise the likeliest word
-of some twelve is the focused one in three of four deliveries, as the analysis finds it."""
+FOCUS_HEARD, CONTENT_HEARD, FOCUS_NOISE = (1.8, 5.0), 0.6, 1.0
+"""How much stronger than other words a focused word, from least to most, or one of many letters, seems: with this noise
+the likeliest word of some twelve is the focused one in seven of eight deliveries. The analysis finds it more often in
+synthetic voices, and less often in people's."""
 
 IMAGINED_FOCUS = 1.8
 """The same for words of which a director's stroke lets us guess that he heard them stressed."""
 
+IMAGINED_TONE = 0.6
+"""How often the tone is guessed from a director's faces."""
+
+MEASURED_SHARE, FEWEST_MEASURED = 0.7, 5
 TONE_MISHEARD = 0.25
 DROPPED_WHOLE, DROPPED_PART = 0.2, 0.12
 WORDS_ALONE_SHARE, FLAT_SHARE = 0.4, 0.3
 """Of the lines without a delivery, those read as words alone, and those read as said without expression."""
 
 
-def heard(line: DirectedLine, measured: Mapping[str, Sequence[Delivery]], chance: random.Random) -> Delivery:
+Voices: TypeAlias = Mapping[tuple[str, int], Sequence[Delivery]]
+"""What was measured in recordings, by the written tone and loudness."""
+
+
+def voices_of(measured: Mapping[str, Sequence[Delivery]], lines: Iterable[DirectedLine]) -> Voices:
+    """What was measured, by the deliveries' tones and loudnesses; too few of a kind are left out."""
+    found: dict[tuple[str, int], list[Delivery]] = {}
+    for line in lines:
+        if line.is_delivery:
+            key = line.reading["tone"], line.reading["loudness"]
+            found.setdefault(key, []).extend(measured.get(line.name, ()))
+    return {key: deliveries for key, deliveries in found.items() if len(deliveries) >= FEWEST_MEASURED}
+
+
+def heard(line: DirectedLine, voices: Voices, chance: random.Random) -> Delivery:
     """One way in which a line may be heard."""
     if line.is_delivery:
-        known = measured.get(line.name)
-        whole = chance.choice(known) if known else _guessed(line, chance)
-        return _dropped(whole, chance)
+        return _dropped(as_written(line, voices, chance), chance)
     lot = chance.random()
     if lot < WORDS_ALONE_SHARE:
         return WORDS_ALONE
-    return _dropped(_flat(line, chance) if lot < WORDS_ALONE_SHARE + FLAT_SHARE else _imagined(line, chance), chance)
+    flat = lot < WORDS_ALONE_SHARE + FLAT_SHARE
+    return _dropped(_flat(line, voices, chance) if flat else _imagined(line, voices, chance), chance)
 
 
-def as_written(line: DirectedLine, chance: random.Random) -> Delivery:
-    """A delivery as it is guessed that it would be measured, nothing dropped; the words alone for other lines."""
-    return _guessed(line, chance) if line.is_delivery else WORDS_ALONE
+def as_written(line: DirectedLine, voices: Voices, chance: random.Random) -> Delivery:
+    """A delivery as it may be measured, nothing dropped; the words alone for other lines."""
+    if not line.is_delivery:
+        return WORDS_ALONE
+    stressed = dict.fromkeys(line.reading["focus"], chance.uniform(*FOCUS_HEARD))
+    return _said(_focus(line, stressed, chance), (line.reading["tone"], line.reading["loudness"]), voices, chance)
 
 
-def _guessed(line: DirectedLine, chance: random.Random) -> Delivery:
-    tone, loudness = line.reading["tone"], line.reading["loudness"]
-    activation = TONES[tone][0][0]
-    return Delivery(
-        focus=_focus(line, dict.fromkeys(line.reading["focus"], FOCUS_HEARD), chance),
-        affect=_affect(tone, loudness, chance),
-        loudness=_loudness(0.6 * loudness + 0.8 * activation, chance),
-    )
+def _said(focus: tuple[float, ...], manner: tuple[str, int], voices: Voices, chance: random.Random) -> Delivery:
+    """A focus said in a tone and loudness."""
+    if manner in voices and chance.random() < MEASURED_SHARE:
+        voice = chance.choice(voices[manner])
+        return Delivery(focus, LineAffect(voice.affect.line) if voice.affect else None, voice.loudness)
+    tone, loudness = manner
+    effort = 0.6 * loudness + 0.8 * TONES[tone][0][0]
+    return Delivery(focus, _affect(tone, loudness, chance), _loudness(effort, chance))
 
 
-def _flat(line: DirectedLine, chance: random.Random) -> Delivery:
+def _flat(line: DirectedLine, voices: Voices, chance: random.Random) -> Delivery:
     """Said as a synthetic voice says it: an accent anywhere, no tone."""
-    return Delivery(
-        focus=_focus(line, {chance.randrange(len(line.words)): chance.choice((0.0, 1.5))}, chance),
-        affect=_affect("neutral", 0, chance),
-        loudness=_loudness(0.0, chance),
-    )
+    stressed = {chance.randrange(len(line.words)): chance.choice((0.0, 1.5))}
+    return _said(_focus(line, stressed, chance), ("neutral", 0), voices, chance)
 
 
-def _imagined(line: DirectedLine, chance: random.Random) -> Delivery:
+def _imagined(line: DirectedLine, voices: Voices, chance: random.Random) -> Delivery:
     """Said as the director's choices suggest."""
     moments = [each for each in line.reading["moments"] if gesture_choices(each) and each["stroke"] < len(line.words)]
     strongest = max((each["importance"] for each in moments), default=0)
     stressed = {each["stroke"]: IMAGINED_FOCUS for each in moments if each["importance"] == strongest}
     faces = [face for each in line.reading["moments"] for face in each.get("face") or () if face in FACE_TONES]
-    tone = FACE_TONES[chance.choice(faces)] if faces and chance.random() < 0.6 else "neutral"
-    return Delivery(
-        focus=_focus(line, stressed, chance),
-        affect=_affect(tone, 0, chance),
-        loudness=_loudness(0.8 * TONES[tone][0][0], chance),
-    )
+    tone = FACE_TONES[chance.choice(faces)] if faces and chance.random() < IMAGINED_TONE else "neutral"
+    return _said(_focus(line, stressed, chance), (tone, 0), voices, chance)
 
 
 def _focus(line: DirectedLine, strength: Mapping[int, float], chance: random.Random) -> tuple[float, ...]:

@@ -6,9 +6,9 @@ from itertools import pairwise
 import pytest
 
 from training.acting.directed import DirectedLine
-from training.acting.listening import as_written, heard
+from training.acting.listening import as_written, heard, voices_of
 from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery
-from understudy.model import Tone
+from understudy.model import Affect, LineAffect, Tone
 
 WORDS = ("I", "never", "said", "she", "took", "the", "money.")
 MOMENT = {"first": 0, "last": 2, "stroke": 1, "importance": 3, "gesture": ["negation"], "face": ["frown"]}
@@ -25,13 +25,13 @@ def _many(line: DirectedLine, count: int = 400) -> list[Delivery]:
 
 def test_the_focus_is_mostly_found_and_not_always() -> None:
     chance = random.Random(0)
-    found = [shares.index(max(shares)) == 3 for _ in range(400) if (shares := as_written(ANGRY, chance).focus)]
+    found = [shares.index(max(shares)) == 3 for _ in range(400) if (shares := as_written(ANGRY, {}, chance).focus)]
     assert 0.65 < sum(found) / len(found) < 0.95
 
 
 def test_the_tone_is_mostly_heard_and_not_always() -> None:
     chance = random.Random(0)
-    tones = [affect.line.tone for _ in range(400) if (affect := as_written(ANGRY, chance).affect)]
+    tones = [affect.line.tone for _ in range(400) if (affect := as_written(ANGRY, {}, chance).affect)]
     assert 0.55 < tones.count(Tone.ANGRY) / len(tones) < 0.95
 
 
@@ -53,12 +53,13 @@ def test_a_line_without_a_delivery_is_mostly_read_without_one() -> None:
     assert _many(LINE).count(WORDS_ALONE) > 0.4 * 400
 
 
-def test_what_was_measured_is_heard_as_measured() -> None:
-    measured = Delivery(focus=(1.0, *(0.0,) * 6), loudness=0.2)
+def test_affect_is_mostly_heard_as_it_was_measured_in_the_same_tone() -> None:
+    loud = Delivery(affect=LineAffect(Affect(0.9, -0.9, 0.9)), loudness=0.95)
+    voices = voices_of({"x-a": [loud] * 6}, [ANGRY, LINE])
     chance = random.Random(0)
-    several = [heard(ANGRY, {"x-a": [measured]}, chance) for _ in range(50)]
-    assert measured in several
-    assert all(each.focus in (None, measured.focus) for each in several)
+    several = [as_written(ANGRY, voices, chance) for _ in range(200)]
+    assert 0.5 < sum(each.affect == loud.affect for each in several) / len(several) < 0.9
+    assert all(each.focus is not None for each in several)
 
 
 def test_chance_alone_decides() -> None:
