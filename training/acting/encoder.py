@@ -264,6 +264,24 @@ def starting_weights(path: Path) -> tuple[dict[str, SingleArray], dict[str, int]
 
 
 def main() -> None:
+    arguments = _arguments()
+    torch.set_num_threads(1)
+    weights, vocabulary = starting_weights(arguments.start if arguments.task == "fit" else arguments.files[0])
+    lines = [each for line in read_lines(arguments.directing) if (each := encoded(line, vocabulary))]
+    checked = [each for each in lines if is_held_out(each.line, arguments.without)]
+    measured = read_measured(arguments.measured) if arguments.measured else {}
+    voices = voices_of(measured, (each.line for each in lines))
+    if arguments.task == "read":
+        np.savez_compressed(arguments.files[1], allow_pickle=False, **read(Reader(weights), checked, voices))
+        return
+    kept = lines if arguments.all else [each for each in lines if not is_held_out(each.line, arguments.without)]
+    deliveries = sum(each.line.is_delivery for each in kept)
+    print(f"{len(kept)} lines, {deliveries} of them deliveries; {len(checked)} held out", flush=True)
+    training = Training(kept, checked, voices, arguments.epochs, arguments.seed, arguments.pace, arguments.old_share)
+    trained(Reader(weights, frozen=arguments.frozen), training, arguments.files[0])
+
+
+def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("task", choices=("fit", "read"))
     parser.add_argument("files", nargs="+", type=Path)
@@ -275,25 +293,9 @@ def main() -> None:
     parser.add_argument("--epochs", type=int, default=EPOCHS)
     parser.add_argument("--pace", type=float, default=1.0, help="a factor of the learning rates")
     parser.add_argument("--old-share", type=float, default=OLD_SHARE)
-    parser.add_argument("--frozen", type=int, default=FROZEN)
+    parser.add_argument("--frozen", type=int, default=FROZEN, help="how many layers, from the first, are not trained")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--threads", type=int, default=1)
-    arguments = parser.parse_args()
-    torch.set_num_threads(arguments.threads)
-    weights, vocabulary = starting_weights(arguments.start if arguments.task == "fit" else arguments.files[0])
-    lines = [each for line in read_lines(arguments.directing) if (each := encoded(line, vocabulary))]
-    checked = [each for each in lines if is_held_out(each.line, arguments.without)]
-    measured = read_measured(arguments.measured) if arguments.measured else {}
-    voices = voices_of(measured, (each.line for each in lines))
-    if arguments.task == "read":
-        np.savez_compressed(arguments.files[1], allow_pickle=False, **read(Reader(weights), checked, voices))
-        return
-    kept = lines if arguments.all else [each for each in lines if not is_held_out(each.line, arguments.without)]
-    print(
-        f"{len(kept)} lines, {sum(each.line.is_delivery for each in kept)} of them deliveries; {len(checked)} held out"
-    )
-    training = Training(kept, checked, voices, arguments.epochs, arguments.seed, arguments.pace, arguments.old_share)
-    trained(Reader(weights, frozen=arguments.frozen), training, arguments.files[0])
+    return parser.parse_args()
 
 
 if __name__ == "__main__":
