@@ -31,7 +31,12 @@ LEAST_LIKELY = {"head": 0.15, "face": 0.11}
 BETA = 2.0
 """How much more it matters that a movement is made than that every director wants it."""
 
-TONED_PRECISION = {"shake": 0.66, "still": 0.5} | dict.fromkeys(("smile", "frown", "sad", "disgust", "squint"), 0.48)
+TONED_PRECISION = {
+    "shake": 0.66,
+    "still": 0.5,
+    **dict.fromkeys(("smile", "frown", "squint"), 0.45),
+    **dict.fromkeys(("sad", "disgust"), 0.35),
+}
 """How often movements that say something of their own must be what the one director wanted; of three, another one wants
 most of the others. A wrong shake denies what is said."""
 
