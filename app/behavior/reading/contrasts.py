@@ -19,7 +19,7 @@ Locus: TypeAlias = tuple[int, int, str]
 
 LOCUS, LEFT, RIGHT = "locus", "left", "right"
 CONTRAST = "contrast_sides"
-LEAST_WORTH = 0.25
+LEAST_WORTH = 0.17
 """The least worth of a contrast at one of the sides with which both are shown."""
 
 
