@@ -12,8 +12,8 @@ With --notes each line is performed with each reader's own notes (`perform --dir
 alone; beside it what is possible, a gesture of his first choice on the word of each of his strokes.
 
 The last scores plans, without clock and hands, on the lines of directed.jsonl, each read by an encoder trained
-without its dialogue (`training.acting.encoder read --fold K`) and weighed by weights fitted to the other folds; by
-source too.
+without its dialogue (as the first one shipped was, by `training.acting.encoder read --fold K` of its time) and weighed
+by weights fitted to the other folds; by source too.
 """
 
 import argparse

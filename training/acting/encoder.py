@@ -5,9 +5,9 @@
 
 It begins with the weights of MODEL, by default those that are shipped (models/acting/encoder.onnx; the first of them
 were MiniLM's, 22.7 million weights, Apache-2.0), and after every epoch writes OUT. An eighth of the lines and
-deliveries of the careful files is held out (`is_held_out`), with `--without` all of a kind as well. `read` writes what
-a model reads of what is held out, as (W, outputs) by the name of the line. It needs `pip install torch onnx` beside
-what the program needs.
+deliveries of the careful files is held out (`directed.is_held_out`), with `--without` all of a kind as well. `read`
+writes what a model reads of what is held out, as (W, outputs) by the name of the line. It needs `pip install torch
+onnx` beside what the program needs.
 
 Outputs a word: worth of each family with its stroke there, within two words of it, a stroke, head movements, faces,
 gaze, size and speed; each a sigmoid of the states of the word's first and last piece and of how the word is said. The
@@ -18,7 +18,6 @@ import argparse
 import math
 import random
 import time
-import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -33,7 +32,19 @@ from understudy.behavior.reading.encoder import MOST_PIECES
 from understudy.behavior.reading.wordpieces import FIRST, LAST, pieces_of
 from understudy.model import SingleArray
 
-from .directed import FACE, FAMILIES, GAZE, HEAD, MANNER, OUTPUTS, DirectedLine, Targets, read_lines, targets_of
+from .directed import (
+    FACE,
+    FAMILIES,
+    GAZE,
+    HEAD,
+    MANNER,
+    OUTPUTS,
+    DirectedLine,
+    Targets,
+    is_held_out,
+    read_lines,
+    targets_of,
+)
 from .listening import Voices, as_written, heard, voices_of
 from .network import Reader, shipped_weights, with_delivery
 from .recordings import read_measured
@@ -52,8 +63,6 @@ LOSS_WEIGHTS = (1.0, 0.4, 0.5, 0.25, 0.25, 0.1, 0.0)
 CAREFUL_WEIGHTS = (1.0, 0.4, 0.5, 0.6, 0.6, 0.2, 0.3)
 """What the outputs count for where heads and faces were directed as carefully as hands."""
 
-HELD_OUT_EVERY = 8
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Encoded:
@@ -65,11 +74,6 @@ class Encoded:
     ends: "np.ndarray[tuple[int, int], np.dtype[np.int64]]"
     wanted: SingleArray
     counts: SingleArray
-
-
-def is_held_out(line: DirectedLine, without: str = "") -> bool:
-    """Whether a line is for checking alone: an eighth of the careful ones by group, and all of the kind `without`."""
-    return line.careful and (zlib.crc32(line.group.encode()) % HELD_OUT_EVERY == 0 or line.source == without)
 
 
 def encoded(line: DirectedLine, vocabulary: Mapping[str, int]) -> Encoded | None:
