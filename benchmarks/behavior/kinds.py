@@ -3,7 +3,8 @@
     python -m benchmarks.behavior.kinds [--directing FOLDER]
 
 Performs the carefully directed lines that no reader was trained on (`training.acting.directed.is_held_out`; their kinds
-were), each word with a usual duration, and scores them with score.py of the folder against the one reading that each has.
+were), each word with a usual duration, and scores them with score.py of the folder against the one reading that each
+has.
 """
 
 import argparse
