@@ -6,6 +6,7 @@ from functools import partial
 from math import inf
 
 from ..behavior.characters.overlays import Character
+from ..behavior.choice.offered import is_offered
 from ..behavior.choice.scheduling import numbered
 from ..model import Behavior, Channel, Notice, Performance, SyncPoints, Utterance, Word
 from ..model.edits import BehaviorEdit
@@ -42,14 +43,15 @@ def edited(performance: Performance, edits: Sequence[BehaviorEdit], character: C
     ]
     made = [(each.edit, each.behavior) for each in outcomes if each.behavior]
     taken = {behavior.id for behavior in found.behaviors.values()}
-    others = [each for each in performance.behaviors if each.id not in taken]
+    offered = tuple(each for each in performance.behaviors if is_offered(each))
+    others = [each for each in performance.behaviors if each.id not in taken and not is_offered(each)]
     settled = with_room(
         [Placed(behavior, _lets_go(edit, behavior)) for edit, behavior in made if behavior.kept],
         [each for each in others if each.kept],
         partial(forms_of, character=character),
     )
     omitted = [behavior for _edit, behavior in made if not behavior.kept]
-    behaviors = numbered((*settled, *omitted, *(each for each in others if not each.kept)))
+    behaviors = (*numbered((*settled, *omitted, *(each for each in others if not each.kept))), *offered)
     notices = [notice for each in outcomes for notice in each.notices]
     told = (*performance.notices, *found.notices, *notices, *_crowded_out(settled))
     return replace(performance, behaviors=behaviors, notices=told)

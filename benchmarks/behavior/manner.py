@@ -28,7 +28,7 @@ from understudy.realizer.body.skeleton import forward
 from understudy.realizer.realizing import Realizer
 from understudy.settings import Settings
 
-ROOT = Path(__file__).resolve().parents[3]
+SHARED = Path(__file__).resolve().parents[3] / "shared"
 FRAME_RATE_HZ = 60
 KINDS = {"amplitude": "size", "speed": "speed"}
 """What directors call each."""
@@ -72,7 +72,7 @@ def of_delivery(understudy: Understudy, folder: Path, line: Mapping[str, Any]) -
 def main() -> None:
     """Performs, realizes, prints."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--directing", type=Path, default=ROOT / "shared" / "directing")
+    parser.add_argument("--directing", type=Path, default=SHARED / "directing")
     parser.add_argument("--every", type=int, default=1, help="only every Nth delivery")
     parser.add_argument("--output", type=Path, help="folder that takes ID.manner.json")
     options = parser.parse_args()

@@ -285,5 +285,5 @@ choose
 
 def test_what_is_neither_behaviour_nor_family_nor_channel_cannot_be_forbidden(tmp_path: Path) -> None:
     rule = "foreach\n  word(no, $s, $e)\nchoose\n  never\n    shakes($s, $e)\n"
-    with pytest.raises(AuthoringError, match="unknown behaviour shakes; did you mean shake"):
+    with pytest.raises(AuthoringError, match="unknown behaviour shakes; did you mean 'shake'"):
         MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names)

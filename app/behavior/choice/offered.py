@@ -19,6 +19,9 @@ NEVER, PRICE = "never", "price"
 _PLANNED = frozenset({Channel.GESTURE, Channel.HEAD, Channel.FACE})
 
 
+_OFFERED = ".offered"
+
+
 def not_taken(line: Understood, planned: Plan, player: Player, behaviors: Sequence[Behavior]) -> tuple[Behavior, ...]:
     """The behaviours that rules offered for the line's functions, or that its moments were read as, and of which
     `behaviors`, the schedule, has nothing; in order of their words."""
@@ -28,7 +31,12 @@ def not_taken(line: Understood, planned: Plan, player: Player, behaviors: Sequen
     winners = [each for each in behaviors if each.kept and each.moment is not None]
     told = (_told(each, planned, player, winners, words) for each in found)
     in_order = sorted(filter(None, told), key=lambda each: (each.first, each.last, each.id))
-    return tuple(replace(each, id=f"{each.kind}.offered{number}") for number, each in enumerate(in_order, start=1))
+    return tuple(replace(each, id=f"{each.kind}{_OFFERED}{number}") for number, each in enumerate(in_order, start=1))
+
+
+def is_offered(behavior: Behavior) -> bool:
+    """Whether it is one of `not_taken`, which was never in the schedule."""
+    return _OFFERED in behavior.id
 
 
 def _offered(
