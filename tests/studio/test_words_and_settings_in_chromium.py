@@ -67,13 +67,13 @@ def test_a_gesture_has_another_hand_is_muted_and_a_word_is_still(opened: Page) -
     select(opened, "gesture NEGATION")
     opened.select_option("#selected label:has-text('Hand') select", "left")
     expect(opened.locator("#items li", has_text="gesture NEGATION (left)")).to_have_count(1)
-    select(opened, "gesture OVER_SHOULDER")
+    select(opened, "gesture QUESTION")
     opened.click("#mute")
-    expect(opened.locator("#items li.dropped", has_text="gesture OVER_SHOULDER")).to_contain_text("muted by the author")
+    expect(opened.locator("#items li.dropped", has_text="gesture QUESTION")).to_contain_text("muted by the author")
     expect(opened.locator("#mute")).to_have_attribute("aria-pressed", "true")
     select(opened, "word never")
     opened.select_option("#word-mark", "still")
-    expect(opened.locator("#items li:not(.dropped)", has_text="gesture")).to_have_count(0)
+    expect(opened.locator("#items li:not(.dropped)", has_text="gesture")).to_have_count(1)  # that of another phrase
     for _change in range(3):
         opened.click("#undo")
     expect(opened.locator("#undo")).to_be_disabled()
