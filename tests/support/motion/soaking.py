@@ -8,6 +8,7 @@ import numpy as np
 
 from tests.support.bml.bml_checker import check
 from tests.support.motion.motion_limits import broken_limits
+from understudy.acoustic.stage import hear_manners
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Agitation, Analysis, Level, Performance
 from understudy.models import Understudy
@@ -52,6 +53,9 @@ def performed(understudy: Understudy, analysis: Analysis, variant: Variant) -> P
     """The performance of a line that was heard, as `perform` has it with the variant's agitation."""
     level = Agitation(**{name.value: float(name is variant.level) for name in Level})
     utterance = replace(analysis.utterance, agitation=level)
+    if analysis.heard and utterance.affect:
+        manners = hear_manners(analysis.heard, utterance.words, level, utterance.affect)
+        utterance = replace(utterance, manners=manners)
     known = understand(understudy.language.rules, utterance)
     analysis = replace(analysis, utterance=utterance, functions=known.functions, facts=known.facts)
     return perform_analysis(understudy, analysis, Options(character=variant.character, seed=variant.seed))
