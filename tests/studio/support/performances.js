@@ -39,6 +39,7 @@ export function performance(given = {}) {
     moments: [],
     behaviors: [],
     visemes: [],
+    focus: [],
     ...given,
   };
 }
