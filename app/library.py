@@ -35,7 +35,7 @@ from .model import (
 )
 from .model.edits import NO_EDITS, Edits
 from .model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
-from .model.formats.motion_formats import AudioFile
+from .model.formats.motion_formats import AudioFile, BapVersion
 from .model.lead_in import with_lead_in
 from .model.targets import targets_of
 from .model.voice.speaker_reference import SpeakerReference
@@ -57,7 +57,8 @@ from .realization import (
 from .realization import write_motion as _write_motion
 from .rules.stage import find_functions as _find_functions
 from .schemas.edits import read_edits
-from .schemas.requests import RealizeOptions, check_options, check_realize_options, read_timings
+from .schemas.options import RealizeOptions, check_options, check_realize_options
+from .schemas.requests import read_timings
 from .schemas.response_model import ResponseModel
 from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse
 from .settings import Settings, read_settings
@@ -304,13 +305,15 @@ def write_ctm(found: Performance | Analysis | AlignedLine, name: str = "audio") 
 class MotionFileKeywords(TypedDict, total=False):
     """How a motion's file is written; for what is left out, the defaults of `FileOptions` hold.
 
-    With `t_pose` BVH begins with a T-pose, with `root_at_origin` its root has OFFSET zero; `keys` are those of GLB;
+    With `t_pose` BVH begins with a T-pose, with `root_at_origin` its root has OFFSET zero; `keys` are those of GLB,
+    `bap_version` says whose body parameters BAP has;
     `audio` is the recording's file, which USD refers to or contains (docs/motion-formats.md).
     """
 
     t_pose: bool
     root_at_origin: bool
     keys: Keys | Literal["baked", "sparse"]
+    bap_version: BapVersion | Literal["3.1", "2.1"]
     audio: str | os.PathLike[str] | None
 
 

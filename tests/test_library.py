@@ -17,12 +17,10 @@ import understudy as library
 from tests.support.bml.bml_checker import check
 from tests.support.bml.bml_records import without_record
 from understudy.bml.writing.writer import write_bml
-from understudy.library import PerformKeywords, RealizeKeywords
 from understudy.model import Line, Performance
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform
-from understudy.schemas.requests import PerformOptions, RealizeOptions
 
 AUDIO = Path(__file__).parent / "audio" / "numbers.flac"
 TEXT = AUDIO.with_suffix(".txt").read_text(encoding="utf-8")
@@ -61,14 +59,6 @@ def test_types_are_known_to_a_type_checker(understudy: Understudy, performance: 
     assert_type(performance, library.Performance)
     assert_type(performance.behaviors[0].kind, library.Channel)
     assert_type(library.find_functions(understudy, "No."), library.Analysis)
-
-
-def test_keywords_are_the_options_of_the_other_doors() -> None:
-    written_otherwise = {"dialect", "timing", "visemes", "bmlt_audio"}  # they are given when the BML is written
-    of_the_answer = {"contours"}  # f0 and energy go into the service's JSON; in Python `analyze` has them
-    assert set(PerformKeywords.__annotations__) == set(PerformOptions.model_fields) - written_otherwise - of_the_answer
-    of_files = {"skeleton", "t_pose", "root_at_origin", "keys"}  # these when the motion is written
-    assert set(RealizeKeywords.__annotations__) == set(RealizeOptions.model_fields) - of_files
 
 
 def test_a_performance_is_that_of_the_other_doors(understudy: Understudy) -> None:

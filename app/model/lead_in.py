@@ -9,8 +9,6 @@ from dataclasses import replace
 from .language import Utterance
 from .voice.speech import Interval, Word
 
-LONGEST_LEAD_IN_S = 3.0
-
 _DECIMALS = 6
 """Keeps whole milliseconds exact under addition."""
 

@@ -24,7 +24,7 @@ from ..model import DEFAULT_CHARACTER, Level, Notice, Schedule, Target, Word
 from ..model.lead_in import later_s
 from ..model.limits.motion_limits import MotionLimits
 from ..model.targets import check_targets
-from ..options import check_stillness
+from ..option_table import MOTION
 from ..progress import Progress, no_progress
 from ..transcript import read_transcript
 from .motion import PreparedSchedule, last_s
@@ -62,7 +62,7 @@ def prepare_schedule(
     `acoustic` may be None if there is no recording. Raises WrongBmlError, TooLargeError, and InputError for unusable
     audio, words, targets or stillness; too many behaviours are refused before their times are resolved.
     """
-    check_stillness(stillness)
+    MOTION["stillness"].check(stillness)
     check_targets(targets)
     document, notices = _read(sheet)
     record = read_record(document)

@@ -14,8 +14,9 @@ import numpy as np
 
 from ..model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
 from ..model.figure import PLAIN, Figure, Looks
+from ..option_table import MOTION
 from .arms.collisions import resolve_collisions
-from .body.motion import BodyMotion, Decision, Motion, check_tail
+from .body.motion import BodyMotion, Decision, Motion
 from .body.movement_style import MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
@@ -126,7 +127,7 @@ def realize(
 
     Raises InputError `value_wrong` for a tail that is not from 0 to 10, ServiceError `physics_missing`.
     """
-    check_tail(tail_s)
+    MOTION["tail_s"].check(tail_s)
     seed &= _LARGEST_SEED
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
     performer, style = realizer.performer(schedule.character), realizer.style

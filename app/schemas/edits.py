@@ -11,7 +11,7 @@ from typing import Annotated, Literal, Self
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
 from ..errors import InputError
-from ..model import Channel, Hand, Level, Mode
+from ..model import Channel, Hand
 from ..model.edits import (
     MARKS,
     BehaviorEdit,
@@ -29,7 +29,8 @@ from ..model.edits import (
 )
 from ..model.tables.lexemes import GazeDirection
 from .mistakes import mistakes_told
-from .requests import LARGEST_SEED, read_object
+from .options import LevelName, ModeName, Seed
+from .requests import read_object
 
 FIELD = "edits"
 MOST_EDITS = 500
@@ -206,10 +207,10 @@ class LineSettingsForm(_Form):
     """Options that the author set for the line; they override those of the request."""
 
     character: _Name | None = None
-    agitation: Annotated[Level | None, Field(strict=False)] = None
-    seed: Annotated[int | None, Field(ge=-LARGEST_SEED, le=LARGEST_SEED)] = None
+    agitation: LevelName | None = None
+    seed: Seed | None = None
     stillness: Annotated[float | None, Field(ge=0, le=1, allow_inf_nan=False)] = None
-    mode: Annotated[Mode | None, Field(strict=False)] = None
+    mode: ModeName | None = None
 
     def to_value(self) -> LineSettings:
         return LineSettings(self.character, self.agitation, self.seed, self.stillness, self.mode)

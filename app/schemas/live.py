@@ -12,9 +12,11 @@ from ..live.body import BodyFrame
 from ..live.telling import LiveOptions, Mouthed, Told, Withdrawn
 from ..live.words import TimedText
 from ..model import Behavior, FloatArray, Interval
+from ..option_table import PERFORMANCE
 from ..realizer.body.motion import SHAPES
 from ..suggestions import did_you_mean
-from .requests import Seed, checked, read_object
+from .options import Seed, field_of
+from .requests import checked, read_object
 
 DECIMALS = 3
 _FULL_SCALE = 32768
@@ -33,8 +35,8 @@ class StartMessage(_Message):
     type: Literal["start"]
     sample_rate_hz: int = 16_000
     channels: Literal[1, 2] = 1
-    character: str = "default"
-    seed: Seed = 0
+    character: str = field_of(PERFORMANCE["character"])
+    seed: Annotated[Seed, Field(description="Another number draws other movements.")] = 0
     frames: Literal[30, 60] | None = None
     stillness: Annotated[float, Field(ge=0, le=1, strict=False)] = 0.0
 

@@ -24,7 +24,7 @@ from understudy.api.workers.pool import Pool
 from understudy.api.workers.processes import Nursery
 from understudy.model import Line
 from understudy.models import Understudy
-from understudy.schemas.requests import PerformOptions
+from understudy.schemas.options import PerformOptions
 from understudy.schemas.responses import AlignResponse
 from understudy.settings import Settings
 

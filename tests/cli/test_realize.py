@@ -60,7 +60,7 @@ def test_files_are_written_as_asked(capfdbinary: Captured, tmp_path: Path, beat:
     assert b'"id":"g"' in glb.read_bytes()
     code, err = _run(capfdbinary, *argv[:-1], "11")
     assert (code, err.count("\n")) == (2, 1)
-    assert "0 to 10 s" in err
+    assert "give 0 to 10" in err
 
 
 def test_physics_is_asked_for_on_the_command_line_or_in_the_settings(

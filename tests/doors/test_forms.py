@@ -20,7 +20,7 @@ from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm, Vi
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform
-from understudy.schemas.requests import read_options
+from understudy.schemas.options import read_options
 from understudy.schemas.responses import PerformanceResponse
 from understudy.settings import Settings
 

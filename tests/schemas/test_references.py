@@ -9,8 +9,8 @@ import pytest
 from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.schemas.options import read_options
 from understudy.schemas.references import read_reference, to_json
-from understudy.schemas.requests import read_options
 
 AUDIO = [str(Path(__file__).parents[1] / "audio" / f"{name}.flac") for name in ("figure8", "numbers")]
 REFERENCE = SpeakerReference("paper", 3, np.linspace(-1, 1, 12) / 3, np.linspace(0, 2, 12))

@@ -6,17 +6,10 @@ import pytest
 
 from understudy.errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError
 from understudy.model import Level, Timings
+from understudy.option_table import LARGEST_SEED
 from understudy.options import Options
-from understudy.schemas.requests import (
-    LARGEST_SEED,
-    MOST_WRONG,
-    check_options,
-    line_id,
-    read_object,
-    read_options,
-    read_request,
-    read_timings,
-)
+from understudy.schemas.options import check_options, read_options
+from understudy.schemas.requests import MOST_WRONG, line_id, read_object, read_request, read_timings
 
 
 def test_options_have_the_names_and_defaults_of_the_command_line() -> None:

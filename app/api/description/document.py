@@ -15,8 +15,9 @@ from ...schemas.gestures.language import GestureLanguageResponse
 from ...schemas.given_functions import GivenFunctionRequest
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from ...schemas.motion import ClipResponse
+from ...schemas.options import PerformOptions, RealizeOptions
 from ...schemas.problem import Problem
-from ...schemas.requests import FunctionsRequest, PerformOptions, RealizeOptions
+from ...schemas.requests import FunctionsRequest
 from ...schemas.responses import FunctionsResponse, PerformResponse, StatusResponse
 from ...schemas.rules import (
     RuleCheckResponse,

@@ -14,23 +14,17 @@ from ...model import Analysis, Line, Notice, Performance
 from ...model.formats.motion_formats import AudioFile
 from ...model.targets import targets_of
 from ...models import Understudy
+from ...option_table import MOTION
 from ...options import Options
 from ...performance import perform_heard
 from ...realization import AvatarOptions, BmlInput, prepare_schedule, realize_prepared, write_motion
-from ...realizer.body.motion import check_tail
 from ...realizer.exporting.extras import require_writer
 from ...rules.stage import find_functions
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions
-from ...schemas.requests import (
-    RealizeOptions,
-    read_object,
-    read_options,
-    read_realize_options,
-    read_request,
-    read_timings,
-)
+from ...schemas.options import RealizeOptions, read_options, read_realize_options
+from ...schemas.requests import read_object, read_request, read_timings
 from ...schemas.responses import FunctionsResponse, PerformResponse
 from ...schemas.rules import read_rule_part
 from ..bodies import BML_TYPES, form_limits, media_type_of
@@ -132,7 +126,7 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
     require_writer(MOTION_TYPES[media_type])
     asked = _asked(understudy, job, content)
     question, realizer = asked.question, understudy.realizer
-    check_tail(question.tail_s)
+    MOTION["tail_s"].check(question.tail_s)
     if question.skeleton:
         realizer.rig(question.skeleton)
     staged = prepare_schedule(

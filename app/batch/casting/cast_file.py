@@ -13,8 +13,8 @@ from ...model.targets import targets_of
 from ...model.voice.speaker_reference import SpeakerReference
 from ...models import usable_profile
 from ...profiles.profile import Profile
+from ...schemas.options import Positions
 from ...schemas.references import read_reference
-from ...schemas.requests import Positions
 from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 

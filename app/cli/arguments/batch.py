@@ -4,7 +4,7 @@ import argparse
 
 from ..distinct_files import InputFile
 from .command import Adding
-from .shared import add_form, add_manner, add_rate
+from .options import add_form, add_manner, add_rate
 
 SCRIPTS_HELP = ".csv, .tsv, .xlsx, .fountain, .fdx, .srt, .vtt, .jsonl, or Ren'Py's dialogue.tab"
 FORMATS_HELP = (

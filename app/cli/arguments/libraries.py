@@ -2,9 +2,11 @@
 `profiles`."""
 
 from ...model import Hand, Level
+from ...option_table import PERFORMANCE
 from ..distinct_files import InputFile
 from ..files import STANDARD
 from .command import Adding, actions_of
+from .options import add_options
 from .shared import add_output
 
 
@@ -20,7 +22,7 @@ def add_rules(add: Adding) -> None:
     trace = add_action("trace", "which rules fire on a text, which nearly do, and what they lack")
     trace.add_argument("--text", required=True, help="the words")
     trace.add_argument("--audio", metavar="FILE", type=InputFile, help="the recording of the words (default: none)")
-    trace.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
+    add_options(trace, PERFORMANCE, "character")
     trace.add_argument("--rule", metavar="NAME", help="only this rule: where it fires, or comes nearest")
     unused = add_action("unused", "rules and words that no line of a corpus uses")
     unused.add_argument("corpus", metavar="CORPUS", help='a file with an utterance a line, or {"id", "text"} a line')

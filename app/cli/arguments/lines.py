@@ -1,24 +1,11 @@
 """The arguments of the commands that take a line or a recording: `perform`, `realize` and the analyses."""
 
+from ...option_table import MOTION, PERFORMANCE
 from ..distinct_files import InputFile, OutputFile
 from ..files import STANDARD
 from .command import Adding
-from .shared import (
-    AUDIO_HELP,
-    MOTION_HELP,
-    add_affect,
-    add_agitation,
-    add_choice,
-    add_form,
-    add_functions,
-    add_line,
-    add_manner,
-    add_motion,
-    add_output,
-    add_reference,
-    add_stillness,
-    add_targets,
-)
+from .options import add_form, add_manner, add_motion, add_option, add_options, add_reference
+from .shared import AUDIO_HELP, MOTION_HELP, add_functions, add_line, add_output
 
 
 def add_perform(add: Adding) -> None:
@@ -33,13 +20,7 @@ def add_perform(add: Adding) -> None:
     add_output(parser, "OUT.bml", "where the BML goes, OUT.json: as JSON (default: standard output)", default=STANDARD)
     add_manner(parser)
     add_reference(parser)
-    parser.add_argument(
-        "--listener",
-        metavar="NAME",
-        action="append",
-        default=[],
-        help="who listens; the listener's BML goes to OUT.NAME.bml (.xml for OUT.xml)",
-    )
+    add_options(parser, PERFORMANCE, "listener")
     add_form(parser)
     parser.add_argument(
         "--trace", metavar="FILE", type=OutputFile, help="write the whole performance as JSON: every reason"
@@ -59,16 +40,8 @@ def add_script(add: Adding) -> None:
     parser = add("script", "a line's gestures by a speaker's profile, as a gesture script: JSON that realize plays")
     add_line(parser)
     add_functions(parser)
-    parser.add_argument(
-        "--profile", metavar="P", required=True, help="a gesture profile's name (see profiles list), or its .yaml file"
-    )
-    parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
-    add_agitation(parser)
-    parser.add_argument("--seed", type=int, default=0, help="another number draws another take (default 0, the best)")
-    add_choice(parser)
-    parser.add_argument(
-        "--lead-in", metavar="SECONDS", type=float, default=0.0, help="begin that long before the recording (0 to 3)"
-    )
+    add_option(parser, PERFORMANCE["profile"], required=True)
+    add_options(parser, PERFORMANCE, "character", "agitation", "seed", "choice", "lead_in_s")
     add_output(parser, "SCRIPT.json", "where the script goes (default: standard output)", default=STANDARD)
 
 
@@ -92,13 +65,7 @@ def add_realize(add: Adding) -> None:
         required=True,
         help=f"{MOTION_HELP}; repeatable",
     )
-    parser.add_argument("--character", metavar="NAME", help="who moves (default: the character named in the BML)")
-    add_agitation(parser)
-    parser.add_argument(
-        "--seed", type=int, help="another number chooses other variants (default: that of the performance, or 0)"
-    )
-    add_stillness(parser)
-    add_targets(parser)
+    add_options(parser, MOTION, "character", "agitation", "seed", "stillness", "targets")
     add_motion(parser)
 
 
@@ -125,8 +92,8 @@ def add_live(add: Adding) -> None:
     parser.add_argument(
         "--live-link-face", metavar="HOST:PORT", help="move a face there, as the app Live Link Face does (port 11111)"
     )
-    parser.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
-    parser.add_argument("--seed", type=int, default=0, help="another number chooses other movements (default 0)")
+    add_options(parser, PERFORMANCE, "character")
+    add_option(parser, PERFORMANCE["seed"], help="another number draws other movements (default 0)")
     add_output(parser, "OUT.jsonl", "where the lines go (default: standard output)", default=STANDARD)
 
 
@@ -134,8 +101,7 @@ def add_analyses(add: Adding) -> None:
     analyze = add("analyze", "analyse a line before any movement is chosen: words, voice and functions, as JSON")
     add_line(analyze)
     add_functions(analyze)
-    add_agitation(analyze)
-    add_affect(analyze)
+    add_options(analyze, PERFORMANCE, "agitation", "affect")
     add_reference(analyze)
     analyze.add_argument("--plot", metavar="FILE", type=OutputFile, help="draw it too, as PNG (needs the extra `plot`)")
     align = add("align", "the times of words and phones")

@@ -2,10 +2,12 @@
 
 import argparse
 
+from ...option_table import PERFORMANCE
 from ...study.comparison import Comparison
 from ..distinct_files import InputFile, OutputFile
 from .batch import SCRIPTS_HELP
 from .command import Adding, actions_of
+from .options import add_options
 
 
 def add_study(add: Adding) -> None:
@@ -34,5 +36,5 @@ def _add_make(make: argparse.ArgumentParser) -> None:
         help="gestures from meaning, stress and chance (default), or gestures in units and single ones",
     )
     make.add_argument("--profile", metavar="P", help="of units: whose gestures, as in perform (default sweeping)")
-    make.add_argument("--character", metavar="NAME", default="default", help="who performs (see characters list)")
+    add_options(make, PERFORMANCE, "character")
     make.add_argument("--seed", type=int, default=0, help="another number draws other gestures and orders (default 0)")

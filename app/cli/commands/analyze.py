@@ -2,13 +2,13 @@
 
 import argparse
 
-from ...model import Level
 from ...settings import read_settings
 from ..files import require_writable, write, write_standard
 from ..inputs.affect import optional_affect
 from ..inputs.early import require_usable
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import read_line
+from ..inputs.options import level_of
 from ..log import Log
 from ..outputs.plot import plot, require_plot
 
@@ -19,7 +19,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     if arguments.plot:
         require_plot(arguments.plot)
         require_writable(arguments.plot, field="plot")
-    level = arguments.agitation and Level(arguments.agitation)
+    level = level_of(arguments)
     affect = optional_affect(arguments.affect)
     require_reference(arguments.reference, settings)
     require_usable(line, settings)

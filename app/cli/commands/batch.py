@@ -17,16 +17,11 @@ from ...batch.scripts.columns import read_named
 from ...batch.work.formats import formats_named, needs_pictures, require_writers
 from ...batch.work.jobs import MotionForm
 from ...errors import InputError
-from ...model import Level, Mode
-from ...model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
-from ...model.targets import read_targets
-from ...options import Options
 from ...settings import Settings, read_settings
 from ..distinct_files import OutputFile, require_distinct
 from ..files import write_standard
-from ..inputs.affect import optional_affect
 from ..inputs.early import require_character
-from ..inputs.profiles import optional_profile
+from ..inputs.options import performance_options
 from ..log import Log
 from ..outputs.batch_progress import progress_for
 from ..outputs.motions import physics_asked, require_skeleton
@@ -75,34 +70,13 @@ def _request(arguments: argparse.Namespace, settings: Settings) -> BatchRequest:
         sheets=tuple(arguments.sheet),
         pattern=Pattern.of(arguments.pattern) if arguments.pattern else None,
         choice=Choice(arguments.take),
-        options=_options(arguments),
+        options=performance_options(arguments),
         motion=MotionForm(arguments.fps, arguments.skeleton, physics_asked(arguments, settings)),
         cast=Path(arguments.cast) if arguments.cast else None,
         has_partners=arguments.partners == "scene",
         learns_voices=arguments.voices == "learn",
         again=arguments.again,
         thumbnails=arguments.thumbnails,
-    )
-
-
-def _options(arguments: argparse.Namespace) -> Options:
-    return Options(
-        character=arguments.character,
-        agitation=arguments.agitation and Level(arguments.agitation),
-        affect=optional_affect(arguments.affect),
-        seed=arguments.seed,
-        choice=arguments.choice,
-        mode=Mode(arguments.mode),
-        form=BmlForm(
-            DialectName(arguments.dialect),
-            TimeForm(arguments.timing),
-            bmlt_audio=arguments.bmlt_audio,
-            visemes=VisemeNames(arguments.visemes),
-        ),
-        lead_in_s=arguments.lead_in,
-        stillness=arguments.stillness,
-        targets=read_targets(arguments.target),
-        profile=optional_profile(arguments.profile),
     )
 
 

@@ -12,20 +12,18 @@ from ...bml.writing.writer import (
     write_speech_file,
 )
 from ...errors import InputError
-from ...model import Level, Line, Mode, Performance
-from ...model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from ...model import Line, Performance
+from ...model.formats.bml_form import BmlForm
 from ...model.formats.motion_formats import is_editorial
-from ...model.targets import read_targets
 from ...options import Options
-from ...schemas.requests import listener_names
+from ...schemas.options import listener_names
 from ...settings import Settings, read_settings
 from ..distinct_files import OutputFile, require_distinct
 from ..files import STANDARD, require_writable, write
-from ..inputs.affect import optional_affect
 from ..inputs.early import require_character, require_usable
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import edits_of, read_line
-from ..inputs.profiles import optional_profile
+from ..inputs.options import bml_form, performance_options
 from ..log import Log
 from ..outputs.motions import MotionOptions, recording, require_motions, write_motions
 from ..outputs.summary import summary
@@ -36,7 +34,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     _check_targets(arguments, settings)
     motion = MotionOptions.of(arguments, settings)
     line = read_line(arguments, settings)
-    options = _options(arguments).with_edits(edits_of(arguments, settings))
+    options = performance_options(arguments).with_edits(edits_of(arguments, settings))
     require_character(options.character)
     require_reference(arguments.reference, settings)
     require_usable(line, settings)
@@ -52,23 +50,6 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     if arguments.output != STANDARD:
         log.note(summary(performance))
     return 0
-
-
-def _options(arguments: argparse.Namespace) -> Options:
-    return Options(
-        character=arguments.character,
-        agitation=arguments.agitation and Level(arguments.agitation),
-        affect=optional_affect(arguments.affect),
-        seed=arguments.seed,
-        choice=arguments.choice,
-        mode=Mode(arguments.mode),
-        listeners=listener_names(arguments.listener),
-        form=_form(arguments),
-        lead_in_s=arguments.lead_in,
-        stillness=arguments.stillness,
-        targets=read_targets(arguments.target),
-        profile=optional_profile(arguments.profile),
-    )
 
 
 def _performed(
@@ -102,20 +83,8 @@ def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespac
         write(_beside(arguments.output, listening.name), write_listener(performance, listening, form))
 
 
-def _form(arguments: argparse.Namespace) -> BmlForm:
-    """The BML's form; audio from standard input is named after the output."""
-    named = [name for name in (arguments.audio, arguments.output) if name != STANDARD]
-    return BmlForm(
-        DialectName(arguments.dialect),
-        TimeForm(arguments.timing),
-        PurePath(named[0]).name if named else None,
-        arguments.bmlt_audio,
-        VisemeNames(arguments.visemes),
-    )
-
-
 def _speech_file_names(arguments: argparse.Namespace) -> list[OutputFile]:
-    name = speech_file_name(_form(arguments))
+    name = speech_file_name(bml_form(arguments))
     return [] if name is None or arguments.output == STANDARD else [_beside_act(arguments.output, name)]
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from ...errors import InputError
 from ...model import Level
 from ...model.targets import read_targets
-from ...options import check_stillness
+from ...option_table import MOTION
 from ...settings import Settings, read_settings
 from ..files import STANDARD, read_bytes
 from ..log import Log
@@ -27,7 +27,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     if arguments.bml == STANDARD and arguments.audio == STANDARD:
         raise InputError("usage", "only one of BML and audio can come from standard input (-)")
     options = MotionOptions.of(arguments, settings)
-    check_stillness(arguments.stillness)
+    MOTION["stillness"].check(arguments.stillness)
     audio = None
     if arguments.audio:
         audio = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")

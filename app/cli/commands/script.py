@@ -2,14 +2,12 @@
 
 import argparse
 
-from ...model import Level
-from ...options import Options
 from ...schemas.gestures.script import script_json
 from ...settings import read_settings
 from ..files import require_writable, write
 from ..inputs.early import require_character, require_usable
 from ..inputs.lines import read_line
-from ..inputs.profiles import optional_profile
+from ..inputs.options import performance_options
 from ..log import Log
 
 
@@ -17,14 +15,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     require_writable(arguments.output, field="output")
     line = read_line(arguments, settings)
-    options = Options(
-        character=arguments.character,
-        agitation=arguments.agitation and Level(arguments.agitation),
-        seed=arguments.seed,
-        choice=arguments.choice,
-        lead_in_s=arguments.lead_in,
-        profile=optional_profile(arguments.profile),
-    )
+    options = performance_options(arguments)
     require_character(options.character)
     require_usable(line, settings)
     from ...models import Understudy  # imported late: arguments are checked before the models load

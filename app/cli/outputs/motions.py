@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 from ...model.formats.motion_formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
 from ...models import load_realizer
-from ...realizer.body.motion import Decision, check_tail
+from ...option_table import MOTION
+from ...realizer.body.motion import Decision
 from ...realizer.body.skeleton import Skeleton
 from ...realizer.exporting.extras import require_writer
 from ...realizer.exporting.retargeting import find_rig, load_rigs
@@ -69,7 +70,7 @@ class MotionOptions:
     def of(cls, arguments: argparse.Namespace, settings: Settings) -> MotionOptions:
         """Raises InputError `unknown_skeleton`, `value_wrong` and `file_unreadable`, ServiceError `physics_missing`."""
         require_skeleton(arguments.skeleton)
-        check_tail(arguments.tail)
+        MOTION["tail_s"].check(arguments.tail)
         physics = physics_asked(arguments, settings)
         name = arguments.avatar
         avatar = read_bytes(name, limit=LARGEST_AVATAR_BYTES, field="avatar") if name else None

@@ -8,14 +8,7 @@ joints in the skeleton's order.
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ...errors import InputError
 from ...model import FloatArray, Notice, SyncPoints
-
-FRAME_RATES_HZ = (30, 60)
-"""The supported frame rates."""
-
-MOST_TAIL_S = 10.0
-"""How much longer than its recording a motion can be at most."""
 
 SHAPES: tuple[str, ...] = (
     "browDownLeft",
@@ -72,13 +65,6 @@ SHAPES: tuple[str, ...] = (
     "tongueOut",
 )
 """The 52 blendshapes of ARKit; Left and Right are the character's own."""
-
-
-def check_tail(tail_s: float) -> None:
-    """Raises InputError `value_wrong` unless the tail is from 0 to `MOST_TAIL_S`."""
-    if not 0 <= tail_s <= MOST_TAIL_S:
-        message = f"a tail of {tail_s:g} s; it is 0 to {MOST_TAIL_S:g} s long"
-        raise InputError("value_wrong", message, field="tail_s")
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from ...model import Agitation, Hand, Interval, Level, Parse, Performance, Phone
 from ...profiles.annotation.model import PathForm
 from ...profiles.generation.behaviors import behaviors_of
 from ...profiles.generation.script import GestureScript, ScriptedGesture, ScriptedUnit
-from ..requests import LARGEST_SEED
+from ..options import Seed
 
 MOST_GESTURES = 5000
 DECIMALS = 3
@@ -96,7 +96,7 @@ class GestureScriptForm(_Form):
 
     profile: _Name
     character: str = "default"
-    seed: Annotated[int, Field(ge=-LARGEST_SEED, le=LARGEST_SEED)] = 0
+    seed: Seed = 0
     agitation: Level = Level.MEDIUM
     duration_s: Annotated[float, Field(gt=0, le=LONGEST_S)]
     words: tuple[WordForm, ...] = ()

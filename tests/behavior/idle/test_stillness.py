@@ -15,7 +15,7 @@ from understudy.behavior.listeners.head_rates import HeadRates
 from understudy.behavior.listeners.listening import Listener, listen
 from understudy.errors import InputError
 from understudy.model import Behavior, Channel, Listening, Performance, SyncPoints
-from understudy.options import check_stillness
+from understudy.option_table import PERFORMANCE
 
 LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
 CHARACTERS = Characters.load(LEXICON)
@@ -92,5 +92,5 @@ def test_a_gesture_whose_size_nobody_said_is_smaller_too() -> None:
 @pytest.mark.parametrize("wrong", [-0.01, 1.01, float("nan"), float("inf")])
 def test_it_is_from_nothing_to_one(wrong: float) -> None:
     with pytest.raises(InputError) as caught:
-        check_stillness(wrong)
+        PERFORMANCE["stillness"].check(wrong)
     assert (caught.value.code, caught.value.field) == ("value_wrong", "stillness")

@@ -1,0 +1,168 @@
+"""The options of a performance and of a motion as JSON objects, checked and converted to values.
+
+Names, ranges, defaults and descriptions are those of `option_table.py`; here they get types.
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+from pydantic.config import JsonDict
+
+from ..acoustic.affect.given import affect_track
+from ..errors import InputError, shown
+from ..model import Level, Mode
+from ..model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from ..model.formats.motion_formats import BapVersion, FileOptions, Keys
+from ..model.targets import MOST_TARGETS, NAME, targets_of
+from ..option_table import LARGEST_SEED, MOST_LISTENERS, MOTION, PERFORMANCE, Option
+from ..options import Options
+from .references import ReferenceForm
+from .requests import checked, read_object
+
+_LISTENER = re.compile(r"[^\W\d_]\w{0,63}")
+"""Letters of any language, as names have them."""
+
+Seed = Annotated[int, Field(ge=-LARGEST_SEED, le=LARGEST_SEED)]
+LevelName = Annotated[Level, Field(strict=False)]
+ModeName = Annotated[Mode, Field(strict=False)]
+AffectValue = (
+    str
+    | Annotated[tuple[float, float, float], Field(strict=False)]
+    | Annotated[tuple[Annotated[tuple[float, float, float, float], Field(strict=False)], ...], Field(strict=False)]
+)
+ListenerNames = Annotated[
+    tuple[str, ...],
+    Field(
+        strict=False,
+        json_schema_extra={
+            "maxItems": MOST_LISTENERS,
+            "items": {"type": "string", "pattern": f"^{_LISTENER.pattern}$"},
+        },
+    ),
+]
+Positions = Annotated[
+    dict[str, Annotated[tuple[float, float, float], Field(strict=False)]],
+    Field(json_schema_extra={"maxProperties": MOST_TARGETS, "propertyNames": {"pattern": f"^{NAME.pattern}$"}}),
+]
+
+
+def field_of(option: Option) -> Any:  # noqa: ANN401 - what pydantic's own Field returns
+    """The field of a request for an option: its default, description, examples and range, which is checked where it is
+    used, so that the message is the same at every door."""
+    limits: JsonDict = {}
+    if option.limits and option.kind is float:
+        limits = {"minimum": option.limits[0], "maximum": option.limits[1]}
+    return Field(
+        default=dict(option.default) if isinstance(option.default, Mapping) else option.default,
+        description=option.told_in_request(),
+        examples=list(option.examples) or None,
+        json_schema_extra=limits or None,
+    )
+
+
+class PerformOptions(BaseModel):
+    """How a line is performed, with the names of the command line's options."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+
+    character: str = field_of(PERFORMANCE["character"])
+    agitation: LevelName | None = field_of(PERFORMANCE["agitation"])
+    seed: Seed = field_of(PERFORMANCE["seed"])
+    choice: Literal["terms", "priority"] | None = field_of(PERFORMANCE["choice"])
+    reference: ReferenceForm | None = field_of(PERFORMANCE["reference"])
+    mode: ModeName = field_of(PERFORMANCE["mode"])
+    listener: ListenerNames = field_of(PERFORMANCE["listener"])
+    dialect: Annotated[DialectName, Field(strict=False)] = field_of(PERFORMANCE["dialect"])
+    timing: Annotated[TimeForm, Field(strict=False)] = field_of(PERFORMANCE["timing"])
+    visemes: Annotated[VisemeNames, Field(strict=False)] = field_of(PERFORMANCE["visemes"])
+    bmlt_audio: bool = field_of(PERFORMANCE["bmlt_audio"])
+    lead_in_s: float = field_of(PERFORMANCE["lead_in_s"])
+    stillness: float = field_of(PERFORMANCE["stillness"])
+    targets: Positions = field_of(PERFORMANCE["targets"])
+    profile: str | None = field_of(PERFORMANCE["profile"])
+    contours: bool = field_of(PERFORMANCE["contours"])
+    affect: AffectValue | None = field_of(PERFORMANCE["affect"])
+
+    def to_options(self) -> Options:
+        return Options(
+            character=self.character,
+            agitation=self.agitation,
+            affect=None if self.affect is None else affect_track(self.affect),
+            seed=self.seed,
+            choice=self.choice,
+            reference=self.reference.to_reference() if self.reference else None,
+            mode=self.mode,
+            listeners=listener_names(self.listener),
+            form=BmlForm(self.dialect, self.timing, bmlt_audio=self.bmlt_audio, visemes=self.visemes),
+            lead_in_s=self.lead_in_s,
+            stillness=self.stillness,
+            targets=targets_of(self.targets),
+            profile=self.profile,
+            contours=self.contours,
+        )
+
+
+class RealizeOptions(BaseModel):
+    """How BML is played, with the names of the command line's options."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+
+    agitation: LevelName | None = field_of(MOTION["agitation"])
+    character: str | None = field_of(MOTION["character"])
+    fps: Literal[30, 60] = field_of(MOTION["fps"])
+    seed: Seed | None = field_of(MOTION["seed"])
+    skeleton: str | None = field_of(MOTION["skeleton"])
+    stillness: float = field_of(MOTION["stillness"])
+    targets: Positions = field_of(MOTION["targets"])
+    tail_s: float = field_of(MOTION["tail_s"])
+    physics: bool | None = field_of(MOTION["physics"])
+    t_pose: bool = field_of(MOTION["t_pose"])
+    root_at_origin: bool = field_of(MOTION["root_at_origin"])
+    keys: Annotated[Keys, Field(strict=False)] = field_of(MOTION["keys"])
+    bap_version: Annotated[BapVersion, Field(strict=False)] = field_of(MOTION["bap_version"])
+
+    @property
+    def files(self) -> FileOptions:
+        """The options of file formats."""
+        return FileOptions(self.t_pose, self.root_at_origin, self.keys, bap=self.bap_version)
+
+
+def read_options(content: bytes) -> Options:
+    """The options of a request.
+
+    Raises UndecodableError `not_json`, InputError `not_an_object`, `value_wrong` with the option's name in `field`.
+    """
+    return check_options(read_object(content, "options"))
+
+
+def check_options(fields: dict[str, Any]) -> Options:
+    """The options in `fields`, with the names of a request's options; raises InputError as `read_options` does."""
+    return checked(PerformOptions, fields).to_options()
+
+
+def read_realize_options(content: bytes) -> RealizeOptions:
+    """The options of a request for motion; raises as `read_options` does."""
+    return check_realize_options(read_object(content, "options"))
+
+
+def check_realize_options(fields: dict[str, Any]) -> RealizeOptions:
+    """The options for motion in `fields`; raises InputError as `read_options` does."""
+    return checked(RealizeOptions, fields)
+
+
+def listener_names(names: Sequence[str]) -> tuple[str, ...]:
+    """The validated names of listeners, which are used in file names and as targets in BML.
+
+    Raises InputError `value_wrong` for an invalid or repeated name, or more than `MOST_LISTENERS`.
+    """
+    if len(names) > MOST_LISTENERS:
+        raise InputError("value_wrong", f"{len(names)} listeners; {MOST_LISTENERS} at most", field="listener")
+    for number, name in enumerate(names):
+        if not _LISTENER.fullmatch(name):
+            message = f"listener {shown(name)}: a name has letters, digits and _, a letter first, 64 at most"
+            raise InputError("value_wrong", message, field="listener")
+        if name in names[:number]:
+            raise InputError("value_wrong", f"listener {name!r} comes twice; name each once", field="listener")
+    return tuple(names)
