@@ -44,8 +44,11 @@ def _declared(
     predicates: dict[str, PredicateTree] = {}
     for _, predicate in declarations:
         predicates.setdefault(predicate.name, predicate)
+    annotated = {
+        name: bool(predicate.parameters) and predicate.parameters[-1].merged for name, predicate in predicates.items()
+    }
     unread = frozenset(name for file in files for name in file.unread) - predicates.keys()
-    return Declared(predicates, unread, behaviors)
+    return Declared(predicates, annotated, unread, behaviors)
 
 
 def _parameter_mistakes(predicate: PredicateTree) -> Iterator[Located]:

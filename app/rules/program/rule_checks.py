@@ -43,20 +43,14 @@ MOST_STATEMENTS = 50
 @dataclass(frozen=True, slots=True)
 class Declared:
     """The declarations that rules can refer to. Those in `unread` exist but could not be parsed and are not checked.
-    `behaviors` may be chosen, and below `never` what `bannable` names too."""
+    `annotated` tells whether each predicate's last argument is an annotation. `behaviors` may be chosen, and below
+    `never` what `bannable` names too."""
 
     predicates: Mapping[str, PredicateTree]
+    annotated: Mapping[str, bool]
     unread: frozenset[str]
     behaviors: Collection[str] | None
     bannable: Collection[str] = ()
-
-    @property
-    def annotated(self) -> Mapping[str, bool]:
-        """Whether each predicate's last argument is an annotation."""
-        return {
-            name: bool(predicate.parameters) and predicate.parameters[-1].merged
-            for name, predicate in self.predicates.items()
-        }
 
     def facts_of(self, rule: RuleTree) -> tuple[Atom, ...]:
         """All facts that a rule joins, excludes or asserts."""

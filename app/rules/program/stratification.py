@@ -6,8 +6,10 @@ in the first stratum that is not before those feeding its patterns, and after th
 depends, through other rules, on its own rule, there is no such order.
 """
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import TypeAlias
 
 from ...model import Argument
@@ -47,16 +49,19 @@ class Feeding:
 
 def feeding(rules: Sequence[RuleTree], annotated: Mapping[str, bool]) -> Feeding:
     """The dependencies between rules; `annotated` tells which predicates have an annotation as their last argument."""
-    heads = [
-        (number, atom.name, _form(atom, annotated))
-        for number, rule in enumerate(rules)
-        for atom in asserted(rule)
-        if not _only_annotates(atom, rule, annotated)
-    ]
+    heads: dict[str, dict[Form, set[int]]] = defaultdict(lambda: defaultdict(set))
+    for number, rule in enumerate(rules):
+        for atom in asserted(rule):
+            if not _only_annotates(atom, rule, annotated):
+                heads[atom.name][_form(atom, annotated)].add(number)
+
+    @cache
+    def feeders_of(name: str, form: Form) -> frozenset[int]:
+        matching = (numbers for head, numbers in heads[name].items() if _compatible(head, form))
+        return frozenset[int]().union(*matching)
 
     def feeders(atom: Atom) -> frozenset[int]:
-        form = _form(atom, annotated)
-        return frozenset(number for number, name, head in heads if name == atom.name and _compatible(head, form))
+        return feeders_of(atom.name, _form(atom, annotated))
 
     joined, excluded = [], []
     for rule in rules:
@@ -70,9 +75,7 @@ def cycles(fed: Feeding) -> Iterator[Cycle]:
     """One cycle for each `unless` that depends on its own rule."""
     for rule, excluded in enumerate(fed.excluded):
         for unless, feeders in excluded:
-            ways = (_way(fed, rule, feeder) for feeder in sorted(feeders))
-            shortest = min((way for way in ways if way), key=len, default=None)
-            if shortest:
+            if shortest := _shortest_way(fed, rule, sorted(feeders)):
                 yield Cycle(shortest, unless)
 
 
@@ -95,10 +98,10 @@ def asserted(rule: RuleTree) -> tuple[Atom, ...]:
     return tuple(atom for part in rule.conclusions if isinstance(part, Assertion) for atom in part.facts)
 
 
-def _way(fed: Feeding, start: int, end: int) -> tuple[int, ...] | None:
-    """The shortest chain of rules by which `start` feeds `end`, both included."""
-    reached: dict[int, tuple[int, ...]] = {end: (end,)}
-    border = [end]
+def _shortest_way(fed: Feeding, start: int, ends: Sequence[int]) -> tuple[int, ...] | None:
+    """The shortest chain of rules by which `start` feeds one of `ends`, both included."""
+    reached: dict[int, tuple[int, ...]] = {end: (end,) for end in ends}
+    border = list(ends)
     while border and start not in reached:
         border_next = []
         for rule in border:
