@@ -9,10 +9,10 @@ context in order k − 1, times 1024, plus its last graphone. The rows are sorte
 """
 
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,9 @@ START, END = 1, 2
 BEAM = 24
 LONGEST_CHUNK = 2
 
-State = tuple[int, int]
+Indices: TypeAlias = NDArray[np.int64]
+
+State: TypeAlias = tuple[int, int]
 """A context: its length in graphones, and its row in that order of the trie."""
 
 
@@ -44,6 +46,12 @@ class _Order:
         row = int(np.searchsorted(self.keys, key))
         return row if row < len(self.keys) and self.keys[row] == key else None
 
+    def rows(self, contexts: Indices, graphones: Indices) -> tuple[Indices, NDArray[np.bool_]]:
+        """The row of each context with its graphone, where there is one, and whether there is."""
+        keys = (contexts << GRAPHONE_BITS) | graphones
+        rows = np.minimum(np.searchsorted(self.keys, keys), len(self.keys) - 1)
+        return rows, self.keys[rows] == keys
+
 
 @dataclass(frozen=True, slots=True)
 class _Hypothesis:
@@ -52,6 +60,16 @@ class _Hypothesis:
     score: float
     state: State
     phones: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Extension:
+    """A hypothesis and the graphone that is to follow it, with its phones; it ends before the letter `end`."""
+
+    hypothesis: _Hypothesis
+    graphone: int
+    phones: tuple[str, ...]
+    end: int
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,11 +95,15 @@ class GraphoneModel:
         reached: list[list[_Hypothesis]] = [[] for _ in range(len(word) + 1)]
         reached[0] = [_Hypothesis(0.0, self._initial(), ())]
         for position in range(len(word)):
-            for hypothesis in _best(reached[position]):
-                for length in range(1, min(LONGEST_CHUNK, len(word) - position) + 1):
-                    chunk = word[position : position + length]
-                    reached[position + length].extend(self._extensions(hypothesis, chunk))
-        finals = [self._extended(hypothesis, END, ()) for hypothesis in _best(reached[-1])]
+            extensions = [
+                _Extension(hypothesis, graphone, phones, position + length)
+                for hypothesis in _best(reached[position])
+                for length in range(1, min(LONGEST_CHUNK, len(word) - position) + 1)
+                for graphone, phones in self.spellings.get(word[position : position + length], ())
+            ]
+            for extension, hypothesis in zip(extensions, self._extended(extensions), strict=True):
+                reached[extension.end].append(hypothesis)
+        finals = self._extended([_Extension(spelt, END, (), len(word)) for spelt in _best(reached[-1])])
         spoken = [final for final in finals if final.phones]
         return max(spoken, key=lambda final: final.score).phones if spoken else ()
 
@@ -89,29 +111,42 @@ class GraphoneModel:
         row = self.orders[0].row(0, START)
         return (1, row) if row is not None else (0, 0)
 
-    def _extensions(self, hypothesis: _Hypothesis, chunk: str) -> Iterator[_Hypothesis]:
-        for graphone, phones in self.spellings.get(chunk, ()):
-            yield self._extended(hypothesis, graphone, phones)
+    def _extended(self, extensions: Sequence["_Extension"]) -> list[_Hypothesis]:
+        states = np.array([extension.hypothesis.state for extension in extensions], dtype=np.int64).reshape(-1, 2)
+        graphones = np.array([extension.graphone for extension in extensions], dtype=np.int64)
+        log_probabilities, reached = self._step(states, graphones)
+        return [
+            _Hypothesis(
+                extension.hypothesis.score + step, (length, row), extension.hypothesis.phones + extension.phones
+            )
+            for extension, step, (length, row) in zip(
+                extensions, log_probabilities.tolist(), reached.tolist(), strict=True
+            )
+        ]
 
-    def _extended(self, hypothesis: _Hypothesis, graphone: int, phones: tuple[str, ...]) -> _Hypothesis:
-        log_probability, state = self._step(hypothesis.state, graphone)
-        return _Hypothesis(hypothesis.score + log_probability, state, hypothesis.phones + phones)
+    def _step(self, states: Indices, graphones: Indices) -> tuple[FloatArray, Indices]:
+        """The log probability of each graphone after its state (a row each: length, row), with backoff, and the next
+        states; -inf and the empty context for a graphone that never occurs."""
+        log_probability, reached = np.full(len(graphones), -np.inf), np.zeros_like(states)
+        log_weight, open_states = np.zeros(len(graphones)), states.copy()
+        for length in reversed(range(len(self.orders))):
+            here = np.flatnonzero(open_states[:, 0] == length)
+            rows, found = self.orders[length].rows(open_states[here, 1], graphones[here])
+            known, unknown = here[found], here[~found]
+            log_probability[known] = log_weight[known] + self.orders[length].log_probability[rows[found]]
+            reached[known] = self._following(length, rows[found])
+            open_states[known, 0] = -1
+            if length:
+                shorter, contexts = self.orders[length - 1], open_states[unknown, 1]
+                log_weight[unknown] += shorter.log_backoff[contexts]
+                open_states[unknown] = np.column_stack((np.full(len(unknown), length - 1), shorter.suffix[contexts]))
+        return log_probability, reached
 
-    def _step(self, state: State, graphone: int) -> tuple[float, State]:
-        """Log probability of `graphone` after `state`, with backoff, and the next state."""
-        log_weight = 0.0
-        length, context = state
-        while True:
-            order = self.orders[length]
-            row = order.row(context, graphone)
-            if row is not None:
-                following = (length + 1, row) if length + 1 < len(self.orders) else (length, int(order.suffix[row]))
-                return log_weight + float(order.log_probability[row]), following
-            if length == 0:
-                return -np.inf, (0, 0)
-            shorter = self.orders[length - 1]
-            log_weight += float(shorter.log_backoff[context])
-            length, context = length - 1, int(shorter.suffix[context])
+    def _following(self, length: int, rows: Indices) -> Indices:
+        """The states after the n-grams in `rows` of the order with contexts of `length` graphones."""
+        if length + 1 < len(self.orders):
+            return np.column_stack((np.full(len(rows), length + 1), rows))
+        return np.column_stack((np.full(len(rows), length), self.orders[length].suffix[rows]))
 
 
 def _best(hypotheses: list[_Hypothesis]) -> list[_Hypothesis]:
