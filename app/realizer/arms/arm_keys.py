@@ -130,6 +130,10 @@ def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
     asked, placed = tuple(of_arm for _key, of_arm in played), gesture.placed
     size, manner = amplitude(placed), placed.clip.manner
     poses = _poses(skeleton, gesture.side, asked, size=size, aim_m=placed.aim_m, manner=manner)
+    if placed.aim_m is not None and placed.aimed_from_s > 0:
+        free = _poses(skeleton, gesture.side, asked, size=size, aim_m=None, manner=manner)
+        before = sum(key.time_s < placed.aimed_from_s for key, _of_arm in played)
+        poses = (*free[:before], *poses[before:])
     for (key, _of_arm), pose in zip(played, poses, strict=True):
         made = _part_of_the_way(skeleton, gesture.side, pose, placed.share) if placed.follows else pose
         made = _bent(made, gesture.side, placed.bends_deg) if placed.bends_deg else made

@@ -40,7 +40,7 @@ def wrist_m(placed: PlacedGesture, side: Hand, time_s: float) -> FloatArray:
     if placed.follows:
         hanging_m = np.array(HANGING.wrist_m)
         return np.asarray(hanging_m + placed.share * (place_m - hanging_m))
-    if placed.aim_m is None:
+    if placed.aim_m is None or time_s < placed.aimed_from_s:
         return place_m
     out = 1.0 if side is Hand.LEFT else -1.0
     way_m = np.array(placed.aim_m) * [out, 1.0, 1.0] - [0.0, HIPS_HEIGHT_M, 0.0] - _SHOULDER_M

@@ -10,6 +10,7 @@ from math import inf
 
 from ...model import Hand, Level, Manner, SyncPoints
 from ...model.limits.gesture_limits import playable_size
+from ...model.slots import Slots
 from ..body.motion import Decision
 from .gesture import Clip, Markers
 
@@ -24,7 +25,8 @@ class GestureRequest:
     BML adds: hand, level of agitation, size (1 as defined), the name of a target, the longest that its stroke may take,
     where it says that, and the ends of further strokes, seconds after that of the main one (None: as the emphases of
     the speech have it). A still body makes the whole gesture smaller by the factor `scale`; the stroke of one
-    that is `curved` is an arc. `manner` is how the voice at the stroke has it made."""
+    that is `curved` is an arc. `manner` is how the voice at the stroke has it made, `slots` what its words say of size,
+    number and place."""
 
     behavior: str
     category: str
@@ -40,6 +42,7 @@ class GestureRequest:
     scale: float = 1.0
     curved: bool = False
     manner: Manner = USUAL_MANNER
+    slots: Slots | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +60,8 @@ class Repeat:
 @dataclass(frozen=True, slots=True)
 class PlacedGesture:
     """A clip A_i for a request G_i, its stroke at the desired time; `relax_s` is the earliest end of its hold. `aim_m`
-    is the world position that it points at; None plays it as defined. `share` is how far of the way from hanging the
+    is the world position that it points at; None plays it as defined; poses before `aimed_from_s` of the clip are as
+    defined. `share` is how far of the way from hanging the
     hand goes: less than 1 in a hand that only follows the other. Where the hand does not lead, its fingers from index
     to little are bent by `bends_deg` more."""
 
@@ -66,6 +70,7 @@ class PlacedGesture:
     relax_s: float
     repeats: tuple[Repeat, ...] = ()
     aim_m: Position | None = None
+    aimed_from_s: float = -inf
     share: float = 1.0
     bends_deg: tuple[float, ...] = ()
 

@@ -37,11 +37,13 @@ _OPEN: tuple[FingerBends, ...] = (
     (6.0, 9.0, 5.0, -13.0),
 )
 _SPREAD: tuple[FingerBends, ...] = (
-    (0.0, 4.0, 2.0, 14.0),
+    (0.0, 4.0, 2.0, 16.0),
     (0.0, 4.0, 2.0, 2.0),
     (0.0, 5.0, 3.0, -11.0),
     (0.0, 5.0, 3.0, -24.0),
 )
+_THREE_APART = (15.0, 0.0, -15.0, 0.0)
+"""The spread of fingers of which three are stretched."""
 _PINCHING: FingerBends = (48.0, 52.0, 24.0, 0.0)
 _CEE: FingerBends = (42.0, 36.0, 24.0, 0.0)
 
@@ -135,6 +137,8 @@ def hand_shape(shape: HandShape, fingers: tuple[tuple[Finger, Bend], ...] = ()) 
         else:
             number = _ORDER.index(finger) - 1
             others[number] = (*_BENDS[bend], others[number][3])
+    if shape.form is HandForm.TWO_APART and (Finger.RING, Bend.STRAIGHT) in fingers:
+        others = [(*each[:3], spread) for each, spread in zip(others, _THREE_APART, strict=True)]
     rotations = _rotations(thumb, others)
     rotations.setflags(write=False)
     return rotations

@@ -7,7 +7,7 @@ together blend into units, and units end at rest (`arm_timelines`). Whatever is 
 """
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import isinf
 from types import MappingProxyType
@@ -28,6 +28,8 @@ from ..gestures.gesture_plan import (
     Transition,
 )
 from ..head_and_gaze.aiming import unknown_target, with_target
+from ..showing.directions import aims_m
+from ..showing.showing import as_shown, finger_first, showing, shown_decisions
 from .arm_timelines import ArmTimeline, arm_timeline, rest_changes, units_of
 from .pruning import Admission, admit
 from .repetition import is_held_long, let_go_in_time, repeats_until_s, with_beats, with_repeats
@@ -101,20 +103,55 @@ def chosen_clips(
     library: Clips, schedule: Schedule, setting: TransitionContext, *, seed: int, targets_m: Mapping[str, Position]
 ) -> Admission:
     """The gestures that are played with their clips, in order of their strokes, and the decisions about the others."""
-    rng = np.random.default_rng(seed)
+    draw = Draw(library, np.random.default_rng(seed), targets_m)
     kept: tuple[PlacedGesture, ...] = ()
     decisions: list[Decision] = []
-    for request in requests_of(schedule):
-        clips, told = candidate_clips(request, library)
+    asked = requests_of(schedule)
+    shown = tuple(as_shown(request, library.nearest) for request in asked)
+    shown_m = aims_m(shown)
+    for plain, request in zip(asked, shown, strict=True):
+        options, told = draw.options(request, kept, shown_m)
+        if request is not plain:
+            others, told_plain = draw.options(plain, kept, {})
+            options, told = (*options, *others), told if options else told_plain
         decisions += told
-        if clips:
-            used = next((each.clip.name for each in reversed(kept) if each.clip.category == clips[0].category), None)
-            drawn = [with_target(place_clip(clip, request), targets_m) for clip in shuffled(clips, used, rng)]
-            options = [in_time(each) for each in sorted(drawn, key=lambda each: each.stroke_start_s < 0)]
+        if options:
             admission = admit(options, kept, setting)
             kept = admission.kept
             decisions += (*admission.decisions, *_late(kept, request))
-    return Admission(kept, tuple(decisions))
+    return Admission(kept, (*decisions, *_shown(asked, kept)))
+
+
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """How clips are drawn: from a library, by a generator, with the places of targets."""
+
+    library: Clips
+    rng: np.random.Generator
+    targets_m: Mapping[str, Position]
+
+    def options(
+        self, request: GestureRequest, kept: Iterable[PlacedGesture], shown_m: Mapping[str, Position]
+    ) -> tuple[tuple[PlacedGesture, ...], tuple[Decision, ...]]:
+        """The gestures that fit a request in the order in which they are tried, and decisions about it."""
+        clips, told = candidate_clips(request, self.library)
+        if not clips:
+            return (), told
+        before = [each.clip.name for each in kept if each.clip.category == clips[0].category]
+        drawn = finger_first(shuffled(clips, before[-1] if before else None, self.rng), request)
+        plain = [with_target(place_clip(clip, request), self.targets_m) for clip in drawn]
+        shown = [showing(each, shown_m) for each in plain]
+        others = [one for one, other in zip(plain, shown, strict=True) if one is not other]
+        options = [in_time(each) for each in (*shown, *others)]
+        return tuple(sorted(options, key=lambda each: each.stroke_start_s < 0)), told
+
+
+def _shown(asked: Iterable[GestureRequest], kept: Iterable[PlacedGesture]) -> Iterator[Decision]:
+    """The decisions about the gestures that show what their words say."""
+    played = {gesture.request.behavior: gesture for gesture in kept}
+    for request in asked:
+        if request.behavior in played:
+            yield from shown_decisions(request, played[request.behavior])
 
 
 def _late(kept: Iterable[PlacedGesture], request: GestureRequest) -> Iterator[Decision]:

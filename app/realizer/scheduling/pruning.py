@@ -13,6 +13,7 @@ from ...model import Hand
 from ...model.limits.gesture_limits import shortest_transition_s
 from ..body.motion import Decision
 from ..gestures.gesture_plan import PlacedGesture
+from .rests import shortest_way_s
 from .transitions import TransitionContext, blends, gap_s, stroke_speed_m_s, way_m
 
 
@@ -103,9 +104,12 @@ def _too_early(placed: PlacedGesture) -> Obstacle | None:
 
 
 def _in_the_way(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> Obstacle | None:
-    """The paper's first and third rule."""
+    """The paper's first and third rule. The ways to what shows a place or a size are as long as it is, and may be
+    as fast as hands are."""
     between_s, whole_m, own_m_s = gap_s(first, second), way_m(first, second, side), stroke_speed_m_s(second)
     needed_s = shortest_transition_s(whole_m, own_m_s)
+    if first.request.slots or second.request.slots:
+        needed_s = min(needed_s, shortest_way_s(whole_m))
     if between_s >= needed_s - _SLACK_S or not blends(first, second, side, setting):
         return None
     times = f"its stroke would start at {second.stroke_start_s:.2f} s"

@@ -66,10 +66,16 @@ def _trailing(gesture: PlacedGesture, own: Iterable[PlacedGesture], side: Hand, 
         return gesture
     rng, two = habits.drawn(gesture), habits.style.two_hands
     lag_s, smaller = float(rng.uniform(*two.lag_s)), float(rng.uniform(*two.smaller))
+    smaller = 0.0 if _is_measured(gesture) else smaller
     bends_deg = tuple(float(bend) for bend in two.bend_deg * rng.uniform(*BENDS, size=4))
     later = min((each.stroke_start_s for each in own if each.stroke_start_s > gesture.stroke_start_s), default=np.inf)
     room_s = max(0.0, later - gesture.stroke_end_s - FREE_S)
     return _later(replace(gesture, bends_deg=bends_deg), min(lag_s, room_s), size=1 - smaller)
+
+
+def _is_measured(gesture: PlacedGesture) -> bool:
+    """Whether both hands together show a size."""
+    return gesture.request.slots is not None and gesture.request.slots.size_m is not None
 
 
 def _following(

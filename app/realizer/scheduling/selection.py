@@ -65,6 +65,7 @@ def _request(gesture: Behavior, level: Level, lively: float) -> GestureRequest:
         longest_stroke_s=_longest_stroke_s(sync),
         after_strokes_s=gesture.after_strokes_s,
         manner=manner,
+        slots=gesture.slots,
     )
 
 

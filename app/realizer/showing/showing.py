@@ -1,0 +1,120 @@
+"""Plays the slots of a schedule's gestures: which gesture shows them, and its clip with what they say.
+
+A gesture that was chosen to show a height shows it with one palm, a size with two or with two fingers, a number with as
+many fingers, a place by pointing there (docs/slots.md). What a lexeme shows otherwise than the library has it is told
+as a decision.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+
+from ...model import Hand
+from ...model.slots import Slots
+from ..arms.wrist_paths import amplitude, stroke_end_m
+from ..body.motion import Decision
+from ..gestures.gesture import Clip, HandForm
+from ..gestures.gesture_plan import GestureRequest, PlacedGesture, Position
+from .directions import POINTING, points_far, told
+from .measures import TINY_M, begun_in_time, counting, measuring, placed_aside, stretched
+
+NUMBERS = ("COUNT_ONE", "COUNT_TWO", "COUNT_THREE", "COUNT_FOUR", "COUNT_FIVE")
+COUNTING = frozenset({"COUNT", "COUNT_FIRST", "COUNT_NEXT", *NUMBERS})
+PLACES = MappingProxyType(
+    {"HERE": "THERE", "UP": "THERE", "DOWN": "THERE", "LEFT": "POINT_LEFT", "RIGHT": "POINT_RIGHT"}
+)
+"""What shows a place, where the words name a thing that is there, by the gesture that points at it."""
+
+_MOMENT_S = 0.001
+_HIGH_M = 1.25
+"""Above the elbow, where a palm that shows a height comes from below."""
+_LONG_M = 0.4
+"""From here on a size is shown by hands that part, below by hands that meet."""
+
+
+def category_shown(request: GestureRequest) -> tuple[str, Hand]:
+    """The category of gestures, and the hand, that show the slots of a request: its own where they say nothing that
+    another would show better."""
+    slots, lexeme, hand = request.slots or Slots(), request.category, request.hand
+    one_hand = Hand.RIGHT if hand is Hand.BOTH else hand
+    if slots.height_m is not None:
+        return ("HEIGHT_HIGH" if slots.height_m > _HIGH_M else "HEIGHT_LOW"), one_hand
+    if slots.size_m is not None:
+        return _sized(slots.size_m, lexeme, hand)
+    if slots.count is not None and lexeme in COUNTING:
+        return (NUMBERS[slots.count - 1], one_hand) if slots.count <= len(NUMBERS) else (NUMBERS[-1], Hand.BOTH)
+    if lexeme in PLACES and request.target is None and slots.referent is not None:
+        return PLACES[lexeme], one_hand
+    return lexeme, hand
+
+
+def _sized(size_m: float, lexeme: str, hand: Hand) -> tuple[str, Hand]:
+    if hand is Hand.BOTH:
+        return ("WIDE" if size_m >= _LONG_M else "NARROW"), hand
+    return ("PINCH" if size_m <= TINY_M else lexeme), hand
+
+
+def as_shown(request: GestureRequest, nearest: Callable[[str], str | None]) -> GestureRequest:
+    """The request for the gesture that shows its slots; `nearest` is the category that shows a lexeme, if any."""
+    category, hand = category_shown(request)
+    as_it_is = (category, hand) == (request.category, request.hand) or nearest(category) != category
+    return request if as_it_is else replace(request, category=category, hand=hand)
+
+
+def showing(placed: PlacedGesture, aims_m: Mapping[str, Position]) -> PlacedGesture:
+    """The gesture with the height, size, number or place that its slots say."""
+    request = placed.request
+    slots = request.slots
+    if slots is None:
+        return placed
+    clip = measuring(placed.clip, slots)
+    if clip is not placed.clip:
+        return replace(placed, clip=clip, request=replace(request, size=1.0, scale=1.0))
+    if slots.count is not None and clip.category in COUNTING:
+        return replace(placed, clip=counting(clip, slots.count))
+    aim_m = aims_m.get(request.behavior)
+    if aim_m is not None and clip.aimed:
+        return _pointing(placed, slots, aim_m)
+    if slots.side is not None and clip.hand is not Hand.BOTH and not clip.aimed:
+        return replace(placed, clip=placed_aside(clip, slots.side, amplitude(placed)))
+    return placed
+
+
+def _pointing(placed: PlacedGesture, slots: Slots, aim_m: Position) -> PlacedGesture:
+    """The gesture whose hand goes out from before the body to the line on which it points, as far from there as it has
+    time for."""
+    clip = stretched(placed.clip, amplitude(placed)) if points_far(slots) else placed.clip
+    aimed = replace(placed, clip=clip, aim_m=aim_m, aimed_from_s=clip.markers.stroke_start + _MOMENT_S)
+    ends_m = {side: stroke_end_m(aimed, side) for side in aimed.arms}
+    return replace(aimed, clip=begun_in_time(clip, ends_m, amplitude(placed)))
+
+
+def finger_first(clips: tuple[Clip, ...], request: GestureRequest) -> tuple[Clip, ...]:
+    """The clips in order, of pointings at what is far those with the index finger first."""
+    if request.slots is None or request.category not in POINTING or not points_far(request.slots):
+        return clips
+    return tuple(sorted(clips, key=lambda clip: not _has_index(clip)))
+
+
+def _has_index(clip: Clip) -> bool:
+    arms = (arm for key in clip.keys for arm in (key.left, key.right) if arm is not None and arm.hand is not None)
+    return any(arm.hand is not None and arm.hand.form is HandForm.INDEX for arm in arms)
+
+
+def shown_decisions(asked: GestureRequest, placed: PlacedGesture) -> Iterator[Decision]:
+    """What a gesture shows that its lexeme alone would not."""
+    slots = asked.slots
+    if slots is None:
+        return
+    said = [*_measured(slots, placed), *(told(slots) if placed.aim_m is not None else ())]
+    if said:
+        yield Decision(asked.behavior, "shown", f"{asked.category} shows {', '.join(said)}, by {placed.clip.name}")
+
+
+def _measured(slots: Slots, placed: PlacedGesture) -> Iterator[str]:
+    if placed.clip.category.startswith("HEIGHT") and slots.height_m is not None:
+        yield f"a height of {slots.height_m:g} m"
+    elif placed.clip.category in ("WIDE", "NARROW", "PINCH") and slots.size_m is not None:
+        yield f"a size of {slots.size_m:g} m"
+    elif placed.clip.category in COUNTING and slots.count is not None:
+        yield f"the number {slots.count}"
