@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from .acoustic.affect.given import given_line
 from .acoustic.stage import AcousticModels, align_words, analyze_signal, hear_affect, hear_manners, measure_stress
 from .behavior.candidates.notes import check_direction, conflicts
+from .behavior.choice.offered import NEAR
 from .behavior.idle.stillness import with_stillness
 from .behavior.stage import (
     Performer,
@@ -95,13 +96,16 @@ def perform_behaviors(
     options: Options,
     direction: Direction | None = None,
     progress: Progress = no_progress,
+    *,
+    near: float = NEAR,
 ) -> PerformedLine:
     """The second half of Figure 2: from an analysed line to its behaviours (paper §3.4, §3.5), with a director's notes.
+    Among the behaviours is what was offered and came so `near` (log-odds) to being shown.
 
     Raises InputError `unknown_character`, `unknown_profile`.
     """
     progress("plan")
-    performer = _performer(models, analysis, options, direction)
+    performer = replace(_performer(models, analysis, options, direction), near=near)
     planned = plan_line(performer)
     progress("mapping")
     candidates, moments = offer_candidates(performer, planned)

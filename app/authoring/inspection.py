@@ -8,6 +8,7 @@ usual times.
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from math import inf
 
 from ..behavior.reading.decoding import usual_times_s
 from ..errors import InputError
@@ -64,7 +65,7 @@ def trace_heard(
     utterance = analysis.utterance
     found = derive_facts(language.rules, utterance)
     mapped = _mapped(behavior.rules, utterance, language.rules)
-    performance = perform_behaviors(behavior, analysis, Options(character=character)).performance
+    performance = perform_behaviors(behavior, analysis, Options(character=character), near=inf).performance
     return Trace(
         utterance,
         trace_rules(language.rules.program, found.facts),

@@ -7,7 +7,7 @@ and times, `assemble` makes the performance, `with_listeners` adds whoever liste
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from types import MappingProxyType
@@ -39,14 +39,14 @@ from .candidates.targets import mentions, pointing_candidates, without_overlappe
 from .characters.abstaining import abstaining, forbidden
 from .characters.gesture_forms import FormedCharacters
 from .characters.overlays import Character, Characters
-from .choice.offered import not_taken
+from .choice.offered import NEAR, not_taken
 from .choice.scheduling import numbered, schedule
 from .listeners.addressees import addressed, placed_listeners
 from .listeners.head_rates import HeadRates
 from .listeners.listening import Listener, listen
 from .reading.families import Families
 from .reading.planning import Plan, Planner, Understood, meanings, plan, times_s_of
-from .reading.player import Player
+from .reading.player import Ban, Player, banned
 from .reading.supports import supports_of
 from .slots.gestures import with_slots
 from .slots.table import SlotTable
@@ -101,7 +101,7 @@ class BehaviorStage(Protocol):
 @dataclass(frozen=True, slots=True)
 class Performer:
     """Who performs a line, and what the line, the rules, the notes and the caller ask for; the character already has
-    the habits of the profile."""
+    the habits of the profile. What was offered and is not shown is told if it came so `near` (`choice.offered`)."""
 
     models: BehaviorStage
     character: Character
@@ -111,6 +111,7 @@ class Performer:
     player: Player
     demands: tuple[Demand, ...] = ()
     direction: Direction | None = None
+    near: float = NEAR
 
     @property
     def reads(self) -> bool:
@@ -232,11 +233,20 @@ def schedule_line(
     )
     if profile is None:
         return (*behaviors, *_not_taken(performer, analysis, planned, behaviors)), None
-    repertoire = repertoire_of(performer.character, performer.models.families, performer.direction, behaviors)
+    repertoire = repertoire_of(performer.player, performer.character, performer.direction, behaviors)
     script = gesture_script(profile, repertoire, analysis.utterance, analysis.functions, seed=options.seed)
-    behaviors = (*behaviors, *speaking_postures(profile))
+    habits = _permitted(speaking_postures(profile), performer.player.bans, performer.character)
+    behaviors = (*behaviors, *habits)
     behaviors = numbered((*behaviors, *scripted_behaviors(script, analysis.functions, behaviors)))
     return (*behaviors, *_not_taken(performer, analysis, planned, behaviors)), script
+
+
+def _permitted(postures: Iterable[Behavior], bans: Collection[Ban], character: Character) -> Iterator[Behavior]:
+    """The postures of a profile that the character is not forbidden."""
+    for posture in postures:
+        names = (name for name, (_channel, lexeme) in character.lexemes.items() if lexeme == posture.lexeme)
+        if not any(banned(bans, name, posture.first, posture.last) for name in names):
+            yield posture
 
 
 def _not_taken(
@@ -245,7 +255,7 @@ def _not_taken(
     if not performer.reads:
         return ()
     line = replace(performer.line, utterance=analysis.utterance)
-    return tuple(not_taken(line, planned.plan, performer.player, behaviors))
+    return tuple(not_taken(line, planned.plan, performer.player, behaviors, near=performer.near))
 
 
 def assemble(
@@ -286,12 +296,13 @@ def _heard_by(models: BehaviorStage, options: Options, performance: Performance,
     if played not in characters.by_name:
         message = f"no character is called {name!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
         notices = (*notices, Notice("listener_unknown", message))
-    character = characters.by_name.get(played) or characters.named(DEFAULT_CHARACTER)
+    character = abstaining(characters.by_name.get(played) or characters.named(DEFAULT_CHARACTER), models.families)
+    bans = tuple(banned_by(forbidden(character), models.families, character.entries))
     profile = models.profile(dict(options.listener_profiles).get(name))
     rates = as_listener(models.head_rates, profile) if profile else models.head_rates
-    listener = Listener(replace(character, name=name), rates, performance.character)
+    listener = Listener(replace(character, name=name), rates, performance.character, bans)
     behaviors = listen(performance.behaviors, performance.utterance, listener, seed=performance.seed)
     if profile:
         postures = listening_postures(profile, performance.utterance.duration_s or 0.0)
-        behaviors = numbered((*postures, *behaviors))
+        behaviors = numbered((*_permitted(postures, bans, character), *behaviors))
     return replace(performance, listeners=(*performance.listeners, Listening(name, behaviors)), notices=notices)

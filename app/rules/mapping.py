@@ -11,11 +11,11 @@ import random
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from math import isinf
+from math import isinf, log
 from pathlib import Path
 
 from ..errors import AuthoringError, Mistake
-from ..model import Alternative, BehaviorCandidates, Demand, Fact, Function, Level, Movement, Utterance
+from ..model import Alternative, BehaviorCandidates, Demand, Fact, Function, Level, Movement, Term, Utterance
 from .chaining.chainer import Call, Choice, derive
 from .chaining.facts import utterance_facts
 from .language.tree import Choice as ChoiceTree
@@ -150,13 +150,25 @@ def _alternatives(pool: list[_Offer], function: Function, seed: str) -> Iterator
     identity = f"{function.class_name} {function.subtype} {function.first} {function.last}"
     generator = random.Random(f"{identity} {seed}")
     for offer in pool:
-        yield Alternative(tuple(_movements(offer, function)), offer.weight, generator.expovariate(1.0))
+        lot = generator.expovariate(1.0)
+        yield Alternative(tuple(_movements(offer, function, _parts(offer, function, lot))), offer.weight, lot)
 
 
-def _movements(offer: _Offer, function: Function) -> Iterator[Movement]:
+def _parts(offer: _Offer, function: Function, lot: float) -> tuple[Term, ...]:
+    """What decides by priority alone, the largest first: the function's priority, which comes before all else, and of
+    its alternatives the one with the greatest ln(weight) - ln(lot)."""
+    parts = [
+        Term(f"priority {function.priority:g} of {function.class_name}", function.priority),
+        Term(f"rule {offer.choice.rule}, weight {offer.weight:g}", round(log(offer.weight), 2)),
+        Term("chance", round(-log(lot), 2)),
+    ]
+    return tuple(sorted(parts, key=lambda part: -abs(part.weight)))
+
+
+def _movements(offer: _Offer, function: Function, parts: tuple[Term, ...]) -> Iterator[Movement]:
     for call in offer.calls:
         first, last = _span(offer, call)
-        yield Movement(call.name, first, last, function.priority, offer.choice.rule, function.id)
+        yield Movement(call.name, first, last, function.priority, offer.choice.rule, function.id, decided_by=parts)
 
 
 def _span(offer: _Offer, call: Call) -> tuple[int, int]:

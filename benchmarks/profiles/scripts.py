@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from training.profiles.make_examples import unspoken_analyses
+from understudy.behavior.reading.player import Player
 from understudy.behavior.speaker_profiles.gesture_scripts import gesture_script, repertoire_of
 from understudy.model import Level, Parse, Token, Utterance
 from understudy.models import Understudy
@@ -47,7 +48,8 @@ def example_speakers() -> tuple[AnnotatedSpeaker, AnnotatedSpeaker]:
 
 def default_repertoire(understudy: Understudy) -> Repertoire:
     """What the default character may play."""
-    return repertoire_of(understudy.behavior.performers.named("default", Level.MEDIUM), understudy.behavior.families)
+    character = understudy.behavior.performers.named("default", Level.MEDIUM)
+    return repertoire_of(Player(understudy.behavior.families, character.entries), character)
 
 
 def annotated_scripts(

@@ -17,6 +17,7 @@ from pathlib import Path
 from pydantic import RootModel
 
 from training.profiles.clock import spoken
+from understudy.behavior.reading.player import Player
 from understudy.behavior.speaker_profiles.gesture_scripts import repertoire_of
 from understudy.model import Analysis, Behavior, Channel, Function, Interval, Level, Line, Word
 from understudy.models import Understudy
@@ -129,7 +130,7 @@ def unspoken_analyses(understudy: Understudy, texts: Sequence[str]) -> list[Anal
 def offered_gestures(understudy: Understudy) -> Mapping[str, PlayableGesture]:
     """How long the stroke of each lexeme lasts in the library, and with which hands the table offers it."""
     character = understudy.behavior.performers.named("default", Level.MEDIUM)
-    return repertoire_of(character, understudy.behavior.families).gestures
+    return repertoire_of(Player(understudy.behavior.families, character.entries), character).gestures
 
 
 def _text(recording: Path) -> str:

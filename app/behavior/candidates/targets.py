@@ -151,4 +151,5 @@ def _movement(mention: Mention, moment: Moment, behavior: str) -> Movement:
         stroke=mention.last,
         moment=moment.id,
         target=mention.target.name,
+        decided_by=moment.terms,
     )

@@ -1,10 +1,9 @@
 """Tries an alternative beside what is kept: which parts of it fit, with which hand, and what is shortened for it.
 
 Planned moments, of which there are many more candidates than people make gestures, meet stricter conditions than what
-is asked for: the same gesture is not repeated within `PLANNED_REPEAT_S`, the hand is not switched within
-`HAND_SWITCH_S`, and there are no more than the character usually makes. What functions ask for by priority alone, or a
-director, is made if there is time for it (paper §3.5): if necessary with the other hand, or with a smaller and shorter
-stroke.
+is asked for: the hand is not switched within `HAND_SWITCH_S`, and there are no more than the character usually makes.
+(What was shown just before is a part of their worth.) What functions ask for by priority alone, or a director, is made
+if there is time for it (paper §3.5): if necessary with the other hand, or with a smaller and shorter stroke.
 """
 
 from collections.abc import Iterable
@@ -27,10 +26,6 @@ from .hands import (
     with_hand,
 )
 from .necessity import WEIGHT
-
-PLANNED_REPEAT_S = 1.2
-"""Within this time no planned gesture is repeated. It is short because directors do repeat a denial that is spoken
-twice."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,12 +127,9 @@ def _refused(behavior: Behavior, kept: KeptByTime, line: Line, *, planned: bool)
     """The gesture as a loser, if the character would not make it beside those it makes; else None."""
     if behavior.kind is not Channel.GESTURE:
         return None
-    at_s, around_s = stroke_s(behavior), max(PLANNED_REPEAT_S, HAND_SWITCH_S)
-    for other in kept.gestures_near(at_s - around_s, at_s + around_s) if planned else ():
-        apart_s = abs(at_s - stroke_s(other))
-        if other.lexeme == behavior.lexeme and apart_s < PLANNED_REPEAT_S:
-            return lost_to(other, behavior, f"{other.lexeme} is made already within {PLANNED_REPEAT_S:g} s")
-        if switches(behavior, other) and apart_s < HAND_SWITCH_S:
+    at_s = stroke_s(behavior)
+    for other in kept.gestures_near(at_s - HAND_SWITCH_S, at_s + HAND_SWITCH_S) if planned else ():
+        if switches(behavior, other) and abs(at_s - stroke_s(other)) < HAND_SWITCH_S:
             return lost_to(other, behavior, f"the other hand is in use for {other.lexeme}")
     most = line.most_gestures if planned else line.most_asked
     if kept.gestures >= most:

@@ -3,7 +3,8 @@
 Between the movements that show something the head drifts by a few degrees and the eyes go aside and come back; where
 they stay aside for a while, and nothing else is asked of the head, it goes with them. These movements are placed where
 their channel is free, so they never compete. A still character drifts less often and less far. No drift is repeated
-immediately, and the eyes are back on the listener when the last word begins, to yield the turn (Kendon 1967).
+immediately, and the eyes are back on the listener when the last word begins, to yield the turn (Kendon 1967). What an
+author forbids does not come by itself either.
 """
 
 import random
@@ -14,6 +15,7 @@ from ...model import Behavior, Channel, Interval, Utterance, Word
 from ...model.tables.lexemes import LOOK
 from ..characters.overlays import Character
 from ..idle.saccades import Habit, glances
+from ..reading.player import Ban, banned
 from ..table.behavior_table import DRIFTS, BehaviorEntry
 from ..timing.anchoring import PlacedBehavior, filler, interval_of
 from ..timing.conflicts import Kept
@@ -27,24 +29,43 @@ SHORTEST_DRIFT_S = 2.0
 GAZE_RANGE_DEGREES = 60.0
 """The angle of a gaze of amount 1."""
 
+_TURNS_HEAD = ("look_aside", "drift_turn_left", "drift_turn_right")
+"""What a look aside does with the head; where one of these is forbidden, the eyes go alone."""
+
 LOOK_S, LOOK_DEGREES = 0.7, 10.0
 """The head goes with eyes that stay aside at least this long, and then turns at least this far."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rest:
-    """What the fillers of a line depend on: its words, its end, the character and the random generator."""
+    """What the fillers of a line depend on: its words, its end, the character, the random generator, and what is
+    forbidden where."""
 
     words: tuple[Word, ...]
     end_s: float
     character: Character
     generator: random.Random
+    bans: tuple[Ban, ...] = ()
 
     @classmethod
-    def of(cls, utterance: Utterance, timed: tuple[Word, ...], character: Character, seed: str) -> "Rest":
+    def of(
+        cls,
+        utterance: Utterance,
+        timed: tuple[Word, ...],
+        character: Character,
+        seed: str,
+        bans: tuple[Ban, ...] = (),
+    ) -> "Rest":
         ends = [word.interval.end_s for word in timed if word.interval is not None]
         text = " ".join(word.text for word in utterance.words)
-        return cls(timed, utterance.duration_s or ends[-1], character, random.Random(f"{seed} {text}"))
+        return cls(timed, utterance.duration_s or ends[-1], character, random.Random(f"{seed} {text}"), bans)
+
+    def permits(self, name: str, interval: Interval) -> bool:
+        """Whether the author lets the body do this by itself in an interval."""
+        starts = [(word.index, interval_of(word).start_s) for word in self.words]
+        first = max((index for index, start_s in starts if start_s <= interval.start_s), default=starts[0][0])
+        last = max((index for index, start_s in starts if start_s < interval.end_s), default=first)
+        return not banned(self.bans, name, first, last)
 
 
 def fillers(kept: Kept, rest: Rest, habit: Habit) -> tuple[PlacedBehavior, ...]:
@@ -71,7 +92,10 @@ def _drifts(kept: Kept, rest: Rest) -> Iterator[PlacedBehavior]:
     name = ""
     for gap in free(kept, Channel.HEAD, rest.end_s):
         for interval in _parts(gap, rest.generator):
-            name = rest.generator.choice([other for other in DRIFTS if other != name])
+            others = [other for other in DRIFTS if other != name and rest.permits(other, interval)]
+            if not others:
+                continue
+            name = rest.generator.choice(others)
             entry = rest.character.entries[name]
             amount = (entry.amount or 0.0) * rest.generator.uniform(0.5, 1.0) * activity
             if rest.generator.random() < activity:
@@ -99,8 +123,10 @@ def _looks_aside(kept: Kept, rest: Rest, habit: Habit) -> Iterator[PlacedBehavio
         for glance in glances(gap, habit, rest.generator):
             during, angle, name = glance.interval, glance.angle_degrees, "saccade"
             free_head = _longest_within(free(kept, Channel.HEAD, rest.end_s), during)
-            if free_head.duration_s >= LOOK_S:
+            if free_head.duration_s >= LOOK_S and all(rest.permits(each, free_head) for each in _TURNS_HEAD):
                 during, angle, name = free_head, max(angle, LOOK_DEGREES), "look_aside"
+            if not rest.permits(name, during):
+                continue
             entry = rest.character.entries[name]
             aside = replace(entry, direction=glance.direction, amount=angle / GAZE_RANGE_DEGREES)
             yield _filler(aside, during, rest, "the eyes wander off and come back")

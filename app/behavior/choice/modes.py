@@ -11,6 +11,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from ...model import Behavior, Channel, Mode, Movement, Word
+from ..reading.player import banned
 from ..timing.anchoring import PlacedBehavior, asked
 from ..timing.conflicts import Fitted, Kept, fitted
 from ..timing.time_index import KeptByTime
@@ -86,7 +87,7 @@ def _drawn(kept: KeptByTime, gestures: list[PlacedBehavior], line: Line, generat
 
 
 def _fitted(movement: Movement, kept: KeptByTime, line: Line, reason: str) -> Fitted | None:
-    if any(movement.name in ban.names and ban.covers(movement.first, movement.last) for ban in line.bans):
+    if banned(line.bans, movement.name, movement.first, movement.last):
         return None
     name = f"{movement.name}.{movement.first}.{movement.last}"
     candidate = asked(movement, line.character.entries[movement.name], line.timed, name)

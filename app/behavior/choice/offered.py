@@ -1,35 +1,74 @@
-"""What was offered and is not shown, with what took its place or forbade it.
+"""What was offered, came near and is not shown, with what took its place or forbade it.
 
-The mapping rules offer behaviours for functions, and the plan has moments; most of them lose before hands and time are
-considered. Each is told once: `lost_to` names the behaviour that has its place, `limit` what forbade it otherwise.
+The mapping rules offer many behaviours for functions; most lose by far before hands and time are considered. The same
+movement for the same idea from several offers is one candidate with several supports: a gesture on words that touch, a
+kind of head movement or face in a stretch between marks. Told is what an author forbids, and what comes within `NEAR`
+of what would have been enough: the worth of the gesture that has its place, else the price of a gesture; the threshold
+of a kind. `lost_to` names the behaviour that has its place, `limit` what forbade it otherwise.
 """
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from math import inf, log
 
-from ...model import Behavior, Channel, Function, Interval, Moment, SyncPoints, Term, Word
+from ...model import Behavior, Channel, Interval, Moment, SyncPoints, Term, Word
 from ..candidates.planned import behaviors_of
-from ..reading.decoding import STROKES_APART_S
+from ..reading.decoding import STROKES_APART_S, stretches_of
 from ..reading.planning import Plan, Understood
 from ..reading.player import Player
-from ..reading.supports import Support, strongest, supports_of
+from ..reading.supports import Support, supports_of
 
 NEVER, PRICE = "never", "price"
 
+NEAR = log(4)
+"""What has at least a quarter of the odds that would have been enough came near."""
+
 _PLANNED = frozenset({Channel.GESTURE, Channel.HEAD, Channel.FACE})
-
-
 _OFFERED = ".offered"
 
 
-def not_taken(line: Understood, planned: Plan, player: Player, behaviors: Sequence[Behavior]) -> tuple[Behavior, ...]:
-    """The behaviours that rules offered for the line's functions, or that its moments were read as, and of which
-    `behaviors`, the schedule, has nothing; in order of their words."""
-    words = line.utterance.words
-    shown = {(each.kind, each.lexeme, each.function) for each in behaviors}
-    found = [*_banned_moments(planned, player), *_offered(line, player, shown)]
+@dataclass(frozen=True, slots=True)
+class _Candidate:
+    """A movement over words `first` to `last`: of a moment that is not shown, or offered with `supports`, the strongest
+    first."""
+
+    name: str
+    channel: Channel
+    first: int
+    last: int
+    supports: tuple[Support, ...] = ()
+    moment: Moment | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Shown:
+    """What candidates are beside: the plan and who plays it, the movements that are made for its moments, the words."""
+
+    planned: Plan
+    player: Player
+    winners: Sequence[Behavior]
+    words: Sequence[Word]
+
+
+@dataclass(frozen=True, slots=True)
+class _Weighed:
+    """What a candidate is worth in log-odds and what would have been enough; the parts of the sum, the largest
+    first."""
+
+    worth: float
+    enough: float
+    parts: tuple[Term, ...]
+
+
+def not_taken(
+    line: Understood, planned: Plan, player: Player, behaviors: Sequence[Behavior], *, near: float = NEAR
+) -> tuple[Behavior, ...]:
+    """The movements that rules offered for the line's functions, or that its moments were read as, that came `near`,
+    and of which `behaviors`, the schedule, has nothing on their words; in order of their words."""
+    offered = (each for each in _offered(line, player) if not _is_scheduled(each, player, behaviors))
     winners = [each for each in behaviors if each.kept and each.moment is not None]
-    told = (_told(each, planned, player, winners, words) for each in found)
+    shown = _Shown(planned, player, winners, line.utterance.words)
+    told = (_told(each, shown, near) for each in (*_banned_moments(planned, player), *offered))
     in_order = sorted(filter(None, told), key=lambda each: (each.first, each.last, each.id))
     return tuple(replace(each, id=f"{each.kind}{_OFFERED}{number}") for number, each in enumerate(in_order, start=1))
 
@@ -39,84 +78,154 @@ def is_offered(behavior: Behavior) -> bool:
     return _OFFERED in behavior.id
 
 
-def _offered(
-    line: Understood, player: Player, shown: Collection[tuple[Channel, str, str | None]]
-) -> Iterator[Behavior]:
-    """The offers of each function that are not in the schedule."""
-    by_function: dict[str, list[Support]] = {}
+def _offered(line: Understood, player: Player) -> Iterator[_Candidate]:
+    """What rules offer for hands, head and face, each movement once for an idea, about the strongest offer of it."""
+    stretches = stretches_of([word.text for word in line.utterance.words])
+    by_form: dict[tuple[Channel, str], list[Support]] = {}
     for support in supports_of(line.offers):
-        by_function.setdefault(support.function.id, []).append(support)
-    for supports in by_function.values():
-        for support in strongest(supports).values():
-            entry = player.behaviors[support.name]
-            if entry.channel in _PLANNED and (entry.channel, entry.lexeme, support.function.id) not in shown:
-                yield _behavior(support.name, player, support.function, support.rule, support.parts)
+        entry = player.behaviors[support.name]
+        if entry.channel in _PLANNED:
+            by_form.setdefault((entry.channel, _form(support.name, player)), []).append(support)
+    for (channel, _), supports in by_form.items():
+        left = sorted(supports, key=lambda each: -each.log_odds)
+        while left:
+            first, last = left[0].function.first, left[0].function.last
+            if channel is not Channel.GESTURE:
+                first, last = next((each for each in stretches if each[0] <= first <= each[1]), (first, last))
+            joined = [each for each in left if _touches(each, first, last, channel)]
+            left = [each for each in left if each not in joined]
+            yield _Candidate(joined[0].name, channel, first, last, tuple(joined))
 
 
-def _banned_moments(planned: Plan, player: Player) -> Iterator[Behavior]:
+def _form(name: str, player: Player) -> str:
+    """What makes two movements the same: the kind of a head movement or face, else the lexeme."""
+    return _kind(name, player) or player.behaviors[name].lexeme
+
+
+def _kind(name: str, player: Player) -> str | None:
+    channel, families = player.behaviors[name].channel, player.families
+    if channel is Channel.GESTURE:
+        return None
+    listed = families.head if channel is Channel.HEAD else families.face
+    return next((kind for kind, shown in listed.items() if any(each.name == name for each in shown)), None)
+
+
+def _touches(support: Support, first: int, last: int, channel: Channel) -> bool:
+    if channel is Channel.GESTURE:
+        first, last = first - 1, last + 1
+    return support.function.first <= last and first <= support.function.last
+
+
+def _is_scheduled(candidate: _Candidate, player: Player, behaviors: Iterable[Behavior]) -> bool:
+    """Whether the schedule has the movement on words that touch, kept or with its own reason why not."""
+    form = _form(candidate.name, player)
+    same = {entry.lexeme for name, entry in player.behaviors.items() if _form(name, player) == form}
+    return any(
+        each.kind is candidate.channel
+        and each.lexeme in same
+        and each.rule is not None
+        and each.first <= candidate.last + 1
+        and candidate.first <= each.last + 1
+        for each in behaviors
+    )
+
+
+def _banned_moments(planned: Plan, player: Player) -> Iterator[_Candidate]:
     """The planned moments for which everything that could show them is forbidden."""
     for moment in planned.moments:
         names = behaviors_of(player.families, moment)
-        bans = [player.banned(name, moment.first, moment.last) for name in names]
-        if names and all(bans):
-            yield _behavior(names[0], player, moment, f"{moment.channel}_family_{moment.families[0]}", moment.terms)
+        if names and all(player.banned(name, moment.first, moment.last) for name in names):
+            yield _Candidate(names[0], moment.channel, moment.first, moment.last, moment=moment)
 
 
-def _behavior(name: str, player: Player, shown: Function | Moment, rule: str, parts: tuple[Term, ...]) -> Behavior:
-    entry = player.behaviors[name]
-    return Behavior(
-        id=name,
-        kind=entry.channel,
-        lexeme=entry.lexeme,
-        sync=SyncPoints(0.0, 0.0),
-        first=shown.first,
-        last=shown.last,
-        priority=shown.priority if isinstance(shown, Function) else 0.0,
-        rule=rule,
-        function=shown.id if isinstance(shown, Function) else None,
-        moment=shown.id if isinstance(shown, Moment) else None,
-        kept=False,
-        decided_by=parts,
-    )
-
-
-def _told(
-    behavior: Behavior, planned: Plan, player: Player, winners: Sequence[Behavior], words: Sequence[Word]
-) -> Behavior | None:
-    """The behaviour with its time and the reason; None where none of its words is spoken."""
-    heard = [word.interval for word in words[behavior.first : behavior.last + 1] if word.interval]
+def _told(candidate: _Candidate, shown: _Shown, near: float) -> Behavior | None:
+    """The candidate as a behaviour with its time and the reason; None where none of its words is spoken, or it did not
+    come near."""
+    planned, player, words = shown.planned, shown.player, shown.words
+    heard = [word.interval for word in words[candidate.first : candidate.last + 1] if word.interval]
     if not heard:
         return None
     interval = Interval(heard[0].start_s, heard[-1].end_s)
-    sync = SyncPoints(interval.start_s, interval.end_s)
-    ban = player.banned(behavior.id, behavior.first, behavior.last)
+    ban = player.banned(candidate.name, candidate.first, candidate.last)
+    winner = None if ban else _in_its_place(candidate.channel, shown.winners, interval)
+    weighed = _weighed(candidate, planned, player, winner)
+    behavior = replace(_behavior(candidate, player, interval), decided_by=weighed.parts)
     if ban is not None:
-        return replace(behavior, sync=sync, limit=NEVER, reason=ban.why)
-    own = _worth(behavior, planned)
-    winner = _in_its_place(behavior, winners, interval)
-    told = "" if own is None else f" ({own:+.1f} in log-odds)"
+        return replace(behavior, limit=NEVER, reason=ban.why)
+    if weighed.worth < weighed.enough - near:
+        return None
     if winner is None:
-        return replace(behavior, sync=sync, limit=PRICE, reason=f"worth too little to be made there{told}")
-    return replace(
-        behavior, sync=sync, lost_to=winner.id, reason=f"{winner.lexeme} is worth more there than this{told}"
+        why = f"worth too little to be made there ({weighed.worth - weighed.enough:+.1f} in log-odds)"
+        return replace(behavior, limit=PRICE, reason=why + _also(candidate))
+    why = f"{winner.lexeme} has its place; this is worth {weighed.worth - weighed.enough:+.1f} in log-odds beside it"
+    return replace(behavior, lost_to=winner.id, reason=why + _also(candidate))
+
+
+def _also(candidate: _Candidate) -> str:
+    """The further offers of the movement."""
+    rules = dict.fromkeys(each.rule for each in candidate.supports[1:])
+    others = ", ".join(rule for rule in rules if rule != candidate.supports[0].rule)
+    return f"; also offered by {others}" if others else ""
+
+
+def _behavior(candidate: _Candidate, player: Player, interval: Interval) -> Behavior:
+    entry, moment = player.behaviors[candidate.name], candidate.moment
+    support = candidate.supports[0] if candidate.supports else None
+    return Behavior(
+        id=candidate.name,
+        kind=entry.channel,
+        lexeme=entry.lexeme,
+        sync=SyncPoints(interval.start_s, interval.end_s),
+        first=candidate.first,
+        last=candidate.last,
+        priority=support.function.priority if support else 0.0,
+        rule=support.rule if support else f"{candidate.channel}_family_{moment.families[0]}" if moment else None,
+        function=support.function.id if support else None,
+        moment=moment.id if moment else None,
+        kept=False,
     )
 
 
-def _worth(behavior: Behavior, planned: Plan) -> float | None:
-    """The most that a gesture is worth on its words."""
-    if planned.worths is None or behavior.kind is not Channel.GESTURE:
+def _weighed(candidate: _Candidate, planned: Plan, player: Player, winner: Behavior | None) -> _Weighed:
+    """What the candidate is worth where it is worth most, and what would have been enough."""
+    if candidate.moment is not None:
+        return _Weighed(0.0, 0.0, candidate.moment.terms)
+    own = candidate.supports[0].parts if candidate.supports else ()
+    if candidate.channel is Channel.GESTURE:
+        return _as_gesture(candidate, planned, player, winner) or _Weighed(-inf, 0.0, own)
+    return _as_kind(candidate, planned, player) or _Weighed(-inf, 0.0, own)
+
+
+def _as_gesture(candidate: _Candidate, planned: Plan, player: Player, winner: Behavior | None) -> _Weighed | None:
+    worths, lexeme = planned.worths, player.lexeme(candidate.name)
+    if worths is None or lexeme not in worths.lexemes:
         return None
-    worths = (planned.worths.of(word, behavior.lexeme) for word in range(behavior.first, behavior.last + 1))
-    return max((each for each in worths if each is not None), default=None)
+    by_word = {word: worths.of(word, lexeme) or 0.0 for word in range(candidate.first, candidate.last + 1)}
+    word = max(by_word, key=lambda each: by_word[each])
+    stroke = next((each.stroke for each in planned.moments if winner and each.id == winner.moment), None)
+    made = None if winner is None or stroke is None else worths.of(stroke, winner.lexeme)
+    price = min(max(planned.price, 0.01), 0.99)
+    enough = log(price / (1 - price)) if made is None else made
+    return _Weighed(by_word[word], enough, worths.parts(word, lexeme))
 
 
-def _in_its_place(behavior: Behavior, behaviors: Iterable[Behavior], interval: Interval) -> Behavior | None:
+def _as_kind(candidate: _Candidate, planned: Plan, player: Player) -> _Weighed | None:
+    """A head movement or face beside the threshold of its kind."""
+    worths, kind = planned.kinds.get(candidate.channel), _kind(candidate.name, player)
+    if worths is None or kind is None or kind not in worths.kinds:
+        return None
+    margin, column = worths.margin(kind, candidate.first, candidate.last), worths.kinds.index(kind)
+    word = max(range(candidate.first, candidate.last + 1), key=lambda each: float(worths.likely[each, column]))
+    return _Weighed(margin, 0.0, worths.parts(kind, word))
+
+
+def _in_its_place(channel: Channel, behaviors: Iterable[Behavior], interval: Interval) -> Behavior | None:
     """The kept behaviour of the same channel that is nearest in time, if it leaves no room for another."""
-    apart_s = STROKES_APART_S if behavior.kind is Channel.GESTURE else 0.0
+    apart_s = STROKES_APART_S if channel is Channel.GESTURE else 0.0
     near = [
         each
         for each in behaviors
-        if each.kind is behavior.kind
+        if each.kind is channel
         and each.sync.start < interval.end_s + apart_s
         and interval.start_s - apart_s < each.sync.end
     ]

@@ -15,7 +15,7 @@ from ..characters.overlays import Character
 from ..idle.idle_behaviors import idle_behaviors
 from ..idle.saccades import TALKING
 from ..idle.stillness import to_thousandths
-from ..reading.player import Ban
+from ..reading.player import Ban, banned
 from ..timing.anchoring import PlacedBehavior, interval_of, placed_idle
 from ..timing.conflicts import Kept, resolve
 from ..timing.transitions import eased
@@ -69,13 +69,13 @@ def schedule(
     kept, lost = in_mode(mode, (kept, (*lost, *needless)), usual, seed)
     kept, own_lost = resolve(_idle(kept, utterance, usual, seed, several_listeners=several_listeners), kept)
     kept = eased(kept)
-    rest = Rest.of(utterance, timed, character, f"{seed} rest")
+    rest = Rest.of(utterance, timed, character, f"{seed} rest", bans)
     kept += fillers(kept, rest, replace(TALKING, eye_contact=character.eye_contact))
     return numbered([*(candidate.behavior for candidate in kept), *lost, *own_lost])
 
 
 def _idle(kept: Kept, utterance: Utterance, line: Line, seed: int, *, several_listeners: bool) -> list[PlacedBehavior]:
-    """What the body does by itself beside the kept."""
+    """What the body does by itself beside the kept, and nobody forbids."""
     character = line.character
     gazes = [each.behavior.sync for each in kept if each.behavior.kind is Channel.GAZE]
     looks = [Interval(sync.start, sync.end) for sync in gazes]
@@ -89,7 +89,9 @@ def _idle(kept: Kept, utterance: Utterance, line: Line, seed: int, *, several_li
         turning_beside=looks if several_listeners else None,
     )
     return [
-        placed_idle(each, character.entries[each.name], f"own.{number:04d}") for number, each in enumerate(behaviors)
+        placed_idle(each, character.entries[each.name], f"own.{number:04d}")
+        for number, each in enumerate(behaviors)
+        if not banned(line.bans, each.name, each.word, each.word)
     ]
 
 

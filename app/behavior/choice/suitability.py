@@ -70,7 +70,7 @@ def _repeats(behavior: Behavior, other: Behavior) -> bool:
 
 def _habit(gesture: Behavior, kept: KeptByTime) -> float:
     """How well a gesture suits the others around it (paper §3.4: against inordinate switching of hands and repeating a
-    gesture). Planned gestures are refused instead (`_refused`)."""
+    gesture). The worth of planned gestures takes account of what was shown just before, and switching is refused."""
     if gesture.moment:
         return 1.0
     at_s = stroke_s(gesture)

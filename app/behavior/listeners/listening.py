@@ -18,6 +18,7 @@ from ..choice.filling import Rest, fillers
 from ..choice.scheduling import numbered
 from ..idle.idle_behaviors import IdleBehavior, blinks
 from ..idle.saccades import LISTENING
+from ..reading.player import Ban, banned
 from ..timing.anchoring import PlacedBehavior, placed_idle
 from ..timing.conflicts import resolve
 from ..timing.phases import Placing
@@ -41,11 +42,23 @@ _SIDES: Mapping[str, str] = MappingProxyType({"LEFT": "RIGHT", "RIGHT": "LEFT"})
 
 @dataclass(frozen=True, slots=True)
 class Listener:
-    """The listener's character, the rates of its head movements, and the name of the speaker it looks at."""
+    """The listener's character, the rates of its head movements, the name of the speaker it looks at, and what it
+    never does."""
 
     character: Character
     rates: HeadRates
     speaker: str
+    bans: tuple[Ban, ...] = ()
+
+    def never(self, name: str, word: int) -> bool:
+        return banned(self.bans, name, word, word) is not None
+
+    def never_moves(self, lexeme: str) -> bool:
+        """Whether it makes no head movement with a lexeme."""
+        entries = self.character.entries.items()
+        return any(
+            self.never(name, 0) for name, entry in entries if (entry.channel, entry.lexeme) == (Channel.HEAD, lexeme)
+        )
 
 
 def listen(
@@ -63,16 +76,19 @@ def listen(
         for behavior in behaviors
         if _is_mirrored(behavior) and generator.random() < listener.rates.mirrored
     ]
+    mirrored = [each for each in mirrored if not listener.never_moves(each.behavior.lexeme)]
     candidates = [
         IdleBehavior("gaze_opening", 0.0, timed[0].index, "looks at the speaker"),
         *_nods(timed, listener.rates, generator),
         *blinks(utterance, timed, luck),
     ]
     own = [
-        placed_idle(idle, character.entries[idle.name], f"own.{number:04d}") for number, idle in enumerate(candidates)
+        placed_idle(idle, character.entries[idle.name], f"own.{number:04d}")
+        for number, idle in enumerate(candidates)
+        if not listener.never(idle.name, idle.word)
     ]
     kept, lost = resolve([*mirrored, *own])
-    kept += fillers(kept, Rest.of(utterance, timed, character, luck), LISTENING)
+    kept += fillers(kept, Rest.of(utterance, timed, character, luck, listener.bans), LISTENING)
     return tuple(
         replace(behavior, target=listener.speaker) if behavior.kind is Channel.GAZE else behavior
         for behavior in numbered([*(each.behavior for each in kept), *lost])

@@ -7,28 +7,31 @@ are planned for the stretches in which directors would likely want them.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import accumulate, chain
 from math import exp, log
 from pathlib import Path
 from types import MappingProxyType
+from typing import TypeAlias
 
 import numpy as np
 
 from ...model import BehaviorCandidates, Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
 from .authored_weights import TermNames, load_weights
-from .choice_model import READING, ChoiceModel, log_odds_of, worth_of
+from .choice_model import ChoiceModel, log_odds_of, worth_of
 from .contrasts import CONTRAST, Ground, PlacedStroke, placed_strokes, with_placed
 from .decoding import NEAR, USUAL_WORD_S, gains, spans_of, spread, stretches_of, strokes, usual_times_s
 from .delivery import Delivery
 from .encoder import Encoder, Reading
-from .families import Families, merged
+from .families import Families, FamilyBehavior, merged
+from .kinds import KindWorths, kind_supports, kind_worths
 from .parallels import parallel_strokes
 from .player import Player
 from .supports import Support, supports_of
 from .terms import Fact, TermTable, terms_of
 from .worths import (
     LineWorths,
+    after_what_was_shown,
     chance_of,
     chance_of_lexemes,
     focus_of,
@@ -123,11 +126,13 @@ class Understood:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Plan:
-    """The moments of a line in order of their words, and the worths by which the gestures among them were chosen; None
-    where nothing was weighed."""
+    """The moments of a line in order of their words, the worths by which the gestures among them were chosen (None
+    where nothing was weighed) with their price, and those of the kinds of head movement and face, by channel."""
 
     moments: tuple[Moment, ...] = ()
     worths: LineWorths | None = None
+    price: float = 0.0
+    kinds: Mapping[Channel, KindWorths] = field(default_factory=dict)
 
 
 def plan(planner: Planner, line: Understood, player: Player, *, still: Sequence[int] = ()) -> Plan:
@@ -144,25 +149,37 @@ def plan(planner: Planner, line: Understood, player: Player, *, still: Sequence[
     placed = {each.word: each for each in parallel_strokes(utterance, ground)} if player.quantity > SPARING else {}
     placed = placed or _placed(planner, worths, line.functions, taken, ground)
     taken = with_placed(taken, placed.values(), ground)
+    worths = after_what_was_shown(worths, [word for word in taken if word not in placed], ground.times_s)
+    kinds = {each.channel: each for each in _heads_and_faces(planner, reading, line, worths.terms, player)}
+    stretches = stretches_of([word.text for word in utterance.words])
     moments = chain(
         (_in_place(moment, placed) for moment in _gestures(worths, utterance, taken, ground)),
-        _heads_and_faces(planner, reading, line, worths.terms, player),
+        *(_spans(each, stretches) for each in kinds.values()),
     )
-    return Plan(tuple(sorted(moments, key=lambda moment: (moment.stroke, moment.channel, moment.first))), worths)
+    in_order = sorted(moments, key=lambda moment: (moment.stroke, moment.channel, moment.first))
+    return Plan(tuple(in_order), worths, price, kinds)
 
 
 def _heads_and_faces(
     planner: Planner, reading: Reading, line: Understood, terms: Sequence[frozenset[str]], player: Player
-) -> Iterator[Moment]:
-    utterance, choice = line.utterance, planner.choice
-    stretches = stretches_of([word.text for word in utterance.words])
-    for channel, likely, kinds, levels in (
-        (Channel.HEAD, reading.head, planner.encoder.head, choice.head),
-        (Channel.FACE, reading.face, planner.encoder.face, choice.face),
-    ):
-        added = kinds_added(kinds, terms, planner.kind_weights) + _of_chance(channel, player, utterance, len(kinds))
-        heard = worth_of(log_odds_of(likely) + added)
-        yield from _spans(channel, heard, stretches, kinds, _at_quantity(levels, player.quantity))
+) -> Iterator[KindWorths]:
+    encoder, choice = planner.encoder, planner.choice
+    read: tuple[_Kinds, ...] = (
+        (Channel.HEAD, reading.head, encoder.head, choice.head, player.families.head),
+        (Channel.FACE, reading.face, encoder.face, choice.face, player.families.face),
+    )
+    offered = tuple(supports_of(line.offers))
+    for channel, likely, kinds, levels, listed in read:
+        added = kinds_added(kinds, terms, planner.kind_weights)
+        chance = _of_chance(channel, player, line.utterance, len(kinds))
+        supports = kind_supports(offered, {kind: listed[kind] for kind in kinds if kind in listed})
+        yield kind_worths(channel, kinds, (likely, added, chance), supports, _at_quantity(levels, player.quantity))
+
+
+_Kinds: TypeAlias = tuple[
+    Channel, SingleArray, Sequence[str], Mapping[str, float], Mapping[str, tuple[FamilyBehavior, ...]]
+]
+"""A channel, how likely its kinds are on each word (W, K), the kinds, their thresholds, and what shows them."""
 
 
 def _of_chance(channel: Channel, player: Player, utterance: Utterance, kinds: int) -> SingleArray:
@@ -353,27 +370,21 @@ def _phrase_about(utterance: Utterance, stroke: int, after: int, before: int) ->
     return max(first, after + 1), min(last, before - 1)
 
 
-def _spans(
-    channel: Channel,
-    likely: SingleArray,
-    stretches: Sequence[tuple[int, int]],
-    kinds: Sequence[str],
-    thresholds: Mapping[str, float],
-) -> Iterator[Moment]:
+def _spans(worths: KindWorths, stretches: Sequence[tuple[int, int]]) -> Iterator[Moment]:
     """Head movements or faces; the stroke of each falls on its likeliest word."""
-    for span in spans_of(kinds, likely, stretches, thresholds):
-        column = likely[:, kinds.index(span.kind)]
-        weight = float(log_odds_of(np.array([span.likely], np.float32))[0])
+    for span in spans_of(worths.kinds, worths.likely, stretches, worths.thresholds):
+        column = worths.likely[:, worths.kinds.index(span.kind)]
+        stroke = span.first + int(column[span.first : span.last + 1].argmax())
         yield Moment(
-            id=f"moment.{channel}.{span.kind}.{span.first}",
-            channel=channel,
+            id=f"moment.{worths.channel}.{span.kind}.{span.first}",
+            channel=worths.channel,
             first=span.first,
             last=span.last,
-            stroke=span.first + int(column[span.first : span.last + 1].argmax()),
+            stroke=stroke,
             families=(span.kind,),
             importance=round(span.likely, 3),
             shares=(round(span.likely, 3),),
-            terms=(Term(f"{READING}: {span.kind}", round(weight, 2)),),
+            terms=worths.parts(span.kind, stroke),
         )
 
 

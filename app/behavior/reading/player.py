@@ -22,6 +22,11 @@ class Ban:
         return self.first <= last and first <= self.last
 
 
+def banned(bans: Iterable[Ban], name: str, first: int, last: int) -> Ban | None:
+    """What forbids a behaviour over these words, if anything does."""
+    return next((ban for ban in bans if name in ban.names and ban.covers(first, last)), None)
+
+
 @dataclass(frozen=True, slots=True)
 class Player:
     """The families of behaviours, the character's table by name, the seed of the take, how much is played (1 is as much
@@ -40,7 +45,7 @@ class Player:
 
     def banned(self, name: str, first: int, last: int) -> Ban | None:
         """What forbids a behaviour over these words, if anything does."""
-        return next((ban for ban in self.bans if name in ban.names and ban.covers(first, last)), None)
+        return banned(self.bans, name, first, last)
 
     def lexemes(self) -> frozenset[str]:
         """The lexemes of its gestures."""

@@ -33,6 +33,7 @@ from ..candidates.notes import WORDS_NEAR
 from ..candidates.vocabulary import ANYTHING, HANDS, STILL
 from ..characters.overlays import Character
 from ..reading.families import Families, merged
+from ..reading.player import Player
 from ..table.behavior_table import BehaviorEntry
 
 Channels = Mapping[str, tuple[Channel, str]]
@@ -85,14 +86,16 @@ def _beside(behavior: Behavior, postures: Iterable[Behavior]) -> Behavior:
 
 
 def repertoire_of(
-    character: Character, families: Families, direction: Direction | None = None, kept: Iterable[Behavior] = ()
+    player: Player, character: Character, direction: Direction | None = None, kept: Iterable[Behavior] = ()
 ) -> Repertoire:
-    """What a character may play in a line: its gestures, what a director's notes close, and when its hands are taken by
-    the gestures among the `kept`."""
+    """What a character may play in a line: its gestures, what is forbidden and what a director's notes close, and when
+    its hands are taken by the gestures among the `kept`."""
+    families = player.families
+    forbidden = (Closed(ban.first, ban.last, lexemes) for ban, lexemes in player.banned_lexemes() if lexemes)
     asked = (each for each in kept if each.kept and each.kind is Channel.GESTURE)
     return Repertoire(
         gestures=dict(_playable(character.entries.values(), _needed_lemmas(families, character))),
-        closed=tuple(_closed(direction, families)) if direction else (),
+        closed=(*forbidden, *(_closed(direction, families) if direction else ())),
         taken=tuple(Interval(each.sync.start, each.sync.end) for each in asked),
     )
 

@@ -105,14 +105,6 @@ def test_the_same_gesture_within_five_seconds_is_less_suitable() -> None:
     assert lexemes(settled(between((movement("gesture_me", 4, priority=5),)), again)[0]) == ["ME", "YOU"]
 
 
-@pytest.mark.parametrize(("word", "made"), [(6, False), (8, True)])
-def test_no_planned_gesture_is_made_again_within_1_2_seconds(word: int, *, made: bool) -> None:
-    asks = [planned(between((movement("gesture_me", each),))) for each in (4, word)]
-    kept, lost = settled(*asks)
-    assert len(kept) == (2 if made else 1)
-    assert made or "made already within 1.2 s" in (lost[0].reason or "")
-
-
 @pytest.mark.parametrize(("word", "made"), [(8, False), (9, True)])
 def test_planned_hands_are_not_switched_within_two_seconds(word: int, *, made: bool) -> None:
     asks = [planned(between((movement(f"gesture_point_{side}", at),))) for side, at in (("left", 4), ("right", word))]

@@ -1,12 +1,17 @@
 """What was offered and is not shown names what has its place, or what forbade it."""
 
+from itertools import combinations
+from math import inf
+from typing import Literal
+
 import pytest
 
 from tests.behavior.candidates.test_demands import spoken
+from understudy.behavior.choice.offered import is_offered
 from understudy.model import Demand, Direction
 from understudy.models import Understudy
 from understudy.options import Options
-from understudy.performance import perform_analysis
+from understudy.performance import perform_analysis, perform_behaviors
 
 LINE = "No, I never said that it was the biggest house in town."
 
@@ -47,3 +52,50 @@ def test_planned_movements_name_what_decided_them_largest_first(understudy: Unde
         weights = [abs(part.weight) for part in each.decided_by]
         assert weights
         assert weights[:-1] == sorted(weights[:-1], reverse=True)
+
+
+def test_a_movement_that_is_offered_several_times_for_an_idea_is_told_once(understudy: Understudy) -> None:
+    behaviors = perform_behaviors(understudy.behavior, spoken(understudy, LINE), Options(), near=inf)
+    offered = [each for each in behaviors.performance.behaviors if is_offered(each)]
+    for one, other in combinations(offered, 2):
+        same = (one.kind, one.lexeme) == (other.kind, other.lexeme)
+        assert not same or one.last < other.first or other.last < one.first
+    assert any("also offered by" in (each.reason or "") for each in offered)
+
+
+def test_what_is_shown_is_not_told_as_offered_too(understudy: Understudy) -> None:
+    behaviors = perform_analysis(understudy, spoken(understudy, LINE), Options()).behaviors
+    shown = [each for each in behaviors if each.kept and each.rule]
+    for each in filter(is_offered, behaviors):
+        assert not [
+            one for one in shown if one.lexeme == each.lexeme and one.first <= each.last >= each.first >= one.last
+        ]
+
+
+def test_only_what_came_near_is_told(understudy: Understudy) -> None:
+    analysis = spoken(understudy, LINE)
+    near = perform_behaviors(understudy.behavior, analysis, Options()).performance.behaviors
+    every = perform_behaviors(understudy.behavior, analysis, Options(), near=inf).performance.behaviors
+    assert sum(map(is_offered, near)) < 0.5 * sum(map(is_offered, every))
+    assert [each for each in near if not is_offered(each)] == [each for each in every if not is_offered(each)]
+
+
+@pytest.mark.parametrize("choice", ["terms", "priority"])
+def test_every_movement_for_a_function_names_what_decided_it(
+    understudy: Understudy, choice: Literal["terms", "priority"]
+) -> None:
+    analysis = spoken(understudy, "I really think that you know it, and I know why.")
+    for each in perform_analysis(understudy, analysis, Options(choice=choice)).behaviors:
+        assert each.function is None or each.decided_by
+
+
+def test_where_functions_decide_the_parts_are_their_priority_and_the_rules_weight(understudy: Understudy) -> None:
+    performance = perform_analysis(understudy, spoken(understudy, LINE), Options(choice="priority"))
+    functions = {each.id: each for each in performance.functions}
+    shown = [each for each in performance.behaviors if each.kept and each.function]
+    assert shown
+    for each in shown:
+        function = functions[each.function or ""]
+        parts = {part.name: part.weight for part in each.decided_by}
+        assert parts[f"priority {function.priority:g} of {function.class_name}"] == function.priority
+        assert any(name.startswith(f"rule {each.rule}, weight ") for name in parts)

@@ -8,6 +8,7 @@ from understudy.behavior.characters.overlays import Character, Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.listeners.head_rates import HeadRates
 from understudy.behavior.listeners.listening import Listener, listen
+from understudy.behavior.reading.player import Ban
 from understudy.model import Behavior, Channel, Interval, Word
 
 LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
@@ -33,6 +34,14 @@ def test_the_head_is_mirrored_after_half_a_second() -> None:
     for (name, at_s), (_, spoken_s) in zip(mirrored.sync.in_order(), spoken_tilt.sync.in_order(), strict=True):
         assert at_s == pytest.approx(spoken_s + 0.5), name
     assert (mirrored.amount or 0) < (spoken_tilt.amount or 0)
+
+
+def test_a_listener_never_does_what_its_character_never_does() -> None:
+    never = Ban(0, 99, frozenset({"small_nod", "tilt_right", "blink"}), "never")
+    found = listen(SPOKEN, LINE, Listener(DEFAULT, EAGER, "ada", (never,)), seed=0)
+    asked = [each for each in found if each.kind is Channel.HEAD and "still" not in (each.reason or "")]
+    assert asked == []
+    assert not [each for each in found if each.kind is Channel.EYES]
 
 
 def test_a_listener_keeps_the_hands_still_and_the_eyes_on_the_speaker() -> None:

@@ -2,14 +2,17 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
 
 from understudy.behavior.reading.decoding import STROKES_APART_S, usual_times_s
+from understudy.behavior.reading.kinds import USUAL_SUPPORT, KindWorths
 from understudy.behavior.reading.planning import Plan, Understood, plan
 from understudy.behavior.reading.player import Player
 from understudy.behavior.reading.supports import WEIGHT_SCALE
+from understudy.behavior.reading.worths import JUST_BEFORE, JUST_SHOWN, JUST_SHOWN_S, after_what_was_shown
 from understudy.model import (
     DEFAULT_CHARACTER,
     Alternative,
@@ -141,6 +144,42 @@ def test_a_mapping_rules_weight_moves_its_gesture(understudy: Understudy) -> Non
         return worths.of(0, entry.lexeme) or 0.0
 
     assert log_odds(100.0) - log_odds(1.0) == pytest.approx(WEIGHT_SCALE * math.log(100), abs=1e-3)
+
+
+def test_what_was_shown_just_before_is_worth_less_and_says_so(understudy: Understudy) -> None:
+    found = plan_of(understudy, LINES[0], player(understudy))
+    assert found.worths is not None
+    before = replace(found.worths, just_shown={})
+    lexeme = list(before.lexemes)[int(before.log_odds[2].argmax())]
+    after = after_what_was_shown(before, [2, 6], [0.5 * word for word in range(12)])
+    lost = (after.of(6, lexeme) or 0.0) - (before.of(6, lexeme) or 0.0)
+    assert lost == pytest.approx(JUST_SHOWN * (1 - 2.0 / JUST_SHOWN_S), abs=1e-3)
+    assert {part.name: part.weight for part in after.parts(6, lexeme)}[JUST_BEFORE] == pytest.approx(lost, abs=0.01)
+    assert after.of(2, lexeme) == before.of(2, lexeme)
+
+
+def test_nothing_is_lost_for_what_was_shown_long_before(understudy: Understudy) -> None:
+    worths = plan_of(understudy, LINES[0], player(understudy)).worths
+    assert worths is not None
+    assert after_what_was_shown(worths, [0, 6], [JUST_SHOWN_S * word for word in range(12)]).just_shown == {}
+
+
+def test_a_rule_of_more_than_the_usual_weight_moves_the_head(understudy: Understudy) -> None:
+    analysis = find_functions(understudy.language, "Whatever you say, it goes in the book.")
+    function = Function("f1", "negation", "plain", 4, 7, 3.0, "own")
+    movement = Movement("double_nod", 4, 7, 3.0, "own", "f1")
+
+    def heads(weight: float) -> KindWorths:
+        offer = BehaviorCandidates(function, (Alternative((movement,), weight, 1.0),))
+        line = Understood(analysis.utterance, analysis.functions, (), (offer,))
+        return plan(understudy.behavior.planner, line, player(understudy)).kinds[Channel.HEAD]
+
+    usual, great = heads(3.0), heads(1000.0)
+    surplus = WEIGHT_SCALE * math.log(1000) - USUAL_SUPPORT
+    assert great.margin("nod", 4, 7) - usual.margin("nod", 4, 7) == pytest.approx(surplus, abs=0.4)
+    assert great.margin("tilt", 4, 7) == usual.margin("tilt", 4, 7)
+    assert "rule own, more than usual" in {term.name for term in great.parts("nod", 5)}
+    assert "rule own, more than usual" not in {term.name for term in usual.parts("nod", 5)}
 
 
 def test_seed_0_is_the_best_take_and_others_are_drawn_near_it(understudy: Understudy) -> None:
