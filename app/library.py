@@ -61,6 +61,7 @@ from .schemas.options import RealizeOptions, check_options, check_realize_option
 from .schemas.requests import read_timings
 from .schemas.response_model import ResponseModel
 from .schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse
+from .schemas.spoken_lines import spoken_line
 from .settings import Settings, read_settings
 
 FileSource = bytes | str | os.PathLike[str]
@@ -146,6 +147,30 @@ def perform(
     fields: dict[str, Any] = {**options}
     reference = fields.pop("reference", None)
     line = replace(_line(audio, text, words, functions), direction=direction)
+    made = edits if isinstance(edits, Edits) else read_edits(_content(edits))
+    return _perform(models, line, replace(check_options(fields), reference=reference).with_edits(made))
+
+
+def say(
+    models: Understudy,
+    text: str,
+    *,
+    words: FileSource | Timings | None = None,
+    functions: Sequence[GivenFunction] = (),
+    direction: Direction | None = None,
+    edits: FileSource | Edits = NO_EDITS,
+    **options: Unpack[PerformKeywords],
+) -> Performance:
+    """The performance of a line without a recording, timed as it is usually spoken (Hartmann, Mancini & Pelachaud 2002,
+    §5, with a synthesizer's times in `words`).
+
+    `text` may mark *emphasis*, or be XML with the tags of SSML, APML and our own (docs/say.md). The other arguments are
+    those of `perform`; agitation is medium and the feeling neutral unless given. Raises InputError as `perform` does,
+    and `tags_wrong`.
+    """
+    fields: dict[str, Any] = {**options}
+    reference = fields.pop("reference", None)
+    line = spoken_line(text, _timings(words), tuple(functions), direction)
     made = edits if isinstance(edits, Edits) else read_edits(_content(edits))
     return _perform(models, line, replace(check_options(fields), reference=reference).with_edits(made))
 
@@ -399,7 +424,7 @@ def _response(found: Performance | Analysis | AlignedLine) -> ResponseModel:
             return PerformanceResponse.of_performance(found)
         case AlignedLine():
             return AlignResponse.of(found)
-        case Analysis() if found.heard is None:
+        case Analysis() if found.utterance.duration_s is None:
             return FunctionsResponse.of(found)
         case Analysis():
             return AnalysisResponse.of(found)

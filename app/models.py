@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from .behavior.reading.families import Families
     from .behavior.reading.planning import Planner
     from .behavior.slots.table import SlotTable
+    from .marked_text.tag_table import TagTable
     from .model import Tone
     from .model.limits.gesture_limits import GestureTable
     from .profiles.profile import Profile
@@ -278,6 +279,13 @@ def load_function_classes() -> Mapping[str, Mapping[str, float]]:
     from .rules.priorities import Priorities
 
     return Priorities.load(RULES / "functions" / "priorities.yaml").root
+
+
+def load_tag_table() -> TagTable:
+    """What tags of a text that is to be spoken mean; raises AuthoringError with every mistake in their table."""
+    from .marked_text.tag_table import FILE, TagTable
+
+    return TagTable.load(resource_folder("lexicon") / FILE, load_function_classes())
 
 
 def load_tags() -> frozenset[str]:

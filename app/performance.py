@@ -11,7 +11,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from .acoustic.affect.given import given_line
-from .acoustic.stage import AcousticModels, align_words, analyze_signal, hear_affect, hear_manners, measure_stress
+from .acoustic.stage import (
+    AcousticModels,
+    align_words,
+    analyze_signal,
+    hear_affect,
+    hear_manners,
+    measure_stress,
+)
+from .acoustic.unheard import pace_words, stress_unheard, unheard_affect, unheard_manner
 from .behavior.candidates.notes import check_direction, conflicts
 from .behavior.choice.offered import NEAR
 from .behavior.idle.stillness import with_stillness
@@ -41,6 +49,7 @@ from .model import (
     Notice,
     Performance,
     SignalAnalysis,
+    Speaking,
     Utterance,
     Word,
 )
@@ -197,7 +206,10 @@ def analyze(
     edits: Sequence[WordEdit] = (),
     progress: Progress = no_progress,
 ) -> Analysis:
-    """The analysis of a recorded line (paper §3.1 to §3.3); an author's `edits` correct word times."""
+    """The analysis of a line (paper §3.1 to §3.3); an author's `edits` correct word times. A line without a recording
+    is timed by its words alone (`pace_words`)."""
+    if line.audio is None:
+        return _analyze_unheard(understudy, line, agitation=agitation, affect=affect, edits=edits, progress=progress)
     acoustic, language = understudy.acoustic, understudy.language
     transcript = read_transcript(line.text, max_characters=language.settings.max_text_characters)
     heard = analyze_signal(acoustic, line.audio, progress, reference=reference)
@@ -222,6 +234,51 @@ def analyze(
     progress("functions")
     known = understand(language.rules, utterance, given=line.functions)
     return Analysis(utterance, known.functions, heard.notices + timed.notices + edit_notices, heard, known.facts)
+
+
+def _analyze_unheard(
+    understudy: Understudy,
+    line: Line,
+    *,
+    agitation: Level | None,
+    affect: AffectTrack | None,
+    edits: Sequence[WordEdit],
+    progress: Progress,
+) -> Analysis:
+    """The analysis of a line that nobody has spoken: its voice is calm and neutral unless the caller says otherwise."""
+    language = understudy.language
+    transcript = read_transcript(line.text, max_characters=language.settings.max_text_characters)
+    progress("align")
+    spoken = pace_words(understudy.acoustic, transcript, line.speaking, line.timings)
+    words, edit_notices = corrected(spoken.words, edits, duration_s=spoken.duration_s)
+    progress("parse")
+    parse = language.parser.parse(words)
+    progress("stress")
+    timed = replace(spoken, words=words)
+    words = stress_unheard(understudy.acoustic, timed, parse, timed=line.timings is not None)
+    level = _certain(agitation or Level.MEDIUM)
+    feeling = unheard_affect(words) if affect is None else given_line(affect, words, spoken.duration_s)
+    utterance = Utterance(
+        words=words,
+        parse=parse,
+        agitation=level,
+        duration_s=spoken.duration_s,
+        fillers=spoken.fillers,
+        affect=feeling,
+        manners=unheard_manner(timed, level, feeling),
+    )
+    progress("functions")
+    known = understand(language.rules, utterance, given=line.functions)
+    notices = (*_unread(line.speaking), *spoken.notices, *edit_notices)
+    return Analysis(utterance, known.functions, notices, facts=known.facts)
+
+
+def _unread(speaking: Speaking) -> tuple[Notice, ...]:
+    """A notice of tags that say nothing here."""
+    if not speaking.unread_tags:
+        return ()
+    names = ", ".join(f"<{name}>" for name in speaking.unread_tags)
+    return (Notice("tags_unread", f"tags that are not read, only what is inside: {names}"),)
 
 
 def _feeling(

@@ -37,6 +37,7 @@ from .alignment.timings import read_fillers, read_timings
 from .contours import contours_of
 from .focus.focus import FocusModel
 from .focus.listeners import Listeners
+from .pacing.pacing import Pace
 from .signal.background import doubts
 from .signal.decoding import AudioLimits, decode
 from .stress.emphasis import Measure, with_emphasis
@@ -55,6 +56,7 @@ class AcousticModels:
     affect: AffectJudge
     listeners: Listeners
     focus: FocusModel
+    when_pacing: OnDemand[Pace]
 
     @classmethod
     def load(cls, settings: Settings) -> "AcousticModels":
@@ -67,6 +69,7 @@ class AcousticModels:
             affect=_affect_judge(settings, models / "affect"),
             listeners=Listeners.load(models / "focus" / "emphases.onnx"),
             focus=FocusModel.load(models / "focus" / "focus.npz"),
+            when_pacing=OnDemand(lambda: Pace.load(lexicon)),
         )
 
     @property

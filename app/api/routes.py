@@ -16,13 +16,15 @@ router = APIRouter()
 
 @router.post("/perform")
 async def post_perform(request: Request, shared: Shared) -> Response:
-    """One line: audio and text in, BML or (by `Accept`) JSON out. `options` is JSON: character, agitation, affect (a
-    tone, three numbers, or rows of a time and these), seed, mode, listener (a list of names; then only JSON is
-    answered), dialect, timing, visemes, bmlt_audio, lead_in_s (0 to 3), stillness (0 to 1), profile (whose gestures),
-    choice (terms or priority), contours (JSON has f0 and energy, too), targets (names,
-    each with [x, y, z] in metres), reference (what `understudy reference` writes). The file `reference` is the same
-    as a .json, or another recording of the speaker; `functions` are functions known already, `direction` is a
-    director's notes (docs/directing.md), `edits` are what an author changed (docs/edits.md), `profile` is a gesture
+    """One line: audio and text in, BML or (by `Accept`) JSON out. Without `audio` the text is timed as it is usually
+    spoken, or as `words` says, and may have marks of emphasis and tags (docs/say.md).
+
+    `options` is JSON: character, agitation, affect (a tone, three numbers, or rows of a time and these), seed, mode,
+    listener (a list of names; then only JSON is answered), dialect, timing, visemes, bmlt_audio, lead_in_s (0 to 3),
+    stillness (0 to 1), profile (whose gestures), choice (terms or priority), contours (JSON has f0 and energy, too),
+    targets (names, each with [x, y, z] in metres), reference (what `understudy reference` writes). The file `reference`
+    is the same as a .json, or another recording of the speaker; `functions` are functions known already, `direction` is
+    a director's notes (docs/directing.md), `edits` are what an author changed (docs/edits.md), `profile` is a gesture
     profile's file (docs/profiles.md).
     """
     chosen(request.headers.get("accept"), (XML, JSON), "a performance")

@@ -7,6 +7,10 @@ from types import MappingProxyType
 
 from pydantic import RootModel
 
+from ..acoustic.pacing.pause_table import FILE as PACING
+from ..acoustic.pacing.pause_table import PauseTable
+from ..acoustic.pacing.phone_durations import FILE as PHONE_DURATIONS
+from ..acoustic.pacing.phone_durations import PhoneDurations
 from ..acoustic.pronunciation.normalisation import Normaliser
 from ..behavior.candidates.attitudes import load_attitudes
 from ..behavior.candidates.vocabulary import BANNABLE
@@ -23,10 +27,10 @@ from ..bml.reading.aliases import LexemeAliases
 from ..bml.writing.smartbody_tables import FILE as SMARTBODY
 from ..bml.writing.smartbody_tables import SmartBodyTables
 from ..errors import AuthoringError, InputError, Mistake, collected
-from ..live.phone_durations import FILE as PHONE_DURATIONS
-from ..live.phone_durations import PhoneDurations
 from ..live.table import FILE as LIVE
 from ..live.table import LiveTable
+from ..marked_text.tag_table import FILE as TAGS
+from ..marked_text.tag_table import TagTable
 from ..model import Channel, Hand, Level
 from ..models import (
     AUTHORED,
@@ -111,6 +115,8 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         FAPS: FapTable.load,
         LIVE: lambda file: LiveTable.load(file, load_characters().behavior_names),
         PHONE_DURATIONS: PhoneDurations.load,
+        PACING: PauseTable.load,
+        TAGS: lambda file: TagTable.load(file, load_function_classes()),
         ALIASES: lambda file: read_aliases(file, Library.of(_definitions_beside(file)).categories),
     }
 )
@@ -142,6 +148,8 @@ def check_files_in_use() -> None:
         partial(LexemeAliases.load, lexicon / BML_ALIASES),
         lambda: LiveTable.load(lexicon / LIVE, load_characters().behavior_names),
         partial(PhoneDurations.load, lexicon / PHONE_DURATIONS),
+        partial(PauseTable.load, lexicon / PACING),
+        lambda: TagTable.load(lexicon / TAGS, load_function_classes()),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     ) or _mistakes_of(
         lambda: check_coverage(lexicon, load_gestures()),

@@ -32,7 +32,7 @@ from ..profiles.generation.script import GestureScript
 from ..profiles.profile import Profile
 from ..settings import Settings
 from .candidates.attitudes import Attitude, attitude_candidates, without_faces
-from .candidates.demands import banned_by, beside, demanded, kept_free, permitted, wherever_offered
+from .candidates.demands import banned_by, beside, demanded, kept_free, named, permitted, wherever_offered
 from .candidates.notes import directed, unplayed_notes
 from .candidates.planned import candidates_of
 from .candidates.targets import mentions, pointing_candidates, without_overlapped
@@ -147,7 +147,7 @@ def performer_of(
     character = abstaining(models.performers.named(options.character, analysis.utterance.level), models.families)
     character = as_speaker(character, profile) if profile else character
     always = wherever_offered(character.always, supports_of(offers), f"the character {character.name}")
-    noted = direction.demands if direction else ()
+    noted = tuple(named(direction.demands, character.entries)) if direction else ()
     demands = (*demands, *always, *forbidden(character), *noted)
     line = Understood(analysis.utterance, analysis.functions, analysis.facts, tuple(offers))
     player = _player(models, character, line, options, demands)

@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from typing import Self
 
+from ..acoustic.pacing.phone_durations import FILE as DURATIONS
+from ..acoustic.pacing.phone_durations import PhoneDurations
 from ..models import Understudy
 from ..prosody_gestures.voice_model import VoiceModel
 from ..resources import resource_folder
 from .mouth import MouthModel
-from .phone_durations import FILE as DURATIONS
-from .phone_durations import PhoneDurations
 from .table import FILE as LIVE
 from .table import LiveTable
 

@@ -22,6 +22,7 @@ from .schedule import DEFAULT_CHARACTER, Behavior, Listening, Schedule, SyncPoin
 from .slots import Distance, Height, Side, Size, Slots, Which
 from .voice.affect import NEUTRAL, Affect, AffectTrack, LineAffect, Manner, PhraseAffect, Tone, mean_affect
 from .voice.signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray, VoiceQuality
+from .voice.speaking import PLAINLY_SPOKEN, Speaking
 from .voice.speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
 
 __all__ = [
@@ -30,6 +31,7 @@ __all__ = [
     "FRAME_SHIFT_S",
     "NEUTRAL",
     "PLAIN",
+    "PLAINLY_SPOKEN",
     "SAMPLE_RATE_HZ",
     "Affect",
     "AffectTrack",
@@ -79,6 +81,7 @@ __all__ = [
     "SingleArray",
     "Size",
     "Slots",
+    "Speaking",
     "StressThresholds",
     "SyncPoints",
     "Target",

@@ -9,6 +9,7 @@ from .language import Utterance
 from .performance import Notice
 from .voice.affect import Affect
 from .voice.signal import Audio, Contours, VoiceQuality
+from .voice.speaking import PLAINLY_SPOKEN, Speaking
 from .voice.speech import Agitation, Filler, Word
 
 
@@ -23,13 +24,14 @@ class Timings:
 @dataclass(frozen=True, slots=True)
 class Line:
     """The input: the audio file's bytes, the transcript and, if the caller has them, word timings, communicative
-    functions and a director's notes."""
+    functions and a director's notes. Without audio the line is timed as `speaking` and the words have it."""
 
-    audio: bytes
+    audio: bytes | None
     text: str
     timings: Timings | None = None
     functions: tuple[GivenFunction, ...] = ()
     direction: Direction | None = None
+    speaking: Speaking = PLAINLY_SPOKEN
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -95,12 +95,12 @@ class MistakeResponse(ResponseModel):
 
 
 class AnalysisResponse(ResponseModel):
-    """The analysis of a line, before behaviours are chosen."""
+    """The analysis of a line, before behaviours are chosen; `stress` is absent where there is no recording."""
 
     audio: AudioResponse
     words: list[WordResponse]
     fillers: list[FillerResponse]
-    stress: StressResponse
+    stress: StressResponse | None = None
     agitation: Level
     memberships: MembershipsResponse
     affect: LineAffectResponse | None = None

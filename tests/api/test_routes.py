@@ -153,7 +153,7 @@ ERRORS: list[tuple[str, Callable[[TestClient], Response], int, str, str | None]]
     ("ours", lambda client: client.get("/mistake-of-ours"), 500, "internal_error", None),
     ("no form", lambda client: client.post("/perform", json={"text": "No."}), 415, "media_type", None),
     ("no body", lambda client: client.post("/perform"), 415, "media_type", None),
-    ("no audio", _form(audio=None), 422, "field_missing", "audio"),
+    ("tags", _form(audio=None, text="<speak>No."), 422, "tags_wrong", "text"),
     ("no text", _form(text=None), 422, "field_missing", "text"),
     ("field", _form(voice="x"), 422, "field_unknown", "voice"),
     ("empty audio", _form(audio=("a.wav", b"")), 422, "audio_empty", "audio"),

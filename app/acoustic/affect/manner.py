@@ -7,7 +7,7 @@ Tension was chosen too: people tense with anger and fear, and slacken with sadne
 et al., §3, has it as activation against valence).
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from math import exp, isfinite
 
 import numpy as np
@@ -77,6 +77,24 @@ def word_manners(
         _within(manner.amplitude * factor, manner.speed * factor, manner.tension)
         for word, factor in zip(words, _loud_factors(stretch, words), strict=True)
         for manner in (by_affect[affect.at(word.index)],)
+    )
+
+
+def unheard_manners(
+    words: tuple[Word, ...], agitation: Agitation, affect: LineAffect, emphasized: Collection[int]
+) -> tuple[Manner, ...]:
+    """How a movement is made on each word of a line that nobody has spoken: at a usual pace and pitch, an emphasized
+    word as one that is twice as loud."""
+    by_affect = {
+        each: line_manner(
+            ((agitation.high - agitation.low) / 2 + each.activation, each.share(Tone.SAD), *USUAL[-2:]), each
+        )
+        for each in {phrase.affect for phrase in affect.phrases} | {affect.line}
+    }
+    return tuple(
+        _within(manner.amplitude * factor, manner.speed * factor, manner.tension)
+        for word in words
+        for manner, factor in ((by_affect[affect.at(word.index)], exp(WORD_STEP * (word.index in emphasized))),)
     )
 
 

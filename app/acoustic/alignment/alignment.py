@@ -34,6 +34,17 @@ class Alignment:
 
 
 @dataclass(frozen=True, slots=True)
+class Reading:
+    """Words with the phones they are expected to have, none of them timed, and notices about them; which are
+    `abbreviated`, with a full stop of their own, and which are `capitalized` for emphasis, by index."""
+
+    words: tuple[Word, ...]
+    notices: tuple[Notice, ...]
+    abbreviated: frozenset[int]
+    capitalized: frozenset[int]
+
+
+@dataclass(frozen=True, slots=True)
 class _Spoken:
     """A spoken word of the transcript, with the pronunciations of its tokens."""
 
@@ -102,8 +113,19 @@ class Aligner:
     def pronounce(self, words: tuple[Word, ...]) -> tuple[Word, ...]:
         """The words with the phones they are expected to have, none of them timed. Raises InputError
         `transcript_unspoken`."""
-        expected = {word.index: word for word in _expected(self._pronounced(words)[0])}
-        return tuple(expected.get(word.index, word) for word in words)
+        return self.read(words).words
+
+    def read(self, words: tuple[Word, ...]) -> Reading:
+        """How the words are read where nobody is heard; raises as `pronounce` does. Notices: `pronunciation_guessed`,
+        `word_unreadable`."""
+        spoken, notices = self._pronounced(words)
+        expected = {word.index: word for word in _expected(spoken)}
+        return Reading(
+            tuple(expected.get(word.index, word) for word in words),
+            notices,
+            self._normaliser.abbreviated(words),
+            self._normaliser.capitalized(words),
+        )
 
     def decode(self, audio: Audio, words: tuple[Word, ...]) -> Decoded | None:
         """The phones of the words where the decoder has them, whether they fit or not; None if it finds no path."""

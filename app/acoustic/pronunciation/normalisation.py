@@ -86,11 +86,26 @@ class Normaliser:
 
     def spoken(self, words: tuple[Word, ...]) -> tuple[Tokens, ...]:
         """The tokens of each word."""
-        folded = [fold(word.text).strip(_OUTSIDE) for word in words]
-        shouted = not any(character.islower() for word in folded for character in word)
-        neighbours = zip(["", *folded], folded, [*folded[1:], ""], strict=False)
-        places = (_Place(previous, word, following, shouted) for previous, word, following in neighbours)
-        return tuple(tuple(self._said(place)) for place in places)
+        return tuple(tuple(self._said(place)) for place in _places(words))
+
+    def abbreviated(self, words: tuple[Word, ...]) -> frozenset[int]:
+        """The words with a full stop that belongs to them: abbreviations ("Mr.") and initials ("J.")."""
+        return frozenset(
+            word.index
+            for word, place in zip(words, _places(words), strict=True)
+            if place.word.endswith(".") and (self._abbreviation(place) or _DOTTED.fullmatch(place.word))
+        )
+
+    def capitalized(self, words: tuple[Word, ...]) -> frozenset[int]:
+        """The words in capitals that are read as words ("NOT" in "that is NOT it"), unless all of the text is."""
+        return frozenset(
+            word.index
+            for word, place in zip(words, _places(words), strict=True)
+            if not place.shouted
+            and _CAPITALS.fullmatch(place.word.replace("'", ""))
+            and place.word not in self.abbreviations.exactly
+            and tuple(self._said(place)) == (place.word.lower(),)
+        )
 
     def _said(self, place: _Place) -> Tokens:
         short = self._abbreviation(place)
@@ -187,6 +202,14 @@ class Normaliser:
             if len(letters) <= _LONGEST_SPELLED_ACRONYM or not _VOWEL.search(letters):
                 return _letters(piece)
         return (lower,) if any(map(str.isalpha, lower)) else ()
+
+
+def _places(words: tuple[Word, ...]) -> Iterator[_Place]:
+    """Each word, with its neighbours."""
+    folded = [fold(word.text).strip(_OUTSIDE) for word in words]
+    shouted = not any(character.islower() for word in folded for character in word)
+    neighbours = zip(["", *folded], folded, [*folded[1:], ""], strict=False)
+    return (_Place(previous, word, following, shouted) for previous, word, following in neighbours)
 
 
 def fold(text: str) -> str:

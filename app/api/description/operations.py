@@ -84,9 +84,12 @@ _PERFORM = Operation(
     ),
     frozenset(WORK),
     form(
-        ["audio", "text"],
+        ["text"],
         {
-            "audio": {**FILE, "description": "WAV, FLAC or OGG."},
+            "audio": {
+                **FILE,
+                "description": "WAV, FLAC or OGG; without it the text is timed as it is usually spoken, or by words.",
+            },
             "text": _TEXT,
             "options": reference("PerformOptions"),
             "words": {**FILE, "description": "Words in time, made elsewhere: a .json, .TextGrid or .ctm file."},

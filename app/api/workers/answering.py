@@ -27,6 +27,7 @@ from ...schemas.options import RealizeOptions, read_options, read_realize_option
 from ...schemas.requests import read_object, read_request, read_timings
 from ...schemas.responses import FunctionsResponse, PerformResponse
 from ...schemas.rules import read_rule_part
+from ...schemas.spoken_lines import spoken_line
 from ..bodies import BML_TYPES, form_limits, media_type_of
 from ..negotiation import JSON, MOTION_TYPES, XML, chosen
 from . import authoring
@@ -77,13 +78,15 @@ def _performance(understudy: Understudy, line: Line, options: Options, edits: Ed
 
 def _line(form: Mapping[str, Part]) -> Line:
     """Raises InputError `field_missing`, and what the parts' own checks raise."""
-    for name in ("audio", "text"):
-        if name not in form:
-            raise InputError("field_missing", f"the field {name} is missing; send audio and text", field=name)
+    if "text" not in form:
+        message = "the field text is missing; send audio and text, or text alone for a line without a recording"
+        raise InputError("field_missing", message, field="text")
     words = form.get("words")
     timings = None if words is None else read_timings(words.file_name or "", words.content)
     functions = read_functions(form["functions"].content) if "functions" in form else ()
     direction = read_direction(form["direction"].content) if "direction" in form else None
+    if "audio" not in form:
+        return spoken_line(form["text"].text, timings, functions, direction)
     return Line(form["audio"].content, form["text"].text, timings, functions, direction)
 
 
@@ -92,7 +95,7 @@ def _options(form: Mapping[str, Part], understudy: Understudy) -> Options:
     options = _read_options(form["options"].content, understudy) if "options" in form else Options()
     if "edits" in form:
         options = options.with_edits(read_edits(form["edits"].content))
-    audio_file = PurePath(form["audio"].file_name or "").name or None
+    audio_file = PurePath(form["audio"].file_name or "").name or None if "audio" in form else None
     return replace(options, form=replace(options.form, audio_file=audio_file))
 
 

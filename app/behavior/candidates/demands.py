@@ -9,7 +9,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 
+from ...errors import InputError, shown
 from ...model import Alternative, BehaviorCandidates, Channel, Demand, Moment, Movement, Term
+from ...suggestions import did_you_mean
 from ..reading.decoding import STROKES_APART_S
 from ..reading.families import Families, Playable, family_rule
 from ..reading.player import Ban, Player
@@ -52,6 +54,21 @@ def wherever_offered(names: Iterable[str], supports: Iterable[Support], by: str)
         if support.name in wanted:
             function = support.function
             yield Demand(support.name, function.first, function.last, always=True, by=by, function=function.id)
+
+
+def named(demands: Iterable[Demand], behaviors: Mapping[str, Playable]) -> Iterator[Demand]:
+    """The demands, each with the name of a behaviour where a note asks for its lexeme; raises InputError
+    `direction_family` for what is always to come and is neither."""
+    for demand in demands:
+        if not demand.always or demand.what in behaviors:
+            yield demand
+            continue
+        shows = [name for name, entry in behaviors.items() if entry.lexeme == demand.what.upper()]
+        if not shows:
+            known = did_you_mean(demand.what, behaviors)
+            message = f"{demand.by}: there is no behaviour {shown(demand.what)}{known}; docs/behaviors.md has them"
+            raise InputError("direction_family", message, field="direction")
+        yield replace(demand, what=shows[0])
 
 
 def demanded(player: Player, demands: Iterable[Demand]) -> tuple[BehaviorCandidates, ...]:

@@ -1,16 +1,32 @@
 """The arguments of the commands that take a line or a recording: `perform`, `realize` and the analyses."""
 
+import argparse
+
 from ...option_table import MOTION, PERFORMANCE
 from ..distinct_files import InputFile, OutputFile
 from ..files import STANDARD
 from .command import Adding
 from .options import add_form, add_manner, add_motion, add_option, add_options, add_reference
-from .shared import AUDIO_HELP, MOTION_HELP, add_functions, add_line, add_output
+from .shared import AUDIO_HELP, MOTION_HELP, add_functions, add_line, add_output, add_text, add_words
 
 
 def add_perform(add: Adding) -> None:
     parser = add("perform", "perform one line: audio and words in, BML out")
     add_line(parser)
+    _add_performance(parser)
+    add_reference(parser)
+
+
+def add_say(add: Adding) -> None:
+    parser = add("say", "perform a line without a recording: words in, timed as they are usually spoken, BML out")
+    add_text(parser, "the words, with *marks* of emphasis, or as XML with the tags of SSML or APML")
+    add_words(parser, "a synthesizer's times of the words: .json, .TextGrid or .ctm (default: usual ones)")
+    _add_performance(parser)
+    parser.set_defaults(audio=None, reference=None)
+
+
+def _add_performance(parser: argparse.ArgumentParser) -> None:
+    """What comes with a line, how it is performed, and what is written."""
     add_functions(parser)
     parser.add_argument(
         "--direction", metavar="FILE", type=InputFile, help="a director's notes on the line: JSON (docs/directing.md)"
@@ -19,7 +35,6 @@ def add_perform(add: Adding) -> None:
     parser.add_argument("--edits", metavar="FILE", type=InputFile, help=told)
     add_output(parser, "OUT.bml", "where the BML goes, OUT.json: as JSON (default: standard output)", default=STANDARD)
     add_manner(parser)
-    add_reference(parser)
     add_options(parser, PERFORMANCE, "listener")
     add_form(parser)
     parser.add_argument(

@@ -8,7 +8,7 @@ from ...version import __version__
 from .batch import add_batch
 from .command import commands_of, voices
 from .libraries import add_characters, add_gestures, add_profiles, add_rules
-from .lines import add_analyses, add_live, add_perform, add_realize, add_script
+from .lines import add_analyses, add_live, add_perform, add_realize, add_say, add_script
 from .serving import add_serve, add_studio
 from .study import add_study
 
@@ -32,6 +32,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=__version__)
     add = commands_of(parser)
     add_perform(add)
+    add_say(add)
     add_script(add)
     add_realize(add)
     add_live(add)

@@ -13,19 +13,24 @@ AUDIO_HELP = "WAV, FLAC or OGG file; - for standard input"
 
 
 def add_line(parser: argparse.ArgumentParser) -> None:
+    """The recording, its words and their times."""
     parser.add_argument("audio", metavar="AUDIO", type=InputFile, help=AUDIO_HELP)
+    add_text(parser, "the words that are spoken")
+    add_words(parser, "the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned")
+    parser.set_defaults(functions=None, direction=None, edits=None)
+
+
+def add_text(parser: argparse.ArgumentParser, told: str) -> None:
+    """The words, on the command line or in a file."""
     text = parser.add_mutually_exclusive_group(required=True)
-    text.add_argument("--text", help="the words that are spoken")
+    text.add_argument("--text", help=told)
     text.add_argument(
         "--text-file", metavar="FILE", type=InputFile, help="a file that holds them; - for standard input"
     )
-    parser.add_argument(
-        "--words",
-        metavar="FILE",
-        type=InputFile,
-        help="the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned",
-    )
-    parser.set_defaults(functions=None, direction=None, edits=None)
+
+
+def add_words(parser: argparse.ArgumentParser, told: str) -> None:
+    parser.add_argument("--words", metavar="FILE", type=InputFile, help=told)
 
 
 def add_functions(parser: argparse.ArgumentParser) -> None:

@@ -1,4 +1,4 @@
-"""`understudy perform`: one line in, BML out, with a summary of what the character does and why."""
+"""`understudy perform` and `say`: one line in, BML out, with a summary of what the character does and why."""
 
 import argparse
 from collections.abc import Sequence

@@ -19,9 +19,11 @@ from ...transcript import read_transcript
 def require_usable(line: Line, settings: Settings) -> None:
     """Raises InputError as the performance would, for the line's audio, text, word timings, functions and notes."""
     transcript = read_transcript(line.text, max_characters=settings.max_text_characters)
-    audio, _notices = decode(line.audio, audio_limits(settings))
+    duration_s = settings.max_audio_s
+    if line.audio is not None:
+        duration_s = decode(line.audio, audio_limits(settings))[0].duration_s
     if line.timings is not None:
-        read_timings(line.timings.content, line.timings.format, transcript, duration_s=audio.duration_s)
+        read_timings(line.timings.content, line.timings.format, transcript, duration_s=duration_s)
     _require_functions(line.functions, len(transcript))
     if line.direction is not None:
         check_direction(line.direction, words=len(transcript))

@@ -9,12 +9,14 @@ from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions
 from ...schemas.requests import read_timings
+from ...schemas.spoken_lines import spoken_line
 from ...settings import Settings
 from ..files import STANDARD, read_bytes, read_text
 
 
 def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:
-    """The line of AUDIO, `--text` or `--text-file`, `--words`, `--functions` and `--direction`.
+    """The line of AUDIO, if the command hears one, `--text` or `--text-file`, `--words`, `--functions` and
+    `--direction`.
 
     Raises InputError for what cannot be read.
     """
@@ -23,13 +25,14 @@ def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:
         raise InputError(
             "usage", "only one of audio, text, words, functions, direction and edits can come from standard input (-)"
         )
-    return Line(
-        audio=read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio"),
-        text=_text(arguments, settings),
-        timings=None if arguments.words is None else _timings(arguments.words, settings),
-        functions=() if arguments.functions is None else _functions(arguments.functions, settings),
-        direction=None if arguments.direction is None else _direction(arguments.direction, settings),
-    )
+    text = _text(arguments, settings)
+    timings = None if arguments.words is None else _timings(arguments.words, settings)
+    functions = () if arguments.functions is None else _functions(arguments.functions, settings)
+    direction = None if arguments.direction is None else _direction(arguments.direction, settings)
+    if arguments.audio is None:
+        return spoken_line(text, timings, functions, direction)
+    audio = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
+    return Line(audio, text, timings, functions, direction)
 
 
 def edits_of(arguments: argparse.Namespace, settings: Settings) -> Edits:

@@ -42,10 +42,10 @@ def level_of(arguments: argparse.Namespace) -> Level | None:
 
 
 def bml_form(arguments: argparse.Namespace) -> BmlForm:
-    """The BML's form; its audio is the recording, or named after the output if that comes from standard input. The
-    lines of a batch have recordings of their own, and no output."""
+    """The BML's form; its audio is the recording, or named after the output if there is none, or it comes from
+    standard input. The lines of a batch have recordings of their own, and no output."""
     names = () if "output" not in arguments else (arguments.audio, arguments.output)
-    named = [name for name in names if name != STANDARD]
+    named = [name for name in names if name not in (None, STANDARD)]
     return BmlForm(
         DialectName(arguments.dialect),
         TimeForm(arguments.timing),

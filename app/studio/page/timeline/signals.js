@@ -74,7 +74,7 @@ export function drawVoice(pen, picture, placedRow) {
     const [lowest_hz, highest_hz] = [Math.min(...voiced_hz) / F0_ROOM, Math.max(...voiced_hz) * F0_ROOM];
     const f0Share = (/** @type {number} */ hz) => (hz > 0 ? Math.log(hz / lowest_hz) / Math.log(highest_hz / lowest_hz) : 0);
     drawCurve(pen, picture, placedRow, { values: contours.f0_hz, share: f0Share, colour: picture.palette.f0 });
-    drawThreshold(pen, picture, placedRow, f0Share(performance.stress.f0_hz ?? 0));
+    drawThreshold(pen, picture, placedRow, f0Share(performance.stress?.f0_hz ?? 0));
   }
   const { memberships, agitation } = performance;
   const shares = Object.values(memberships).map((share) => share.toFixed(2));

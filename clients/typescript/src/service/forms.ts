@@ -4,7 +4,9 @@ import type { Bytes, PerformRequest, RealizeAvatarRequest } from "./types.js";
 
 export function performForm(line: PerformRequest): FormData {
   const form = new FormData();
-  form.append("audio", blob(line.audio), "audio");
+  if (line.audio) {
+    form.append("audio", blob(line.audio), "audio");
+  }
   form.append("text", line.text);
   appendJson(form, "options", line.options);
   appendJson(form, "functions", line.functions);

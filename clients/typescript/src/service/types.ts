@@ -49,7 +49,7 @@ export interface NamedFile {
 
 /** A line: its recording (WAV, FLAC or OGG) and the words that are spoken, and what else is known of it. */
 export interface PerformRequest {
-  readonly audio: Bytes;
+  readonly audio?: Bytes;
   readonly text: string;
   readonly options?: PerformOptions;
   readonly words?: NamedFile;

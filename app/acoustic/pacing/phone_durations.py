@@ -10,11 +10,11 @@ from typing import Annotated, Self
 
 from pydantic import Field, RootModel
 
-from ..errors import AuthoringError, Mistake
-from ..model import Interval, Phone, Word
-from ..model.tables.mouth_shapes import PHONES
-from ..suggestions import did_you_mean
-from ..yaml_files import Source
+from ...errors import AuthoringError, Mistake
+from ...model import Interval, Phone, Word
+from ...model.tables.mouth_shapes import PHONES
+from ...suggestions import did_you_mean
+from ...yaml_files import Source
 
 FILE = "phone_durations.yaml"
 LABELS = frozenset(phone for phones in PHONES.values() for phone in phones) | {"HH"}

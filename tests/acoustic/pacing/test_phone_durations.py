@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from understudy.acoustic.pacing.phone_durations import FILE, LABELS, PhoneDurations
 from understudy.errors import AuthoringError
-from understudy.live.phone_durations import FILE, LABELS, PhoneDurations
 from understudy.model import Interval, Phone, Word
 from understudy.resources import resource_folder
 

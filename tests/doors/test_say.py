@@ -1,0 +1,118 @@
+"""A line without a recording, through every interface: words in time, marks heard, BML of the same shape, motion."""
+
+import json
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from fastapi.testclient import TestClient
+
+import understudy as package
+from tests.support.bml.bml_checker import check
+from understudy.api.application import create_app
+from understudy.api.workers.processes import Nursery
+from understudy.bml.writing.writer import write_bml
+from understudy.cli.main import main
+from understudy.errors import InputError
+from understudy.model import Channel, Level, Performance, Timings
+from understudy.models import Understudy
+from understudy.settings import Settings
+
+TEXT = "No, I have *never* seen those, Mr. Smith."
+WORDS = TEXT.replace("*", "").split()
+
+
+@pytest.fixture(scope="module")
+def said(understudy: Understudy) -> Performance:
+    return package.say(understudy, TEXT)
+
+
+@pytest.fixture(scope="module")
+def client(nursery: Nursery) -> Iterator[TestClient]:
+    with TestClient(create_app(Settings(workers=1), nursery)) as client:
+        yield client
+
+
+def test_words_follow_one_another_with_pauses_where_marks_stand(said: Performance) -> None:
+    utterance = said.utterance
+    assert [word.text for word in utterance.words] == WORDS
+    times = [word.interval for word in utterance.words if word.interval]
+    assert len(times) == len(WORDS)
+    gaps_s = [later.start_s - earlier.end_s for earlier, later in pairwise(times)]
+    assert [index for index, gap_s in enumerate(gaps_s) if gap_s > 0.1] == [0, 5]
+    assert utterance.duration_s is not None
+    assert utterance.duration_s > times[-1].end_s
+    assert utterance.level is Level.MEDIUM
+
+
+def test_what_the_text_marks_is_the_focus(said: Performance) -> None:
+    assert [word.text for word in said.utterance.words if word.focus] == ["never"]
+    assert said.utterance.words[3].is_emphasised
+
+
+def test_the_bml_has_the_shape_of_any_other(said: Performance) -> None:
+    assert check(write_bml(said)) == []
+    assert any(each.kind is Channel.GESTURE and each.kept for each in said.behaviors)
+    assert said.visemes
+
+
+def test_capitals_rates_and_feeling_change_the_performance(understudy: Understudy) -> None:
+    plain = package.say(understudy, "You did not see it.")
+    loud = package.say(understudy, "You did NOT see it.", agitation="high", affect="angry")
+    assert [word.focus for word in loud.utterance.words] == [0, 0, 1, 0, 0]
+    assert loud.utterance.level is Level.HIGH
+    assert loud.utterance.manners[0].speed > plain.utterance.manners[0].speed
+
+
+def test_a_synthesizers_times_are_kept(understudy: Understudy) -> None:
+    times = [{"text": word, "start_s": index * 0.5, "end_s": index * 0.5 + 0.4} for index, word in enumerate(WORDS)]
+    timings = Timings(json.dumps({"words": times}).encode(), "json")
+    words = package.say(understudy, TEXT, words=timings).utterance.words
+    assert [word.interval.start_s for word in words if word.interval] == [each["start_s"] for each in times]
+    assert all(word.phones for word in words)
+
+
+def test_tags_ask_for_functions_and_gestures(understudy: Understudy) -> None:
+    tagged = (
+        '<apml><performative type="greet">Well well,</performative> <gesture name="EMPTY">look</gesture> here</apml>'
+    )
+    performance = package.say(understudy, tagged)
+    assert [(each.class_name, each.first, each.last) for each in performance.functions if each.given] == [
+        ("greeting", 0, 1)
+    ]
+    (empty,) = [each for each in performance.behaviors if each.kept and each.lexeme == "EMPTY"]
+    assert empty.first == 2
+
+
+def test_a_gesture_that_does_not_exist_is_told(understudy: Understudy) -> None:
+    with pytest.raises(
+        InputError, match=r"the tag <gesture> in line 1, column 8: there is no behaviour 'gesture_empti'.*em"
+    ):
+        package.say(understudy, '<speak><gesture name="gesture_empti">so</gesture></speak>')
+
+
+def test_a_text_that_would_last_too_long_is_refused(understudy: Understudy) -> None:
+    with pytest.raises(InputError) as wrong:
+        package.say(understudy, "never " * 1000)
+    assert wrong.value.code == "text_too_long"
+
+
+def test_the_command_writes_bml_and_motion(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    bml, motion, trace = tmp_path / "line.bml", tmp_path / "line.bvh", tmp_path / "line.json"
+    command = ["say", "--text", TEXT, "-o", str(bml), "--realize", str(motion), "--trace", str(trace), "--fps", "30"]
+    assert main(command) == 0
+    assert check(bml.read_bytes()) == []
+    told = json.loads(trace.read_text(encoding="utf-8"))
+    assert told["focus"][3] == {"word": 3, "share": 1.0}
+    assert "stress" not in told
+    assert "MOTION" in motion.read_text(encoding="utf-8")
+    assert "NEGATION" in capsys.readouterr().err.upper()
+    assert main(["say", "--text", "<speak>so", "-o", str(bml)]) == 2
+    assert "line 1, column 10" in capsys.readouterr().err
+
+
+def test_the_service_performs_a_form_without_audio(client: TestClient, said: Performance) -> None:
+    answer = client.post("/perform", files={"text": (None, TEXT)})
+    assert answer.status_code == 200, answer.text
+    assert answer.content == write_bml(said)
