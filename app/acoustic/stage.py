@@ -175,7 +175,7 @@ def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis
 def align(acoustic: AcousticModels, line: Line) -> AlignedLine:
     """The times of the words and phones of a line."""
     transcript = read_transcript(line.text, max_characters=acoustic.settings.max_text_characters)
-    signal, notices = decode(line.audio, audio_limits(acoustic.settings))
+    signal, notices = decode(line.recording, audio_limits(acoustic.settings))
     timed = align_words(acoustic, signal, transcript, line.timings)
     return AlignedLine(timed.words, signal.duration_s, notices + timed.notices, timed.fillers)
 

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from ..errors import InputError
 from .direction import Direction
 from .facts import Fact
 from .functions import Function, GivenFunction
@@ -32,6 +33,13 @@ class Line:
     functions: tuple[GivenFunction, ...] = ()
     direction: Direction | None = None
     speaking: Speaking = PLAINLY_SPOKEN
+
+    @property
+    def recording(self) -> bytes:
+        """The audio; raises InputError `field_missing` if there is none."""
+        if self.audio is None:
+            raise InputError("field_missing", "audio: this needs a recording of the line", field="audio")
+        return self.audio
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -86,7 +86,7 @@ def _rendered(request: StudyRequest, models: Understudy, line: StudyLine, told: 
     motions_of = {Comparison.MODES: _in_modes, Comparison.UNITS: _in_versions}[request.comparison]
     try:
         motions = motions_of(models, line)
-        sound = blind_sound(line.line.audio)
+        sound = blind_sound(line.line.recording)
     except InputError as error:
         raise InputError(error.code, f"line {line.id!r}: {error.message}", field=error.field) from None
     clips = {name: blind_clip(models, motion) for name, motion in motions.by_condition.items()}
