@@ -147,9 +147,9 @@ PERFORMANCE = _table(
         Option("mode", "gestures from the meaning, the stress, or chance", default=Mode.SEMANTIC, choices=tuple(Mode)),
         Option(
             "listener",
-            "who listens",
+            "who listens, and after = as which character, if not as the one of that name",
             default=(),
-            metavar="NAME",
+            metavar="NAME[=CHARACTER]",
             command_help="; the listener's BML goes to OUT.NAME.bml (.xml for OUT.xml); repeatable",
             request_help="; each listener has BML of its own, in JSON responses only",
         ),

@@ -294,7 +294,7 @@ def _heard_by(models: BehaviorStage, options: Options, performance: Performance,
     characters, notices = models.characters, performance.notices
     played = dict(options.played_by).get(name, name)
     if played not in characters.by_name:
-        message = f"no character is called {name!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
+        message = f"no character is called {played!r}; this listener moves as {DEFAULT_CHARACTER!r} does"
         notices = (*notices, Notice("listener_unknown", message))
     character = abstaining(characters.by_name.get(played) or characters.named(DEFAULT_CHARACTER), models.families)
     bans = tuple(banned_by(forbidden(character), models.families, character.entries))

@@ -21,8 +21,8 @@ from ..options import Options
 from .references import ReferenceForm
 from .requests import checked, read_object
 
-_LISTENER = re.compile(r"[^\W\d_]\w{0,63}")
-"""Letters of any language, as names have them."""
+_LISTENER = re.compile(r"[^\W\d_]\w{0,63}(=\w{1,64})?")
+"""Letters of any language, as names have them; after = the character that the listener moves as."""
 
 Seed = Annotated[int, Field(ge=-LARGEST_SEED, le=LARGEST_SEED)]
 LevelName = Annotated[Level, Field(strict=False)]
@@ -95,6 +95,7 @@ class PerformOptions(BaseModel):
             reference=self.reference.to_reference() if self.reference else None,
             mode=self.mode,
             listeners=listener_names(self.listener),
+            played_by=listener_characters(self.listener),
             form=BmlForm(self.dialect, self.timing, bmlt_audio=self.bmlt_audio, visemes=self.visemes),
             lead_in_s=self.lead_in_s,
             stillness=self.stillness,
@@ -153,16 +154,26 @@ def check_realize_options(fields: dict[str, Any]) -> RealizeOptions:
 
 
 def listener_names(names: Sequence[str]) -> tuple[str, ...]:
-    """The validated names of listeners, which are used in file names and as targets in BML.
+    """The validated names of listeners (`NAME` or `NAME=CHARACTER`), which are used in file names and as targets in
+    BML.
 
     Raises InputError `value_wrong` for an invalid or repeated name, or more than `MOST_LISTENERS`.
     """
     if len(names) > MOST_LISTENERS:
         raise InputError("value_wrong", f"{len(names)} listeners; {MOST_LISTENERS} at most", field="listener")
-    for number, name in enumerate(names):
-        if not _LISTENER.fullmatch(name):
-            message = f"listener {shown(name)}: a name has letters, digits and _, a letter first, 64 at most"
+    found: list[str] = []
+    for written in names:
+        if not _LISTENER.fullmatch(written):
+            message = f"listener {shown(written)}: a name has letters, digits and _, a letter first, 64 at most"
             raise InputError("value_wrong", message, field="listener")
-        if name in names[:number]:
+        name = written.partition("=")[0]
+        if name in found:
             raise InputError("value_wrong", f"listener {name!r} comes twice; name each once", field="listener")
-    return tuple(names)
+        found.append(name)
+    return tuple(found)
+
+
+def listener_characters(names: Sequence[str]) -> tuple[tuple[str, str], ...]:
+    """The characters that listeners move as, by name, where they are given as `NAME=CHARACTER`."""
+    parts = (written.partition("=") for written in names)
+    return tuple((name, character) for name, equals, character in parts if equals)

@@ -53,6 +53,14 @@ def test_each_listener_is_a_character_in_bml_of_his_own(understudy: Understudy) 
         assert b'target="default"' in bml
 
 
+def test_a_listener_of_another_name_moves_as_a_character_and_nothing_is_warned_of(client: TestClient) -> None:
+    answer = _post(client, "application/json", listener=["Ann=reserved"]).json()
+    assert set(answer["listeners"]) == {"Ann"}
+    assert not [each for each in answer["warnings"] if each["code"] == "listener_unknown"]
+    unknown = _post(client, "application/json", listener=["Ann=nobody"]).json()["warnings"]
+    assert "no character is called 'nobody'" in next(each["message"] for each in unknown)
+
+
 def test_listeners_do_not_change_the_speaker(understudy: Understudy) -> None:
     alone, heard = (perform(understudy, LINE, Options(listeners=names)) for names in ((), ("reserved",)))
     assert alone.behaviors == heard.behaviors

@@ -72,6 +72,19 @@ def test_all_that_is_wrong_is_told_up_to_a_few() -> None:
     assert len(caught.value.message) < 2000
 
 
+def test_a_listener_moves_as_the_character_beside_its_name() -> None:
+    options = read_options(json.dumps({"listener": ["Zoë=reserved", "bob"]}).encode())
+    assert options.listeners == ("Zoë", "bob")
+    assert options.played_by == (("Zoë", "reserved"),)
+
+
+@pytest.mark.parametrize("names", [["bob=reserved", "bob"], ["bob="], ["=reserved"], ["bob=a b"]])
+def test_a_listener_is_named_once_and_rightly(names: list[str]) -> None:
+    with pytest.raises(InputError) as caught:
+        check_options({"listener": names})
+    assert caught.value.field == "listener"
+
+
 @pytest.mark.parametrize("name", ["voice" * 100_000, "\u0001" * 100_000])
 def test_what_was_sent_is_cut_in_the_message(name: str) -> None:
     for options in ({name: 1}, {"listener": [name]}, {"agitation": name}):

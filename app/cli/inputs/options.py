@@ -7,7 +7,7 @@ from ...model import Level, Mode
 from ...model.formats.bml_form import CORE_FORM, BmlForm, DialectName, TimeForm, VisemeNames
 from ...model.targets import read_targets
 from ...options import Options
-from ...schemas.options import listener_names
+from ...schemas.options import listener_characters, listener_names
 from ..files import STANDARD
 from .affect import optional_affect
 from .profiles import optional_profile
@@ -28,6 +28,7 @@ def performance_options(arguments: argparse.Namespace) -> Options:
         choice=arguments.choice,
         mode=Mode(given.get("mode", Mode.SEMANTIC)),
         listeners=listener_names(given.get("listener", ())),
+        played_by=listener_characters(given.get("listener", ())),
         form=bml_form(arguments) if "dialect" in given else CORE_FORM,
         lead_in_s=arguments.lead_in,
         stillness=given.get("stillness", 0.0),

@@ -5,6 +5,7 @@ from typing import Any
 import bpy
 
 from ..scene.behavior_strips import strips_of
+from ..schedule.behaviors import gestures_in
 
 _TAB = "Understudy"
 
@@ -46,6 +47,36 @@ class PerformanceList(bpy.types.UIList):
         row.label(text=f"frame {item.zero_frame:.0f}")
 
 
+class TakeList(bpy.types.UIList):
+    """The takes of a performance: which is shown, by what gestures each has, and a cross for those that are not."""
+
+    bl_idname = "UNDERSTUDY_UL_takes"
+
+    def draw_item(
+        self, _context: Any, layout: Any, data: Any, item: Any, _icon: int, _active_data: Any, _active: str, index: int
+    ) -> None:
+        shown = data.active_take == index
+        row = layout.row(align=True)
+        icon = "RADIOBUT_ON" if shown else "RADIOBUT_OFF"
+        row.operator("understudy.show_take", text=item.name, icon=icon, emboss=False).number = index
+        row.label(text=gestures_in(item.behaviors))
+        if not shown:
+            row.operator("understudy.remove_take", text="", icon="X", emboss=False).number = index
+
+
+class NoteList(bpy.types.UIList):
+    """The notes on a line, each with a cross."""
+
+    bl_idname = "UNDERSTUDY_UL_notes"
+
+    def draw_item(
+        self, _context: Any, layout: Any, _data: Any, item: Any, _icon: int, _active_data: Any, _active: str, index: int
+    ) -> None:
+        row = layout.row(align=True)
+        row.label(text=item.name, icon="PINNED")
+        row.operator("understudy.clear_notes", text="", icon="X", emboss=False).number = index
+
+
 def draw_line(layout: Any, context: Any) -> None:
     """The line, who performs it and how, and the button."""
     settings = context.scene.understudy
@@ -75,6 +106,8 @@ def draw_button(layout: Any, context: Any) -> None:
     state = context.window_manager.understudy
     if not state.running:
         layout.operator("understudy.perform", icon="PLAY")
+        layout.operator("understudy.perform_all", icon="SEQ_SEQUENCER")
+        layout.operator("understudy.import_script", icon="IMPORT")
         return
     row = layout.row(align=True)
     row.progress(factor=state.done, text=state.stage)
@@ -152,14 +185,56 @@ class Performances(bpy.types.Panel):
         column = layout.column(align=True)
         column.operator("understudy.play_strips", icon="FILE_REFRESH")
         column.operator("understudy.perform_again", icon="MOD_PHYSICS")
+        column.operator("understudy.lock_strips", icon="LOCKED")
         column.operator("understudy.export_bml", icon="EXPORT")
         column.operator("understudy.forget", icon="TRASH").name = record.name
+        _draw_takes(layout, record)
+        _draw_notes(layout, record)
         for strip in (each for each in strips_of(context.object, record.name) if each.strip.select):
             box = layout.box().column(align=True)
-            box.label(text=f"{strip.behavior.id} {strip.behavior.lexeme}")
+            box.label(text=strip.behavior.label)
             for text in (strip.behavior.words, strip.behavior.why, *strip.behavior.decisions):
                 if text:
                     box.label(text=text)
+
+
+def _draw_takes(layout: Any, record: Any) -> None:
+    if len(record.takes) > 1:
+        layout.label(text="Takes")
+        layout.template_list("UNDERSTUDY_UL_takes", "", record, "takes", record, "active_take_row", rows=2)
+
+
+def _draw_notes(layout: Any, record: Any) -> None:
+    if record.notes:
+        row = layout.row()
+        row.label(text="Notes, kept in every take")
+        row.operator("understudy.clear_notes", text="Clear")
+        layout.template_list("UNDERSTUDY_UL_notes", "", record, "notes", record, "active_note", rows=2)
+
+
+class Output(bpy.types.Panel):
+    """A performed armature as one action, and as files."""
+
+    bl_idname = "UNDERSTUDY_PT_output"
+    bl_label = "Bake and Export"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = _TAB
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context: Any) -> bool:
+        return context.object is not None and context.object.type == "ARMATURE"
+
+    def draw(self, context: Any) -> None:
+        settings, layout = context.scene.understudy, self.layout
+        layout.prop(settings, "sparse_keys")
+        column = layout.column(align=True)
+        column.operator("understudy.bake", icon="ACTION").sparse = settings.sparse_keys
+        column.operator("understudy.unbake", icon="LOOP_BACK")
+        column.operator("understudy.export_fbx", icon="EXPORT")
+        column.operator("understudy.export_usd", icon="EXPORT")
+        column.operator("understudy.export_otio", icon="EXPORT")
 
 
 class Bones(bpy.types.Panel):
@@ -187,9 +262,12 @@ CLASSES = (
     TargetList,
     BoneList,
     PerformanceList,
+    TakeList,
+    NoteList,
     LineView3D,
     LineSequencer,
     Scene,
     Performances,
+    Output,
     Bones,
 )

@@ -31,14 +31,48 @@ class BoneSettings(bpy.types.PropertyGroup):
     bone: StringProperty(name="Bone", description="The bone that this joint drives")
 
 
+class StripRecord(bpy.types.PropertyGroup):
+    """An NLA strip of a take that is put aside, whose name is the group's own: its action, the mesh whose shape keys it
+    plays on (empty: the armature), its track and place, and what it does beside others."""
+
+    action: PointerProperty(type=bpy.types.Action)
+    mesh: PointerProperty(type=bpy.types.Object)
+    track: StringProperty()
+    start_frame: FloatProperty()
+    end_frame: FloatProperty()
+    mute: BoolProperty()
+
+
+class TakeRecord(bpy.types.PropertyGroup):
+    """A take of a performance; its name is the group's own. `strips` are those of a take that is put aside."""
+
+    bml: PointerProperty(type=bpy.types.Text, name="BML")
+    trace: PointerProperty(type=bpy.types.Text, name="Record")
+    behaviors: StringProperty()
+    order: StringProperty()
+    strips: CollectionProperty(type=StripRecord)
+
+
+class NoteRecord(bpy.types.PropertyGroup):
+    """A note on a line, as JSON; its name is what it asks for in words."""
+
+    content: StringProperty()
+
+
 class PerformanceRecord(bpy.types.PropertyGroup):
-    """A performance that lies on the armature; its name is the group's own."""
+    """A performance that lies on the armature; its name is the group's own. BML, record, behaviours and order are
+    those of the take that is shown."""
 
     zero_frame: FloatProperty(name="Frame", description="The frame at which the recording begins")
     bml: PointerProperty(type=bpy.types.Text, name="BML")
     trace: PointerProperty(type=bpy.types.Text, name="Record", description="Words, functions and reasons, as JSON")
     behaviors: StringProperty()
     order: StringProperty()
+    takes: CollectionProperty(type=TakeRecord)
+    active_take: IntProperty()
+    active_take_row: IntProperty()
+    notes: CollectionProperty(type=NoteRecord)
+    active_note: IntProperty()
 
 
 class PerformerSettings(bpy.types.PropertyGroup):
@@ -124,8 +158,10 @@ class LineSettings(bpy.types.PropertyGroup):
     targets: CollectionProperty(type=TargetSettings)
     active_target: IntProperty()
     set_range: BoolProperty(name="Set Range", default=True, description="Extend the scene's frame range to the line")
-    behavior_strips: BoolProperty(
-        name="Behaviours as Strips", default=True, description="Add an editable NLA strip for each behaviour"
+    sparse_keys: BoolProperty(
+        name="Sparse Keys",
+        default=True,
+        description="Bake only the keys that the motion needs, within .25°",
     )
 
 
@@ -138,7 +174,17 @@ class JobSettings(bpy.types.PropertyGroup):
     done: FloatProperty(min=0, max=1, subtype="FACTOR")
 
 
-CLASSES = (TargetSettings, BoneSettings, PerformanceRecord, PerformerSettings, LineSettings, JobSettings)
+CLASSES = (
+    TargetSettings,
+    BoneSettings,
+    StripRecord,
+    TakeRecord,
+    NoteRecord,
+    PerformanceRecord,
+    PerformerSettings,
+    LineSettings,
+    JobSettings,
+)
 
 
 def register() -> None:

@@ -29,7 +29,9 @@ def unregister() -> None:
 
 def _import_entry(menu: Any, _context: Any) -> None:
     menu.layout.operator("understudy.import_bml", text="Behavior Markup Language (.bml, .xml)")
+    menu.layout.operator("understudy.import_script", text="Script of Spoken Lines (.csv, .srt, .fountain)")
 
 
 def _export_entry(menu: Any, _context: Any) -> None:
     menu.layout.operator("understudy.export_bml", text="Behavior Markup Language (.bml)")
+    menu.layout.operator("understudy.export_otio", text="Understudy Timeline (.otio)")

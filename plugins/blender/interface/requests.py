@@ -1,7 +1,7 @@
 """What the settings ask for: the line, its place in time, and the things of the scene, as plain values for a thread."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -9,9 +9,17 @@ import bpy
 
 from ..performing.requests import Json, Line
 from ..scene.armatures import bones_of
-from ..scene.performances import Order, free_name
+from ..scene.performances import Order, free_name, record_of
 from ..scene.places import place_m, places_m, target_name
-from ..scene.sounds import NoRecordingError, frame_rate_hz, readable, recording_of, sound_strip, words_of
+from ..scene.sounds import (
+    NoRecordingError,
+    frame_rate_hz,
+    readable,
+    recording_of,
+    sound_strip,
+    strips_of_scene,
+    words_of,
+)
 
 LISTENER, CAMERA = "listener", "camera"
 
@@ -32,22 +40,69 @@ class Request:
     new_sound: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class _Recording:
+    """What is to be performed: a file, the frame at which it begins, its words, and what the line is called."""
+
+    path: Path
+    zero_frame: float
+    words: str
+    name: str
+
+
 def request_of(context: Any) -> Request:
     """What the scene's settings ask for. Raises ValueError with what is missing or wrong."""
-    scene, settings = context.scene, context.scene.understudy
     performer = performer_of(context)
-    audio, zero_frame, spoken = _recording(scene)
-    text = " ".join((settings.text or spoken).split())
+    return _request(context.scene, performer, _recording(context.scene))
+
+
+def requests_of_strips(context: Any) -> tuple[list[Request], list[str]]:
+    """A request for each sound strip that has words and was not performed yet, in order of time, and why others are
+    left out. A strip's custom property `character` names the armature that performs it. Raises NothingToPerformError.
+    """
+    found, told = [], []
+    strips = [each for each in strips_of_scene(context.scene) if each.type == "SOUND"]
+    for strip in sorted(strips, key=lambda each: float(each.frame_final_start)):
+        try:
+            performer = performer_of_strip(context, strip)
+            if record_of(performer, strip.name) is None:
+                found.append(_request(context.scene, performer, _of_strip(context.scene, strip)))
+        except ValueError as error:
+            told.append(f"{strip.name} is left out: {error}")
+    if not found:
+        raise NothingToPerformError("; ".join(told) or "the sequencer has no sound strip that was not performed yet")
+    return found, told
+
+
+def performer_of_strip(context: Any, strip: Any) -> Any:
+    """The armature that performs a strip: the one whose object or character is called as the strip's custom property
+    `character`, else the one chosen. Raises NothingToPerformError."""
+    name = str(strip.get("character", ""))
+    if not name:
+        return performer_of(context)
+    armatures = [each for each in context.scene.objects if each.type == "ARMATURE"]
+    wanted = target_name(name).casefold()
+    by_object = [each for each in armatures if target_name(each.name).casefold() == wanted]
+    by_character = [each for each in armatures if target_name(each.understudy.character).casefold() == wanted]
+    if by_object or by_character:
+        return (by_object or by_character)[0]
+    raise NothingToPerformError(f"no armature is called {name!r}: name one so, or change the strip's 'character'")
+
+
+def _request(scene: Any, performer: Any, recording: _Recording) -> Request:
+    settings = scene.understudy
+    text = " ".join(recording.words.split())
     if not text:
         raise NothingToPerformError("there are no words: write the text, or give the strip a property 'text'")
-    listener = settings.listener if settings.listener is not performer else None
+    listener = _listener(settings, performer)
     reacting = _reacting(settings, listener)
-    options = _options(settings, performer, listener if reacting else None)
+    options = _options(settings, performer, reacting)
     options["targets"] = _targets(settings, performer, listener)
-    name = free_name(_line_name(settings, audio), performer)
-    realizations = _realizations(settings, scene, performer, listener if reacting else None)
-    order = Order(name, zero_frame, audio, text, options, realizations[""])
-    return Request(performer, Line(audio, text, options), order, realizations, reacting, settings.source == "FILE")
+    name = free_name(recording.name, performer)
+    realizations = _realizations(settings, scene, performer, reacting)
+    order = Order(name, recording.zero_frame, recording.path, text, options, realizations[""])
+    line = Line(recording.path, text, options)
+    return Request(performer, line, order, realizations, reacting, settings.source == "FILE")
 
 
 def performer_of(context: Any) -> Any:
@@ -65,17 +120,28 @@ def realization(scene: Any, performer: Any, tail_s: float = 0.0) -> Json:
     return found | ({"tail_s": tail_s} if tail_s else {})
 
 
-def _recording(scene: Any) -> tuple[Path, float, str]:
-    """The recording, the frame at which it begins, and the words that the strip has."""
+def _recording(scene: Any) -> _Recording:
+    """What the settings say is to be performed."""
     settings = scene.understudy
     if settings.source == "STRIP":
         if not settings.strip:
             raise NothingToPerformError("choose a sound strip, or a file")
-        strip = sound_strip(scene, settings.strip)
-        return recording_of(scene, strip), float(strip.frame_final_start), words_of(scene, strip)
+        found = _of_strip(scene, sound_strip(scene, settings.strip))
+        return replace(found, words=settings.text) if settings.text else found
     if not settings.audio:
         raise NoRecordingError("choose a recording")
-    return readable(Path(bpy.path.abspath(settings.audio))), float(scene.frame_current), ""
+    path = Path(bpy.path.abspath(settings.audio))
+    return _Recording(readable(path), float(scene.frame_current), settings.text, path.stem)
+
+
+def _of_strip(scene: Any, strip: Any) -> _Recording:
+    return _Recording(recording_of(scene, strip), float(strip.frame_final_start), words_of(scene, strip), strip.name)
+
+
+def _listener(settings: Any, performer: Any) -> Any:
+    """Who is spoken to: the listener of the settings, and where that one speaks, the performer of the settings."""
+    chosen = settings.listener if settings.listener is not performer else settings.performer
+    return chosen if chosen is not performer else None
 
 
 def _reacting(settings: Any, listener: Any) -> Any:
@@ -98,16 +164,8 @@ def _options(settings: Any, performer: Any, listener: Any) -> Json:
     if settings.lead_in_s:
         found["lead_in_s"] = round(settings.lead_in_s, 4)
     if listener is not None:
-        found["listener"] = [_listener_name(performer, listener)]
+        found["listener"] = [f"{target_name(listener.name)}={listener.understudy.character or 'default'}"]
     return found
-
-
-def _listener_name(performer: Any, listener: Any) -> str:
-    """What a listener that performs is called: as its character, so that it listens as that does, or by its own name
-    where the speaker is the same character."""
-    characters = {each: each.understudy.character or "default" for each in (performer, listener)}
-    alike = characters[performer] == characters[listener]
-    return target_name(listener.name if alike else characters[listener])
 
 
 def _targets(settings: Any, performer: Any, listener: Any) -> dict[str, tuple[float, float, float]]:
@@ -118,7 +176,7 @@ def _targets(settings: Any, performer: Any, listener: Any) -> dict[str, tuple[fl
     spoken_to = listener if listener is not None else settings.camera
     if spoken_to is not None:
         reacting = _reacting(settings, listener) is not None
-        things[_listener_name(performer, spoken_to) if reacting else LISTENER] = spoken_to
+        things[target_name(spoken_to.name) if reacting else LISTENER] = spoken_to
     return places_m(performer, bones_of(performer), things)
 
 
@@ -128,9 +186,5 @@ def _realizations(settings: Any, scene: Any, performer: Any, listener: Any) -> d
     if listener is not None:
         speaker = place_m(listener, bones_of(listener), performer)
         towards = {"targets": {performer.understudy.character or "default": speaker}}
-        found[_listener_name(performer, listener)] = realization(scene, listener, settings.tail_s) | towards
+        found[target_name(listener.name)] = realization(scene, listener, settings.tail_s) | towards
     return found
-
-
-def _line_name(settings: Any, audio: Path) -> str:
-    return settings.strip if settings.source == "STRIP" else audio.stem

@@ -6,7 +6,7 @@ from typing import Any
 
 from ..motion.clip import Clip
 from ..schedule.behaviors import Behavior, behaviors_of
-from .requests import Cancellation, Connection, Json, Line, Progress, Sheet
+from .requests import Cancellation, Connection, Json, Line, Progress, Remark, Sheet
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -17,7 +17,7 @@ class PlayedLine:
     clip: Clip
     behaviors: tuple[Behavior, ...]
     trace: Mapping[str, Any] = field(default_factory=dict)
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Remark, ...] = ()
 
 
 def perform_line(
@@ -53,7 +53,7 @@ def play_sheet(
     cancelled: Cancellation,
     *,
     trace: Mapping[str, Any] | None = None,
-    warnings: tuple[str, ...] = (),
+    warnings: tuple[Remark, ...] = (),
 ) -> PlayedLine:
     """BML with its motion; `trace` is the performance that it was written from, where there is one."""
     clip = connection.realize(sheet, progress, cancelled)

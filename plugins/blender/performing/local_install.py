@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..motion.clip import Clip, read_clip
-from .requests import Cancellation, CancelledError, Json, Line, Performed, PerformingError, Progress, Sheet
+from .requests import Cancellation, CancelledError, Json, Line, Performed, PerformingError, Progress, Remark, Sheet
 from .still import still_bml
 
 _POLL_S = 0.05
@@ -28,12 +28,13 @@ class LocalInstall:
             text, bml, trace = folder / "line.txt", folder / "line.bml", folder / "line.json"
             text.write_text(line.text, encoding="utf-8")
             arguments = [str(line.audio), "--text-file", str(text), "-o", str(bml), "--trace", str(trace)]
-            if line.direction is not None:
-                notes = folder / "notes.json"
-                notes.write_text(json.dumps(line.direction), encoding="utf-8")
-                arguments += ["--direction", str(notes)]
+            if line.edits is not None:
+                edits = folder / "edits.json"
+                edits.write_text(json.dumps(line.edits), encoding="utf-8")
+                arguments += ["--edits", str(edits)]
             warnings = self._run(["perform", *arguments, *_options(line.options)], progress, cancelled)
-            listeners = {who: (folder / f"line.{who}.bml").read_bytes() for who in line.options.get("listener", ())}
+            names = [each.partition("=")[0] for each in line.options.get("listener", ())]
+            listeners = {who: (folder / f"line.{who}.bml").read_bytes() for who in names}
             return Performed(bml.read_bytes(), json.loads(trace.read_bytes()), warnings, listeners)
 
     def realize(self, sheet: Sheet, progress: Progress, cancelled: Cancellation) -> Clip:
@@ -53,7 +54,7 @@ class LocalInstall:
             self._run(arguments, progress, cancelled)
             return written.read_bytes()
 
-    def _run(self, arguments: Sequence[str], progress: Progress, cancelled: Cancellation) -> tuple[str, ...]:
+    def _run(self, arguments: Sequence[str], progress: Progress, cancelled: Cancellation) -> tuple[Remark, ...]:
         """Runs the command, tells its stages, and ends it when it is no longer wanted; its warnings."""
         try:
             process = subprocess.Popen(
@@ -77,7 +78,8 @@ class LocalInstall:
             reader.join()
         if process.returncode:
             raise PerformingError(_why(told) or f"{self.command} ended with code {process.returncode}")
-        return tuple(each["message"].removeprefix("warning: ") for each in told if each["event"] == "warning")
+        warnings = (each for each in told if each["event"] == "warning")
+        return tuple(Remark(each.get("code", ""), each["message"].removeprefix("warning: ")) for each in warnings)
 
 
 def _runs(process: "subprocess.Popen[str]") -> bool:

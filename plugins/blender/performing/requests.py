@@ -24,13 +24,13 @@ class CancelledError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A recording, its words, and how they are performed; `options` are those of `POST /perform`, `direction` a
-    director's notes."""
+    """A recording, its words, and how they are performed; `options` are those of `POST /perform`, `edits` the
+    notes on it (docs/edits.md)."""
 
     audio: Path
     text: str
     options: Json = field(default_factory=dict)
-    direction: Json | None = None
+    edits: Json | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,13 +43,21 @@ class Sheet:
 
 
 @dataclass(frozen=True, slots=True)
+class Remark:
+    """Something that the person should be told, with its code (docs/errors.md)."""
+
+    code: str
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
 class Performed:
     """A performance: its BML, all that is known of it (the JSON of `POST /perform`), what was warned of, and the BML
     of those who listen, by name."""
 
     bml: bytes
     trace: Json
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Remark, ...] = ()
     listeners: Mapping[str, bytes] = field(default_factory=dict)
 
 

@@ -9,7 +9,7 @@ from urllib.parse import urlsplit
 import requests
 
 from ..motion.clip import Clip, read_clip
-from .requests import Cancellation, CancelledError, Line, Performed, PerformingError, Progress, Sheet
+from .requests import Cancellation, CancelledError, Line, Performed, PerformingError, Progress, Remark, Sheet
 from .still import still_bml
 
 LONGEST_WAIT_S = 300.0
@@ -37,11 +37,11 @@ class Service:
             "options": (None, json.dumps(line.options)),
             "audio": (line.audio.name, line.audio.read_bytes()),
         }
-        if line.direction is not None:
-            form["direction"] = (None, json.dumps(line.direction))
+        if line.edits is not None:
+            form["edits"] = (None, json.dumps(line.edits))
         answer = self._posted("/perform", form, "application/json", cancelled).json()
         listeners = {name: bml.encode() for name, bml in answer.get("listeners", {}).items()}
-        warnings = tuple(each["message"] for each in answer.get("warnings", []))
+        warnings = tuple(Remark(each["code"], each["message"]) for each in answer.get("warnings", []))
         return Performed(answer["bml"].encode(), answer["performance"], warnings, listeners)
 
     def realize(self, sheet: Sheet, progress: Progress, cancelled: Cancellation) -> Clip:

@@ -4,7 +4,7 @@ Up to Blender 4.3 an action holds curves; from 4.4 on it has slots, one a data-b
 of each in a bag, and 5.0 knows no other way.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,21 +20,23 @@ LONGEST_NAME = 63
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Curve:
-    """The values (T,) of a property, one a frame from the action's first; `group` is where the editors show it."""
+    """The values (T,) of a property, at `frames` (T,) or one a frame from the action's first; `group` is where the
+    editors show it."""
 
     path: str
     index: int
     values: Array
     group: str = ""
+    frames: Array | None = None
 
 
-def new_action(name: str, owner: Any, curves: Iterable[Curve], frames: float) -> Any:
-    """An action that animates `owner`, an object or shape keys, from frame 0 to `frames`."""
+def new_action(name: str, owner: Any, curves: Iterable[Curve], frames: float, *, first: float = 0.0) -> Any:
+    """An action that animates `owner`, an object or shape keys, from frame `first` to `frames`."""
     action = bpy.data.actions.new(name)
-    action.use_frame_range, action.frame_start, action.frame_end = True, 0.0, frames
+    action.use_frame_range, action.frame_start, action.frame_end = True, first, frames
     bag = _bag(action, owner)
     for curve in curves:
-        _fill(_new_curve(bag, curve), curve.values)
+        _fill(_new_curve(bag, curve), curve)
     return action
 
 
@@ -50,6 +52,14 @@ def assign_slot(strip: Any, action: Any) -> None:
     """Has an NLA strip play the only slot of its action."""
     if hasattr(strip, "action_slot"):
         strip.action_slot = action.slots[0]
+
+
+def assign_action(owner: Any, action: Any) -> None:
+    """Has a data-block play an action of one slot; None: no action."""
+    data = owner.animation_data or owner.animation_data_create()
+    data.action = action
+    if action is not None and hasattr(data, "action_slot"):
+        data.action_slot = action.slots[0]
 
 
 def mark(action: Any, name: str, frame: float) -> None:
@@ -86,13 +96,14 @@ def _new_curve(bag: Any, curve: Curve) -> Any:
     return made
 
 
-def _fill(curve: Any, values: Sequence[float] | Array) -> None:
-    """A key in every frame, or a single one where nothing changes, with straight lines between."""
-    values = np.asarray(values, dtype=float)
+def _fill(made: Any, curve: Curve) -> None:
+    """A key in every frame that has a value, or a single one where nothing changes, with straight lines between."""
+    values = np.asarray(curve.values, dtype=float)
+    frames = np.arange(len(values)) if curve.frames is None else np.asarray(curve.frames, dtype=float)
     if np.all(values == values[0]):
-        values = values[:1]
-    curve.keyframe_points.add(len(values))
-    places = np.stack([np.arange(len(values)), values], axis=1)
-    curve.keyframe_points.foreach_set("co", places.ravel())
-    curve.keyframe_points.foreach_set("interpolation", np.full(len(values), _LINEAR, dtype=np.int32))
-    curve.update()
+        values, frames = values[:1], frames[:1]
+    made.keyframe_points.add(len(values))
+    places = np.stack([frames, values], axis=1)
+    made.keyframe_points.foreach_set("co", places.ravel())
+    made.keyframe_points.foreach_set("interpolation", np.full(len(values), _LINEAR, dtype=np.int32))
+    made.update()

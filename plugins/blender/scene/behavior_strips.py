@@ -43,7 +43,7 @@ def lay_behaviors(
         start_frame = floor(zero_frame + behavior.start_s * rate_hz)
         action = _action(armature, behavior, performance, _Clock(zero_frame - start_frame, rate_hz))
         action[_START], action[_LENGTH] = start_frame, action.frame_end
-        strip = lay_strip(armature, f"{PREFIX} BML {kind}", action, start_frame, f"{behavior.id} {behavior.lexeme}")
+        strip = lay_strip(armature, f"{PREFIX} BML {kind}", action, start_frame, behavior.label)
         strip.extrapolation = "NOTHING"
 
 
@@ -68,6 +68,14 @@ def changes_of(
         for each in behaviors
     )
     return {change.behavior: change for change in found if change is not None}
+
+
+def put_back(strip: BehaviorStrip) -> None:
+    """Lays a strip where it was laid first, and has it play."""
+    laid, action = strip.strip, strip.strip.action
+    laid.mute = False
+    laid.frame_start_ui = float(action[_START])
+    laid.frame_end_ui = float(action[_START] + action[_LENGTH])
 
 
 def property_name(kind: str) -> str:
@@ -111,7 +119,10 @@ def _action(armature: Any, behavior: Behavior, performance: str, clock: _Clock) 
 
 
 def _phases(behavior: Behavior) -> tuple[tuple[float, float], ...]:
-    """When how much of a behaviour is seen: nothing at its ends, all from where it is reached until it relaxes."""
+    """When how much of a behaviour is seen: nothing at its ends, all from where it is reached until it relaxes. One
+    that begins reached, or ends without a way back, has no phase there."""
     reached_s = behavior.points_s.get("stroke_start", behavior.points_s.get("ready", behavior.start_s))
     left_s = max(behavior.points_s.get("relax", behavior.end_s), reached_s)
-    return (behavior.start_s, 0.0), (reached_s, 1.0), (left_s, 1.0), (behavior.end_s, 0.0)
+    before = ((behavior.start_s, 0.0),) if behavior.start_s < reached_s else ()
+    after = ((behavior.end_s, 0.0),) if behavior.end_s > left_s else ()
+    return *before, (reached_s, 1.0), (left_s, 1.0), *after

@@ -23,6 +23,8 @@ from .armatures import rest_of
 from .rotation_modes import rotation_curves
 
 PREFIX = "Understudy"
+LAYER = "understudy_layer"
+"""The custom property of an action that names its layer; behaviours' actions have none."""
 OWNER = "understudy_performance"
 """The custom property of an action that names the performance it belongs to."""
 
@@ -58,7 +60,7 @@ def mark_behaviors(actions: Sequence[Any], behaviors: Sequence[Behavior], rate_h
     """Marks in each layer's actions when its behaviours are fully seen, by name, function and rule; the custom
     property `understudy_behaviors` of an action has all that is known of them, as JSON."""
     for action in actions:
-        shown = [each for each in behaviors if LAYERS[each.kind] == action["understudy_layer"]]
+        shown = [each for each in behaviors if LAYERS[each.kind] == action[LAYER]]
         for each in shown:
             mark(action, f"{each.lexeme} · {each.why}", (each.stroke_s - start_s) * rate_hz)
         action["understudy_behaviors"] = json.dumps([json.loads(each.to_json()) for each in shown])
@@ -66,16 +68,53 @@ def mark_behaviors(actions: Sequence[Any], behaviors: Sequence[Behavior], rate_h
 
 def take_away(armature: Any, performance: str) -> None:
     """Removes a performance's strips with their actions, and tracks of ours that are left empty."""
-    for owner in (armature, *(mesh.data.shape_keys for mesh in face_meshes(armature))):
-        for track in list(owner.animation_data.nla_tracks) if owner.animation_data else ():
-            if not track.name.startswith(PREFIX):
-                continue
+    for _mesh, owner in owners(armature):
+        for track in our_tracks(owner):
             for strip in [each for each in track.strips if belongs_to(each, performance)]:
                 action = strip.action
                 track.strips.remove(strip)
                 bpy.data.actions.remove(action)
             if not track.strips:
                 owner.animation_data.nla_tracks.remove(track)
+
+
+def put_aside(armature: Any, performance: str, entries: Any) -> None:
+    """Takes a performance's strips from their tracks into `entries`, a collection that keeps their actions."""
+    entries.clear()
+    for mesh, owner in owners(armature):
+        for track in our_tracks(owner):
+            for strip in [each for each in track.strips if belongs_to(each, performance)]:
+                _entered(entries.add(), strip, mesh, strip.mute or track.mute)
+                track.strips.remove(strip)
+            if not track.strips:
+                owner.animation_data.nla_tracks.remove(track)
+
+
+def lay_again(armature: Any, entries: Any) -> None:
+    """Lays strips that were put aside where they were, and empties the collection."""
+    for entry in entries:
+        if entry.action is None:
+            continue
+        owner = entry.mesh.data.shape_keys if entry.mesh else armature
+        strip = lay_strip(owner, entry.track, entry.action, round(entry.start_frame), entry.name)
+        strip.frame_start_ui, strip.frame_end_ui = entry.start_frame, entry.end_frame
+        strip.mute = entry.mute
+        if LAYER in entry.action:
+            _cross_fade(owner.animation_data.nla_tracks, strip, entry.track)
+        else:
+            strip.extrapolation = "NOTHING"
+    entries.clear()
+
+
+def owners(armature: Any) -> list[tuple[Any, Any]]:
+    """What strips lie on: the armature (with None), and the shape keys of its meshes (with the mesh)."""
+    return [(None, armature), *((mesh, mesh.data.shape_keys) for mesh in face_meshes(armature))]
+
+
+def our_tracks(owner: Any) -> list[Any]:
+    """The NLA tracks that Understudy laid."""
+    tracks = list(owner.animation_data.nla_tracks) if owner.animation_data else []
+    return [track for track in tracks if track.name.startswith(PREFIX)]
 
 
 def belongs_to(strip: Any, performance: str) -> bool:
@@ -94,6 +133,7 @@ def lay_strip(owner: Any, track_name: str, action: Any, start_frame: int, name: 
     data = owner.animation_data or owner.animation_data_create()
     track = _track_with_room(data, track_name, start_frame, start_frame + action.frame_end)
     strip = track.strips.new(name, start_frame, action)
+    action["understudy_track"] = track_name
     assign_slot(strip, action)
     strip.select = False
     if track.name != track_name:
@@ -101,9 +141,17 @@ def lay_strip(owner: Any, track_name: str, action: Any, start_frame: int, name: 
     return strip
 
 
+def _entered(entry: Any, strip: Any, mesh: Any, mute: bool) -> None:
+    """A strip's entry. Its track goes by the name without a number: which of several has room is seen when it is laid
+    again."""
+    entry.name, entry.action, entry.mesh, entry.mute = strip.name, strip.action, mesh, mute
+    entry.start_frame, entry.end_frame = strip.frame_start, strip.frame_end
+    entry.track = strip.action["understudy_track"]
+
+
 def _laid(owner: Any, layer: str, curves: Iterator[Curve], span: Span) -> Any:
     action = new_action(f"{span.performance} {layer}", owner, curves, span.frames)
-    action[OWNER], action["understudy_layer"] = span.performance, layer
+    action[OWNER], action[LAYER] = span.performance, layer
     strip = lay_strip(owner, f"{PREFIX} {layer}", action, span.start_frame, action.name)
     _cross_fade(owner.animation_data.nla_tracks, strip, f"{PREFIX} {layer}")
     return action

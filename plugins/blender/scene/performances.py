@@ -17,12 +17,13 @@ from ..schedule.behaviors import Behavior
 from .armatures import apply_properties, bones_of
 from .behavior_strips import lay_behaviors
 from .layers import lay_clip, mark_behaviors, take_away
+from .takes import begin_take, forget_take, keep_in_take, shown_take
 
 
 @dataclass(frozen=True, slots=True)
 class Order:
     """How a performance was asked for: its name, the scene's frame of second 0 of the recording, the recording (None:
-    BML alone), its words, and the options of performing and of realizing."""
+    BML alone), its words, the options of performing and of realizing, and the numbers of the notes that were sent."""
 
     name: str
     zero_frame: float
@@ -30,16 +31,20 @@ class Order:
     text: str = ""
     options: Json | None = None
     realization: Json | None = None
+    notes: tuple[int, ...] = ()
 
 
-def lay_performance(armature: Any, played: PlayedLine, order: Order, rate_hz: float) -> tuple[str, ...]:
-    """Lays a performance, in the place of the one of the same name; what the person should be told.
-
-    Raises NoHumanoidError.
-    """
+def lay_performance(
+    armature: Any, played: PlayedLine, order: Order, rate_hz: float, *, new_take: bool = False
+) -> tuple[str, ...]:
+    """Lays a performance, in the place of the one of the same name, which is lost unless this is a new take of it; what
+    the person should be told. Raises NoHumanoidError."""
     found = bones_of(armature)
     told = [f"{each} was set" for each in apply_properties(armature, found.table)]
-    take_away(armature, order.name)
+    if new_take:
+        begin_take(armature, record_of(armature, order.name))
+    else:
+        take_away(armature, order.name)
     clip = played.clip.at_rate(rate_hz)
     first_frame = round(order.zero_frame + clip.start_s * rate_hz)
     actions = lay_clip(armature, found, clip, order.name, first_frame)
@@ -48,7 +53,7 @@ def lay_performance(armature: Any, played: PlayedLine, order: Order, rate_hz: fl
     _remember(armature, played, order)
     if armature.animation_data.action is not None:
         told.append(f"{armature.name} has an active action, which plays over the strips: unlink or push it down")
-    return (*told, *played.warnings, *clip.notices)
+    return (*told, *(each.message for each in played.warnings), *clip.notices)
 
 
 def record_of(armature: Any, name: str) -> Any:
@@ -60,7 +65,15 @@ def order_of(record: Any) -> Order:
     """How a remembered performance was asked for."""
     written = json.loads(record.order)
     audio = Path(written["audio"]) if written["audio"] else None
-    return Order(record.name, record.zero_frame, audio, written["text"], written["options"], written["realization"])
+    return Order(
+        record.name,
+        record.zero_frame,
+        audio,
+        written["text"],
+        written["options"],
+        written["realization"],
+        tuple(written.get("notes", ())),
+    )
 
 
 def bml_of(record: Any) -> bytes:
@@ -79,14 +92,14 @@ def behaviors_in(record: Any) -> tuple[Behavior, ...]:
 
 
 def forget(armature: Any, name: str) -> None:
-    """Takes a performance away, with its texts."""
+    """Takes a performance away, with its takes and texts."""
     take_away(armature, name)
     performances = armature.understudy.performances
     index = performances.find(name)
     if index >= 0:
-        for text in (performances[index].bml, performances[index].trace):
-            if text:
-                bpy.data.texts.remove(text)
+        shown_take(performances[index])
+        for take in performances[index].takes:
+            forget_take(take)
         performances.remove(index)
 
 
@@ -100,9 +113,11 @@ def free_name(wanted: str, armature: Any) -> str:
 def _remember(armature: Any, played: PlayedLine, order: Order) -> None:
     record = record_of(armature, order.name) or armature.understudy.performances.add()
     record.name, record.zero_frame = order.name, order.zero_frame
-    record.bml = _text(record.bml, f"{armature.name} {order.name}.bml", played.bml.decode())
+    take = shown_take(record)
+    title = f"{armature.name} {order.name}" + ("" if take.name == "Take 1" else f" {take.name.lower()}")
+    record.bml = _text(take.bml, f"{title}.bml", played.bml.decode())
     if played.trace:
-        record.trace = _text(record.trace, f"{armature.name} {order.name}.json", json.dumps(played.trace, indent=1))
+        record.trace = _text(take.trace, f"{title}.json", json.dumps(played.trace, indent=1))
     record.behaviors = json.dumps([json.loads(each.to_json()) for each in played.behaviors])
     record.order = json.dumps(
         {
@@ -110,8 +125,10 @@ def _remember(armature: Any, played: PlayedLine, order: Order) -> None:
             "text": order.text,
             "options": order.options,
             "realization": order.realization,
+            "notes": order.notes,
         }
     )
+    keep_in_take(record)
 
 
 def _text(there: Any, name: str, content: str) -> Any:

@@ -61,16 +61,31 @@ def words_of(scene: Any, strip: Any) -> str:
 
 def place_sound(scene: Any, path: Path, frame: int, name: str) -> tuple[str, ...]:
     """Places a recording on the first channel that has room for it; why not, where this Blender plays no sounds."""
+    try:
+        place_strip(scene, path, frame, name)
+    except NoRecordingError as error:
+        return (str(error),)
+    return ()
+
+
+def place_strip(scene: Any, path: Path, frame: int, name: str, part_s: tuple[float, float] | None = None) -> Any:
+    """A sound strip of a recording or a part of it (seconds), heard from `frame` on, on the first channel that has room
+    for it. Raises NoRecordingError where this Blender cannot play it."""
     editor = scene.sequence_editor or scene.sequence_editor_create()
     strips = editor.strips if hasattr(editor, "strips") else editor.sequences
     try:
         strip = strips.new_sound(name, str(path), 1, frame)
     except RuntimeError as error:
-        return (f"{path.name} was not placed: {error}",)
+        raise NoRecordingError(f"{path.name} was not placed: {error}") from None
+    if part_s is not None:
+        first, last = (round(each * frame_rate_hz(scene)) for each in part_s)
+        strip.frame_offset_start = first
+        strip.frame_offset_end = max(strip.frame_duration - last, 0)
+        strip.frame_start = frame - first
     busy = {each.channel for each in strips if each != strip and _together(each, strip)}
     strip.channel = next(number for number in range(1, 129) if number not in busy)
     strip.show_waveform = True
-    return ()
+    return strip
 
 
 def frame_rate_hz(scene: Any) -> float:

@@ -12,6 +12,7 @@ from typing import Any
 
 from ..motion.clip import Clip, Event
 from .bml_document import described
+from .labels import label_of
 
 LAYERS = {"gesture": "body", "posture": "body", "head": "head", "gaze": "gaze", "face": "face", "eyes": "face"}
 """The action that shows a kind of behaviour."""
@@ -20,7 +21,9 @@ LAYERS = {"gesture": "body", "posture": "body", "head": "head", "gaze": "gaze", 
 @dataclass(frozen=True, slots=True)
 class Behavior:
     """A behaviour: its id in the BML, its kind and lexeme, when it was realized, the words that it goes with, why it is
-    there, what an audience reads in it (`families`), and what of it was not played as asked (`decisions`)."""
+    there, what an audience reads in it (`families`), what of it was not played as asked (`decisions`), the hand that
+    makes it, what is looked at and by which way from it (`target`, `direction`), and the number of the edit that made
+    it, if one did."""
 
     id: str
     kind: str
@@ -34,6 +37,15 @@ class Behavior:
     reason: str = ""
     families: tuple[str, ...] = ()
     decisions: tuple[str, ...] = ()
+    hand: str = ""
+    target: str = ""
+    direction: str = ""
+    edit: int | None = None
+
+    @property
+    def label(self) -> str:
+        """What it is called for people."""
+        return label_of(self.kind, self.lexeme, hand=self.hand, target=self.target, direction=self.direction)
 
     @property
     def start_s(self) -> float:
@@ -123,6 +135,10 @@ def _behaviors(bml: bytes, realized: Mapping[str, Mapping[str, float]], reasons:
             told.get("rule") or "",
             told.get("reason") or "",
             reasons.families(told.get("moment")),
+            hand=told.get("hand") or each.hand,
+            target=told.get("target") or each.target,
+            direction=told.get("direction") or each.direction,
+            edit=told.get("edit"),
         )
 
 
@@ -131,3 +147,10 @@ def _by_behavior(events: Sequence[Event]) -> dict[str, dict[str, float]]:
     for event in events:
         found[event.behavior][event.point] = event.time_s
     return found
+
+
+def gestures_in(written: str) -> str:
+    """The gestures of a take, in order of time, by which it is told from others; `written` is the JSON list of its
+    behaviours."""
+    kinds = [each for each in json.loads(written or "[]") if each["kind"] == "gesture"]
+    return ", ".join(each["lexeme"].replace("_", " ").lower() for each in kinds)

@@ -43,6 +43,7 @@ _POINTS = (
     "stroke_end",
 )
 _OURS = {"strokeStart": "stroke_start", "strokeEnd": "stroke_end", "attackPeak": "ready"}
+_BLINK = "AU 45"
 _REFERENCE = re.compile(r"^\s*(?P<point>[A-Za-z_][\w.]*(?::[\w.]+)+)\s*(?P<offset>[+-]\s*[\d.]+)?\s*$")
 
 
@@ -52,11 +53,14 @@ class WrongBmlError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Described:
-    """A behaviour's element: its id, kind and what it is called."""
+    """A behaviour's element: its id, kind and what it is called, its hand, what is looked at and by which way."""
 
     id: str
     kind: str
     lexeme: str
+    hand: str = ""
+    target: str = ""
+    direction: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,9 +75,7 @@ class StripChange:
 
 def described(bml: bytes) -> tuple[Described, ...]:
     """The behaviours of a file in its order. Raises WrongBmlError."""
-    return tuple(
-        Described(element.getAttribute("id"), KINDS[_local(element)], _lexeme(element)) for element in _behaviors(bml)
-    )
+    return tuple(map(_described, _behaviors(bml)))
 
 
 def text_of(bml: bytes) -> str:
@@ -114,6 +116,15 @@ def changed(bml: bytes, changes: Mapping[str, StripChange], realized_s: Mapping[
     for element in [each for each in _elements(document) if each.getAttribute("ref") in removed]:
         _take_out(element)
     return bytes(document.toxml(encoding="UTF-8"))
+
+
+def _described(element: minidom.Element) -> Described:
+    """A blink is one of the eyes, whatever element writes it."""
+    name, kind, lexeme = element.getAttribute("id"), KINDS[_local(element)], _lexeme(element)
+    if lexeme == _BLINK:
+        return Described(name, "eyes", "BLINK")
+    hand = element.getAttribute("mode").removesuffix("_HAND").removesuffix("_HANDS").lower()
+    return Described(name, kind, lexeme, hand, element.getAttribute("target"), element.getAttribute("offsetDirection"))
 
 
 def _parsed(bml: bytes) -> minidom.Document:

@@ -1,5 +1,14 @@
-"""What can be pressed: lines, BML, strips, and what belongs to an armature."""
+"""What can be pressed: lines, BML, strips and takes, scripts, output, and what belongs to an armature."""
 
-from . import armatures, bml, lines, strips, targets
+from . import armatures, bml, lines, output, scripts, strips, takes, targets
 
-CLASSES = (*lines.CLASSES, *bml.CLASSES, *strips.CLASSES, *armatures.CLASSES, *targets.CLASSES)
+CLASSES = (
+    *lines.CLASSES,
+    *bml.CLASSES,
+    *strips.CLASSES,
+    *takes.CLASSES,
+    *scripts.CLASSES,
+    *output.CLASSES,
+    *armatures.CLASSES,
+    *targets.CLASSES,
+)

@@ -1,16 +1,18 @@
 """Performs a line, and takes a performance away again."""
 
+from dataclasses import replace
 from typing import Any
 
 import bpy
 
 from ...performing.lines import PlayedLine, perform_line
+from ...performing.requests import Cancellation, Connection, PerformingError, Progress
 from ...scene.performances import Order, forget, lay_performance
 from ...scene.ranges import take_in
 from ...scene.sounds import frame_rate_hz, place_sound
 from ..jobs import JobOperator, Work
 from ..preferences import connection
-from ..requests import Request, performer_of, request_of
+from ..requests import Request, performer_of, request_of, requests_of_strips
 
 
 class Perform(JobOperator):
@@ -28,6 +30,30 @@ class Perform(JobOperator):
 
     def finish(self, context: Any, result: dict[str, PlayedLine]) -> tuple[str, ...]:
         return lay_line(context, self._request, result)
+
+
+class PerformAll(JobOperator):
+    """Perform every sound strip with words that was not performed yet, by the armature that its 'character' names"""
+
+    bl_idname = "understudy.perform_all"
+    bl_label = "Perform All Strips"
+
+    def gather(self, context: Any) -> Work:
+        self._requests, self._told = requests_of_strips(context)
+        connected, requests = connection(context), tuple(self._requests)
+        return lambda progress, cancelled: [
+            _performed(connected, request, f"{place} of {len(requests)}, ", progress, cancelled)
+            for place, request in enumerate(requests, start=1)
+        ]
+
+    def finish(self, context: Any, result: list[dict[str, PlayedLine] | PerformingError]) -> tuple[str, ...]:
+        told = list(self._told)
+        for request, played in zip(self._requests, result, strict=True):
+            if isinstance(played, PerformingError):
+                told.append(f"{request.order.name} was not performed: {played}")
+            else:
+                told += lay_line(context, replace(request, new_sound=False), played)
+        return tuple(told)
 
 
 class Forget(bpy.types.Operator):
@@ -55,6 +81,18 @@ class Cancel(bpy.types.Operator):
         return {"FINISHED"}
 
 
+def _performed(
+    connected: Connection, request: Request, place: str, progress: Progress, cancelled: Cancellation
+) -> dict[str, PlayedLine] | PerformingError:
+    """One of many lines; what is wrong with it does not stop the others."""
+    try:
+        return perform_line(
+            connected, request.line, request.realizations, lambda stage: progress(f"{place}{stage}"), cancelled
+        )
+    except PerformingError as error:
+        return error
+
+
 def lay_line(context: Any, request: Request, played: dict[str, PlayedLine]) -> tuple[str, ...]:
     """Lays a line for its speaker and its listener, and what belongs to it in the scene."""
     scene, order = context.scene, request.order
@@ -62,7 +100,7 @@ def lay_line(context: Any, request: Request, played: dict[str, PlayedLine]) -> t
     told = lay_performance(request.performer, played[""], order, rate_hz)
     for name in (name for name in played if name):
         heard = Order(order.name, order.zero_frame, order.audio, "", None, request.realizations[name])
-        told += lay_performance(request.listener, played[name], heard, rate_hz)
+        told += lay_performance(request.listener, _seen_by(played[name], request.performer), heard, rate_hz)
     if request.new_sound and order.audio is not None:
         told += place_sound(scene, order.audio, round(order.zero_frame), order.name)
     if scene.understudy.set_range:
@@ -70,4 +108,11 @@ def lay_line(context: Any, request: Request, played: dict[str, PlayedLine]) -> t
     return told
 
 
-CLASSES = (Perform, Forget, Cancel)
+def _seen_by(played: PlayedLine, speaker: Any) -> PlayedLine:
+    """A listener's line in which the speaker, whom BML calls by the character, is called as in the scene."""
+    character = speaker.understudy.character or "default"
+    seen = (replace(each, target=speaker.name) if each.target == character else each for each in played.behaviors)
+    return replace(played, behaviors=tuple(seen))
+
+
+CLASSES = (Perform, PerformAll, Forget, Cancel)

@@ -108,3 +108,11 @@ def line(blender: Any) -> Any:
     settings = blender.context.scene.understudy
     settings.source, settings.audio, settings.text = "FILE", str(AUDIO), WORDS
     return settings
+
+
+@pytest.fixture
+def performed(blender: Any, mannequin: Any, line: Any) -> Any:
+    """The armature with the example line."""
+    assert line.text
+    blender.ops.understudy.perform()
+    return mannequin

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from tests.plugins.blender.in_blender.conftest import ADDON
+from tests.plugins.blender.in_blender.tracks import id_of
 
 Bpy = Any
 
@@ -82,9 +83,9 @@ def test_a_performance_and_its_selected_strips_are_shown_with_their_reasons(
     blender.ops.understudy.perform()
     for track in mannequin.animation_data.nla_tracks:
         for strip in track.strips:
-            strip.select = strip.name.startswith("gesture1 ")
+            strip.select = id_of(strip) == "gesture1"
     shown = drawn(blender, "Performances")
-    assert "gesture1 NEGATION" in shown
+    assert "gesture: negation (right hand)" in shown
     assert any("negation by" in text for text in shown)
     assert {"understudy.play_strips", "understudy.export_bml", "understudy.forget"} <= set(shown)
     assert {"character", "profile", "seed"} <= set(drawn(blender, "LineView3D"))

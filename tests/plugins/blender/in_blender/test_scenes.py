@@ -31,7 +31,7 @@ def test_a_thing_that_words_name_is_pointed_at(blender: Bpy, mannequin: Bpy, lam
     """Those lights: in the frame of the gesture's stroke the arm points to the lamp."""
     assert line.targets
     blender.ops.understudy.perform()
-    (pointing,) = [each for strips in tracks(mannequin).values() for each in strips if "POINT" in each.name]
+    (pointing,) = [each for strips in tracks(mannequin).values() for each in strips if "point" in each.name]
     frame = round(pointing.frame_start + pointing.action.pose_markers["stroke"].frame)
     joints = heads(blender, mannequin, frame)
     shoulder, (x, y, z) = joints["leftUpperArm"], lamp.location

@@ -1,5 +1,6 @@
 """What lies on NLA tracks, and where bones are."""
 
+import json
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,18 @@ def tracks(owner: Any) -> dict[str, list[Any]]:
 def strip(owner: Any, name: str) -> Any:
     """The strip whose name begins so."""
     (found,) = [each for strips in tracks(owner).values() for each in strips if each.name.startswith(name)]
+    return found
+
+
+def id_of(strip: Any) -> str:
+    """The BML id of the behaviour that a strip stands for; empty for strips of motion."""
+    written = strip.action.get("understudy_behavior")
+    return str(json.loads(written)["id"]) if written else ""
+
+
+def behavior_strip(owner: Any, name: str) -> Any:
+    """The strip of the behaviour with this id."""
+    (found,) = [each for strips in tracks(owner).values() for each in strips if id_of(each) == name]
     return found
 
 

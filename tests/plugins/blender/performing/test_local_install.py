@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from plugins.blender.performing.local_install import LocalInstall
-from plugins.blender.performing.requests import CancelledError, Line, PerformingError, Sheet
+from plugins.blender.performing.requests import CancelledError, Line, PerformingError, Remark, Sheet
 
 
 def command(folder: Path, script: str) -> LocalInstall:
@@ -30,12 +30,12 @@ def test_a_line_is_asked_for_by_the_options_of_the_command_line(tmp_path: Path) 
 echo '{"event": "warning", "code": "x", "message": "warning: a guess"}' >&2"""
     options = {"seed": 3, "lead_in_s": 0.5, "listener": [], "targets": {"door": (1.0, 1.5, 2.0)}, "character": "formal"}
     stages: list[str] = []
-    line = Line(Path("line.wav"), "No.", options, {"moments": []})
+    line = Line(Path("line.wav"), "No.", options, {"behaviors": []})
     performed = command(tmp_path, f"{writes}\n{events}").perform(line, stages.append, never)
     asked = (tmp_path / "asked").read_text()
     assert "--seed 3 --lead-in 0.5 --target door=1,1.5,2 --character formal --json-log" in asked
-    assert "--direction" in asked
-    assert (performed.bml, stages, performed.warnings) == (b"<bml/>\n", ["align"], ("a guess",))
+    assert "--edits" in asked
+    assert (performed.bml, stages, performed.warnings) == (b"<bml/>\n", ["align"], (Remark("x", "a guess"),))
 
 
 def test_an_error_is_told_in_understudys_words(tmp_path: Path) -> None:

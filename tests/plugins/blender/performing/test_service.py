@@ -10,7 +10,7 @@ from typing import ClassVar
 
 import pytest
 
-from plugins.blender.performing.requests import CancelledError, Line, PerformingError, Sheet
+from plugins.blender.performing.requests import CancelledError, Line, PerformingError, Remark, Sheet
 from plugins.blender.performing.service import Service, is_local
 
 Answer = tuple[int, dict[str, str], bytes]
@@ -60,7 +60,7 @@ def server() -> Iterator[tuple[str, Answering]]:
 def line(tmp_path: Path) -> Line:
     audio = tmp_path / "line.wav"
     audio.write_bytes(b"RIFF")
-    return Line(audio, "No, not those.", {"seed": 2}, {"moments": []})
+    return Line(audio, "No, not those.", {"seed": 2}, {"behaviors": []})
 
 
 def ignored(_stage: str) -> None:
@@ -81,11 +81,11 @@ def test_a_line_is_posted_and_its_answer_read(server: tuple[str, Answering], lin
     }
     answering.answers.append((200, {}, json.dumps(answer).encode()))
     performed = Service(url, "secret").perform(line, ignored, never)
-    assert (performed.bml, performed.warnings) == (b"<bml/>", ("a guess",))
+    assert (performed.bml, performed.warnings) == (b"<bml/>", (Remark("x", "a guess"),))
     assert performed.listeners == {"ann": b"<bml id='ann'/>"}
     path, headers, body = answering.asked[0]
     assert (path, headers["Authorization"], headers["Accept"]) == ("/perform", "Bearer secret", "application/json")
-    for part in (b'name="text"\r\n\r\nNo, not those.', b'{"seed": 2}', b'filename="line.wav"', b'name="direction"'):
+    for part in (b'name="text"\r\n\r\nNo, not those.', b'{"seed": 2}', b'filename="line.wav"', b'name="edits"'):
         assert part in body
 
 

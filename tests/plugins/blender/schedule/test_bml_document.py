@@ -21,7 +21,7 @@ def test_behaviours_are_found_by_local_name() -> None:
     assert [(each.id, each.kind, each.lexeme) for each in described(BML)] == [
         ("gesture1", "gesture", "NEGATION"),
         ("head1", "head", "SHAKE"),
-        ("face1", "face", "AU 45"),
+        ("face1", "eyes", "BLINK"),
         ("posture1", "posture", "posture"),
     ]
     assert [(each.id, each.lexeme) for each in described(SMARTBODY)] == [("h1", "NOD"), ("g1", "RHYTHM")]
