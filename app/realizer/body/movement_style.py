@@ -82,6 +82,9 @@ class IdleLife:
     neck_forward_deg: Degrees = 0.0
     neck_deg: Degrees = 0.0
     breath_deg: Degrees = 2.0
+    stance_weight: Share = 0.0
+    ribs_side_deg: Degrees = 0.0
+    ribs_twist_deg: Degrees = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,11 +31,11 @@ vertebrae make about half of a turn, a third of a nod and a quarter of a tilt (B
 OPENING_DEGREES = (9.0, 16.0)
 """How far down and to one side a line is begun whose first look is to the listener, at most; at least half of it."""
 
-HEAD_LAG_S = 0.04
+HEAD_LAG_S = 0.06
 """The head is heavier and starts later than the eyes; the trunk starts later than the head."""
 TRUNK_LAG_S = 0.12
-HEAD_S, HEAD_S_PER_RADIAN = 0.2, 0.008 * 180 / np.pi
-"""The minimum duration of a head movement, kept even if the schedule has less: 20° peak at about 100°/s."""
+HEAD_S, HEAD_S_PER_RADIAN = 0.22, 0.011 * 180 / np.pi
+"""The minimum duration of a head movement, kept even if the schedule has less: 20° peak at about 85°/s."""
 TRUNK_SLOWNESS = 1.8
 
 _UPWARDS = (0.0, 1.0, 0.0)

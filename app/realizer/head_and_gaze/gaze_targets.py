@@ -39,10 +39,11 @@ DIRECTIONS: Mapping[str, tuple[float, float]] = MappingProxyType(
 )
 """Pitch and yaw of BML's `offsetDirection`."""
 
-HEAD_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.9, "LOOK": 0.7})
-"""The share of the angle that the head contributes: nearly all when it stays, less for a look that returns."""
+HEAD_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.9, "LOOK": 0.7, "WATCH": 0.5})
+"""The share of the angle that the head contributes: nearly all when it stays, less for a look that returns, least for
+one at the own hand."""
 
-TRUNK_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.35, "LOOK": 0.2})
+TRUNK_SHARE: Mapping[str, float] = MappingProxyType({"SHIFT": 0.35, "LOOK": 0.2, "WATCH": 0.1})
 """The share that the trunk contributes of the yaw beyond `TRUNK_AT_EASE`."""
 
 TRUNK_AT_EASE = np.radians(10.0)
@@ -131,7 +132,8 @@ def _lines(schedule: Schedule, at: Mapping[str | None, FloatArray]) -> Iterator[
         glance = _NOWHERE
         if glances:
             glance = _aside(glances[-1]) if glances[-1].direction in DIRECTIONS else at[glances[-1].target] - line
-        yield _Line(at_s, within_s, line, glance, "LOOK" if aside else "SHIFT")
+        kind = (aside[-1].lexeme if aside[-1].lexeme in HEAD_SHARE else "LOOK") if aside else "SHIFT"
+        yield _Line(at_s, within_s, line, glance, kind)
 
 
 def _moments(schedule: Schedule) -> list[tuple[float, float, Behavior, bool]]:

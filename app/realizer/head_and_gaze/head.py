@@ -34,7 +34,7 @@ FASTEST_EYE_RAD_S = np.radians(850.0)
 _PITCH = (1.0, 0.0, 0.0)
 
 _CALMED = 0.75
-"""The share of idle movement that is suppressed in the middle of a movement."""
+"""The share of idle movement that is suppressed in the middle of a movement; how the head is held stays."""
 
 
 def apply_head_movements(
@@ -74,7 +74,8 @@ def _turns(times_s: FloatArray, schedule: Schedule, idle: HeadAttitude) -> tuple
         each for each in schedule.behaviors if each.kept and each.kind is Channel.HEAD and each.lexeme in MOVEMENTS
     ]
     calm = _calm(times_s, movements)[:, None]
-    neck_turn, head_turn = calm * idle.neck, calm * idle.head
+    held = idle.held / 2
+    neck_turn, head_turn = held + calm * idle.neck, held + calm * idle.head
     for movement in movements:
         _add(times_s, movement, neck_turn, head_turn)
     return neck_turn, head_turn

@@ -49,16 +49,17 @@ class Opening:
     lower: float
 
 
-OPEN = Opening(28.0, -20.0)
+OPEN = Opening(18.5, -21.0)
+"""The upper lid lies over the iris by a ninth of its height, as in people at ease; white above it is alarm."""
 CLOSED_AT = -9.0
 OPENINGS: Mapping[str, Opening] = MappingProxyType(
     {
         "eyeBlink": Opening(CLOSED_AT, CLOSED_AT),
-        "eyeSquint": Opening(17.0, -10.0),
-        "eyeWide": Opening(41.0, -26.0),
-        "eyeLookDown": Opening(12.0, -24.0),
-        "eyeLookUp": Opening(37.0, -16.0),
-        "cheekSquint": Opening(28.0, -13.0),
+        "eyeSquint": Opening(9.5, -11.0),
+        "eyeWide": Opening(34.0, -26.0),
+        "eyeLookDown": Opening(4.0, -25.0),
+        "eyeLookUp": Opening(30.0, -17.0),
+        "cheekSquint": Opening(OPEN.upper, -13.0),
     }
 )
 """The lid openings of the blendshapes that move them."""

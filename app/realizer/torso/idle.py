@@ -23,9 +23,11 @@ from ..geometry.noise import Noise, perlins
 from ..geometry.rotations import IDENTITY, multiply
 from ..gestures.arm_joints import arm_joints
 from .balance import hips_height_m, set_legs
+from .bearing import bow, lean
 from .breathing import QUIET_CYCLE_S, lung_volume
 from .idle_activity import IDLE_ACTIVITY, idle_activity
 from .posture import TrunkPosture, trunk_postures
+from .stance import beside, stances
 
 Degrees = tuple[float, float, float]
 """Pitch, yaw and roll of the left side; yaw and roll change sign on the right."""
@@ -49,6 +51,9 @@ _BREATH_DEGREES: Mapping[str, float] = MappingProxyType({"spine": 0.4, "chest": 
 
 _SLUMP: Mapping[str, float] = MappingProxyType({"hips": 0.0, "spine": 0.0, "chest": 0.45, "upperChest": 0.55})
 """The joints' shares of a rounded upper back."""
+
+_RIBS: Mapping[str, float] = MappingProxyType({"spine": 0.45, "chest": 0.35, "upperChest": 0.2})
+"""The joints' shares of what the ribs do against the pelvis."""
 
 _STIRRING_HZ = 0.6
 _STIRRING_DEGREES = 1.2
@@ -83,7 +88,10 @@ def idle_motion(
     generator = np.random.default_rng(seed)
     held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     noise = _noise(times_s, life, seed)
-    held = replace(held, weight=held.weight + (1 - schedule.stillness) * life.weight * noise.weight)
+    stance = stances(times_s, schedule, life, seed=seed)
+    wandering = (1 - schedule.stillness) * life.weight * noise.weight
+    weight = beside(held.weight, stance.weight, uneven=UNEVEN_WEIGHT) + wandering
+    held = replace(held, weight=weight, forward=held.forward + lean(schedule.agitation))
     cycle_s, lively = QUIET_CYCLE_S / IDLE_ACTIVITY[schedule.agitation], idle_activity(schedule)
     breath = lung_volume(times_s, schedule.phrases, generator, cycle_s=cycle_s)
     rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
@@ -91,6 +99,8 @@ def idle_motion(
     bent_m = life.bob_m * lively * (_LOWERED + noise.bob)
     bends = np.radians(life.bend_deg) * sway[:, :12].reshape(-1, len(_TRUNK), 3)
     bends[:, :, 0] += np.radians(life.slump_deg) * (0.5 + 2 * lively * noise.slump)[:, None] * list(_SLUMP.values())
+    bends[:, :, 0] += bow(schedule.agitation)
+    bends[:, 1:] += stance.ribs[:, None] * np.array(list(_RIBS.values()))[:, None]
     _hold_trunk(skeleton, rotations, held, breath, bends)
     _stir_arms(skeleton, rotations, np.radians(life.breath_deg) * breath, lively * noise.stirring)
     hips_m = np.zeros((len(times_s), 3))

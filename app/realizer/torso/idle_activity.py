@@ -6,7 +6,7 @@ from types import MappingProxyType
 
 from ...model import Level, Schedule
 
-IDLE_ACTIVITY: Mapping[Level, float] = MappingProxyType({Level.LOW: 0.8, Level.MEDIUM: 1.0, Level.HIGH: 1.25})
+IDLE_ACTIVITY: Mapping[Level, float] = MappingProxyType({Level.LOW: 0.75, Level.MEDIUM: 1.0, Level.HIGH: 1.3})
 """Factors of the amplitudes of sway and noise, and of the breathing rate."""
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.support.motion.movements import TIMES_S, schedule
-from understudy.model import FloatArray, Interval, Schedule
+from understudy.model import FloatArray, Interval, Schedule, Word
 from understudy.realizer.head_and_gaze.attitudes import FORWARD_DEGREES, HeadAttitude, head_attitude
 
 PLAIN = schedule()
@@ -15,8 +15,8 @@ FORWARD = np.radians(FORWARD_DEGREES)
 
 
 def angles(attitude: HeadAttitude) -> FloatArray:
-    """All angles (T, 10)."""
-    return np.column_stack([attitude.trunk, attitude.neck, attitude.head, attitude.forward])
+    """All angles (T, 13)."""
+    return np.column_stack([attitude.trunk, attitude.held, attitude.neck, attitude.head, attitude.forward])
 
 
 def test_the_same_seed_moves_alike_and_another_otherwise() -> None:
@@ -38,7 +38,7 @@ def test_the_attitude_changes_as_a_phrase_begins_and_nothing_jumps(seed: int) ->
     course = head_attitude(TIMES_S, phrased, seed=seed).trunk
     moving = np.linalg.norm(np.diff(course, axis=0), axis=1) > 1e-9
     assert moving[np.searchsorted(TIMES_S, begins_s + 0.1)]
-    assert np.degrees(np.abs(np.diff(angles(head_attitude(TIMES_S, phrased, seed=seed)), axis=0))).max() * 60 < 60
+    assert np.degrees(np.abs(np.diff(angles(head_attitude(TIMES_S, phrased, seed=seed)), axis=0))).max() * 60 < 90
 
 
 def test_stress_thrusts_the_head_forward_and_down_and_it_comes_back() -> None:
@@ -53,6 +53,27 @@ def test_stress_thrusts_the_head_forward_and_down_and_it_comes_back() -> None:
 
 def test_a_head_is_somewhere_else_every_few_seconds() -> None:
     course = head_attitude(np.arange(0, 60, 1 / 30), Schedule((), 60.0), seed=3)
-    yaw = np.degrees(course.neck + course.head)[:, 1]
-    assert 1.5 < yaw.std() < 5
-    assert np.abs(np.degrees(course.trunk)).max() < 4
+    yaw = np.degrees(course.held + course.neck + course.head)[:, 1]
+    sweeps = [np.ptp(yaw[first : first + 210]) for first in range(0, len(yaw) - 210, 105)]
+    assert 20 < np.median(sweeps) < 40
+    assert np.abs(yaw).max() < 20
+    assert np.abs(np.degrees(course.trunk)).max() < 5
+
+
+def test_a_head_turns_to_the_other_side_with_each_attitude_and_slowly() -> None:
+    """Power below .95 Hz against above (deg/s)²: people's heads have more of the former."""
+    course = head_attitude(np.arange(0, 60, 1 / 30), Schedule((), 60.0), seed=3)
+    yaw = np.degrees(course.held + course.neck + course.head)[:, 1]
+    power = np.abs(np.fft.rfft(np.diff(yaw) * 30)) ** 2
+    slow = np.fft.rfftfreq(len(yaw) - 1, 1 / 30) < 0.95
+    assert power[slow].sum() > 2 * power[~slow].sum()
+
+
+def test_a_head_moves_while_the_voice_is_heard_and_holds_in_the_pauses() -> None:
+    phrases = tuple(Interval(start_s, start_s + 2.6) for start_s in np.arange(0.0, 58.0, 3.2))
+    words = tuple(Word(number, "word", phrase) for number, phrase in enumerate(phrases))
+    times_s = np.arange(0, 58, 1 / 30)
+    course = head_attitude(times_s, Schedule((), 58.0, phrases=phrases, words=words), seed=3)
+    speed = np.linalg.norm(np.diff(np.degrees(course.held + course.neck + course.head), axis=0), axis=1) * 30
+    pausing = (times_s[1:] % 3.2) > 2.65
+    assert speed[~pausing].mean() > 2 * speed[pausing].mean()

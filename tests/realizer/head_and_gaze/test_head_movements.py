@@ -42,8 +42,8 @@ def test_a_movement_without_the_time_for_it_begins_earlier_or_ends_later() -> No
     assert course_of(usual) == Course(1.0, 1.4, 2.4, 2.8)
     cut = course_of(behavior(Channel.HEAD, "TILT_LEFT", 1.0, 1.0, 1.0, 1.0, 1.0, 2.4, 2.4))
     assert (cut.stroke_s, cut.relax_s) == (1.0, 2.4)
-    assert cut.start_s == pytest.approx(0.85)
-    assert cut.end_s == pytest.approx(2.55)
+    assert cut.start_s == pytest.approx(0.74)
+    assert cut.end_s == pytest.approx(2.66)
 
 
 def test_what_is_told_of_a_movement_is_when_it_was_made() -> None:

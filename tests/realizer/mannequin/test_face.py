@@ -115,7 +115,8 @@ def edge_m(side: str, material: str, number: int) -> FloatArray:
 def test_a_face_at_rest_is_awake_and_does_not_worry(side: str) -> None:
     upper, lower = edge_m(side, "skin", 0), edge_m(side, "skin", 1)
     iris_m = BALL_M * np.sin(np.radians(IRIS_DEGREES))
-    assert upper[:, 1].max() > EYE_M[1] + 0.85 * iris_m
+    covered = (EYE_M[1] + iris_m - upper[:, 1].max()) / (2 * iris_m)
+    assert 0.10 <= covered < 0.16
     assert lower[:, 1].min() < EYE_M[1] - 0.6 * iris_m
     apart = np.flatnonzero(np.abs(upper[:, 1] - lower[:, 1]) > 1e-4)
     assert upper[apart[-1] + 1, 1] > upper[apart[0] - 1, 1]

@@ -1,0 +1,90 @@
+"""How the body stands from phrase to phrase: the weight goes to the other leg just before the voice begins, and
+the ribs bend and turn against the pelvis.
+
+Speakers shift their posture where a new unit of talk begins (Cassell et al. 2001; Kendon 1972), the weight first, since
+the large masses set out before the limbs. In a long phrase the stance changes now and then as well. A weight that the
+schedule asks for is kept.
+
+Conventions: seconds, radians; the weight is 1 on the left leg, -1 on the right; pitch, yaw and roll as in
+`understudy.realizer.geometry.angles`.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...model import FloatArray, Interval, Schedule
+from ..body.movement_style import IdleLife
+from ..geometry.easing import superposed_movements
+from .idle_activity import idle_activity
+
+BEFORE_S = 0.35
+"""How much earlier than the voice the weight sets out."""
+MOVING_S = (0.6, 0.95)
+LASTS_S = (2.0, 3.4)
+"""How long a stance lasts within a phrase."""
+SHORTEST_S = 1.1
+"""A phrase that begins sooner after the last change keeps the stance, and none changes so shortly before its end."""
+
+MOST_WEIGHT = 1.1
+"""On one leg: a little beyond it, as hips that jut out."""
+
+SMALLEST = 0.55
+"""Each stance has at least this share of the whole amounts, and they change sides."""
+_BOW = 0.4
+"""Of the twist, how much the ribs bow or straighten with a stance."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StanceCourse:
+    """What stances add over time: the weight (T,), and pitch, yaw and roll of the ribs over the pelvis (T, 3)."""
+
+    weight: FloatArray
+    ribs: FloatArray
+
+
+def stances(times_s: FloatArray, schedule: Schedule, life: IdleLife, *, seed: int) -> StanceCourse:
+    """The stances of a line; deterministic for a seed, none at a stillness of 1."""
+    generator = np.random.default_rng(seed + 9)
+    starts_s = np.array(list(_changes_s(float(times_s[-1]), schedule.phrases, generator)))
+    held = _drawn(len(starts_s) + 1, generator) * _whole(life)
+    durations_s = generator.uniform(*MOVING_S, len(starts_s))
+    course = held[0] + superposed_movements(times_s, starts_s, durations_s, np.diff(held, axis=0))
+    course *= idle_activity(schedule)
+    return StanceCourse(course[:, 0], course[:, 1:])
+
+
+def beside(asked: FloatArray, own: FloatArray, *, uneven: float) -> FloatArray:
+    """The weight (T,) with the body's `own` beside what is `asked`: the more of it a posture has put on one leg, beyond
+    the `uneven` share that nobody asked for, the less of its own."""
+    free = 1 - 0.8 * np.clip((np.abs(asked) - uneven) / (1 - uneven), 0.0, 1.0)
+    return np.asarray(np.clip(asked + free * own, -MOST_WEIGHT, MOST_WEIGHT))
+
+
+def _whole(life: IdleLife) -> FloatArray:
+    """The whole amounts of weight, pitch, yaw and roll."""
+    side, twist = np.radians([life.ribs_side_deg, life.ribs_twist_deg])
+    return np.array([life.stance_weight, _BOW * twist, twist, side])
+
+
+def _drawn(count: int, generator: np.random.Generator) -> FloatArray:
+    """Shares (count, 4) of the whole amounts: weight and side bend change sides together, so that the ribs lean back
+    over the leg that bears the weight; the twist changes sides in its own time."""
+    sizes = generator.uniform(SMALLEST, 1.0, (count, 4))
+    turns = np.where(np.arange(count) % 2 == 0, 1.0, -1.0) * generator.choice([-1.0, 1.0])
+    twists = turns * generator.choice([-1.0, 1.0])
+    bows = generator.choice([-1.0, 1.0], count)
+    return np.asarray(sizes * np.stack([turns, bows, twists, -turns], axis=1))
+
+
+def _changes_s(end_s: float, phrases: Sequence[Interval], generator: np.random.Generator) -> Iterator[float]:
+    """When stances change: before phrases, and within long ones."""
+    last_s = -SHORTEST_S
+    for phrase in phrases:
+        at_s = phrase.start_s - BEFORE_S
+        while at_s < min(max(phrase.end_s - SHORTEST_S, phrase.start_s), end_s):
+            if at_s - last_s >= SHORTEST_S and at_s > 0:
+                yield at_s
+                last_s = at_s
+            at_s += float(generator.uniform(*LASTS_S))
