@@ -137,7 +137,7 @@ def _turns(count: int, generator: np.random.Generator) -> FloatArray:
 
 def _clock_s(times_s: FloatArray, words: Sequence[Word]) -> FloatArray:
     """A clock (T,) that runs with the time while words are heard and slowly between them."""
-    rate = np.ones(len(times_s))
+    rate: FloatArray = np.ones(len(times_s))
     heard = [word.interval for word in words if word.interval]
     for before, after in pairwise(heard):
         if after.start_s - before.end_s >= _PAUSE_S:

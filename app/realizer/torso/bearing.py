@@ -33,7 +33,7 @@ _BOW: Mapping[str, float] = MappingProxyType({"hips": 0.0, "spine": 0.25, "chest
 @cache
 def bow(level: Level) -> FloatArray:
     """The pitch of the joints from the hips up (4,), beside the lean. Never mutated."""
-    return np.radians(BEARINGS[level].bow_deg) * np.array(list(_BOW.values()))
+    return np.asarray(np.radians(BEARINGS[level].bow_deg) * np.array(list(_BOW.values())))
 
 
 def lean(level: Level) -> float:
