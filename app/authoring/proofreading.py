@@ -16,6 +16,7 @@ from ..behavior.candidates.attitudes import load_attitudes
 from ..behavior.candidates.vocabulary import BANNABLE
 from ..behavior.characters.overlays import Characters
 from ..behavior.listeners.head_rates import HeadRates
+from ..behavior.mimes.table import MimeTable
 from ..behavior.reading.authored_weights import TermNames, load_weights
 from ..behavior.reading.choice_model import ChoiceModel
 from ..behavior.reading.families import load_families
@@ -75,6 +76,12 @@ def _check_slots(file: Path) -> None:
     SlotTable.load(file, families.shows)
 
 
+def _check_mimes(file: Path) -> None:
+    lexicon = resource_folder("lexicon")
+    families = load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines)
+    MimeTable.load(file, families.gesture_names)
+
+
 def _check_weights(file: Path) -> None:
     choice = ChoiceModel.load(resource_folder("models") / "acting" / "weights.json")
     table = TermTable.load(
@@ -106,6 +113,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         ),
         "attitudes.yaml": _check_attitudes,
         "slots.yaml": _check_slots,
+        "mimes.yaml": _check_mimes,
         "weights.yaml": _check_weights,
         "terms.yaml": _check_terms,
         "head_rates.yaml": HeadRates.load,
@@ -141,6 +149,7 @@ def check_files_in_use() -> None:
         lambda: load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines),
         lambda: _check_attitudes(lexicon / "acting" / "attitudes.yaml"),
         lambda: _check_slots(lexicon / "acting" / "slots.yaml"),
+        lambda: _check_mimes(lexicon / "acting" / "mimes.yaml"),
         lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
         partial(SmartBodyTables.load, lexicon / SMARTBODY),

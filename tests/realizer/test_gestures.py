@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LEXICON = ROOT / "lexicon"
 PAGE = ROOT / "docs" / "gestures.md"
 
-TOUCHING = {"PALMS_TOGETHER"}
+TOUCHING = {"PALMS_TOGETHER", "MIME_CLAP", "MIME_HUG", "MIME_RUB_HANDS"}
 """Categories whose hands meet on purpose."""
 
 CHEST_M = 0.13

@@ -68,7 +68,7 @@ def _of_moment(
     player: Player, utterance: Utterance, moment: Moment, plan: Plan, supports: Sequence[Support]
 ) -> BehaviorCandidates | None:
     offered = _offered(player, moment, supports)
-    asking = dict(_asking(player, utterance, moment))
+    asking = {**dict(_asking(player, utterance, moment)), **dict.fromkeys(_mimed(moment, plan), False)}
     rated = {
         name: _log_odds(player, moment, plan, name, offered.get(name)) + ASKED_BY_LEMMA * asking.get(name, False)
         for name in (*asking, *offered)
@@ -87,6 +87,13 @@ def _of_moment(
         if odds > LEAST_ODDS
     )
     return BehaviorCandidates(None, alternatives, moment) if alternatives else None
+
+
+def _mimed(moment: Moment, plan: Plan) -> Iterator[str]:
+    """The mimes of a verb at the moment's stroke."""
+    worths = _weighed(moment, plan)
+    if worths is not None:
+        yield from (mime.name for (word, _lexeme), mime in worths.mimes.items() if word == moment.stroke)
 
 
 def _asking(player: Player, utterance: Utterance, moment: Moment) -> Iterator[tuple[str, bool]]:

@@ -72,6 +72,11 @@ class Families:
     gaze: Mapping[str, tuple[FamilyBehavior, ...]]
     shows: Mapping[str, tuple[str, ...]]
 
+    @property
+    def gesture_names(self) -> frozenset[str]:
+        """The behaviours of all families of gestures."""
+        return frozenset(each.name for listed in self.gesture.values() for each in listed)
+
 
 def family_rule(channel: str, family: str) -> str:
     """The name given in place of a rule in the reason for a behaviour that shows a planned family and that no rule

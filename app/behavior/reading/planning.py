@@ -17,6 +17,8 @@ from typing import TypeAlias
 import numpy as np
 
 from ...model import BehaviorCandidates, Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
+from ..mimes.finding import Mime, mimes_in
+from ..mimes.table import MimeTable
 from .authored_weights import TermNames, load_weights
 from .choice_model import ChoiceModel, log_odds_of, worth_of
 from .contrasts import CONTRAST, Ground, PlacedStroke, placed_strokes, with_placed
@@ -63,6 +65,9 @@ FORBIDDEN = -30.0
 FULL_GAIN = 1.6
 """The gain at which a gesture has importance 1."""
 
+MIMED = "emblem_other"
+"""The family of mimes."""
+
 FAMILIES_TOLD = 4
 TERMS_TOLD = 6
 REJECTED_TOLD = 3
@@ -71,13 +76,15 @@ REJECTED_TOLD = 3
 @dataclass(frozen=True, slots=True, eq=False)
 class Planner:
     """The models of planning, loaded once: the encoder, the weights, how much each lexeme shows each family (L, F) with
-    the lexemes' names, and the lemmas without which a family cannot be shown (mimes: "drink", "phone")."""
+    the lexemes' names, the lemmas without which a family cannot be shown (mimes: "drink", "phone"), and which verb is
+    shown by which mime."""
 
     encoder: Encoder
     choice: ChoiceModel
     lexemes: Mapping[str, int]
     shown: SingleArray
     needed_lemmas: Mapping[str, frozenset[str]]
+    mimes: MimeTable
     terms: TermTable
     kind_weights: Mapping[str, Mapping[str, float]]
 
@@ -106,6 +113,7 @@ class Planner:
             lexemes=MappingProxyType({lexeme: column for column, lexeme in enumerate(families.shows)}),
             shown=shown_by_lexemes(families.shows, choice.families),
             needed_lemmas=MappingProxyType(dict(_needed_lemmas(families))),
+            mimes=MimeTable.load(lexicon / "mimes.yaml", families.gesture_names),
             terms=table,
             kind_weights=MappingProxyType(
                 {term: {kind: by[kind] for kind in kinds if by.get(kind)} for term, by in authored.items()}
@@ -222,19 +230,31 @@ def _worths(planner: Planner, reading: Reading, line: Understood, player: Player
     utterance, choice = line.utterance, planner.choice
     terms = terms_of(utterance, line.functions, planner.terms.of_facts(line.facts))
     read = expected_worth(reading.at_word, reading.nearby)
-    worth = worth_of(choice.log_odds(read, terms)) * _possible(planner, utterance)
+    mimes = [each for each in mimes_in(planner.mimes, utterance.parse.tokens) if each.name in player.behaviors]
+    worth = worth_of(choice.log_odds(read, terms)) * _possible(planner, utterance, mimes)
     supports = _supports(planner, line.offers, player)
     focus = focus_of([word.focus for word in utterance.words])
     text = " ".join(word.text for word in utterance.words)
     chance = chance_of_lexemes(player.seed, text, len(worth), planner.shown)
     total = summed(lexeme_worth(worth, planner.shown), supports, planner.lexemes, chance + focus[:, None])
+    mimed = {place: mime for place, mime in _mimed_lexemes(mimes, player) if place[1] in planner.lexemes}
+    for (word, lexeme), mime in mimed.items():
+        total[word, planner.lexemes[lexeme]] += mime.part.weight
     for column in _unplayable(planner, player):
         total[:, column] = FORBIDDEN
     for ban, lexemes in player.banned_lexemes():
         total[ban.first : ban.last + 1, [planner.lexemes[each] for each in lexemes if each in planner.lexemes]] = (
             FORBIDDEN
         )
-    return LineWorths(choice, planner.lexemes, planner.shown, read, terms, worth, supports, focus, chance, total)
+    return LineWorths(
+        choice, planner.lexemes, planner.shown, read, terms, worth, supports, focus, chance, total, mimes=mimed
+    )
+
+
+def _mimed_lexemes(mimes: Iterable[Mime], player: Player) -> Iterator[tuple[tuple[int, str], Mime]]:
+    """The mimes with the words of their verbs and objects and the lexemes that show them."""
+    for mime in mimes:
+        yield from (((word, player.lexeme(mime.name)), mime) for word in range(mime.first, mime.last + 1))
 
 
 def _unplayable(planner: Planner, player: Player) -> list[int]:
@@ -266,7 +286,7 @@ def _gains(planner: Planner, reading: Reading, worths: LineWorths) -> SingleArra
     return np.asarray(gains(worth_of(worths.log_odds), at_word, reading.stroke).max(axis=1), np.float32)
 
 
-def _possible(planner: Planner, utterance: Utterance) -> SingleArray:
+def _possible(planner: Planner, utterance: Utterance, mimes: Iterable[Mime]) -> SingleArray:
     """Which families can be shown on each word (W, F), 0 or 1: some need a word nearby that says what to show."""
     possible = np.ones((len(utterance.words), len(planner.choice.families)), np.float32)
     for family, lemmas in planner.needed_lemmas.items():
@@ -276,6 +296,9 @@ def _possible(planner: Planner, utterance: Utterance) -> SingleArray:
             for token in utterance.parse.tokens:
                 if token.lemma.lower() in lemmas:
                     possible[max(0, token.word - NEAR) : token.word + NEAR + 1, place] = 1.0
+    for mime in mimes:
+        place = planner.choice.families.index(MIMED)
+        possible[max(0, mime.first - NEAR) : mime.last + NEAR + 1, place] = 1.0
     return possible
 
 

@@ -1,7 +1,7 @@
 """The worth of every gesture on every word of a line: one sum of named parts in log-odds.
 
     log-odds(word, lexeme) = those of its families (reading, how common they are, terms) + a mapping rule's support
-                             + the focus on the word + what was shown just before + chance
+                             + the verb that a mime shows + the focus on the word + what was shown just before + chance
 
 So the reading, the paper's rules, the voice, the author and chance are heard at once, and each choice can name what
 decided it. Shapes: W words, F families, L lexemes.
@@ -15,6 +15,7 @@ from math import log
 import numpy as np
 
 from ...model import SingleArray, Term
+from ..mimes.finding import Mime
 from .choice_model import ChoiceModel, log_odds_of
 from .families import OTHER_FAMILY, merged
 from .supports import Support
@@ -52,9 +53,9 @@ JUST_BEFORE = "shown just before"
 @dataclass(frozen=True, slots=True, eq=False)
 class LineWorths:
     """The worths of a line: `read` the reading's expected worth and `family` the worth with all terms (W, F), `terms`
-    the terms of each word, `log_odds` the whole sum (W, L), with `supports`, `focus` (W,), `chance` (W, L) and what
-    lexemes lose that were shown just before, by word and column, as its further parts. `lexemes` are the columns,
-    `shown` (L, F) how much each shows each family."""
+    the terms of each word, `log_odds` the whole sum (W, L), with `supports` and `mimes` by word and lexeme, `focus`
+    (W,), `chance` (W, L) and what lexemes lose that were shown just before, by word and column, as its further parts.
+    `lexemes` are the columns, `shown` (L, F) how much each shows each family."""
 
     choice: ChoiceModel
     lexemes: Mapping[str, int]
@@ -67,6 +68,7 @@ class LineWorths:
     chance: SingleArray
     log_odds: SingleArray
     just_shown: Mapping[tuple[int, int], float] = field(default_factory=dict)
+    mimes: Mapping[tuple[int, str], Mime] = field(default_factory=dict)
 
     def of(self, word: int, lexeme: str) -> float | None:
         """The log-odds of a lexeme with its stroke on a word; None for one that nobody has said how it is read."""
@@ -87,6 +89,8 @@ class LineWorths:
         parts.append(Term(JUST_BEFORE, round(self.just_shown.get((word, column), 0.0), 2)))
         support = self.supports.get((word, lexeme))
         parts += support.parts if support else ()
+        mime = self.mimes.get((word, lexeme))
+        parts += (mime.part,) if mime else ()
         heavy = (part for part in parts if abs(part.weight) >= FAINT)
         return tuple(sorted(heavy, key=lambda part: (-abs(part.weight), part.name)))
 
