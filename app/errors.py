@@ -90,7 +90,8 @@ def shown(value: object) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Mistake:
-    """A mistake in a file that authors write. Line and column count from 1; `source_line` is the line itself."""
+    """A mistake in a file that authors write. Line and column count from 1; `source_line` is the line itself. A link
+    is told as the file that it points to (`understudy.authored_folders`)."""
 
     path: Path
     line: int
@@ -99,7 +100,8 @@ class Mistake:
     source_line: str = ""
 
     def __str__(self) -> str:
-        where = f"{self.path}:{self.line}:{self.column}: {self.message}"
+        path = self.path.readlink() if self.path.is_symlink() else self.path
+        where = f"{path}:{self.line}:{self.column}: {self.message}"
         if not self.source_line:
             return where
         return f"{where}\n    {self.source_line}\n    {' ' * (self.column - 1)}^"

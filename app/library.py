@@ -116,14 +116,19 @@ class RealizeKeywords(TypedDict, total=False):
     physics: bool
 
 
-def load(settings: Settings | None = None) -> Understudy:
+def load(settings: Settings | None = None, *, lexicon: Sequence[str | os.PathLike[str]] = ()) -> Understudy:
     """Loads models, rules, words and gestures, which takes seconds; threads may share them. Use the result in a `with`
     block, or `close` it: the aligner has a process of its own.
+
+    `lexicon` are an author's folders of words, rules, gestures, characters and profiles, laid over the bundled ones
+    (docs/authoring.md) besides those of the settings.
 
     Without `settings` those of the environment hold (docs/settings.md). Raises InputError `setting_wrong`,
     AuthoringError with every mistake in rules, words and gestures, ServiceError for a model that does not load.
     """
-    return Understudy.load(settings or read_settings())
+    settings = settings or read_settings()
+    folders = (*settings.lexicon_folders, *map(Path, lexicon))
+    return Understudy.load(settings.model_copy(update={"lexicon": os.pathsep.join(map(str, folders)) or None}))
 
 
 def perform(

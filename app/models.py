@@ -14,14 +14,12 @@ from typing import TYPE_CHECKING, Self
 
 from threadpoolctl import threadpool_limits
 
+from .authored_folders import AUTHORED, laid_over, lexicon_folder, rules_folder, tables_of
 from .cache import Cache
 from .errors import InputError, shown
 from .on_demand import OnDemand
 from .resources import RULES, resource_folder
 from .suggestions import did_you_mean
-
-AUTHORED = frozenset({".rules", ".yaml", ".gesture"})
-"""The suffixes of files that authors edit."""
 
 if TYPE_CHECKING:
     from .acoustic.stage import AcousticModels
@@ -66,12 +64,13 @@ class Understudy:
         from .acoustic.stage import AcousticModels
 
         threadpool_limits(limits=1, user_api="blas")
-        return cls(
-            behavior=BehaviorModels.load(settings),
-            language=LanguageModels.load(settings),
-            acoustic=AcousticModels.load(settings),
-            when_realizing=OnDemand(load_realizer),
-        )
+        with laid_over(settings.lexicon_folders):
+            return cls(
+                behavior=BehaviorModels.load(settings),
+                language=LanguageModels.load(settings),
+                acoustic=AcousticModels.load(settings),
+                when_realizing=OnDemand(load_realizer),
+            )
 
     @property
     def realizer(self) -> Realizer:
@@ -141,7 +140,7 @@ class BehaviorModels:
         from .behavior.listeners.head_rates import HeadRates
         from .behavior.reading.planning import Planner
 
-        lexicon = resource_folder("lexicon")
+        lexicon = lexicon_folder()
         characters = load_characters()
         families = load_families(characters)
         rules, models = load_mapping_rules(characters.behavior_names), resource_folder("models")
@@ -178,17 +177,18 @@ def load_function_rules() -> FunctionRules:
     """The current function rules and words; raises AuthoringError with every mistake in them."""
     from .rules.derivation import FunctionRules
 
-    words = resource_folder("lexicon") / "en"
-    files = [*_authored(RULES), *_authored(words)]
-    return Cache.of_environment().kept("function_rules", files, lambda: FunctionRules.load(RULES, words))
+    words = lexicon_folder() / "en"
+    rules = rules_folder(RULES)
+    files = [*_authored(rules), *_authored(words)]
+    return Cache.of_environment().kept("function_rules", files, lambda: FunctionRules.load(rules, words))
 
 
 def load_characters() -> Characters:
     """The current behaviour table and characters; raises AuthoringError with every mistake in them."""
     from .behavior.characters.overlays import Characters
 
-    lexicon = resource_folder("lexicon")
-    files = [lexicon / "behaviors.yaml", *_authored(lexicon / "characters")]
+    lexicon = lexicon_folder()
+    files = [*tables_of(lexicon / "behaviors.yaml"), *_authored(lexicon / "characters")]
     return Cache.of_environment().kept("characters", files, lambda: Characters.load(lexicon))
 
 
@@ -197,14 +197,14 @@ def load_families(characters: Characters) -> Families:
     from .behavior.reading.families import load_families as load
     from .model import DEFAULT_CHARACTER
 
-    return load(resource_folder("lexicon") / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
+    return load(lexicon_folder() / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
 
 
 def load_slots(families: Families) -> SlotTable:
     """What words say of size and place; raises AuthoringError with every mistake in the file."""
     from .behavior.slots.table import SlotTable
 
-    return SlotTable.load(resource_folder("lexicon") / "acting" / "slots.yaml", families.shows)
+    return SlotTable.load(lexicon_folder() / "acting" / "slots.yaml", families.shows)
 
 
 def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:
@@ -212,10 +212,10 @@ def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:
     from .behavior.candidates.vocabulary import BANNABLE
     from .rules.mapping import MappingRules
 
-    names = " ".join(sorted(behavior_names))
+    names, rules = " ".join(sorted(behavior_names)), rules_folder(RULES)
     cache = Cache.of_environment()
     return cache.kept(
-        "mapping_rules", _authored(RULES), lambda: MappingRules.load(RULES, behavior_names, BANNABLE), made_with=names
+        "mapping_rules", _authored(rules), lambda: MappingRules.load(rules, behavior_names, BANNABLE), made_with=names
     )
 
 
@@ -223,7 +223,7 @@ def load_gestures() -> Library:
     """The current gesture library; raises AuthoringError with every mistake in it."""
     from .realizer.gestures.library import Library
 
-    folder = resource_folder("lexicon") / "gestures"
+    folder = lexicon_folder() / "gestures"
     return Cache.of_environment().kept("gestures", _authored(folder), lambda: Library.load(folder))
 
 
@@ -231,7 +231,7 @@ def load_gesture_table(lexemes: Collection[str]) -> GestureTable:
     """What the scheduler needs to know of the gestures with these lexemes; raises as `load_gestures` does."""
     from .realizer.scheduling.gesture_table import gesture_table
 
-    folder, names = resource_folder("lexicon") / "gestures", " ".join(sorted(lexemes))
+    folder, names = lexicon_folder() / "gestures", " ".join(sorted(lexemes))
     cache = Cache.of_environment()
     return cache.kept(
         "gesture_table", _authored(folder), lambda: gesture_table(load_gestures(), lexemes), made_with=names
@@ -240,7 +240,7 @@ def load_gesture_table(lexemes: Collection[str]) -> GestureTable:
 
 def profile_names() -> tuple[str, ...]:
     """The names of the gesture profiles in the lexicon."""
-    return tuple(sorted(path.stem for path in (resource_folder("lexicon") / "profiles").glob("*.yaml")))
+    return tuple(sorted(path.stem for path in (lexicon_folder() / "profiles").glob("*.yaml")))
 
 
 def load_profile(name: str, lexemes: Collection[str]) -> Profile:
@@ -250,7 +250,7 @@ def load_profile(name: str, lexemes: Collection[str]) -> Profile:
     """
     if name not in profile_names():
         raise _unknown_profile(name)
-    return load_profile_file(resource_folder("lexicon") / "profiles" / f"{name}.yaml", lexemes)
+    return load_profile_file(lexicon_folder() / "profiles" / f"{name}.yaml", lexemes)
 
 
 def usable_profile(name: str, folder: Path = Path()) -> Profile | str:
@@ -278,14 +278,14 @@ def load_function_classes() -> Mapping[str, Mapping[str, float]]:
     their table."""
     from .rules.priorities import Priorities
 
-    return Priorities.load(RULES / "functions" / "priorities.yaml").root
+    return Priorities.load(rules_folder(RULES) / "functions" / "priorities.yaml").root
 
 
 def load_tag_table() -> TagTable:
     """What tags of a text that is to be spoken mean; raises AuthoringError with every mistake in their table."""
     from .marked_text.tag_table import FILE, TagTable
 
-    return TagTable.load(resource_folder("lexicon") / FILE, load_function_classes())
+    return TagTable.load(lexicon_folder() / FILE, load_function_classes())
 
 
 def load_tags() -> frozenset[str]:
@@ -294,7 +294,7 @@ def load_tags() -> frozenset[str]:
     from .profiles.tags import every_tag
     from .rules.priorities import Priorities
 
-    return every_tag(Priorities.load(RULES / "functions" / "priorities.yaml").root)
+    return every_tag(Priorities.load(rules_folder(RULES) / "functions" / "priorities.yaml").root)
 
 
 def load_realizer() -> Realizer:
@@ -303,7 +303,7 @@ def load_realizer() -> Realizer:
     from .realizer.realizing import Realizer
 
     figures = {character.name: character.figure for character in load_characters().by_name.values()}
-    return Realizer.with_library(load_gestures(), resource_folder("lexicon"), figures)
+    return Realizer.with_library(load_gestures(), lexicon_folder(), figures)
 
 
 def _unknown_profile(name: str) -> InputError:

@@ -1,6 +1,7 @@
 """Values that are loaded on first use."""
 
 from collections.abc import Callable
+from contextvars import copy_context
 from threading import Lock
 from typing import Generic, TypeVar
 
@@ -8,12 +9,14 @@ Value = TypeVar("Value")
 
 
 class OnDemand(Generic[Value]):
-    """A value made on first use, once, whichever threads ask for it. If making it raises, the next call tries again."""
+    """A value made on first use, once, whichever threads ask for it, in the context (contextvars) in which this was
+    created. If making it raises, the next call tries again."""
 
-    __slots__ = ("_lock", "_made", "_make")
+    __slots__ = ("_context", "_lock", "_made", "_make")
 
     def __init__(self, make: Callable[[], Value]) -> None:
         self._make = make
+        self._context = copy_context()
         self._made: tuple[Value] | None = None
         self._lock = Lock()
 
@@ -21,7 +24,7 @@ class OnDemand(Generic[Value]):
         """The value; raises what making it raises."""
         with self._lock:
             if self._made is None:
-                self._made = (self._make(),)
+                self._made = (self._context.run(self._make),)
             return self._made[0]
 
     def made(self) -> Value | None:

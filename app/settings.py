@@ -7,6 +7,7 @@ import psutil
 from pydantic import Field, SecretStr, ValidationError
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
+from .authored_folders import layers_of
 from .errors import InputError
 from .model.limits.motion_limits import MotionLimits
 
@@ -41,6 +42,11 @@ class Settings(BaseSettings):
     )
     affect_data: Literal["all", "free"] = Field(
         default="all", description="what our model of affect was taught by: all corpora, or those free for any use"
+    )
+    lexicon: str | None = Field(
+        default=None,
+        description="an author's folders of words, rules, gestures, characters and profiles, laid over the bundled "
+        "ones, separated as in PATH",
     )
     choice: Literal["terms", "priority"] = Field(
         default="terms", description="what is shown: what a director would choose, or the paper's functions by priority"
@@ -143,6 +149,11 @@ class Settings(BaseSettings):
     rate_per_minute: int = Field(
         default=0, ge=0, description="requests for work a minute from one address, 429 beyond; 0 for any number"
     )
+
+    @property
+    def lexicon_folders(self) -> tuple[Path, ...]:
+        """The author's folders, the last one on top."""
+        return layers_of(self.lexicon)
 
     @property
     def worker_count(self) -> int:

@@ -80,6 +80,13 @@ class Source:
             node = _child(node, step) or node
         return self._at(node.start_mark, message)
 
+    def has(self, location: Sequence[str]) -> bool:
+        """Whether there is anything at a path of keys."""
+        value: Plain | None = self.value
+        for step in location:
+            value = value.get(step) if isinstance(value, dict) else None
+        return value is not None
+
     def _compose(self) -> yaml.Node:
         try:
             self._check_events()
@@ -118,6 +125,11 @@ class Source:
         line, column = (place.line, place.column) if place else (0, 0)
         quoted = self.lines[line] if line < len(self.lines) else ""
         return Mistake(self.path, line + 1, column + 1, message, quoted if len(quoted) <= _LONGEST_LINE else "")
+
+
+def entry_source(sources: Sequence[Source], *place: str) -> Source:
+    """The last of several files of a table that has the entry at this place of keys, the first if none has."""
+    return next((each for each in reversed(sources) if each.has(place)), sources[0])
 
 
 def _wrong(mistakes: Iterable[Mistake]) -> AuthoringError:

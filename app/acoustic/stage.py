@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
 
+from ..authored_folders import lexicon_folder
 from ..model import (
     Affect,
     Agitation,
@@ -61,7 +62,7 @@ class AcousticModels:
     @classmethod
     def load(cls, settings: Settings) -> "AcousticModels":
         """Loads all but the aligner; raises ServiceError when a model is missing or broken."""
-        models, lexicon = resource_folder("models"), resource_folder("lexicon")
+        models, lexicon = resource_folder("models"), lexicon_folder()
         return cls(
             settings=settings,
             when_aligning=OnDemand(lambda: Aligner(models, lexicon / "en")),

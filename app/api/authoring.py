@@ -7,7 +7,7 @@ for an author's rules writes, only there, only files of the names that it has, a
 from fastapi import APIRouter, Request, Response
 from starlette.exceptions import HTTPException
 
-from ..authoring.rule_edits import FIELD
+from ..authoring.rule_edits import FIELD, is_new_file
 from ..authoring.rule_files import read_rule_text, saved_names, write_rule_text
 from ..errors import ForbiddenError, UndecodableError
 from ..schemas.rules import RuleFileResponse, RuleFilesResponse
@@ -65,9 +65,9 @@ async def get_rule_files(shared: Shared) -> Response:
 async def get_rule_file(name: str, shared: Shared) -> Response:
     """The text of a file of rules or words: as its author saved it, else as it is in use."""
     known = shared.pool.nursery.library.get(f"/rules/files/{name}")
-    if known is None:
+    if known is None and not is_new_file(name):
         raise HTTPException(404, "no file of rules or words has that name; GET /rules/files lists them")
-    if shared.rules_folder is None:
+    if known is not None and shared.rules_folder is None:
         return Response(known, media_type=JSON)
     return Response(RuleFileResponse.of(read_rule_text(name, shared.rules_folder)).to_json(), media_type=JSON)
 
@@ -76,7 +76,7 @@ async def get_rule_file(name: str, shared: Shared) -> Response:
 async def put_rule_file(name: str, request: Request, shared: Shared) -> Response:
     """Saves a file of rules or words, as plain text, in the folder of `understudy studio --rules DIR`; refused by every
     other service."""
-    if f"/rules/files/{name}" not in shared.pool.nursery.library:
+    if f"/rules/files/{name}" not in shared.pool.nursery.library and not is_new_file(name):
         raise HTTPException(404, "no file of rules or words has that name; GET /rules/files lists them")
     if shared.rules_folder is not None and not _is_own_machine(request):
         raise ForbiddenError("rules_read_only", "rules are saved from this machine alone", field=FIELD)

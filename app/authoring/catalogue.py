@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
+from ..authored_folders import lexicon_folder, origin, tables_of
 from ..behavior.characters.overlays import Character, Characters
 from ..behavior.reading.families import Families, FamilyBehavior, family_rule
 from ..errors import InputError
@@ -19,13 +20,13 @@ from ..models import (
     load_gestures,
     load_mapping_rules,
 )
-from ..resources import RULES, resource_folder
+from ..resources import RULES
 from ..rules.derivation import FunctionRules
 from ..rules.lexicon import SLOT, LexicalEntry
 from ..rules.mapping import MappingRules
 from ..rules.program.program import Mention, Rule
 from ..suggestions import did_you_mean
-from ..yaml_files import Source
+from ..yaml_files import Source, entry_source
 
 __all__ = ["Catalogue", "Character", "Item", "Kind", "load_characters", "load_families", "load_gestures"]
 
@@ -79,8 +80,8 @@ class Catalogue:
         items = (
             *(_rule_item(Kind.FUNCTION, rule, rule.asserts) for rule in functions.program.rules),
             *(_rule_item(Kind.BEHAVIOR, rule, rule.joins) for rule in mappings.program.rules),
-            *_family_items(resource_folder("lexicon") / "acting" / "families.yaml", families),
-            *_table_items(resource_folder("lexicon") / "behaviors.yaml", characters.behavior_names),
+            *_family_items(lexicon_folder() / "acting" / "families.yaml", families),
+            *_table_items(lexicon_folder() / "behaviors.yaml", characters.behavior_names),
             *(_word_item(entry, entry.subtype) for entry in functions.lexicon.entries if entry.subtype is not None),
         )
         return cls(items, characters)
@@ -105,7 +106,7 @@ class Catalogue:
 
 def shown_path(path: Path) -> str:
     """The path as shown to authors."""
-    root = RULES.parents[1]
+    root, path = RULES.parents[1], origin(path)
     return str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
 
 
@@ -143,16 +144,17 @@ def _is_one(given: Mention, needed: Mention) -> bool:
 
 def _family_items(path: Path, families: Families) -> Iterator[Item]:
     """What planned moments are shown by (docs/families.md), named as in the reasons for behaviours."""
-    source = Source(path)
+    sources = [Source(each) for each in tables_of(path)]
     parts = {"gesture": families.gesture, "head": families.head, "face": families.face, "gaze": families.gaze}
     for part, named in parts.items():
         for family, behaviors in named.items():
+            source = entry_source(sources, part, family)
             yield Item(
                 kind=Kind.BEHAVIOR,
                 name=family_rule(part, family),
                 class_name=None,
                 subtype=None,
-                file=shown_path(path),
+                file=shown_path(source.path),
                 line=_key_line(source, (part, family)),
                 comment=f"the {part} of a moment planned as {family}; rules that know its words go first",
                 source="\n".join(map(_family_line, behaviors)),
@@ -174,11 +176,14 @@ def _family_line(behavior: FamilyBehavior) -> str:
 
 
 def _table_items(path: Path, names: Collection[str]) -> Iterator[Item]:
-    source = Source(path)
+    sources = [Source(each) for each in tables_of(path)]
     for name in sorted(names):
+        source = entry_source(sources, "behaviors", name)
         line = source.mistake(("behaviors", name), "").line
         text = source.lines[line - 1].strip()
-        yield Item(Kind.BML, name, None, None, shown_path(path), line, "", text, needs=(Mention(name, ()),), gives=())
+        yield Item(
+            Kind.BML, name, None, None, shown_path(source.path), line, "", text, needs=(Mention(name, ()),), gives=()
+        )
 
 
 def _word_item(entry: LexicalEntry, subtype: str) -> Item:

@@ -1,5 +1,6 @@
 """Checks authored files: all those in use, or others before they are put to use."""
 
+import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -12,6 +13,7 @@ from ..acoustic.pacing.pause_table import PauseTable
 from ..acoustic.pacing.phone_durations import FILE as PHONE_DURATIONS
 from ..acoustic.pacing.phone_durations import PhoneDurations
 from ..acoustic.pronunciation.normalisation import Normaliser
+from ..authored_folders import AUTHORED, lexicon_folder, rules_folder, tables_of
 from ..behavior.candidates.attitudes import load_attitudes
 from ..behavior.candidates.vocabulary import BANNABLE
 from ..behavior.characters.overlays import Characters
@@ -34,7 +36,6 @@ from ..marked_text.tag_table import FILE as TAGS
 from ..marked_text.tag_table import TagTable
 from ..model import Channel, Hand, Level
 from ..models import (
-    AUTHORED,
     load_characters,
     load_function_classes,
     load_function_rules,
@@ -51,27 +52,28 @@ from ..realizer.face.face_tables import FaceTables
 from ..realizer.gestures.aliases import ALIASES, read_aliases
 from ..realizer.gestures.gesture import Definition
 from ..realizer.gestures.library import SUFFIX, Library, gesture_files, read_definitions
-from ..resources import RULES, resource_folder
+from ..resources import resource_folder
 from ..rules.conflicts import Conflicts
 from ..rules.lexicon import Lexicon
 from ..rules.priorities import Priorities
 from ..rules.program.class_names import PRINTED
 from ..rules.program.program import load_program
-from ..yaml_files import Source
+from ..yaml_files import Source, entry_source
 
-VOCABULARY = RULES / "vocabulary.rules"
+VOCABULARY = "vocabulary.rules"
+_CHOOSES = re.compile(r"^\s*(choose|never|always)\b", re.MULTILINE)
 Check = Callable[[], object]
 """Loads something, and raises AuthoringError if it has mistakes."""
 
 
 def _check_attitudes(file: Path) -> None:
-    lexicon = resource_folder("lexicon")
+    lexicon = lexicon_folder()
     lines = load_table(lexicon / "behaviors.yaml").lines
     load_attitudes(file, lines, load_families(lexicon / "acting" / "families.yaml", lines).face)
 
 
 def _check_slots(file: Path) -> None:
-    lexicon = resource_folder("lexicon")
+    lexicon = lexicon_folder()
     families = load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines)
     SlotTable.load(file, families.shows)
 
@@ -84,9 +86,7 @@ def _check_mimes(file: Path) -> None:
 
 def _check_weights(file: Path) -> None:
     choice = ChoiceModel.load(resource_folder("models") / "acting" / "weights.json")
-    table = TermTable.load(
-        resource_folder("lexicon") / "acting" / "terms.yaml", load_function_rules().program.argument_counts
-    )
+    table = TermTable.load(lexicon_folder() / "acting" / "terms.yaml", load_function_rules().program.argument_counts)
     names = TermNames.of(choice.terms, table.names.values(), load_function_classes())
     load_weights(file, choice.families, names, (*choice.head, *choice.face))
 
@@ -108,9 +108,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "behaviors.yaml": load_table,
         "face.yaml": FaceTables.load,
         "movement.yaml": MovementStyle.load,
-        "families.yaml": lambda file: load_families(
-            file, load_table(resource_folder("lexicon") / "behaviors.yaml").lines
-        ),
+        "families.yaml": lambda file: load_families(file, load_table(lexicon_folder() / "behaviors.yaml").lines),
         "attitudes.yaml": _check_attitudes,
         "slots.yaml": _check_slots,
         "mimes.yaml": _check_mimes,
@@ -138,7 +136,7 @@ def check_files_in_use() -> None:
     Mapping rules are checked against the behaviour table, so mistakes in the table hide theirs; missing gestures for
     the table, and terms of no predicate, are reported only if there are no other mistakes.
     """
-    lexicon = resource_folder("lexicon")
+    lexicon = lexicon_folder()
     mistakes = _mistakes_of(
         load_function_rules,
         partial(Normaliser.load, lexicon / "en" / "abbreviations.yaml", ()),
@@ -173,8 +171,12 @@ def check_coverage(lexicon: Path, library: Library) -> None:
     """Raises AuthoringError for every entry of the table or of a character for which the library has no gesture, at
     each level of agitation and with the entry's hand, or either."""
     table = load_table(lexicon / "behaviors.yaml")
-    source = Source(lexicon / "behaviors.yaml")
-    mistakes = [found for name in table.lines for found in _unshown(source, table.entry(name), library)]
+    sources = [Source(each) for each in tables_of(lexicon / "behaviors.yaml")]
+    mistakes = [
+        found
+        for name in table.lines
+        for found in _unshown(entry_source(sources, "behaviors", name), table.entry(name), library)
+    ]
     for character in Characters.load(lexicon).by_name.values():
         source = Source(lexicon / "characters" / f"{character.name}.yaml")
         for entry in character.entries.values():
@@ -188,9 +190,9 @@ def check_coverage(lexicon: Path, library: Library) -> None:
 def check_files(paths: Iterable[Path]) -> int:
     """Check these files, and all authored files in these folders, instead of those in use; returns their number.
 
-    Rule files are read as one program, after the vocabulary in use unless there is one among them; gesture files as one
-    library. Raises AuthoringError with all mistakes in them (or, if they have none, in the files they are read with),
-    InputError `no_authored_file` for a path without any.
+    Rule files are read with those in use, unless there is a vocabulary among them; gesture files as one library. Raises
+    AuthoringError with all mistakes in them (or, if they have none, in the files they are read with), InputError
+    `no_authored_file` for a path without any.
     """
     files = [file for path in paths for file in _authored_files(path)]
     rules = [file for file in files if file.suffix == ".rules"]
@@ -233,8 +235,28 @@ def _require_text(file: Path) -> None:
 
 
 def _load_rules(files: Sequence[Path]) -> None:
-    vocabulary = [] if any(file.name == VOCABULARY.name for file in files) else [VOCABULARY]
-    load_program([*vocabulary, *files], behaviors=load_characters().behavior_names, bannable=BANNABLE, printed=PRINTED)
+    """Reads rules as they would be read if they were in use: function rules and mapping rules apart, each with those in
+    use, of which one with the same name gives way. A folder with a vocabulary of its own is a program by itself."""
+    behaviors = load_characters().behavior_names
+    read = partial(load_program, behaviors=behaviors, bannable=BANNABLE, printed=PRINTED)
+    if any(file.name == VOCABULARY for file in files):
+        read(files)
+        return
+    rules = rules_folder()
+    for kind, own in _by_kind(files).items():
+        names = {file.name for file in own}
+        used = [file for file in sorted((rules / kind).glob("*.rules")) if file.name not in names]
+        read([rules / VOCABULARY, *used, *own])
+
+
+def _by_kind(files: Sequence[Path]) -> Mapping[str, Sequence[Path]]:
+    """The rules by the folder in which they would be: their own, else as their text chooses movements or does not."""
+    kinds: dict[str, list[Path]] = {}
+    for file in files:
+        chooses = _CHOOSES.search(file.read_text(encoding="utf-8")) is not None
+        told = "behaviors" if chooses else "functions"
+        kinds.setdefault(file.parent.name if file.parent.name in ("functions", "behaviors") else told, []).append(file)
+    return kinds
 
 
 def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:

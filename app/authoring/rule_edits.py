@@ -1,29 +1,31 @@
 """Compiles edited rules, words and priorities beside those in use, which stay as they are.
 
-Files are named as in messages (`catalogue.shown_path`): `app/rules/functions/lists.rules`, `lexicon/en/spatial.yaml` in
-a checkout. Edited texts are compiled in a temporary folder.
+Files are named by their place in a checkout: `app/rules/functions/lists.rules`, `lexicon/en/spatial.yaml`. A name that
+does not exist yet is a new file, in the folders where an author may write one (docs/authoring.md). Edited texts are
+compiled in a temporary folder.
 """
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from ..authored_folders import AUTHORED, lexicon_folder, rules_folder
 from ..behavior.candidates.vocabulary import BANNABLE
 from ..errors import AuthoringError, InputError, Mistake, collected, shown
-from ..models import AUTHORED, Understudy
-from ..resources import RULES, resource_folder
+from ..models import Understudy
 from ..rules.derivation import FunctionRules
 from ..rules.mapping import MappingRules
 from ..suggestions import did_you_mean
-from .catalogue import shown_path
 from .proofreading import refuse_unread_words
 
 Edits = Mapping[str, str]
 """The whole text of each edited file, by its name."""
 
 FIELD = "rules"
+_OWN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 
 _IN_MEMORY = Path("/dev/shm")
 """A folder that is writable even where the file system is read-only."""
@@ -42,18 +44,32 @@ class CompiledRules:
 
 def editable_files() -> Mapping[str, Path]:
     """The files that may be edited: rules, priorities, conflicts and words, by their names."""
-    inside = (*RULES.rglob("*.*"), *(resource_folder("lexicon") / "en").glob("*.*"))
+    inside = (*rules_folder().rglob("*.*"), *(lexicon_folder() / "en").glob("*.*"))
     files = sorted(path for path in inside if path.suffix in AUTHORED and path.name != _HEARD and path.is_file())
-    return {shown_path(path): path for path in files}
+    return {_name(path): path for path in files}
 
 
-def file_named(name: str) -> Path:
-    """The file of that name. Raises InputError `unknown_file`."""
+def _name(path: Path) -> str:
+    return path.relative_to(rules_folder().parents[1]).as_posix()
+
+
+def is_new_file(name: str) -> bool:
+    """Whether a file of that name does not exist yet, and would be read."""
+    rules, words = _name(rules_folder()), _name(lexicon_folder() / "en")
+    folder, _, own = name.rpartition("/")
+    suffixes = {f"{rules}/functions": ".rules", f"{rules}/behaviors": ".rules", words: ".yaml"}
+    is_named = _OWN_NAME.fullmatch(own.removesuffix(suffixes.get(folder, "/"))) is not None
+    return own.endswith(suffixes.get(folder, "/")) and is_named and name not in editable_files()
+
+
+def require_file(name: str) -> None:
+    """Raises InputError `unknown_file` for a name that is neither that of a file nor one that a new file may have."""
     files = editable_files()
-    if name not in files:
+    if name not in files and not is_new_file(name):
         hint = did_you_mean(name, files) or "; GET /rules/files lists those that are"
-        raise InputError("unknown_file", f"{shown(name)} is no file of rules or words{hint}", field=FIELD)
-    return files[name]
+        rules, words = _name(rules_folder()), _name(lexicon_folder() / "en")
+        where = f"a new one is in {rules}/functions/, {rules}/behaviors/ (NAME.rules) or {words}/ (NAME.yaml)"
+        raise InputError("unknown_file", f"{shown(name)} is no file of rules or words{hint}; {where}", field=FIELD)
 
 
 def mistakes_in(edits: Edits, behavior_names: frozenset[str]) -> tuple[Mistake, ...]:
@@ -97,7 +113,7 @@ def compile_edits(edits: Edits, behavior_names: frozenset[str]) -> CompiledRules
     Raises AuthoringError with every mistake, InputError `unknown_file`.
     """
     for name in edits:
-        file_named(name)
+        require_file(name)
     return _compiled(tuple(sorted(edits.items())), behavior_names)
 
 
@@ -105,12 +121,12 @@ def compile_edits(edits: Edits, behavior_names: frozenset[str]) -> CompiledRules
 def _compiled(edits: tuple[tuple[str, str], ...], behavior_names: frozenset[str]) -> CompiledRules:
     texts = dict(edits)
     with TemporaryDirectory(prefix="understudy-rules-", dir=_IN_MEMORY if _IN_MEMORY.is_dir() else None) as folder:
-        for name, path in editable_files().items():
+        for name, text in ({name: path.read_text("utf-8") for name, path in editable_files().items()} | texts).items():
             copy = Path(folder, name)
             copy.parent.mkdir(parents=True, exist_ok=True)
-            copy.write_text(texts[name] if name in texts else path.read_text("utf-8"), encoding="utf-8")
-        words = Path(folder, shown_path(resource_folder("lexicon") / "en"))
-        rules = Path(folder, shown_path(RULES))
+            copy.write_text(text, encoding="utf-8")
+        words = Path(folder, _name(lexicon_folder() / "en"))
+        rules = Path(folder, _name(rules_folder()))
         found: list[Mistake] = []
         collected(lambda: refuse_unread_words(words), found)
         functions = collected(lambda: FunctionRules.load(rules, words), found)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import ForbiddenError, InputError
-from .rule_edits import FIELD, editable_files, file_named
+from .rule_edits import FIELD, editable_files, is_new_file, require_file
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,13 +20,14 @@ class RuleText:
 
 
 def read_rule_text(name: str, folder: Path | None = None) -> RuleText:
-    """The text of the file of that name, from `folder` if it is there. Raises InputError `unknown_file`,
-    `rules_unreadable`."""
-    path = file_named(name)
+    """The text of the file of that name, from `folder` if it is there; none of a new file. Raises InputError
+    `unknown_file`, `rules_unreadable`."""
+    require_file(name)
+    path = editable_files().get(name)
     own = folder / name if folder is not None else None
     if own is not None and own.is_file():
-        return RuleText(name, _text(own, name), saved=own.resolve() != path.resolve())
-    return RuleText(name, path.read_text(encoding="utf-8"), saved=False)
+        return RuleText(name, _text(own, name), saved=path is None or own.resolve() != path.resolve())
+    return RuleText(name, "" if path is None else path.read_text(encoding="utf-8"), saved=False)
 
 
 def saved_names(folder: Path | None) -> tuple[str, ...]:
@@ -34,10 +35,12 @@ def saved_names(folder: Path | None) -> tuple[str, ...]:
     if folder is None:
         return ()
     files = editable_files()
+    inside = sorted(path for path in folder.rglob("*.*") if path.is_file())
+    own = {path.relative_to(folder).as_posix(): path for path in inside}
     return tuple(
         name
-        for name, path in files.items()
-        if (folder / name).is_file() and (folder / name).resolve() != path.resolve()
+        for name, path in own.items()
+        if is_new_file(name) or (name in files and path.resolve() != files[name].resolve())
     )
 
 
@@ -49,7 +52,7 @@ def write_rule_text(name: str, text: str, folder: Path | None) -> None:
     if folder is None:
         message = "nothing is written here; start `understudy studio --rules DIR`, and rules are saved in DIR"
         raise ForbiddenError("rules_read_only", message, field=FIELD)
-    file_named(name)
+    require_file(name)
     target = folder / name
     temporary = target.with_name(f".{target.name}.{os.getpid()}")
     try:

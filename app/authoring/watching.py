@@ -10,8 +10,8 @@ from threading import Event
 
 from watchfiles import watch
 
-from ..models import AUTHORED
-from ..resources import RULES, resource_folder
+from ..authored_folders import AUTHORED, layers, lexicon_folder, rules_folder
+from ..resources import RULES
 
 QUIET_MS = 200
 """A save is complete when nothing has changed for this long: editors write in steps."""
@@ -20,8 +20,8 @@ LONGEST_SAVE_MS = 5_000
 
 
 def files_in_use() -> tuple[Path, ...]:
-    """The folders of authored files."""
-    return RULES, resource_folder("lexicon")
+    """The folders of authored files, the author's own among them."""
+    return rules_folder(RULES), lexicon_folder(), *layers()
 
 
 def saves(paths: Iterable[Path], stop: Event | None = None) -> Iterator[None]:

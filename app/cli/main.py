@@ -14,6 +14,7 @@ from typing import cast
 from ..errors import UnderstudyError
 from .arguments.parser import make_parser
 from .distinct_files import require_distinct
+from .lexicon import own_lexicon
 from .log import Log
 
 WRONG_INPUT = 2
@@ -33,7 +34,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments = make_parser().parse_args(argv)
         require_distinct(arguments)
         command = importlib.import_module(f".commands.{arguments.command}", __package__)
-        code = cast(int, command.run(arguments, log))
+        with own_lexicon(getattr(arguments, "lexicon", ())):
+            code = cast(int, command.run(arguments, log))
         sys.stdout.flush()
     except UnderstudyError as error:
         log.error(error)

@@ -5,6 +5,7 @@ from typing import Self
 
 from ..acoustic.pacing.phone_durations import FILE as DURATIONS
 from ..acoustic.pacing.phone_durations import PhoneDurations
+from ..authored_folders import lexicon_folder
 from ..models import Understudy
 from ..prosody_gestures.voice_model import VoiceModel
 from ..resources import resource_folder
@@ -27,7 +28,7 @@ class LiveModels:
     def load(cls, understudy: Understudy) -> Self:
         """Raises ServiceError `model_unreadable`, AuthoringError for `lexicon/live.yaml` and
         `phone_durations.yaml`."""
-        models, lexicon = resource_folder("models"), resource_folder("lexicon")
+        models, lexicon = resource_folder("models"), lexicon_folder()
         return cls(
             understudy,
             VoiceModel.load(models / "prosody_gestures" / "voice.npz"),

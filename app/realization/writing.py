@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
 
+from ..authored_folders import lexicon_folder
 from ..editorial.annotations import to_elan, to_textgrid
 from ..editorial.events import timeline_events, tracks_of
 from ..editorial.table import to_event_table
@@ -29,7 +30,6 @@ from ..realizer.face.lips import viseme_weights
 from ..realizer.pictures.contact_sheet import draw_sheet, moments_of
 from ..realizer.pictures.speed_plot import draw_speeds
 from ..realizer.realizing import Realizer
-from ..resources import resource_folder
 from .motion import Realized
 
 VRM, MIXAMO = "vrm", "mixamo"
@@ -82,7 +82,7 @@ def write_motion(
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
         MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
         MotionFormat.BAP: lambda: to_bap(motion, skeleton, options.bap),
-        MotionFormat.FAP: lambda: to_fap(motion, skeleton, FapTable.load(resource_folder("lexicon") / TABLE)),
+        MotionFormat.FAP: lambda: to_fap(motion, skeleton, FapTable.load(lexicon_folder() / TABLE)),
         **{form: partial(_editorial, realized, form, options.audio) for form in EDITORIAL},
         MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule), looks=looks),
         MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),

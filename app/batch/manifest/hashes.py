@@ -5,9 +5,10 @@ import json
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from ...authored_folders import lexicon_folder, rules_folder
 from ...model.edits import NO_EDITS
 from ...model.voice.speaker_reference import SpeakerReference
-from ...resources import RULES, resource_folder
+from ...resources import resource_folder
 from ...settings import Settings
 from ...version import __version__
 from ..work.jobs import LineJob, MotionForm
@@ -89,7 +90,7 @@ def settings_hash(job: LineJob, settings: Settings, installation: str) -> str:
 def installation_hash() -> str:
     """A hash of the version, the rules, words and characters, and the models."""
     digest = hashlib.blake2b(__version__.encode(), digest_size=DIGEST_BYTES)
-    for folder in (RULES, resource_folder("lexicon"), resource_folder("models")):
+    for folder in (rules_folder(), lexicon_folder(), resource_folder("models")):
         for path in sorted(path for path in folder.rglob("*") if path.is_file() and path.suffix not in {".py", ".pyc"}):
             digest.update(path.relative_to(folder).as_posix().encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()

@@ -8,8 +8,8 @@ from types import MappingProxyType
 
 from pydantic import RootModel
 
+from ...authored_folders import lexicon_folder
 from ...errors import AuthoringError, InputError
-from ...resources import resource_folder
 from ...suggestions import did_you_mean
 from ...yaml_files import Source
 
@@ -54,7 +54,7 @@ class ColumnNames:
     @classmethod
     def load(cls, path: Path | None = None) -> "ColumnNames":
         """Raises AuthoringError with every field that is unknown and every name that two fields claim."""
-        source = Source(path or resource_folder("lexicon") / "batch" / "columns.yaml")
+        source = Source(path or lexicon_folder() / "batch" / "columns.yaml")
         fields: dict[str, tuple[str, int]] = {}
         mistakes = []
         for field, names in source.validated(_UsualNames).root.items():

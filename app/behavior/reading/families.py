@@ -6,14 +6,16 @@ behaviour may be listed under a gesture family only if its lexeme shows that fam
 reported at once, with their places.
 """
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated, Protocol
 
 from pydantic import BeforeValidator, Field
 
+from ...authored_folders import tables_of
 from ...errors import AuthoringError, Mistake
 from ...model import Channel, Level
 from ...suggestions import did_you_mean
@@ -91,18 +93,21 @@ def fitting(behaviors: Collection[FamilyBehavior], lemmas: Collection[str], leve
 
 
 def load_families(path: Path, behaviors: Mapping[str, Playable]) -> Families:
-    """The families in `path`, shown by entries of the table `behaviors`; raises AuthoringError with every mistake."""
-    source = Source(path)
-    file = source.validated(_FamiliesFile)
-    mistakes = tuple(_mistakes(source, file, behaviors))
+    """The families in `path`, with what authors add to them (`tables_of`), shown by entries of the table `behaviors`;
+    raises AuthoringError with every mistake."""
+    source, *added = map(Source, tables_of(path))
+    written = [(source, source.validated(_FamiliesFile)), *((each, each.validated(_Addition)) for each in added)]
+    whole = _joined([file for _source, file in written])
+    mistakes = [mistake for each, file in written for mistake in _mistakes(each, file, whole, behaviors)]
+    mistakes += [written[-1][0].mistake(("shows",), message) for message in _unlisted(whole, behaviors)]
     if mistakes:
-        raise AuthoringError(mistakes)
+        raise AuthoringError(tuple(mistakes))
     return Families(
-        gesture=_behaviors(file.gesture),
-        head=_behaviors(file.head),
-        face=_behaviors(file.face),
-        gaze=_behaviors(file.gaze),
-        shows=MappingProxyType(file.shows),
+        gesture=_behaviors(whole.gesture),
+        head=_behaviors(whole.head),
+        face=_behaviors(whole.face),
+        gaze=_behaviors(whole.gaze),
+        shows=MappingProxyType(dict(whole.shows)),
     )
 
 
@@ -134,6 +139,28 @@ class _FamiliesFile(Entry):
     shows: dict[_Lexeme, Annotated[tuple[_Name, ...], Field(min_length=1)]]
 
 
+class _Addition(_FamiliesFile):
+    """A file of an author's: further behaviours of families, which come before the others, and further lexemes."""
+
+    gesture: dict[_Name, _Lines] = Field(default_factory=dict)
+    head: dict[_Name, _Lines] = Field(default_factory=dict)
+    face: dict[_Name, _Lines] = Field(default_factory=dict)
+    shows: dict[_Lexeme, Annotated[tuple[_Name, ...], Field(min_length=1)]] = Field(default_factory=dict)
+
+
+def _joined(files: Sequence[_FamiliesFile]) -> _FamiliesFile:
+    """All files as one, the behaviours of later ones first."""
+    parts = {
+        part: {
+            family: tuple(line for file in reversed(files) for line in getattr(file, part).get(family, ()))
+            for family in dict.fromkeys(chain.from_iterable(getattr(file, part) for file in files))
+        }
+        for part in _CHANNELS
+    }
+    shows = {lexeme: families for file in files for lexeme, families in file.shows.items()}
+    return _FamiliesFile.model_construct(None, **parts, shows=shows)
+
+
 _CHANNELS: Mapping[str, frozenset[Channel]] = MappingProxyType(
     {
         "gesture": frozenset({Channel.GESTURE}),
@@ -154,20 +181,22 @@ def _behavior(line: _Line) -> FamilyBehavior:
     return FamilyBehavior(line.behavior, frozenset(line.lemmas or ()), levels)
 
 
-def _mistakes(source: Source, file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterator[Mistake]:
+def _mistakes(
+    source: Source, file: _FamiliesFile, whole: _FamiliesFile, behaviors: Mapping[str, Playable]
+) -> Iterator[Mistake]:
+    """The mistakes in one file, which is read as a part of the whole."""
     for part in _CHANNELS:
         for family, lines in getattr(file, part).items():
             for position, line in enumerate(lines):
                 for message in _line_mistakes(part, line, behaviors):
                     yield source.mistake((part, family, position), message)
-    for family, position, message in _unshown(file, behaviors):
+    for family, position, message in _unshown(file, whole.shows, behaviors):
         yield source.mistake(("gesture", family, position), message)
     for lexeme, families in file.shows.items():
         for position, family in enumerate(families):
-            if family not in file.gesture:
-                told = f"{family!r} is no family of gestures{did_you_mean(family, file.gesture)}"
+            if family not in whole.gesture:
+                told = f"{family!r} is no family of gestures{did_you_mean(family, whole.gesture)}"
                 yield source.mistake(("shows", lexeme, position), told)
-    yield from (source.mistake(("shows",), message) for message in _unlisted(file, behaviors))
 
 
 def _line_mistakes(part: str, line: _Line, behaviors: Mapping[str, Playable]) -> Iterator[str]:
@@ -178,14 +207,16 @@ def _line_mistakes(part: str, line: _Line, behaviors: Mapping[str, Playable]) ->
         yield f"{line.behavior} is a behaviour of {behaviors[line.behavior].channel}; {part} wants one of {allowed}"
 
 
-def _unshown(file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterator[tuple[str, int, str]]:
+def _unshown(
+    file: _FamiliesFile, shows: Mapping[str, Collection[str]], behaviors: Mapping[str, Playable]
+) -> Iterator[tuple[str, int, str]]:
     """Behaviours listed under a family that `shows` does not give for their lexeme."""
     for family, lines in file.gesture.items():
         for position, line in enumerate(lines):
             lexeme = behaviors[line.behavior].lexeme if line.behavior in behaviors else None
-            if lexeme in file.shows and family not in file.shows[lexeme]:
-                shown = ", ".join(file.shows[lexeme])
-                yield family, position, f"{line.behavior} is a {lexeme}, which `shows` says is read as {shown}"
+            if lexeme is not None and lexeme in shows and family not in shows[lexeme]:
+                told = ", ".join(shows[lexeme])
+                yield family, position, f"{line.behavior} is a {lexeme}, which `shows` says is read as {told}"
 
 
 def _unlisted(file: _FamiliesFile, behaviors: Mapping[str, Playable]) -> Iterator[str]:

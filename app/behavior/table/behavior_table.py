@@ -13,6 +13,7 @@ from typing import Annotated
 
 from pydantic import AfterValidator, Field
 
+from ...authored_folders import tables_of
 from ...errors import AuthoringError
 from ...model import Channel, Hand
 from ...model.limits.gesture_limits import Forms
@@ -144,7 +145,14 @@ class BehaviorLine(BehaviorChange):
     timing: str
 
 
-class _TableFile(Entry):
+class _Addition(Entry):
+    """A file of an author's that is added to the table; an entry of the same name takes the place of the table's."""
+
+    timings: dict[_Name, TimingEntry] = Field(default_factory=dict)
+    behaviors: dict[_Name, BehaviorLine] = Field(default_factory=dict)
+
+
+class _TableFile(_Addition):
     timings: dict[_Name, TimingEntry]
     behaviors: dict[_Name, BehaviorLine]
 
@@ -174,21 +182,26 @@ class BehaviorTable:
 
 
 def load_table(path: Path) -> BehaviorTable:
-    """The table; raises AuthoringError with every mistake."""
-    source = Source(path)
+    """The table with what authors add to it (`tables_of`); raises AuthoringError with every mistake."""
+    source, *added = map(Source, tables_of(path))
     file = source.validated(_TableFile)
     mistakes = [
         source.mistake(("behaviors",), f"the behaviour {name!r} is missing; the body needs it for itself")
         for name in UNASKED
         if name not in file.behaviors
     ]
-    for name, line in file.behaviors.items():
-        mistakes += [
-            source.mistake(("behaviors", name, key), message) for key, message in mistakes_of(line, file.timings)
-        ]
+    parts: list[tuple[Source, _Addition]] = [(source, file)]
+    parts += [(each, each.validated(_Addition)) for each in added]
+    timings = {name: timing for _source, part in parts for name, timing in part.timings.items()}
+    for written, part in parts:
+        for name, line in part.behaviors.items():
+            mistakes += [
+                written.mistake(("behaviors", name, key), message) for key, message in mistakes_of(line, timings)
+            ]
     if mistakes:
         raise AuthoringError(tuple(mistakes))
-    return BehaviorTable(MappingProxyType(file.behaviors), MappingProxyType(file.timings))
+    lines = {name: line for _source, part in parts for name, line in part.behaviors.items()}
+    return BehaviorTable(MappingProxyType(lines), MappingProxyType(timings))
 
 
 def changed(line: BehaviorLine, change: BehaviorChange | None) -> BehaviorLine:

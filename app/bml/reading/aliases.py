@@ -10,8 +10,8 @@ from functools import cache
 from pathlib import Path
 from types import MappingProxyType
 
+from ...authored_folders import lexicon_folder
 from ...errors import AuthoringError, Mistake
-from ...resources import resource_folder
 from ...yaml_files import Entry, Source
 
 FILE = "bml_aliases.yaml"
@@ -56,7 +56,7 @@ class LexemeAliases:
 @cache
 def shipped_aliases() -> LexemeAliases:
     """The aliases in the package."""
-    return LexemeAliases.load(resource_folder("lexicon") / FILE)
+    return LexemeAliases.load(lexicon_folder() / FILE)
 
 
 def _by_name(names: Mapping[str, list[str]]) -> dict[str, str]:

@@ -14,11 +14,11 @@ from typing import Annotated
 
 from pydantic import Field
 
+from ...authored_folders import lexicon_folder
 from ...errors import AuthoringError, Mistake
 from ...model import Hand
 from ...model.formats.bml_form import VisemeNames
 from ...model.tables.mouth_shapes import OPENINGS, SILENCE
-from ...resources import resource_folder
 from ...yaml_files import Entry, Source
 
 FILE = "smartbody.yaml"
@@ -115,7 +115,7 @@ class SmartBodyTables:
 @cache
 def shipped_tables() -> SmartBodyTables:
     """The tables in the package."""
-    return SmartBodyTables.load(resource_folder("lexicon") / FILE)
+    return SmartBodyTables.load(lexicon_folder() / FILE)
 
 
 def _mistakes(source: Source, written: SmartBodyFile) -> Iterator[Mistake]:

@@ -23,6 +23,13 @@ def actions_of(command: argparse.ArgumentParser) -> Adding:
 def _add(add_parser: Callable[..., argparse.ArgumentParser], name: str, does: str) -> argparse.ArgumentParser:
     parser = add_parser(name, help=does, description=does, parents=[voices()], allow_abbrev=False)
     parser.register("action", None, Once)
+    parser.add_argument(
+        "--lexicon",
+        metavar="DIR",
+        action="append",
+        default=argparse.SUPPRESS,
+        help="your own words, rules, gestures, characters and profiles, laid over the bundled ones; repeatable",
+    )
     return parser
 
 

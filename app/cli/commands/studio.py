@@ -5,6 +5,7 @@ import argparse
 import webbrowser
 from pathlib import Path
 
+from ...authored_folders import layers
 from ...errors import InputError
 from ...settings import Settings, read_settings
 from ...studio.pages import OpenedLine
@@ -39,10 +40,12 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 
 def _rules_folder(arguments: argparse.Namespace) -> Path | None:
-    """The folder where rules may be saved; raises InputError `file_unwritable` if it does not exist."""
-    if arguments.rules is None:
+    """The folder where rules may be saved, the author's lexicon if no other is named; raises InputError
+    `file_unwritable` if it does not exist."""
+    told = arguments.rules or next(reversed(layers()), None)
+    if told is None:
         return None
-    folder = Path(arguments.rules)
+    folder = Path(told)
     if not folder.is_dir():
         raise InputError("file_unwritable", f"{folder}: no such folder; rules are saved in one", field="rules")
     return folder

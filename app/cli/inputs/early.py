@@ -6,10 +6,10 @@ Loading spaCy, the aligner and their models takes most of the time of a short li
 from ...acoustic.alignment.timings import read_timings
 from ...acoustic.signal.decoding import decode
 from ...acoustic.stage import audio_limits
+from ...authored_folders import rules_folder
 from ...behavior.candidates.notes import check_direction
 from ...model import GivenFunction, Line
 from ...models import load_characters
-from ...resources import RULES
 from ...rules.given import given_facts
 from ...rules.priorities import Priorities
 from ...settings import Settings
@@ -36,4 +36,4 @@ def require_character(name: str) -> None:
 
 def _require_functions(given: tuple[GivenFunction, ...], words: int) -> None:
     if given:
-        given_facts(given, Priorities.load(RULES / "functions" / "priorities.yaml"), words=words)
+        given_facts(given, Priorities.load(rules_folder() / "functions" / "priorities.yaml"), words=words)

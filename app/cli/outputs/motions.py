@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ...authored_folders import lexicon_folder
 from ...model.formats.motion_formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
 from ...models import load_realizer
 from ...option_table import MOTION
@@ -17,7 +18,6 @@ from ...realizer.body.skeleton import Skeleton
 from ...realizer.exporting.extras import require_writer
 from ...realizer.exporting.retargeting import find_rig, load_rigs
 from ...realizer.physics.tracking import require_physics
-from ...resources import resource_folder
 from ...settings import Settings
 from ..files import STANDARD, read_bytes, require_writable, write
 from ..log import Log
@@ -43,7 +43,7 @@ def require_motions(names: Sequence[str], settings: Settings, *, field: str) -> 
 def require_skeleton(name: str | None) -> None:
     """Raises InputError `unknown_skeleton`."""
     if name is not None:
-        find_rig(load_rigs(resource_folder("lexicon") / "retarget", Skeleton.standing()), name)
+        find_rig(load_rigs(lexicon_folder() / "retarget", Skeleton.standing()), name)
 
 
 def physics_asked(arguments: argparse.Namespace, settings: Settings) -> bool:
