@@ -26,7 +26,7 @@ from .face.face import face_weights
 from .face.face_tables import FaceTables
 from .gestures.gesture_plan import GesturePlan
 from .gestures.library import Library
-from .head_and_gaze.accompanying import Look, accompanying_looks, with_looks
+from .head_and_gaze.accompanying import accompanying_looks, with_looks
 from .head_and_gaze.gaze import apply_gaze, eyes_in_t_pose_m
 from .head_and_gaze.gaze_targets import LISTENER, LISTENER_M, Position
 from .head_and_gaze.head import apply_head_movements
@@ -39,6 +39,7 @@ from .scheduling.unplayable import unplayable_behaviors
 from .torso.idle import idle_motion
 from .torso.neck import with_neck_reaching
 from .torso.shrugs import with_shrugs
+from .torso.steps import with_steps
 
 _DECIMALS = 6
 """To which a number of frames is known: a recording of 2 s has 120 frames at 60 a second, not 121 by rounding."""
@@ -136,7 +137,7 @@ def realize(
     aims_m, leading = _targets_m(schedule, performer.skeleton), performer.leading
     plan = plan_gestures(performer.library, schedule, seed=seed, targets_m=aims_m, leading=leading, style=style)
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
-    body, looks = _moving_body(performer.skeleton, schedule, plan, times_s, style=style, targets_m=aims_m, seed=seed)
+    body, told = _moving_body(performer.skeleton, schedule, plan, times_s, style=style, targets_m=aims_m, seed=seed)
     body, moved = _apart(performer.skeleton, body, physics=physics)
     realized = _realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz, end_s=float(times_s[-1]))
     return Motion(
@@ -146,7 +147,7 @@ def realize(
         realized=realized,
         decisions=(
             *_decided(realizer, schedule, plan, realized, aims_m),
-            *(look.decision for look in looks),
+            *told,
             *moved,
             *_unknown_body(realizer, schedule.character),
         ),
@@ -180,18 +181,19 @@ def _moving_body(
     style: MovementStyle,
     targets_m: Mapping[str, Position],
     seed: int,
-) -> tuple[BodyMotion, tuple[Look, ...]]:
-    """The body by the controllers in order, and the looks that go with its gestures."""
+) -> tuple[BodyMotion, tuple[Decision, ...]]:
+    """The body by the controllers in order, and what is told of its looks with gestures and of its steps."""
     lively = 1 - schedule.stillness
     accents = accents_of(plan, times_s, style.stroke, scale=lively)
     body = idle_motion(skeleton, times_s, schedule, seed=seed, life=style.idle, with_legs=False)
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
-    body = with_shrugs(skeleton, body, plan)
+    body, stepped = with_steps(skeleton, with_shrugs(skeleton, body, plan), schedule, seed=seed)
     looks = accompanying_looks(skeleton, body, schedule, plan)
     seen_m = {**targets_m, **{str(look.gaze.target): look.at_m for look in looks}}
     body, at_m = apply_gaze(skeleton, body, with_looks(schedule, looks), targets_m=seen_m, seed=seed)
     body = apply_head_movements(skeleton, body, schedule, seed=seed, seen_m=at_m)
-    return with_neck_reaching(skeleton, body, schedule, accents.neck, seed=seed, life=style.idle), looks
+    body = with_neck_reaching(skeleton, body, schedule, accents.neck, seed=seed, life=style.idle)
+    return body, (*(look.decision for look in looks), *stepped)
 
 
 def _apart(skeleton: Skeleton, body: BodyMotion, *, physics: bool) -> tuple[BodyMotion, tuple[Decision, ...]]:

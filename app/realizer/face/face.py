@@ -21,8 +21,9 @@ from .face_tables import COLUMNS, FaceTables
 from .lids import eye_look_weights, with_lids
 from .lips import LipSync, lip_sync
 
-CORNERS = ("mouthSmile", "mouthFrown", "mouthDimple", "mouthStretch", "mouthLeft", "mouthRight")
-"""The shapes at the corners of the mouth, which speech uses only in part."""
+CORNERS = ("mouthSmile", "mouthFrown", "mouthDimple", "mouthStretch", "mouthPress", "mouthLeft", "mouthRight")
+"""The shapes at the corners of the mouth, which speech uses only in part; lips that are pressed stay tense between the
+words."""
 
 LIPS = tuple(name for name in SHAPES if name.startswith(("jaw", "mouth", "tongue")) and not name.startswith(CORNERS))
 """The other shapes of mouth and jaw, which speech needs entirely."""

@@ -15,7 +15,7 @@ from ...model import FloatArray
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import Skeleton, forward
 from ..geometry.rotations import inverse, multiply
-from ..torso.balance import hips_height_m, set_legs
+from ..torso.balance import feet_of, hips_height_m, set_legs
 
 _EYES = ("leftEye", "rightEye")
 
@@ -43,8 +43,9 @@ def with_physics(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tupl
         return body, (Decision("", "replaced", told),)
     rotations, hips_m = body.rotations.copy(), simulated.positions[:, :3].copy()
     rotations[:, physical.rows] = rotations_of(physical, simulated.positions)
-    hips_m[:, 1] = np.minimum(hips_m[:, 1], hips_height_m(skeleton, hips_m, rotations[:, 0]))
-    set_legs(skeleton, rotations, hips_m)
+    feet = feet_of(skeleton, body.rotations, body.hips_m)
+    hips_m[:, 1] = np.minimum(hips_m[:, 1], hips_height_m(skeleton, hips_m, rotations[:, 0], feet))
+    set_legs(skeleton, rotations, hips_m, feet)
     _keep_looking(skeleton, rotations, _heads(skeleton, body.rotations))
     return replace(body, rotations=rotations, hips_m=hips_m), ()
 

@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from ...model import FloatArray
-from ..body.skeleton import SIDES, Skeleton
+from ..body.skeleton import SIDES, Skeleton, forward
 from ..geometry.rotations import from_axis_angle, inverse, length, multiply, rotate
 from ..geometry.trigonometry import sine_and_cosine
 
@@ -36,6 +36,15 @@ class Footing:
 Feet = tuple[Footing, Footing]
 """The left and the right foot."""
 
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FeetCourse:
+    """Feet that move: positions of the ankles (2, T, 3) and headings (2, T), the left's and the right's."""
+
+    ankles_m: FloatArray
+    yaws: FloatArray
+
+
 _STANDING: Feet = (Footing((0.115, 0.08, -0.012), 0.16), Footing((-0.110, 0.08, -0.038), -0.12))
 
 
@@ -50,11 +59,22 @@ def standing(skeleton: Skeleton) -> Feet:
     return left, right
 
 
-def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, feet: Feet | None = None) -> FloatArray:
+def feet_of(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FeetCourse:
+    """Where the feet of a body are, whose soles are level."""
+    legs_only = frozenset([0, *skeleton.chain(*LEG_JOINTS)])
+    places_m, turned = forward(skeleton, rotations, hips_m, legs_only)
+    rows = skeleton.chain(*(side + "Foot" for side in SIDES))
+    ahead = rotate(turned[:, rows], np.array([0.0, 0.0, 1.0]))
+    yaws = np.arctan2(ahead[..., 0], ahead[..., 2])
+    return FeetCourse(np.ascontiguousarray(places_m[:, rows].swapaxes(0, 1)), yaws.T)
+
+
+def hips_height_m(
+    skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, feet: Feet | FeetCourse | None = None
+) -> FloatArray:
     """The height (…, T) of hips at the horizontal position `hips_m` (…, T, 3) with orientations `turned` (T, 4): as
     high as the weight-bearing leg reaches. The feet are those of `standing` unless given."""
-    feet = feet or standing(skeleton)
-    ankles_m = np.array([foot.ankle_m for foot in feet])[:, None]
+    ankles_m, _yaws = _placed(skeleton, feet)
     hip_joints_m = rotate(turned, _hip_joints_m(skeleton))
     reach_m = ankles_m - hip_joints_m
     away_m, aside_m = (reach_m[..., axis] - hips_m[..., None, :, axis] for axis in (0, 2))
@@ -64,14 +84,23 @@ def hips_height_m(skeleton: Skeleton, hips_m: FloatArray, turned: FloatArray, fe
     return np.asarray(-_SOFTNESS_M * np.logaddexp(-left_m / _SOFTNESS_M, -right_m / _SOFTNESS_M))
 
 
-def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet | None = None) -> FloatArray:
+def _placed(skeleton: Skeleton, feet: Feet | FeetCourse | None) -> tuple[FloatArray, FloatArray]:
+    """Ankles (2, T or 1, 3) and headings (2, T or 1) of these feet, of `standing` ones if there are none."""
+    if isinstance(feet, FeetCourse):
+        return feet.ankles_m, feet.yaws
+    feet = feet or standing(skeleton)
+    return np.array([foot.ankle_m for foot in feet])[:, None], np.array([foot.yaw for foot in feet])[:, None]
+
+
+def legs(
+    skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet | FeetCourse | None = None
+) -> FloatArray:
     """The rotations (2, 3, T, 4) of `LEG_JOINTS`, side by side, that keep the feet in place for any movement of the
     hips.
 
     Feet beyond the legs' reach leave their places; at heights up to `hips_height_m` this does not happen.
     """
-    feet = feet or standing(skeleton)
-    ankles_m, yaws = (np.array([getattr(foot, name) for foot in feet])[:, None] for name in ("ankle_m", "yaw"))
+    ankles_m, yaws = _placed(skeleton, feet)
     flat = from_axis_angle((0.0, 1.0, 0.0), yaws)
     way_m = rotate(inverse(flat), ankles_m - hips_m - rotate(turned, _hip_joints_m(skeleton)))
     thigh, knee = _leg(skeleton, way_m)
@@ -79,9 +108,12 @@ def legs(skeleton: Skeleton, turned: FloatArray, hips_m: FloatArray, feet: Feet 
     return np.stack((multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat)), axis=1)
 
 
-def set_legs(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> None:
-    """Turn the legs of a body with these local rotations (T, J, 4), so that its feet stay in place."""
-    for side, leg in zip(SIDES, legs(skeleton, rotations[:, 0], hips_m), strict=True):
+def set_legs(
+    skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, feet: Feet | FeetCourse | None = None
+) -> None:
+    """Turn the legs of a body with these local rotations (T, J, 4), so that its feet stay in place, or where `feet`
+    has them."""
+    for side, leg in zip(SIDES, legs(skeleton, rotations[:, 0], hips_m, feet), strict=True):
         rotations[:, skeleton.rows(*(side + part for part in _LEG))] = leg.swapaxes(0, 1)
 
 

@@ -43,7 +43,7 @@ ATTITUDES = {
 SHOWN_BY = {
     "happy": ("mouthSmile", "cheekSquint"),
     "sad": ("browInnerUp", "mouthFrown"),
-    "angry": ("browDown",),
+    "angry": ("browDown", "mouthPress"),
     "disgusted": ("browDown", "noseSneer"),
     "surprised": ("browInnerUp", "browOuterUp"),
     "afraid": ("browInnerUp", "eyeWide"),
