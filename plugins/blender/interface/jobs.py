@@ -119,14 +119,14 @@ class JobOperator(bpy.types.Operator):
         state.stage, state.done = self._job.stage, self._job.done
         context.window_manager.progress_update(self._job.done)
         context.workspace.status_text_set(f"Understudy: {self._job.stage} (Esc cancels)")
-        for area in context.screen.areas:
-            area.tag_redraw()
+        _redraw(context)
 
     def _end(self, context: Any) -> None:
         context.window_manager.event_timer_remove(self._timer)
         context.window_manager.progress_end()
         context.workspace.status_text_set(None)
         context.window_manager.understudy.running = False
+        _redraw(context)
 
     def _finished(self, context: Any, result: Any) -> set[str]:
         for told in self.finish(context, result):
@@ -140,3 +140,9 @@ class JobOperator(bpy.types.Operator):
             raise error
         self.report({"ERROR"}, str(error))
         return {"CANCELLED"}
+
+
+def _redraw(context: Any) -> None:
+    """Has the panels show how far the work is, without waiting for the mouse."""
+    for area in context.screen.areas:
+        area.tag_redraw()

@@ -48,7 +48,7 @@ class PerformanceList(bpy.types.UIList):
 
 
 class TakeList(bpy.types.UIList):
-    """The takes of a performance: which is shown, by what gestures each has, and a cross for those that are not."""
+    """The takes of a performance, each with its gestures; the one that is lit is shown, others have a cross."""
 
     bl_idname = "UNDERSTUDY_UL_takes"
 
@@ -56,12 +56,12 @@ class TakeList(bpy.types.UIList):
         self, _context: Any, layout: Any, data: Any, item: Any, _icon: int, _active_data: Any, _active: str, index: int
     ) -> None:
         shown = data.active_take == index
-        row = layout.row(align=True)
-        icon = "RADIOBUT_ON" if shown else "RADIOBUT_OFF"
-        row.operator("understudy.show_take", text=item.name, icon=icon, emboss=False).number = index
-        row.label(text=gestures_in(item.behaviors))
+        row = layout.split(factor=0.25)
+        row.label(text=item.name)
+        rest = row.row(align=True)
+        rest.label(text=gestures_in(item.behaviors) or "no gestures")
         if not shown:
-            row.operator("understudy.remove_take", text="", icon="X", emboss=False).number = index
+            rest.operator("understudy.remove_take", text="", icon="X", emboss=False).number = index
 
 
 class NoteList(bpy.types.UIList):

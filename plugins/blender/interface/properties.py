@@ -59,6 +59,12 @@ class NoteRecord(bpy.types.PropertyGroup):
     content: StringProperty()
 
 
+def _show_chosen(record: Any, _context: Any) -> None:
+    """Shows the take that was clicked in the list."""
+    if record.active_take_row != record.active_take:
+        bpy.ops.understudy.show_take(number=record.active_take_row)
+
+
 class PerformanceRecord(bpy.types.PropertyGroup):
     """A performance that lies on the armature; its name is the group's own. BML, record, behaviours and order are
     those of the take that is shown."""
@@ -70,7 +76,7 @@ class PerformanceRecord(bpy.types.PropertyGroup):
     order: StringProperty()
     takes: CollectionProperty(type=TakeRecord)
     active_take: IntProperty()
-    active_take_row: IntProperty()
+    active_take_row: IntProperty(update=_show_chosen)
     notes: CollectionProperty(type=NoteRecord)
     active_note: IntProperty()
 

@@ -25,7 +25,7 @@ def begin_take(armature: Any, record: Any) -> None:
     """Puts the take that is shown aside and begins another."""
     put_aside(armature, record.name, shown_take(record).strips)
     _added(record)
-    record.active_take = len(record.takes) - 1
+    _choose(record, len(record.takes) - 1)
 
 
 def show_take(armature: Any, record: Any, number: int) -> None:
@@ -36,7 +36,7 @@ def show_take(armature: Any, record: Any, number: int) -> None:
     if record.takes[number] == shown:
         return
     put_aside(armature, record.name, shown.strips)
-    record.active_take = number
+    _choose(record, number)
     chosen = record.takes[number]
     lay_again(armature, chosen.strips)
     _copied(chosen, record)
@@ -53,7 +53,7 @@ def remove_take(record: Any, number: int) -> None:
         raise NoTakeError("the take that is shown cannot be removed: show another first")
     forget_take(record.takes[number])
     record.takes.remove(number)
-    record.active_take -= number < record.active_take
+    _choose(record, record.active_take - (number < record.active_take))
 
 
 def forget_take(take: Any) -> None:
@@ -70,6 +70,12 @@ def next_seed(record: Any) -> int:
     """A seed with which no take was performed yet."""
     shown_take(record)
     return 1 + max(_seed(take) for take in record.takes)
+
+
+def _choose(record: Any, number: int) -> None:
+    """The take that is shown, and the row of the list that is lit."""
+    record.active_take = number
+    record.active_take_row = number
 
 
 def _seed(take: Any) -> int:

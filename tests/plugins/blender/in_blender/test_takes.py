@@ -18,9 +18,9 @@ def gestures(armature: Bpy) -> list[dict[str, Any]]:
     return [each for each in written if each["kind"] == "gesture"]
 
 
-def one(armature: Bpy, lexeme: str) -> dict[str, Any]:
-    """The gesture with this lexeme."""
-    return next(each for each in gestures(armature) if each["lexeme"] == lexeme)
+def placed(armature: Bpy, lexeme: str) -> dict[str, Any]:
+    """The gesture with this lexeme that a note made or moved."""
+    return next(each for each in gestures(armature) if each["lexeme"] == lexeme and each["edit"] is not None)
 
 
 def strips(armature: Bpy) -> dict[str, float]:
@@ -35,22 +35,22 @@ def notes(armature: Bpy) -> list[str]:
 
 def test_what_was_moved_and_what_was_muted_hold_in_every_take(blender: Bpy, performed: Bpy) -> None:
     """A move, then a mute, then nothing: three takes, the first of which comes after Play Strips."""
-    moved = one(performed, "QUESTION")
+    moved = gestures(performed)[-1]
     wanted_s = moved["points_s"]["stroke"] + 0.4
     behavior_strip(performed, moved["id"]).frame_start_ui += 12
     blender.ops.understudy.play_strips()
     blender.ops.understudy.perform_again()
-    assert one(performed, "QUESTION")["points_s"]["stroke"] == pytest.approx(wanted_s, abs=FRAME_S)
+    assert placed(performed, moved["lexeme"])["points_s"]["stroke"] == pytest.approx(wanted_s, abs=FRAME_S)
     muted = gestures(performed)[0]
     behavior_strip(performed, muted["id"]).mute = True
     for _take in range(2):
         blender.ops.understudy.perform_again()
-        assert one(performed, "QUESTION")["points_s"]["stroke"] == pytest.approx(wanted_s, abs=FRAME_S)
+        assert placed(performed, moved["lexeme"])["points_s"]["stroke"] == pytest.approx(wanted_s, abs=FRAME_S)
         assert not [
             each for each in gestures(performed) if (each["lexeme"], each["first"]) == (muted["lexeme"], muted["first"])
         ]
     assert len(notes(performed)) == 2
-    assert "question" in notes(performed)[0]
+    assert moved["lexeme"].lower().replace("_", " ") in notes(performed)[0]
     assert "moved" in notes(performed)[0]
     assert notes(performed)[1].endswith("muted")
 
@@ -87,7 +87,7 @@ def test_a_take_that_is_not_shown_is_removed_with_its_actions(blender: Bpy, perf
 
 
 def test_a_cleared_note_holds_no_more_and_its_strip_goes_back(blender: Bpy, performed: Bpy) -> None:
-    moved = one(performed, "QUESTION")
+    moved = gestures(performed)[-1]
     laid = strips(performed)[moved["id"]]
     behavior_strip(performed, moved["id"]).frame_start_ui += 12
     blender.ops.understudy.perform_again()
@@ -104,12 +104,12 @@ def test_a_locked_strip_is_made_in_every_take(blender: Bpy, performed: Bpy) -> N
     blender.ops.understudy.lock_strips()
     assert notes(performed)[0].endswith("locked")
     blender.ops.understudy.perform_again()
-    again = one(performed, locked["lexeme"])
+    again = placed(performed, locked["lexeme"])
     assert again["points_s"]["stroke"] == pytest.approx(locked["points_s"]["stroke"], abs=FRAME_S)
 
 
 def test_takes_and_notes_are_there_after_saving(blender: Bpy, performed: Bpy, tmp_path: Any) -> None:
-    moved, name = one(performed, "QUESTION"), performed.name
+    moved, name = gestures(performed)[-1], performed.name
     first = strips(performed)
     behavior_strip(performed, moved["id"]).frame_start_ui += 12
     blender.ops.understudy.perform_again()
