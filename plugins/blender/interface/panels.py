@@ -207,7 +207,7 @@ def _draw_takes(layout: Any, record: Any) -> None:
 def _draw_notes(layout: Any, record: Any) -> None:
     if record.notes:
         row = layout.row()
-        row.label(text="Notes, kept in every take")
+        row.label(text="Notes")
         row.operator("understudy.clear_notes", text="Clear")
         layout.template_list("UNDERSTUDY_UL_notes", "", record, "notes", record, "active_note", rows=2)
 

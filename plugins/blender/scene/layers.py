@@ -133,6 +133,7 @@ def lay_strip(owner: Any, track_name: str, action: Any, start_frame: int, name: 
     data = owner.animation_data or owner.animation_data_create()
     track = _track_with_room(data, track_name, start_frame, start_frame + action.frame_end)
     strip = track.strips.new(name, start_frame, action)
+    strip.name = name  # Blender 4 calls it as its action
     action["understudy_track"] = track_name
     assign_slot(strip, action)
     strip.select = False
