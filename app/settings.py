@@ -43,6 +43,9 @@ class Settings(BaseSettings):
     affect_data: Literal["all", "free"] = Field(
         default="all", description="what our model of affect was taught by: all corpora, or those free for any use"
     )
+    agitation_model: Path | None = Field(
+        default=None, description="a model that understudy agitation train wrote, in place of ours"
+    )
     lexicon: str | None = Field(
         default=None,
         description="an author's folders of words, rules, gestures, characters and profiles, laid over the bundled "

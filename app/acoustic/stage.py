@@ -66,7 +66,7 @@ class AcousticModels:
         return cls(
             settings=settings,
             when_aligning=OnDemand(lambda: Aligner(models, lexicon / "en")),
-            agitation=AgitationModel.load(models / "agitation", settings.agitation_features),
+            agitation=_agitation_model(settings, models / "agitation"),
             affect=_affect_judge(settings, models / "affect"),
             listeners=Listeners.load(models / "focus" / "emphases.onnx"),
             focus=FocusModel.load(models / "focus" / "focus.npz"),
@@ -89,6 +89,13 @@ class AcousticModels:
 
     def __exit__(self, *_exception: object) -> None:
         self.close()
+
+
+def _agitation_model(settings: Settings, folder: Path) -> AgitationModel:
+    """The user's own model of agitation, else ours."""
+    if settings.agitation_model is not None:
+        return AgitationModel.load_file(settings.agitation_model)
+    return AgitationModel.load(folder, settings.agitation_features)
 
 
 def _affect_judge(settings: Settings, folder: Path) -> AffectJudge:

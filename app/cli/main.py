@@ -14,7 +14,7 @@ from typing import cast
 from ..errors import UnderstudyError
 from .arguments.parser import make_parser
 from .distinct_files import require_distinct
-from .lexicon import own_lexicon
+from .environment import set_by
 from .log import Log
 
 WRONG_INPUT = 2
@@ -33,8 +33,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         arguments = make_parser().parse_args(argv)
         require_distinct(arguments)
-        command = importlib.import_module(f".commands.{arguments.command}", __package__)
-        with own_lexicon(getattr(arguments, "lexicon", ())):
+        command = importlib.import_module(f".commands.{arguments.command.replace(' ', '_')}", __package__)
+        with set_by(arguments):
             code = cast(int, command.run(arguments, log))
         sys.stdout.flush()
     except UnderstudyError as error:

@@ -35,7 +35,7 @@ CODES = MappingProxyType(
             *("direction_importance", "direction_span", "not_an_object", "field_missing", "field_unknown"),
             *("field_repeated", "motion_too_large", "target_wrong", "unknown_target", "unknown_profile"),
             *("gesture_wrong", "unfit_gesture", "unknown_name", "rules_wrong", "rules_unreadable", "unknown_file"),
-            *("edits_wrong", "profile_wrong", "tags_wrong", "lexicon_wrong"),
+            *("edits_wrong", "profile_wrong", "tags_wrong", "lexicon_wrong", "agitation_model"),
         ),
         429: ("too_many_requests", "too_many_wrong_keys"),
         500: (

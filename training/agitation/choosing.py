@@ -51,7 +51,7 @@ def surprise(samples: Samples, recipe: Recipe) -> float:
     Corpora count as in `JUDGED_SHARES`, as far as they are among the samples.
     """
     features = typical_speaker(samples).completed(samples.features)
-    mean, scale = standards(features, recipe)
+    mean, scale = standards(features, recipe.features)
     points = (features - mean) / scale
     kernel = np.exp(-recipe.gamma * squared_distances(points, points))
     weights = balanced_weights(samples, recipe.corpus_shares)

@@ -13,6 +13,8 @@ evaluation needs numpy only.
 On disk a model is `NAME.npz`, named after its feature set (`stored.py`).
 """
 
+import io
+import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -99,6 +101,19 @@ class AgitationModel:
             _path(folder, feature_set), "agitation model", lambda arrays: _from_arrays(feature_set, arrays)
         )
 
+    @classmethod
+    def load_file(cls, path: Path) -> "AgitationModel":
+        """Loads a model that `understudy agitation train` wrote; raises InputError `agitation_model`."""
+        try:
+            with np.load(path, allow_pickle=False) as arrays:
+                feature_set = str(arrays["feature_set"])
+                model = _from_arrays(feature_set, arrays)
+        except (OSError, EOFError, KeyError, ValueError, TypeError, zipfile.BadZipFile) as error:
+            raise _no_model(path, error) from None
+        if feature_set not in FEATURE_SETS or len(model.typical.mean) != model.unknown_speaker.support_vectors.shape[1]:
+            raise _no_model(path, f"features {feature_set!r}")
+        return model
+
     def agitation(
         self, contours: Contours, quality: VoiceQuality, reference: SpeakerReference | None = None
     ) -> Agitation:
@@ -135,11 +150,28 @@ class AgitationModel:
 
 def save(model: AgitationModel, folder: Path) -> Path:
     """Write the model and its checksum to `folder` for `AgitationModel.load`; returns the model's path."""
-    arrays: dict[str, NDArray[Any]] = {"mean": model.typical.mean, "deviation": model.typical.deviation}
-    arrays |= svm_arrays("unknown", model.unknown_speaker) | svm_arrays("known", model.known_speaker)
     path = _path(folder, model.feature_set)
-    write_arrays(path, arrays)
+    write_arrays(path, _arrays(model))
     return path
+
+
+def _arrays(model: AgitationModel) -> dict[str, NDArray[Any]]:
+    arrays: dict[str, NDArray[Any]] = {"mean": model.typical.mean, "deviation": model.typical.deviation}
+    return arrays | svm_arrays("unknown", model.unknown_speaker) | svm_arrays("known", model.known_speaker)
+
+
+def save_file(model: AgitationModel, path: Path) -> None:
+    """Writes the model as one file for `AgitationModel.load_file`: numpy's .npz, without pickles."""
+    buffer = io.BytesIO()
+    np.savez(buffer, allow_pickle=False, feature_set=np.array(model.feature_set), **_arrays(model))
+    path.write_bytes(buffer.getvalue())
+
+
+def _no_model(path: Path, why: object) -> InputError:
+    message = (
+        f"{path} is no agitation model ({why}); make one with understudy agitation train LABELS.csv -o {path.name}"
+    )
+    return InputError("agitation_model", message, field="agitation_model")
 
 
 def _path(folder: Path, feature_set: str) -> Path:

@@ -20,6 +20,7 @@ _OF_THE_RESULT = frozenset(
         "parser",
         "emphasis",
         "agitation_features",
+        "agitation_model",
         "affect_data",
         "affect_model",
         "choice",

@@ -5,6 +5,7 @@ import argparse
 from ..distinct_files import InputFile
 from .command import Adding
 from .options import add_form, add_manner, add_rate
+from .shared import add_agitation_model
 
 SCRIPTS_HELP = ".csv, .tsv, .xlsx, .fountain, .fdx, .srt, .vtt, .jsonl, or Ren'Py's dialogue.tab"
 FORMATS_HELP = (
@@ -24,6 +25,7 @@ def add_batch(add: Adding) -> None:
     _add_joining(parser)
     _add_running(parser)
     _add_casting(parser)
+    add_agitation_model(parser)
     add_manner(parser)
     add_form(parser)
     add_rate(parser)

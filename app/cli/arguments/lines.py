@@ -7,7 +7,16 @@ from ..distinct_files import InputFile, OutputFile
 from ..files import STANDARD
 from .command import Adding
 from .options import add_form, add_manner, add_motion, add_option, add_options, add_reference
-from .shared import AUDIO_HELP, MOTION_HELP, add_functions, add_line, add_output, add_text, add_words
+from .shared import (
+    AUDIO_HELP,
+    MOTION_HELP,
+    add_agitation_model,
+    add_functions,
+    add_line,
+    add_output,
+    add_text,
+    add_words,
+)
 
 
 def add_perform(add: Adding) -> None:
@@ -15,6 +24,7 @@ def add_perform(add: Adding) -> None:
     add_line(parser)
     _add_performance(parser)
     add_reference(parser)
+    add_agitation_model(parser)
 
 
 def add_say(add: Adding) -> None:
@@ -116,6 +126,7 @@ def add_analyses(add: Adding) -> None:
     analyze = add("analyze", "analyse a line before any movement is chosen: words, voice and functions, as JSON")
     add_line(analyze)
     add_functions(analyze)
+    add_agitation_model(analyze)
     add_options(analyze, PERFORMANCE, "agitation", "affect")
     add_reference(analyze)
     analyze.add_argument("--plot", metavar="FILE", type=OutputFile, help="draw it too, as PNG (needs the extra `plot`)")
@@ -128,6 +139,11 @@ def add_analyses(add: Adding) -> None:
     agitation = add("agitation", "the speaker's agitation, one JSON line a file")
     agitation.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="+", help=AUDIO_HELP)
     add_reference(agitation)
+    add_agitation_model(agitation)
+    train = add("agitation train", "teach the classifier of agitation on your own actors' recordings")
+    told = "a table with the columns file, speaker, agitation (low, medium, high), and perhaps emotion"
+    train.add_argument("labels", metavar="LABELS.csv", type=InputFile, help=told)
+    add_output(train, "MODEL", "where the model goes (.npz), for --agitation-model")
     reference = add("reference", "how a speaker usually sounds, for --reference")
     spoken = "recordings of one speaker in various moods"
     reference.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="+", help=spoken)

@@ -1,7 +1,9 @@
 """The parser of the whole command line, with every command in its order."""
 
 import argparse
-from typing import NoReturn
+import sys
+from collections.abc import Sequence
+from typing import Any, NoReturn
 
 from ...errors import InputError
 from ...version import __version__
@@ -12,10 +14,20 @@ from .lines import add_analyses, add_live, add_perform, add_realize, add_say, ad
 from .serving import add_serve, add_studio
 from .study import add_study
 
+_TRAIN = "agitation train"
+
 
 class _Parser(argparse.ArgumentParser):
     """An argparse parser that raises InputError, so that usage errors look like all others, and refuses
     abbreviations."""
+
+    def parse_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:  # type: ignore[override]  # noqa: ANN401
+        """Joins the two words of `agitation train`: what follows `agitation` is else a recording."""
+        words = list(sys.argv[1:] if args is None else args)
+        place = next((index for index in range(len(words) - 1) if words[index : index + 2] == _TRAIN.split()), None)
+        if place is not None:
+            words[place : place + 2] = [_TRAIN]
+        return super().parse_args(words, namespace)
 
     def error(self, message: str) -> NoReturn:
         raise InputError("usage", f"{message}; see {self.prog} --help")

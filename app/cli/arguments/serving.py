@@ -4,6 +4,7 @@ import argparse
 
 from ..distinct_files import InputFile
 from .command import Adding
+from .shared import add_agitation_model
 
 LARGEST_PORT = 65535
 
@@ -12,6 +13,7 @@ def add_serve(add: Adding) -> None:
     parser = add("serve", "run the HTTP service")
     parser.add_argument("--host", help="address to listen on (default: UNDERSTUDY_HOST, else 127.0.0.1)")
     parser.add_argument("--port", type=_port, help="port to listen on (default: UNDERSTUDY_PORT, else 8000)")
+    add_agitation_model(parser)
     _add_origins(parser)
     parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")
 
@@ -25,6 +27,7 @@ def add_studio(add: Adding) -> None:
     parser.add_argument("--scene", metavar="DIR", help="a scene for a table read: the folder that batch wrote to")
     parser.add_argument("--port", type=_port, default=0, help="port to listen on (default: one that is free)")
     parser.add_argument("--rules", metavar="DIR", help="a folder in which the page may save edited rules and words")
+    add_agitation_model(parser)
     _add_origins(parser)
     parser.add_argument("--no-browser", action="store_true", help="only say where the page is")
     parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")

@@ -33,6 +33,11 @@ def add_words(parser: argparse.ArgumentParser, told: str) -> None:
     parser.add_argument("--words", metavar="FILE", type=InputFile, help=told)
 
 
+def add_agitation_model(parser: argparse.ArgumentParser) -> None:
+    told = "judge agitation by a model of your own, from understudy agitation train"
+    parser.add_argument("--agitation-model", metavar="MODEL", type=InputFile, help=told)
+
+
 def add_functions(parser: argparse.ArgumentParser) -> None:
     told = "communicative functions that you know already: a JSON list"
     parser.add_argument("--functions", metavar="FILE", type=InputFile, help=told)
