@@ -97,19 +97,19 @@ class _Reader:
         except expat.ExpatError as error:
             where = f"line {error.lineno}, column {error.offset + 1}"
             message = f"the text begins with a tag but is no XML: {expat.ErrorString(error.code)}"
-            raise _wrong(where, f"{message}; close every tag, and write & as &amp;") from None
+            raise _misread(where, f"{message}; close every tag, and write & as &amp;") from None
         return self._found
 
     def _where(self) -> str:
         return f"line {self._parser.CurrentLineNumber}, column {self._parser.CurrentColumnNumber + 1}"
 
     def _refuse_doctype(self, *_declaration: object) -> None:
-        raise _wrong(self._where(), "a DOCTYPE is not read; leave it out")
+        raise _misread(self._where(), "a DOCTYPE is not read; leave it out")
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         name = name.rpartition(":")[2].lower()
         if len(self._open) >= MOST_DEPTH:
-            raise _wrong(self._where(), f"more than {MOST_DEPTH} tags inside one another")
+            raise _misread(self._where(), f"more than {MOST_DEPTH} tags inside one another")
         self._in_word = self._in_word and name not in _SEPARATE
         first = len(self._found.words) - self._in_word
         lower = {each.rpartition(":")[2].lower(): value for each, value in attributes.items()}
@@ -148,7 +148,7 @@ def _emphasis(found: _Found, tag: _Open, words: range) -> None:
 def _break(found: _Found, tag: _Open, _words: range) -> None:
     time, strength = tag.attributes.get("time"), tag.attributes.get("strength", "medium").lower()
     if time is None and strength not in STRENGTHS_S:
-        raise _wrong(tag.where, f"<break strength={strength!r}>; there are {', '.join(STRENGTHS_S)}")
+        raise _misread(tag.where, f"<break strength={strength!r}>; there are {', '.join(STRENGTHS_S)}")
     _pause(found, STRENGTHS_S[strength] if time is None else _seconds(tag, "time", time))
 
 
@@ -170,10 +170,10 @@ def _prosody(found: _Found, tag: _Open, words: range) -> None:
     told = tag.attributes.get("rate", "medium").strip().lower()
     number = _RATE.fullmatch(told)
     if told not in RATES and not number:
-        raise _wrong(tag.where, f"<prosody rate={told!r}>; give {', '.join(RATES)}, or a share of the usual as 80%")
+        raise _misread(tag.where, f"<prosody rate={told!r}>; give {', '.join(RATES)}, or a share of the usual as 80%")
     rate = RATES[told] if number is None else float(number[1]) / (100 if number[2] else 1)
     if not _SLOWEST <= rate <= _FASTEST:
-        raise _wrong(tag.where, f"<prosody rate={told!r}>; give {_SLOWEST:.0%} to {_FASTEST:.0%}")
+        raise _misread(tag.where, f"<prosody rate={told!r}>; give {_SLOWEST:.0%} to {_FASTEST:.0%}")
     for word in words:
         found.rates[word] = found.rates.get(word, 1.0) * rate
 
@@ -181,11 +181,11 @@ def _prosody(found: _Found, tag: _Open, words: range) -> None:
 def _function(found: _Found, tag: _Open, words: range) -> None:
     name, told = tag.attributes.get("class", ""), tag.attributes.get("priority")
     if not name:
-        raise _wrong(tag.where, '<function> needs its class, such as <function class="negation">')
+        raise _misread(tag.where, '<function> needs its class, such as <function class="negation">')
     try:
         priority = None if told is None else float(told)
     except ValueError:
-        raise _wrong(tag.where, f"<function priority={told!r}>; give a number") from None
+        raise _misread(tag.where, f"<function priority={told!r}>; give a number") from None
     if words:
         subtype = tag.attributes.get("subtype") or PLAIN
         found.functions.append(GivenFunction(name, subtype, words[0], words[-1], priority))
@@ -194,7 +194,7 @@ def _function(found: _Found, tag: _Open, words: range) -> None:
 def _gesture(found: _Found, tag: _Open, words: range) -> None:
     name = next((tag.attributes[each] for each in ("name", "lexeme", "type") if tag.attributes.get(each)), None)
     if not words:
-        raise _wrong(tag.where, "<gesture> has no words; put those inside on which it comes")
+        raise _misread(tag.where, "<gesture> has no words; put those inside on which it comes")
     by = f"the tag <gesture> in {tag.where}"
     found.demands.append(Demand(name or GENERIC_GESTURE, words[0], words[-1], always=True, by=by))
 
@@ -217,9 +217,9 @@ def _seconds(tag: _Open, attribute: str, told: str) -> float:
     lasts_s = float(found[1]) / (1000 if found[2] == "ms" else 1) if found else -1.0
     if not 0 <= lasts_s <= _LONGEST_PAUSE_S:
         advice = f"give seconds up to {_LONGEST_PAUSE_S:g}, as 0.3s or 300ms"
-        raise _wrong(tag.where, f"<{tag.name} {attribute}={shown(told)}>; {advice}")
+        raise _misread(tag.where, f"<{tag.name} {attribute}={shown(told)}>; {advice}")
     return lasts_s
 
 
-def _wrong(where: str, message: str) -> InputError:
+def _misread(where: str, message: str) -> InputError:
     return InputError("tags_wrong", f"text, {where}: {message}", field="text")
