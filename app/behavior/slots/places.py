@@ -3,7 +3,7 @@ where it was."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from ...model import Function, Token
 from ...model.slots import Side
@@ -104,11 +104,48 @@ def _place(mention: Finding, found: Iterable[Finding], tokens: Sequence[Token]) 
 
 
 def addressed(tokens: Sequence[Token], listeners: Iterable[str]) -> Iterator[Finding]:
-    """Which listener is spoken to: each that is named, and the last named one wherever "you" follows."""
+    """Which listener is spoken to: each that is named; the one called by name on all words of the clause; and the last
+    named one wherever "you" follows."""
     names = {name.lower(): name for name in listeners}
     last: str | None = None
-    for token in tokens:
-        word = token.text.lower()
-        last = names.get(word, last)
-        if last is not None and (word in names or token.lemma.lower() in ("you", "your", "yours")):
-            yield Finding("listener", last, token.word, token.word)
+    for clause in _clauses(tokens, frozenset(names)):
+        named = [token for token in clause if token.text.lower() in names]
+        called = [token for token in named if _is_called(token, tokens)]
+        yield from (Finding("listener", names[each.text.lower()], each.word, each.word) for each in named)
+        last = names[(called or named)[-1].text.lower()] if named else last
+        if called:
+            yield Finding("listener", last, clause[0].word, clause[-1].word)
+        elif last is not None:
+            you = (token.word for token in clause if token.lemma.lower() in _YOU)
+            yield from (Finding("listener", last, word, word) for word in you)
+
+
+_YOU = frozenset({"you", "your", "yours"})
+_ENDS = frozenset(".?!;:…")
+
+
+def _clauses(tokens: Sequence[Token], names: frozenset[str]) -> Iterator[Sequence[Token]]:
+    """The sentences, each ended too by a name after which another is called within it."""
+    clause: list[Token] = []
+    for number, token in enumerate(tokens):
+        clause.append(token)
+        ended = token.text[-1:] in _ENDS or number == len(tokens) - 1
+        if ended or (token.text == "," and _is_last_called(clause, tokens[number + 1 :], names)):
+            yield clause
+            clause = []
+    if clause:
+        yield clause
+
+
+def _is_last_called(clause: Sequence[Token], following: Sequence[Token], names: frozenset[str]) -> bool:
+    """Whether a clause that began with other words ends with a name, and a further name is called in its sentence."""
+    if len(clause) < 3 or clause[-2].text.lower() not in names:
+        return False
+    sentence = takewhile(lambda token: token.text[-1:] not in _ENDS, following)
+    return any(token.text.lower() in names for token in sentence)
+
+
+def _is_called(name: Token, tokens: Sequence[Token]) -> bool:
+    """Whether a name stands by itself, between marks or the ends of the line, as in calling somebody."""
+    before, after = tokens[: name.index][-1:], tokens[name.index + 1 :][:1]
+    return all(each.part_of_speech == "PUNCT" for each in (*before, *after))

@@ -53,6 +53,22 @@ def test_a_thing_keeps_its_place_and_another_of_its_name_has_its_own(understudy:
     assert (last.referent, last.side) == ("wall_2", "left")
 
 
+@pytest.mark.parametrize(
+    ("text", "word", "listener"),
+    [
+        ("Sit down, Tom.", 0, "tom"),
+        ("You stay here, Anna, and you come with me, Tom.", 0, "anna"),
+        ("You stay here, Anna, and you come with me, Tom.", 5, "tom"),
+        ("I gave the letter to Anna.", 1, None),
+        ("I gave the letter to Anna.", 5, "anna"),
+    ],
+)
+def test_who_is_called_by_name_has_the_words_of_the_clause(
+    understudy: Understudy, text: str, word: int, listener: str | None
+) -> None:
+    assert slots(understudy, text, word, word, "anna", "tom").listener == listener
+
+
 def test_the_listener_named_last_is_addressed(understudy: Understudy) -> None:
     text = "Tom, you stay. Anna, come with you."
     assert slots(understudy, text, 1, 1, "anna", "tom").listener == "tom"
