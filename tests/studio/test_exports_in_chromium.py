@@ -32,6 +32,7 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def _saved(page: Page, ending: str) -> bytes:
+    page.click("#tab-exports")
     page.select_option("#format", ending)
     with page.expect_download() as download:
         page.click("#export")
@@ -40,6 +41,7 @@ def _saved(page: Page, ending: str) -> bytes:
 
 
 def _made(page: Page, button: str) -> bytes:
+    page.click("#tab-exports")
     with page.expect_download() as download:
         page.click(f"#exports button:has-text('{button}')")
     return Path(download.value.path()).read_bytes()
@@ -57,7 +59,7 @@ def test_the_performance_is_that_of_the_command_line(opened: Page, written: Path
 def test_a_project_has_all_and_opens_again(opened: Page, tmp_path: Path) -> None:
     opened.fill("#seed", "7")
     opened.press("#seed", "Enter")
-    opened.wait_for_selector("#state:has-text('behaviours')")
+    opened.wait_for_selector("#state:has-text('movements')")
     kept = tmp_path / "kept.studio.zip"
     kept.write_bytes(_made(opened, "Project"))
     with zipfile.ZipFile(kept) as opened_zip:

@@ -25,6 +25,7 @@ def test_a_wrong_file_shows_the_services_own_words(opened: Page, tmp_path: Path)
     opened.fill("#text", "")
     opened.press("#text", "Tab")
     opened.wait_for_selector("#problem", state="hidden")
+    opened.click("#open-another")
     opened.click("#example")
     opened.wait_for_selector("#stage-canvas[data-roles='speaker']")
 

@@ -7,7 +7,9 @@ from tests.studio.waiting import wait_until
 
 
 def _reasons(page: Page) -> str:
-    return page.inner_text("#reasons")
+    """What the inspector says: the sentence, the rules and the numbers."""
+    page.evaluate("document.querySelector('#numbers').open = true")
+    return page.inner_text("#inspected")
 
 
 def test_the_list_leads_to_reasons_rules_terms_and_losers(opened: Page) -> None:

@@ -104,6 +104,7 @@ def test_each_setting_of_the_line_is_performed_and_undone(page: Page) -> None:
 
 def test_versions_stand_in_time_with_each_other(opened: Page) -> None:
     """One that was kept, and each of the modes: both bodies are at the time of the playhead."""
+    opened.click("#tab-taken")
     opened.click("#keep-version")
     expect(opened.locator("#compared")).to_contain_text("0 only here, 0 only there")
     select(opened, "gesture NEGATION")

@@ -50,6 +50,23 @@ export function labelled(label, control) {
 }
 
 /**
+ * A button that has the browser choose files; each choice is told, also the same one again.
+ *
+ * @param {string} label
+ * @param {Record<string, string | boolean>} attributes of the field; `class` is the button's
+ * @param {(files: File[]) => void} taken
+ */
+export function fileButton(label, { class: kind = "", ...attributes }, taken) {
+  const field = el("input", { type: "file", ...attributes });
+  field.addEventListener("change", () => {
+    const files = [...(field.files ?? [])];
+    field.value = "";
+    taken(files);
+  });
+  return el("label", { class: `file ${String(kind)}` }, [el("span", {}, [label]), field]);
+}
+
+/**
  * A place whose content is read out by screen readers when it changes. Lists need one around them: as one, they would be
  * none.
  *

@@ -1,17 +1,15 @@
 /**
- * The panel of changes: what can be changed in what is selected, what was changed and what of it no longer fits, and another
- * version beside this one. Dragging on the timeline and its keys come to the same changes.
+ * The inspector: what is selected and why it is there, what can be changed in it, and what of the changes no longer fits;
+ * below stand the rules and numbers (reasons/). Dragging on the timeline and its keys come to the same changes.
  */
 
-import { el, foldable } from "../dom.js";
+import { el } from "../dom.js";
 import { redraw } from "../redrawing.js";
 import { PERFORMED, SELECTION } from "../state/performed.js";
 import { BADGES } from "../timeline/pointing.js";
 import { madeOf, selectedBehavior } from "./behaviors.js";
-import { comparison } from "./comparing.js";
 import { conflicts } from "./conflicts.js";
 import { moveWhatIsDragged } from "./dragging.js";
-import { fileButtons } from "./edit_files.js";
 import { editOf } from "./edits.js";
 import { keepSelected } from "./following.js";
 import { inspector } from "./inspector.js";
@@ -19,6 +17,7 @@ import { followKeys } from "./keys.js";
 import { askForLexemes, LEXEMES } from "./lexemes.js";
 import { wordPanel } from "./word_panel.js";
 import { wordOf } from "./words.js";
+import { saidOf } from "../reasons/sentences.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
@@ -31,7 +30,7 @@ import { wordOf } from "./words.js";
 export function mountChanges(element, store, service) {
   const selected = el("div", { id: "selected" });
   const told = el("div", { role: "status" });
-  element.append(foldable("Changes", [selected, told, fileButtons(store), comparison(store, service)]));
+  element.append(selected, told);
   keepSelected(store);
   const show = () => showSelected(selected, store, service);
   for (const of of [PERFORMED, SELECTION, LEXEMES]) {
@@ -59,14 +58,20 @@ export function mountChanges(element, store, service) {
 function showSelected(element, store, service) {
   const line = store.get(PERFORMED);
   const [lexemes, behavior, index] = [store.get(LEXEMES), selectedBehavior(store), wordOf(store.get(SELECTION))];
-  if (line && behavior) {
-    redraw(element, inspector(store, service, lexemes, behavior));
-  } else if (line && index !== null) {
-    redraw(element, wordPanel(store, service, lexemes, { performance: line.performance, index }));
-  } else {
-    redraw(element, [el("p", { class: "quiet" }, ["Select a movement or a word to change it."])]);
+  const said = line && saidOf(line.performance, store.get(SELECTION) ?? "");
+  if (!line || !said) {
+    redraw(element, [el("p", { class: "quiet" }, [HINT])]);
+    return;
   }
+  const fields = behavior
+    ? inspector(store, service, lexemes, behavior)
+    : index === null
+      ? []
+      : wordPanel(store, service, lexemes, { performance: line.performance, index });
+  redraw(element, [el("h3", { title: said.technical }, [said.name]), el("p", { class: "quiet about" }, [said.about]), el("p", { id: "why" }, [said.why]), ...fields]);
 }
+
+const HINT = "Select a movement or a word on the timeline to see what it is, change it, and read why it is there.";
 
 /**
  * What was changed, by the behaviour's id.

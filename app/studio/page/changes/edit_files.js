@@ -1,6 +1,6 @@
 /** Edits as a file: what `perform --edits` reads, with the options of the line that are not the usual ones. */
 
-import { el } from "../dom.js";
+import { el, fileButton } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
@@ -36,8 +36,8 @@ export function projectWith({ options }, { line = {}, ...edits }) {
 
 /** @param {Store} store */
 export function fileButtons(store) {
-  const chosen = el("input", { type: "file", id: "edits-file", accept: ".json", "aria-label": "Load edits" });
-  chosen.addEventListener("change", () => void load(store, chosen));
+  const load = (/** @type {File[]} */ [file]) => file && void loadEdits(store, file);
+  const chosen = fileButton("Load edits…", { id: "edits-file", accept: ".json" }, load);
   const save = el("button", { type: "button", id: "save-edits", click: () => download(store) }, ["Save edits"]);
   return el("div", { class: "row", role: "group", "aria-label": "File of edits" }, [save, chosen]);
 }
@@ -57,15 +57,12 @@ function nameOf({ audio }) {
 }
 
 /**
+ * Has the line performed with the edits in a file; what is wrong with it is told.
+ *
  * @param {Store} store
- * @param {HTMLInputElement} chosen
+ * @param {File} file
  */
-async function load(store, chosen) {
-  const [file] = chosen.files ?? [];
-  chosen.value = "";
-  if (!file) {
-    return;
-  }
+export async function loadEdits(store, file) {
   try {
     const read = /** @type {unknown} */ (JSON.parse(await file.text()));
     if (typeof read !== "object" || read === null || Array.isArray(read)) {

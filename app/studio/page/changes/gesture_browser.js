@@ -1,10 +1,16 @@
-/** The gestures to choose from, as moving pictures: by family and by name. */
+/** The gestures to choose from, as moving figures in groups by what they mean; found by name and by meaning. */
 
 import { choice, el, labelled } from "../dom.js";
+import { GROUPS, groupOf, searchedText } from "../naming/groups.js";
+import { familyName } from "../naming/meanings.js";
+import { movementName, plain } from "../naming/movements.js";
+import { favourites, recent, remember, toggleFavourite } from "./favourites.js";
 import { GestureClips, thumbnail } from "./thumbnails.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Lexemes } from "./lexemes.js" */
+
+/** @typedef {Readonly<{ clips: GestureClips, lexemes: Lexemes, now: string, choose: (lexeme: string) => void }>} Shelf */
 
 /** Clips stay for the next time, as long as the service is the same. @type {WeakMap<Service, GestureClips>} */
 const CLIPS = new WeakMap();
@@ -21,56 +27,97 @@ export function browseGestures(service, lexemes, { now, chosen }) {
   CLIPS.set(service, clips);
   const dialog = el("dialog", { id: "gesture-browser", "aria-label": "Gestures" });
   const choose = (/** @type {string} */ lexeme) => {
+    remember(lexeme);
     dialog.close();
     chosen(lexeme);
   };
-  const shown = el("ul", { class: "gestures" });
-  const name = el("input", { type: "search", id: "gesture-name" });
-  const family = choice([["", "Every family"], ...lexemes.families.map(asOption)], lexemes.familiesOf(now)[0] ?? "", () => show());
+  const shown = el("div", { class: "shelf" });
+  const name = el("input", { type: "search", id: "gesture-name", placeholder: "“I don’t know”, big, point…" });
+  const family = choice([["", "Anything"], ...lexemes.families.map(asOption)], lexemes.familiesOf(now)[0] ?? "", () => show());
   family.id = "gesture-family";
   const show = () => {
     const found = matching(lexemes, family.value, name.value);
-    shown.replaceChildren(...found.map((lexeme) => entry(clips, lexemes, { lexeme, now, choose })));
+    const isWhole = family.value === "" && name.value.trim() === "";
+    shown.replaceChildren(...sections(lexemes, found, isWhole).map((section) => shelf({ clips, lexemes, now, choose }, section)));
+    if (found.length === 0) {
+      shown.append(el("p", { class: "quiet" }, ["No gesture is called or means that."]));
+    }
   };
   name.addEventListener("input", show);
+  openDialog(dialog, [labelled("Search", name), labelled("It says", family)], shown);
+  show();
+}
+
+/**
+ * @param {HTMLDialogElement} dialog
+ * @param {readonly HTMLElement[]} fields
+ * @param {HTMLElement} shown
+ */
+function openDialog(dialog, fields, shown) {
   const close = el("button", { type: "button", click: () => dialog.close() }, ["Close"]);
-  dialog.append(el("div", { class: "row" }, [labelled("Family", family), labelled("Name", name), close]), shown);
+  dialog.append(el("div", { class: "row" }, [...fields, close]), shown);
   dialog.addEventListener("close", () => dialog.remove());
   document.body.append(dialog);
-  show();
   dialog.showModal();
 }
 
 /**
- * The lexemes of a family (empty: of all) whose name has a text in it, those that show the family first coming first.
+ * The lexemes of a family (empty: of all) in whose name or meaning all words of a text are, those that show the family
+ * first coming first.
  *
  * @param {Lexemes} lexemes
  * @param {string} family
  * @param {string} text
  */
 export function matching(lexemes, family, text) {
-  const wanted = text.trim().toUpperCase().replaceAll(/[\s-]+/g, "_");
-  const found = lexemes.of("gesture").filter((lexeme) => lexeme.includes(wanted));
+  const wanted = text.toLowerCase().split(/[\s_“”"-]+/).filter(Boolean);
+  const found = lexemes.of("gesture").filter((lexeme) => {
+    const searched = searchedText(lexeme, lexemes.familiesOf(lexeme));
+    return wanted.every((word) => searched.includes(word));
+  });
   const rank = (/** @type {string} */ lexeme) => lexemes.familiesOf(lexeme).indexOf(family);
   return family ? found.filter((lexeme) => rank(lexeme) >= 0).sort((a, b) => rank(a) - rank(b)) : found;
 }
 
 /**
- * @param {GestureClips} clips
+ * Gestures under what they mean; of all of them, those that the author uses come first.
+ *
  * @param {Lexemes} lexemes
- * @param {{ lexeme: string, now: string, choose: (lexeme: string) => void }} shown
+ * @param {readonly string[]} found
+ * @param {boolean} isWhole
  */
-function entry(clips, lexemes, { lexeme, now, choose }) {
-  const read = lexemes.familiesOf(lexeme).join(", ");
+function sections(lexemes, found, isWhole) {
+  const own = [["Recent", recent()], ["Favourites", favourites()]].map(([title, some]) => ({ title: String(title), found: found.filter((each) => some?.includes(each)) }));
+  const grouped = GROUPS.map((group) => ({ title: group.name, found: found.filter((each) => groupOf(lexemes.familiesOf(each)) === group) }));
+  return [...(isWhole ? own : []), ...grouped].filter((section) => section.found.length > 0);
+}
+
+/**
+ * @param {Shelf} from
+ * @param {Readonly<{ title: string, found: readonly string[] }>} section
+ */
+function shelf(from, { title, found }) {
+  return el("section", {}, [el("h3", {}, [title]), el("ul", { class: "gestures" }, found.map((lexeme) => entry(from, lexeme)))]);
+}
+
+/**
+ * @param {Shelf} from
+ * @param {string} lexeme
+ */
+function entry({ clips, lexemes, now, choose }, lexeme) {
+  const read = lexemes.familiesOf(lexeme).map(familyName).join(", ");
+  const name = movementName("gesture", lexeme);
   const button = el(
     "button",
-    { type: "button", "data-lexeme": lexeme, "aria-pressed": String(lexeme === now), title: read, click: () => choose(lexeme) },
-    [thumbnail(clips, lexeme), el("span", {}, [lexeme])],
+    { type: "button", "data-lexeme": lexeme, "aria-pressed": String(lexeme === now), title: `${lexeme}: ${read}`, click: () => choose(lexeme) },
+    [thumbnail(clips, lexeme), el("span", {}, [name])],
   );
-  return el("li", {}, [button]);
+  const star = el("button", { type: "button", class: "quiet square star", "aria-label": `Favourite: ${name}`, "aria-pressed": String(favourites().includes(lexeme)) }, ["★"]);
+  star.addEventListener("click", () => star.setAttribute("aria-pressed", String(toggleFavourite(lexeme))));
+  return el("li", {}, [button, star]);
 }
 
 /** @param {string} family */
 function asOption(family) {
-  return /** @type {const} */ ([family, family.replaceAll("_", " ")]);
+  return /** @type {const} */ ([family, plain(familyName(family))]);
 }

@@ -1,6 +1,7 @@
 /** What can be changed in the behaviour that is selected: fields for its lexeme, hand, size and marks, and buttons. */
 
 import { choice, el, labelled } from "../dom.js";
+import { movementName, plain } from "../naming/movements.js";
 import { MARKS } from "../timeline/phases.js";
 import { changeBehavior, editOfSelected, lockBehavior, revertBehavior } from "./behaviors.js";
 import { browseGestures } from "./gesture_browser.js";
@@ -25,8 +26,7 @@ const STEP_S = 0.01;
  */
 export function inspector(store, service, lexemes, behavior) {
   const fields = behavior.kept ? [what(store, service, lexemes, behavior), marks(store, behavior)] : [];
-  const why = behavior.kept ? [] : [el("p", { class: "quiet" }, [behavior.reason ?? "it gave way"])];
-  return [el("h3", {}, [`${behavior.kind} ${behavior.lexeme}`]), ...why, ...fields, buttons(store, behavior)];
+  return [buttons(store, behavior), ...fields];
 }
 
 /**
@@ -63,10 +63,10 @@ function lexeme(store, service, lexemes, behavior) {
   const chosen = (/** @type {string} */ value) => changeBehavior(store, "Movement of", behavior, { lexeme: value });
   if (behavior.kind === "gesture") {
     const open = () => browseGestures(service, lexemes, { now: behavior.lexeme, chosen });
-    return el("button", { type: "button", id: "replace", "aria-haspopup": "dialog", click: open }, [`${behavior.lexeme}…`]);
+    return el("button", { type: "button", id: "replace", "aria-haspopup": "dialog", title: `${behavior.lexeme}: choose another gesture`, click: open }, [`${movementName("gesture", behavior.lexeme)}…`]);
   }
   const names = lexemes.of(behavior.kind);
-  return choice(names.map((name) => [name, name]), behavior.lexeme, chosen);
+  return choice(names.map((name) => [name, movementName(behavior.kind, name)]), behavior.lexeme, chosen);
 }
 
 /**
@@ -76,9 +76,9 @@ function lexeme(store, service, lexemes, behavior) {
 function marks(store, behavior) {
   const rows = MARKS.flatMap((mark) => {
     const time_s = behavior.sync[mark];
-    return time_s === undefined ? [] : [labelled(mark.replace("_", " "), markField(store, behavior, mark, time_s))];
+    return time_s === undefined ? [] : [labelled(plain(mark), markField(store, behavior, mark, time_s))];
   });
-  return el("fieldset", { class: "marks" }, [el("legend", {}, ["Marks, seconds"]), ...rows]);
+  return el("fieldset", { class: "marks" }, [el("legend", {}, ["When, in seconds"]), ...rows]);
 }
 
 /**
@@ -117,7 +117,7 @@ function buttons(store, behavior) {
       ]
     : [];
   const back = edit
-    ? [el("button", { type: "button", id: "take-back", click: () => revertBehavior(store, behavior) }, ["As it was"])]
+    ? [el("button", { type: "button", id: "take-back", click: () => revertBehavior(store, behavior) }, ["Take back"])]
     : [];
   return el("div", { class: "row", role: "group", "aria-label": "Behaviour" }, [...made, ...omitted, ...back]);
 }

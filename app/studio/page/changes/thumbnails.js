@@ -1,6 +1,6 @@
 /**
- * Gestures as small moving figures of lines: the service plays each on our body the first time that it is seen. Where
- * motion is to be reduced the figure holds the gesture's stroke.
+ * Gestures as small moving figures of lines: the service plays each on our body the first time that it is seen, and until
+ * then the figure stands. Where motion is to be reduced it holds the gesture's stroke.
  */
 
 import { Quaternion, Vector3 } from "three";
@@ -80,6 +80,7 @@ function played(lexeme) {
  */
 export function thumbnail(clips, lexeme) {
   const canvas = el("canvas", { width: SIZE_PX, height: SIZE_PX, "aria-hidden": "true", "data-lexeme": lexeme });
+  requestAnimationFrame(() => canvas.dataset["played"] === undefined && drawStanding(canvas));
   const seen = new IntersectionObserver(([entry]) => {
     if (entry?.isIntersecting) {
       seen.disconnect();
@@ -88,6 +89,24 @@ export function thumbnail(clips, lexeme) {
   });
   seen.observe(canvas);
   return canvas;
+}
+
+/** Somebody who stands, until the gesture is there: lines on a square of 96 × 96. */
+const STANDING = Object.freeze([[[48, 24], [48, 70]], [[33, 33], [63, 33]], [[33, 33], [30, 52], [34, 70]], [[63, 33], [66, 52], [62, 70]], [[41, 70], [55, 70]]]);
+
+/** @param {HTMLCanvasElement} canvas */
+function drawStanding(canvas) {
+  const pen = canvas.getContext("2d");
+  if (pen) {
+    pen.strokeStyle = getComputedStyle(canvas).color;
+    pen.globalAlpha = 0.4;
+    pen.lineWidth = 2;
+    pen.stroke(new Path2D(STANDING.map((line) => `M${line.map((point) => point.join(" ")).join("L")}`).join("")));
+    pen.beginPath();
+    pen.arc(48, 16, pixels(HEAD_M), 0, 2 * Math.PI);
+    pen.stroke();
+    pen.globalAlpha = 1;
+  }
 }
 
 /**

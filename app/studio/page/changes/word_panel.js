@@ -1,6 +1,7 @@
 /** What can be changed in the word that is selected: its mark, its time, and a movement that is added on it. */
 
 import { choice, el, labelled } from "../dom.js";
+import { channelName, movementName } from "../naming/movements.js";
 import { CHANNELS } from "../timeline/tracks.js";
 import { addBehavior } from "./behaviors.js";
 import { browseGestures } from "./gesture_browser.js";
@@ -11,7 +12,7 @@ import { markWord, timeWord, wordEditOf } from "./words.js";
 /** @import { Store } from "../state/store.js" */
 /** @import { Lexemes } from "./lexemes.js" */
 
-const MARKS = /** @type {const} */ ([["", "As it is"], ["important", "Important"], ["still", "Still"]]);
+const MARKS = /** @type {const} */ ([["", "As chosen"], ["important", "Important"], ["still", "Still"]]);
 const STEP_S = 0.01;
 
 /**
@@ -33,7 +34,6 @@ export function wordPanel(store, service, lexemes, { performance, index }) {
     ? timeFields(store, index, word.start_s ?? 0, word.end_s ?? 0)
     : [];
   return [
-    el("h3", {}, [`the word “${word.text}”`]),
     el("div", { class: "pair" }, [labelled("The hands here", mark), ...times]),
     adding(store, service, lexemes, index),
   ];
@@ -72,8 +72,8 @@ function adding(store, service, lexemes, index) {
     ["Add a gesture…"],
   );
   const others = CHANNELS.filter((channel) => channel !== "gesture").map((channel) => {
-    const names = lexemes.of(channel).map((name) => /** @type {const} */ ([name, name]));
-    const made = choice([["", `Add: ${channel}`], ...names], "", (lexeme) => lexeme && add(channel)(lexeme));
+    const names = lexemes.of(channel).map((name) => /** @type {const} */ ([name, movementName(channel, name)]));
+    const made = choice([["", `Add: ${channelName(channel)}`], ...names], "", (lexeme) => lexeme && add(channel)(lexeme));
     made.setAttribute("aria-label", `Add a movement of the ${channel}`);
     return made;
   });

@@ -1,6 +1,7 @@
 /** Takes a line away: as files that the service writes, as pictures of the stage, as a project to go on with. */
 
-import { choice, el, foldable, labelled } from "../dom.js";
+import { fileButtons } from "../changes/edit_files.js";
+import { choice, el, labelled } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { AVATAR, PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
@@ -21,7 +22,8 @@ import { projectFile } from "./project_file.js";
 export function mountExports(element, store, service) {
   const told = el("p", { id: "exported", role: "status", class: "quiet" });
   const controls = el("fieldset", { disabled: true }, [formatRow(store, service, told), pictureRow(store, told)]);
-  element.append(foldable("Export", [controls, told]));
+  const edits = el("div", {}, [el("h2", {}, ["Edits"]), fileButtons(store)]);
+  element.append(el("h2", {}, ["Export"]), controls, told, edits);
   store.watch(PERFORMED, (line) => (controls.disabled = line === null));
 }
 
@@ -38,7 +40,7 @@ function formatRow(store, service, told) {
     const write = FORMATS.get(format.value)?.write;
     void offer(store, told, format.value, (exported) => write?.(service, exported));
   };
-  return el("div", { class: "row" }, [labelled("Format", format), el("button", { type: "button", id: "export", click }, ["Save"])]);
+  return el("div", { class: "row" }, [labelled("Format", format), el("button", { type: "button", id: "export", click }, ["Save file"])]);
 }
 
 /**

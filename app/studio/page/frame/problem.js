@@ -1,12 +1,15 @@
-/** Shows what was refused, in the words of whoever refused; asks for the key where one is missing. */
+/** Shows what was refused, in the words of whoever refused, in the view where it was; asks for the key where one is missing. */
 
 import { el, labelled } from "../dom.js";
 import { performAgain } from "../service/performing.js";
 import { PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
+import { VIEW } from "./views.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
+
+const KEY_WRONG = "key_wrong";
 
 /**
  * @param {HTMLElement} element
@@ -14,12 +17,19 @@ import { PROJECT } from "../state/project.js";
  * @param {Service} service
  */
 export function mountProblem(element, store, service) {
+  let place = store.get(VIEW);
+  const show = () => {
+    const problem = store.get(PROBLEM);
+    element.hidden = problem === null || (problem.code !== KEY_WRONG && store.get(VIEW) !== place);
+  };
+  store.watch(VIEW, show);
   store.watch(PROBLEM, (problem) => {
-    element.hidden = problem === null;
+    place = store.get(VIEW);
+    show();
     element.replaceChildren();
     if (problem) {
       const close = el("button", { type: "button", click: () => store.set(PROBLEM, null) }, ["Close"]);
-      const needsKey = problem.code === "key_wrong";
+      const needsKey = problem.code === KEY_WRONG;
       element.append(el("code", {}, [problem.code]), el("span", {}, [problem.detail]), needsKey ? keyForm(store, service) : close);
     }
   });

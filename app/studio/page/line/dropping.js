@@ -1,38 +1,52 @@
-/** Takes files that are chosen or dropped: a recording, its words (.txt), a body (.glb, .vrm), or a project (.zip). */
+/** Takes files that are chosen or dropped: a recording, its words, a body, edits, or a project (kinds.js). */
 
+import { loadEdits } from "../changes/edit_files.js";
 import { openedProject } from "../exports/project_file.js";
 import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
 import { AVATAR, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
+import { kindOf, refusalOf } from "./kinds.js";
 import { open } from "./opening.js";
 
 /** @import { Store } from "../state/store.js" */
 
-const BODY = /\.(glb|vrm)$/i;
-const TEXT = /\.txt$/i;
-const PROJECT_FILE = /\.zip$/i;
+export { TAKEN } from "./kinds.js";
 
 /**
- * Takes files by the endings of their names; what is neither a body nor a text is taken for a recording, and the service
- * says what is wrong with one that is none.
+ * Takes files by the endings of their names, and says which it has no use for.
  *
  * @param {Store} store
  * @param {readonly File[]} files
  */
 export async function takeFiles(store, files) {
-  const kept = files.find(({ name }) => PROJECT_FILE.test(name));
-  if (kept) {
-    await openProject(store, kept);
+  const of = (/** @type {ReturnType<typeof kindOf>} */ kind) => files.find(({ name }) => kindOf(name) === kind);
+  const project = of("project");
+  if (project) {
+    await openProject(store, project);
     return;
   }
-  const body = files.find(({ name }) => BODY.test(name));
-  const text = files.find(({ name }) => TEXT.test(name));
-  const audio = files.find(({ name }) => !BODY.test(name) && !TEXT.test(name));
+  const [audio, text, body, edits] = [of("audio"), of("text"), of("body"), of("edits")];
   const words = text ? (await text.text()).trim() : undefined;
   if (body) {
     store.set(AVATAR, body);
   }
+  takeLine(store, audio, words);
+  if (edits) {
+    await loadEdits(store, edits);
+  }
+  const unknown = of(null);
+  if (unknown) {
+    store.set(PROBLEM, { code: "file_unknown", detail: refusalOf(unknown.name) });
+  }
+}
+
+/**
+ * @param {Store} store
+ * @param {File | undefined} audio
+ * @param {string | undefined} words
+ */
+function takeLine(store, audio, words) {
   if (audio) {
     const { text: typed, options } = store.get(PROJECT);
     const isFirst = store.get(PROJECT).audio === null;
@@ -55,14 +69,20 @@ async function openProject(store, file) {
 }
 
 /**
- * Lets files be dropped anywhere on the page.
+ * Lets files be dropped anywhere on the page; `zone` shows where.
  *
  * @param {Store} store
+ * @param {HTMLElement} zone
  */
-export function letFilesBeDropped(store) {
-  document.addEventListener("dragover", (event) => event.preventDefault());
+export function letFilesBeDropped(store, zone) {
+  document.addEventListener("dragover", (event) => {
+    event.preventDefault();
+    zone.classList.add("over");
+  });
+  document.addEventListener("dragleave", () => zone.classList.remove("over"));
   document.addEventListener("drop", (event) => {
     event.preventDefault();
+    zone.classList.remove("over");
     void takeFiles(store, [...(event.dataTransfer?.files ?? [])]);
   });
 }

@@ -1,37 +1,66 @@
-/** Opens lines: the one that `understudy studio` was given, the bundled example, or files that the author chose. */
+/** Opens lines: the one that `understudy studio` was given, the bundled example, one that is kept, or files that the author chose. */
 
 import { problemOf } from "../service/service.js";
 import { PERFORMED, PLAYBACK, PROBLEM, SELECTION } from "../state/performed.js";
-import { EMPTY, PROJECT } from "../state/project.js";
+import { EMPTY, OPENED, PROJECT } from "../state/project.js";
+import { lineBefore } from "../saved/autosave.js";
+import { STARTING } from "./starting.js";
+import { TAKES } from "../takes/takes.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Project } from "../state/project.js" */
 /** @import { Store } from "../state/store.js" */
+/** @import { KeptProject } from "../saved/shelf.js" */
+/** @import { Take } from "../takes/takes.js" */
 
 /**
  * Begins with a line that nobody changed yet.
  *
  * @param {Store} store
  * @param {Partial<Project>} line
+ * @param {Readonly<{ id: string, takes: readonly Take[] }>} [kept] what is known of it, if it was kept before
  */
-export function open(store, line) {
+export function open(store, line, kept = { id: newId(), takes: [] }) {
+  const project = { ...EMPTY, ...line };
   store.set(SELECTION, null);
   store.set(PERFORMED, null);
   store.patch(PLAYBACK, { playing: false, loop: null });
   store.set(PROBLEM, null);
   store.history.clear();
-  store.set(PROJECT, { ...EMPTY, ...line });
+  store.set(STARTING, false);
+  store.set(OPENED, { id: kept.id, project, takes: kept.takes });
+  store.set(TAKES, kept.takes);
+  store.set(PROJECT, project);
 }
 
 /**
- * Opens what the address of the page says: `?line=opened`, `?line=example`, or nothing.
+ * Goes on with a line that was kept.
+ *
+ * @param {Store} store
+ * @param {KeptProject} project
+ */
+export function openKept(store, { id, audio, draft, takes }) {
+  open(store, { ...draft, audio }, { id, takes });
+}
+
+/** Also where the page is not from a secure place, in which browsers make none by themselves. */
+function newId() {
+  return `${String(Date.now())}-${Math.random().toString(36).slice(2)}`;
+}
+
+/**
+ * Opens what was open before the page was loaded again, else what its address says: `?line=opened`, `?line=example`, or
+ * nothing.
  *
  * @param {Store} store
  * @param {Service} service
  */
 export async function openAsAsked(store, service) {
+  const before = await lineBefore();
   const asked = new URLSearchParams(location.search).get("line");
-  if (asked === "opened") {
+  if (before) {
+    openKept(store, before);
+  } else if (asked === "opened") {
     await openWith(store, () => openedLine(service));
   } else if (asked === "example") {
     await openExample(store, service);

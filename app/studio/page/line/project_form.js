@@ -1,13 +1,13 @@
 /** The line as its author gives it: recording, words, character, agitation, seed, stillness, mode, gesture profile. */
 
-import { choice, el, labelled } from "../dom.js";
+import { choice, el, foldable, labelled } from "../dom.js";
+import { plain } from "../naming/movements.js";
 import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
 import { AVATAR, BUSY, PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { CHARACTERS } from "../stage/viewing.js";
-import { letFilesBeDropped, takeFiles } from "./dropping.js";
-import { openExample } from "./opening.js";
+import { STARTING } from "./starting.js";
 
 /** @import { Performance, PerformOptions } from "understudy-client" */
 /** @import { Project } from "../state/project.js" */
@@ -15,8 +15,9 @@ import { openExample } from "./opening.js";
 /** @import { Store } from "../state/store.js" */
 
 const EXAMPLE_PROFILES = ["sparing", "sweeping"];
-const LEVELS = /** @type {const} */ ([["", "As the voice"], ["low", "Low"], ["medium", "Medium"], ["high", "High"]]);
-const CHOICES = /** @type {const} */ ([["", "As the character"], ["terms", "By everything"], ["priority", "By priority"]]);
+const LEVELS = /** @type {const} */ ([["", "As heard"], ["low", "Low"], ["medium", "Medium"], ["high", "High"]]);
+const TONES = /** @type {const} */ (["neutral", "happy", "sad", "angry", "afraid", "disgusted", "surprised"]);
+const CHOICES = /** @type {const} */ ([["", "As usual"], ["terms", "By everything"], ["priority", "By priority"]]);
 const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stress"], ["random", "Chance"]]);
 
 /**
@@ -25,21 +26,17 @@ const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stres
  * @param {Service} service
  */
 export function mountProject(element, store, service) {
-  letFilesBeDropped(store);
-  element.append(files(store, service), words(store), state(store), options(store, service));
+  element.append(title(store), words(store), state(store), options(store, service));
 }
 
-/**
- * @param {Store} store
- * @param {Service} service
- */
-function files(store, service) {
-  const chosen = el("input", { type: "file", id: "files", multiple: true, accept: ".wav,.flac,.ogg,.txt,.glb,.vrm,.zip" });
-  chosen.addEventListener("change", () => void takeFiles(store, [...(chosen.files ?? [])]));
-  const example = el("button", { type: "button", id: "example", click: () => void openExample(store, service) }, ["Example"]);
+/** What is open, and the way to something else. @param {Store} store */
+function title(store) {
+  const name = el("h2", {}, []);
+  store.watch(PROJECT, ({ audio }) => ([name.textContent, name.title] = [audio?.name ?? "", audio?.name ?? ""]));
+  const other = el("button", { type: "button", id: "open-another", click: () => store.set(STARTING, true) }, ["Open…"]);
   const ours = el("button", { type: "button", click: () => store.set(AVATAR, null) }, ["Our body again"]);
   store.watch(AVATAR, (avatar) => (ours.hidden = avatar === null));
-  return el("div", { class: "row" }, [labelled("Recording, words (.txt), body (.glb, .vrm) or project (.zip)", chosen), example, ours]);
+  return el("div", {}, [el("div", { class: "title" }, [name, other]), ours]);
 }
 
 /** @param {Store} store */
@@ -62,25 +59,41 @@ function words(store) {
 function options(store, service) {
   const character = choice([["default", "default"]], "default", (value) => setOption(store, "character", value));
   void fillCharacters(character, store, service);
-  const agitation = choice(LEVELS, "", (value) => setOption(store, "agitation", value || undefined));
-  const chosen = choice(CHOICES, "", (value) => setOption(store, "choice", value || undefined));
-  const mode = choice(MODES, "semantic", (value) => setOption(store, "mode", value));
   const seed = el("input", { type: "number", step: 1, value: 0, id: "seed" });
   seed.addEventListener("change", () => setOption(store, "seed", Number(seed.value)));
   const stillness = el("input", { type: "range", min: 0, max: 1, step: 0.05, value: 0, id: "stillness" });
   stillness.addEventListener("change", () => setOption(store, "stillness", Number(stillness.value)));
   const [profile, examples] = profileField(store);
+  const chosen = chosenOptions(store);
+  const controls = { character, seed, stillness, profile, ...chosen };
   store.watch(PROJECT, ({ options: now }) => {
-    profile.value = now.profile ?? "";
-    character.value = now.character ?? "default";
-    agitation.value = now.agitation ?? "";
-    chosen.value = now.choice ?? "";
-    mode.value = now.mode ?? "semantic";
-    seed.value = String(now.seed ?? 0);
-    stillness.value = String(now.stillness ?? 0);
+    for (const [name, control] of Object.entries(controls)) {
+      control.value = shownValue(now[/** @type {keyof PerformOptions} */ (name)] ?? USUAL[name]);
+    }
   });
-  const controls = { Character: character, Agitation: agitation, "Movements chosen": chosen, "Gestures from": mode, Seed: seed, Stillness: stillness, "Gesture profile": profile };
-  return el("div", { class: "pair" }, [...Object.entries(controls).map(([name, control]) => labelled(name, control)), examples]);
+  const first = { Character: character, Agitation: chosen.agitation, Feeling: chosen.affect, Seed: seed, Stillness: stillness };
+  const rare = { "Movements chosen": chosen.choice, "Gestures from": chosen.mode, "Gesture profile": profile };
+  const pair = (/** @type {Record<string, HTMLElement>} */ named) =>
+    el("div", { class: "pair" }, Object.entries(named).map(([name, control]) => labelled(name, control)));
+  return el("div", { class: "settings" }, [pair(first), foldable("More", [pair(rare), examples])]);
+}
+
+/** What fields show of options that were not set. @type {Readonly<Record<string, string>>} */
+const USUAL = Object.freeze({ character: "default", mode: "semantic", seed: "0", stillness: "0" });
+
+/** @param {unknown} value a feeling may be a list of numbers, which no field here shows */
+function shownValue(value) {
+  return typeof value === "string" || typeof value === "number" ? String(value) : "";
+}
+
+/** @param {Store} store */
+function chosenOptions(store) {
+  const tones = TONES.map((tone) => /** @type {const} */ ([tone, plain(tone)]));
+  const of = (/** @type {readonly (readonly [string, string])[]} */ values, /** @type {keyof PerformOptions} */ name) =>
+    choice(values, "", (value) => setOption(store, name, value || undefined));
+  const affect = of([["", "As heard"], ...tones], "affect");
+  affect.id = "feeling";
+  return { agitation: of(LEVELS, "agitation"), affect, choice: of(CHOICES, "choice"), mode: of(MODES, "mode") };
 }
 
 /**
@@ -134,7 +147,7 @@ function state(store) {
  */
 function lacking({ audio, text }) {
   if (!audio) {
-    return "Drop a recording on the page and type its words, or press Example.";
+    return "Drop a recording on the page and type its words.";
   }
   return text.trim() ? null : `Type the words that are spoken in ${audio.name}.`;
 }
@@ -146,7 +159,7 @@ function lacking({ audio, text }) {
  */
 function summary({ audio, agitation, behaviors, warnings }) {
   const kept = behaviors.filter((each) => each.kept).length;
-  const done = `${audio.duration_s.toFixed(2)} s, agitation ${agitation}, ${String(kept)} behaviours`;
+  const done = `${audio.duration_s.toFixed(2)} s, ${agitation} agitation, ${String(kept)} movements`;
   return [done, ...warnings.map(({ message }) => message)].join(" — ");
 }
 

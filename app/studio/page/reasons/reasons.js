@@ -1,11 +1,12 @@
 /**
- * The inspector: why what is selected is there. A rule's name asks for the rule (ASKED_RULE), which the rule browser
- * shows; its place in the rule files stands beside it.
+ * Why what is selected is there, to the last number: behind a fold, for the inspector says it in a sentence. A rule's name asks for the rule
+ * (ASKED_RULE), which the rule browser shows; its place in the rule files stands beside it.
  */
 
-import { el, foldable } from "../dom.js";
+import { el } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PERFORMED, PROBLEM, SELECTION } from "../state/performed.js";
+import { selectAndSeek } from "../state/selecting.js";
 import { slice } from "../state/slice.js";
 import { sectionsOn } from "./telling.js";
 
@@ -25,13 +26,15 @@ const PLACES = slice(/** @type {ReadonlyMap<string, string>} */ (new Map()));
  * @param {Service} service
  */
 export function mountReasons(element, store, service) {
-  const told = el("div", { "aria-live": "polite" });
-  element.append(foldable("Reasons", [told]));
+  const numbers = el("div", {});
+  const fold = el("details", { class: "part", id: "numbers" }, [el("summary", {}, ["Rules and numbers"]), numbers]);
+  element.append(fold);
   const show = () => {
     const line = store.get(PERFORMED);
     const id = store.get(SELECTION);
     const sections = line && id ? sectionsOn(line.performance, id) : [];
-    told.replaceChildren(...(sections.length > 0 ? sections.map((each) => shown(each, store)) : [hint()]));
+    element.hidden = sections.length === 0;
+    numbers.replaceChildren(...sections.map((each) => shown(each, store)));
   };
   for (const of of [PERFORMED, SELECTION, PLACES]) {
     store.watch(/** @type {typeof SELECTION} */ (of), show);
@@ -58,10 +61,6 @@ function askOnce(store, service) {
   });
 }
 
-function hint() {
-  return el("p", { class: "quiet" }, ["Click anything on the timeline, or choose it in the list beside it."]);
-}
-
 /**
  * @param {Section} section
  * @param {Store} store
@@ -77,7 +76,7 @@ function shown({ title, told }, store) {
  */
 function line({ text, id, rule }, store) {
   if (id) {
-    return [el("button", { type: "button", class: "link", click: () => store.set(SELECTION, id) }, [text])];
+    return [el("button", { type: "button", class: "link", click: () => selectAndSeek(store, id) }, [text])];
   }
   if (!rule) {
     return [text];

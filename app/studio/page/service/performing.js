@@ -32,13 +32,20 @@ const HEARD = slice(/** @type {{ audio: File, text: string, line: PerformedLine 
 export function keepPerformed(store, service) {
   let { audio, text } = store.get(PROJECT);
   let underWay = new AbortController();
+  /** @type {Pick<Project, "audio" | "text">} */
+  let shown = { audio: null, text: "" };
   const refresh = latest(async (isLatest) => {
     const project = store.get(PROJECT);
-    if (isLine(project)) {
-      await performInto(store, service, project, { signal: underWay.signal, isLatest });
-    } else {
+    if (!isLine(project)) {
       store.set(BUSY, false);
       store.set(PROBLEM, null);
+      return;
+    }
+    const isMade = await performInto(store, service, project, { signal: underWay.signal, isLatest });
+    const isSame = project.audio === shown.audio && project.text === shown.text;
+    shown = isMade ? project : shown;
+    if (!isMade && isLatest() && !isSame) {
+      store.set(PERFORMED, null);
     }
   });
   store.watch(PROJECT, (project) => {
@@ -88,6 +95,9 @@ export async function performed(service, line, heard = null, signal) {
 }
 
 /**
+ * Shows the line as it is performed; whether it could be. What was shown of another recording or other words goes where
+ * these cannot be performed.
+ *
  * @param {Store} store
  * @param {Service} service
  * @param {Line} line
@@ -102,13 +112,16 @@ async function performInto(store, service, line, { signal, isLatest }) {
       store.set(PERFORMED, found);
       store.set(PROBLEM, null);
     }
+    return true;
   } catch (error) {
     if (isLatest()) {
       store.set(PROBLEM, problemOf(error));
     }
-  }
-  if (isLatest()) {
-    store.set(BUSY, false);
+    return false;
+  } finally {
+    if (isLatest()) {
+      store.set(BUSY, false);
+    }
   }
 }
 

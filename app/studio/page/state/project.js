@@ -35,3 +35,20 @@ export const EMPTY = Object.freeze({
 });
 
 export const PROJECT = slice(EMPTY);
+
+/** What of a project changes while it is worked on. @typedef {Omit<Project, "audio">} Draft */
+
+/**
+ * @param {Readonly<Project>} project
+ * @returns {Draft}
+ */
+export function draftOf({ text, options, direction, words, edits, rules }) {
+  return { text, options, direction, words, edits, rules };
+}
+
+/**
+ * The line as it was opened, by which it is known among those that are kept, with the takes that it had.
+ *
+ * @typedef {Readonly<{ id: string, project: Readonly<Project>, takes: readonly object[] }>} Opened
+ */
+export const OPENED = slice(/** @type {Opened} */ ({ id: "", project: EMPTY, takes: [] }));

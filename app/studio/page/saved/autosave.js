@@ -1,0 +1,101 @@
+/**
+ * Keeps the line in this browser a moment after each change. What is not kept yet, or cannot be, is asked about before the
+ * page goes; a page that is loaded again shows the line as it was.
+ */
+
+import { DOABLE } from "../state/history.js";
+import { draftOf, OPENED, PROJECT } from "../state/project.js";
+import { slice } from "../state/slice.js";
+import { TAKES } from "../takes/takes.js";
+import { keep, kept, keepVersion } from "./shelf.js";
+
+/** @import { Store } from "../state/store.js" */
+/** @import { Draft } from "../state/project.js" */
+
+/** Whether what was changed is kept: `same` where nothing was changed. @typedef {"same" | "unsaved" | "saved" | "failed"} Saving */
+
+const QUIET_MS = 300;
+const LAST = "understudy-open";
+
+export const SAVING = slice(/** @type {Saving} */ ("same"));
+
+/** @param {Store} store */
+export function keepSaved(store) {
+  let timer = 0;
+  const save = () => {
+    clearTimeout(timer);
+    return saveNow(store);
+  };
+  const changed = () => {
+    clearTimeout(timer);
+    const isChanged = store.get(PROJECT).audio !== null && isOther(store);
+    store.set(SAVING, isChanged ? "unsaved" : "same");
+    if (isChanged) {
+      timer = window.setTimeout(() => void save(), QUIET_MS);
+    }
+  };
+  for (const of of [PROJECT, TAKES]) {
+    store.watch(/** @type {typeof PROJECT} */ (of), changed);
+  }
+  document.addEventListener("visibilitychange", () => store.get(SAVING) === "unsaved" && void save());
+  addEventListener("beforeunload", (event) => {
+    if (mayBeLost(store.get(SAVING))) {
+      event.preventDefault();
+    }
+  });
+}
+
+/** @param {Saving} saving */
+export function mayBeLost(saving) {
+  return saving === "unsaved" || saving === "failed";
+}
+
+/**
+ * Whether the line is another than the one that was opened.
+ *
+ * @param {Store} store
+ */
+function isOther(store) {
+  const { project, takes } = store.get(OPENED);
+  return JSON.stringify([draftOf(store.get(PROJECT)), store.get(TAKES)]) !== JSON.stringify([draftOf(project), takes]);
+}
+
+/** @param {Store} store */
+async function saveNow(store) {
+  const { audio } = store.get(PROJECT);
+  const draft = draftOf(store.get(PROJECT));
+  const { id } = store.get(OPENED);
+  if (!audio) {
+    return;
+  }
+  const saved_ms = Date.now();
+  const label = store.get(DOABLE).undo ?? "Opened";
+  try {
+    await keep({ id, audio, draft, takes: store.get(TAKES), saved_ms });
+    await keepVersion({ project: id, draft, label, saved_ms });
+    sessionStorage.setItem(LAST, JSON.stringify({ id, at: location.search }));
+    tell(store, draft, "saved");
+  } catch {
+    // The page says so, asks before it goes, and saves again at the next change.
+    tell(store, draft, "failed");
+  }
+}
+
+/**
+ * @param {Store} store
+ * @param {Draft} draft what was saved: where the line has changed since, that is still to be
+ * @param {Saving} saving
+ */
+function tell(store, draft, saving) {
+  if (JSON.stringify(draftOf(store.get(PROJECT))) === JSON.stringify(draft)) {
+    store.set(SAVING, saving);
+  }
+}
+
+/** The line that this tab showed before it was loaded again; undefined where it showed none, or was opened anew. */
+export async function lineBefore() {
+  const [entry] = performance.getEntriesByType("navigation");
+  const last = JSON.parse(sessionStorage.getItem(LAST) ?? "null");
+  const isAgain = entry instanceof PerformanceNavigationTiming && entry.type !== "navigate";
+  return isAgain && last?.at === location.search ? kept(last.id).catch(() => undefined) : undefined;
+}

@@ -1,0 +1,100 @@
+/** The panel of takes: another one, those that are kept, which of them stands beside the line, and what differs. */
+
+import { choice, el, labelled } from "../dom.js";
+import { movementName } from "../naming/movements.js";
+import { redraw } from "../redrawing.js";
+import { draftOf, PROJECT } from "../state/project.js";
+import { selectAndSeek } from "../state/selecting.js";
+import { COMPARED, COMPARING, DIFFERS, keepCompared, nameOf, VERSIONS } from "./comparing.js";
+import { toldDifferences } from "./differences.js";
+import { anotherTake, forgetTake, keepTake, takeOf, TAKES, useTake } from "./takes.js";
+
+/** @import { Behavior, Edits } from "understudy-client" */
+/** @import { Service } from "../service/service.js" */
+/** @import { Store } from "../state/store.js" */
+/** @import { Take } from "./takes.js" */
+
+/**
+ * @param {HTMLElement} element
+ * @param {Store} store
+ * @param {Service} service
+ */
+export function mountTakes(element, store, service) {
+  const another = el("button", { type: "button", id: "another-take", title: "Keeps this take and performs the line by another seed" }, ["Another take"]);
+  const keep = el("button", { type: "button", id: "keep-version" }, ["Keep this take"]);
+  another.addEventListener("click", () => store.set(COMPARED, anotherTake(store).id));
+  keep.addEventListener("click", () => store.set(COMPARED, keepTake(store).id));
+  const list = el("ul", { class: "takes", "aria-label": "Takes" });
+  const told = el("p", { class: "quiet", id: "compared", role: "status" });
+  const found = el("ul", { class: "differences" });
+  element.append(el("h2", {}, ["Takes"]), el("div", { class: "row" }, [another, keep]), list, comparedWith(store), told, found);
+  for (const of of [TAKES, PROJECT, COMPARED]) {
+    store.watch(/** @type {typeof COMPARED} */ (of), () => redraw(list, store.get(TAKES).map((take) => entry(store, take))));
+  }
+  const tell = () => {
+    told.textContent = store.get(COMPARING) ? "Performing the other version…" : toldOf(store);
+    found.replaceChildren(...differing(store));
+  };
+  store.watch(DIFFERS, tell);
+  store.watch(COMPARING, tell);
+  keepCompared(store, service);
+}
+
+/** @param {Store} store */
+function comparedWith(store) {
+  const element = el("div", {});
+  const show = () => {
+    const takes = store.get(TAKES).map(({ id, name }) => /** @type {const} */ ([id, name]));
+    const other = choice([...VERSIONS, ...takes], store.get(COMPARED), (version) => store.set(COMPARED, version));
+    other.id = "compare-with";
+    redraw(element, [labelled("Beside this line on the stage", other)]);
+  };
+  for (const of of [TAKES, COMPARED]) {
+    store.watch(/** @type {typeof COMPARED} */ (of), show);
+  }
+  return element;
+}
+
+/**
+ * @param {Store} store
+ * @param {Take} take
+ */
+function entry(store, take) {
+  const isNow = takeOf([take], draftOf(store.get(PROJECT))) !== undefined;
+  const isBeside = store.get(COMPARED) === take.id;
+  const { options, edits } = take.draft;
+  const changes = /** @type {Edits | null} */ (edits)?.behaviors?.length ?? 0;
+  const told = [`seed ${String(options.seed ?? 0)}`, changes ? `${String(changes)} edits` : "", isNow ? "edited now" : ""].filter(Boolean).join(", ");
+  const button = (/** @type {string} */ text, /** @type {() => void} */ click, /** @type {Record<string, string | boolean>} */ attributes = {}) =>
+    el("button", { type: "button", click, ...attributes }, [text]);
+  return el("li", {}, [
+    el("span", {}, [el("b", {}, [take.name]), ` ${told}`]),
+    button("Edit", () => useTake(store, take), { disabled: isNow, "aria-label": `Edit ${take.name}` }),
+    button("Compare", () => store.set(COMPARED, isBeside ? "none" : take.id), { "aria-pressed": String(isBeside), "aria-label": `Compare with ${take.name}` }),
+    button("✕", () => forgetTake(store, take), { class: "quiet square", "aria-label": `Forget ${take.name}` }),
+  ]);
+}
+
+/** @param {Store} store */
+function toldOf(store) {
+  const differs = store.get(DIFFERS);
+  return differs ? toldDifferences(differs.found) : "";
+}
+
+/** @param {Store} store */
+function differing(store) {
+  const differs = store.get(DIFFERS);
+  if (!differs) {
+    return [];
+  }
+  const { here, there } = differs.found;
+  const own = here.map((behavior) =>
+    el("li", {}, ["This line: ", el("button", { type: "button", class: "link", click: () => selectAndSeek(store, behavior.id) }, [said(behavior)])]),
+  );
+  return [...own, ...there.map((behavior) => el("li", {}, [`${nameOf(store) ?? ""}: ${said(behavior)}`]))];
+}
+
+/** @param {Behavior} behavior */
+function said({ kind, lexeme, sync }) {
+  return `${movementName(kind, lexeme)}, ${(sync["start"] ?? 0).toFixed(2)} s`;
+}
