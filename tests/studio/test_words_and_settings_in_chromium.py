@@ -117,6 +117,7 @@ def test_versions_stand_in_time_with_each_other(opened: Page) -> None:
     opened.click("#undo")
     wait_until(opened, "document.querySelector('#compared').textContent.includes('0 only there')")
     wait_until(opened, f"String({POSES}.slice(0, 6)) === String({POSES}.slice(6))")
+    opened.click("#tab-taken")
     for mode in ("semantic", "prosody", "random"):
         opened.select_option("#compare-with", mode)
         expect(opened.locator("#compared")).to_contain_text("movements are the same")

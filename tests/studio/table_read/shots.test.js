@@ -1,28 +1,55 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { isClear, roundFrom } from "../../../app/studio/page/stage/framing.js";
+import { facing, marksOf } from "../../../app/studio/page/table_read/marks.js";
 import { viewOf } from "../../../app/studio/page/table_read/shots.js";
 
-const SCENE = { eyes_m: 1.6, reach_m: 0.65 };
-const LEFT = { x: -0.65, z: 0 };
-const RIGHT = { x: 0.65, z: 0 };
+const PICTURE = { eyes_m: 1.6, aspect: 1.6 };
+const SHOTS = /** @type {const} */ (["wide", "medium", "close", "two_shot", "over_shoulder"]);
 
-test("the camera stays on the side of the audience", () => {
-  for (const shot of /** @type {const} */ (["wide", "close", "over_shoulder"])) {
-    for (const [subject, beside] of [[LEFT, RIGHT], [RIGHT, LEFT]]) {
-      const { from_m } = viewOf(shot, subject ?? LEFT, beside ?? RIGHT, SCENE);
-      assert.ok(from_m[2] > 0.3, `${shot}: ${from_m.join(" ")}`);
+/**
+ * Whoever speaks, facing whom he speaks to, who comes first of the others.
+ *
+ * @param {number} count of people
+ * @param {number} speaking
+ * @param {number} heard
+ */
+function scene(count, speaking, heard) {
+  const marks = marksOf(Array.from({ length: count }, (_, place) => `n${String(place)}`));
+  const names = [...marks.keys()];
+  const [speaker = "", listener = ""] = [names[speaking], names[heard]];
+  const { body_rad } = facing(speaker, { speaker, listeners: [listener] }, marks);
+  const mark = (/** @type {string} */ name) => marks.get(name) ?? { x: NaN, z: NaN };
+  const rest = names.filter((name) => name !== speaker && name !== listener);
+  return { subject: { ...mark(speaker), facing_rad: body_rad }, others: [listener, ...rest].map(mark) };
+}
+
+test("nobody is shown from behind, whoever speaks to whom", () => {
+  for (const count of [2, 3, 4, 5]) {
+    for (const shot of SHOTS) {
+      for (let speaking = 0; speaking < count; speaking++) {
+        const { subject, others } = scene(count, speaking, (speaking + 1) % count);
+        const round = roundFrom(viewOf(shot, subject, others, PICTURE), subject);
+        assert.ok(round < 1.66, `${shot} ${String(speaking)} of ${String(count)}: ${String(round)}`);
+      }
     }
   }
 });
 
-test("over the shoulder is behind whoever listens and looks at whoever speaks", () => {
-  const { from_m, at_m } = viewOf("over_shoulder", LEFT, RIGHT, SCENE);
-  assert.ok(from_m[0] > RIGHT.x);
-  assert.deepEqual([at_m[0], at_m[2]], [LEFT.x, LEFT.z]);
+test("of two, nobody stands before whoever speaks, and the camera is on the audience's side", () => {
+  for (const shot of SHOTS) {
+    for (const speaking of [0, 1]) {
+      const { subject, others } = scene(2, speaking, 1 - speaking);
+      const view = viewOf(shot, subject, others, PICTURE);
+      assert.ok(shot === "over_shoulder" || isClear(view, subject, others), shot);
+      assert.ok(view.from_m[2] > 0.3, `${shot}: ${view.from_m.join(" ")}`);
+    }
+  }
 });
 
-test("close keeps clear of the others", () => {
-  const { from_m } = viewOf("close", LEFT, RIGHT, SCENE);
-  assert.ok(Math.hypot(from_m[0] - RIGHT.x, from_m[2] - RIGHT.z) > 0.5);
+test("the wide shot is from the audience where the face is seen from there, and has everybody in it", () => {
+  const { subject, others } = scene(2, 0, 1);
+  const { from_m, at_m } = viewOf("wide", subject, others, PICTURE);
+  assert.deepEqual([from_m[0], at_m[0], at_m[2]], [0, 0, 0]);
 });

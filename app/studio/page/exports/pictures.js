@@ -1,8 +1,11 @@
-/** What the stage shows, taken away: a film, its frames, a sheet of stills. Pictures are as large as the stage. */
+/**
+ * What the stage shows, taken away: a film and its frames at 1920 × 1080, a sheet of stills as large as the stage. Nothing
+ * that is selected is pointed out in them.
+ */
 
 import { zipSync } from "fflate";
 
-import { PLAYBACK, TIME_S } from "../state/performed.js";
+import { PLAYBACK, SELECTION, TIME_S } from "../state/performed.js";
 
 /** @import { Performance } from "understudy-client" */
 /** @import { Store } from "../state/store.js" */
@@ -10,6 +13,7 @@ import { PLAYBACK, TIME_S } from "../state/performed.js";
 
 /** Tells how far something is, from 0 to 1. @typedef {(share: number) => void} Telling */
 
+const FILM = Object.freeze({ width_px: 1920, height_px: 1080 });
 const FRAMES_HZ = 30;
 const MOST_STILLS = 12;
 const COLUMNS = 4;
@@ -23,7 +27,17 @@ const LABEL_PX = 26;
  * @param {number} length_s
  * @param {Telling} tell
  */
-export async function film(store, { canvas, audio }, length_s, tell) {
+export async function film(store, screen, length_s, tell) {
+  return large(store, screen, () => filmed(store, screen, length_s, tell));
+}
+
+/**
+ * @param {Store} store
+ * @param {Screen} screen
+ * @param {number} length_s
+ * @param {Telling} tell
+ */
+async function filmed(store, { canvas, audio }, length_s, tell) {
   const stream = canvas.captureStream(FRAMES_HZ * 2);
   // Where the browser cannot tap the recording, the film is silent.
   const voice = /** @type {{ captureStream?: () => MediaStream }} */ (/** @type {unknown} */ (audio)).captureStream?.();
@@ -56,7 +70,7 @@ export async function frames(store, screen, length_s, tell) {
   const count = Math.ceil(length_s * FRAMES_HZ);
   /** @type {Record<string, Uint8Array>} */
   const files = {};
-  await resting(store, async () => {
+  await large(store, screen, async () => {
     for (let frame = 0; frame < count; frame++) {
       const picture = await taken(store, screen, frame / FRAMES_HZ);
       files[`${String(frame).padStart(5, "0")}.png`] = new Uint8Array(await picture.arrayBuffer());
@@ -132,16 +146,38 @@ async function taken(store, { canvas, draw }, time_s) {
 /**
  * Does something while nothing is played, and goes back to where the playhead was.
  *
+ * @template Made
  * @param {Store} store
- * @param {() => Promise<void>} act
+ * @param {() => Promise<Made>} act
  */
 async function resting(store, act) {
-  const time_s = store.get(TIME_S);
+  const [time_s, selected] = [store.get(TIME_S), store.get(SELECTION)];
   store.patch(PLAYBACK, { playing: false });
+  store.set(SELECTION, null);
   try {
-    await act();
+    return await act();
   } finally {
     store.set(TIME_S, time_s);
+    store.set(SELECTION, selected);
+  }
+}
+
+/**
+ * The same on a stage of the size of films.
+ *
+ * @template Made
+ * @param {Store} store
+ * @param {Screen} screen
+ * @param {() => Promise<Made>} act
+ */
+async function large(store, { fix, draw }, act) {
+  fix(FILM);
+  draw();
+  try {
+    return await resting(store, act);
+  } finally {
+    fix(null);
+    draw();
   }
 }
 

@@ -137,8 +137,8 @@ class Shown {
   }
 
   #aim() {
-    const { from_m, at_m } = viewOf("medium", EYES_M, [0, EYES_M, 1.7]);
-    this.#place.camera.position.set(0, from_m[1], from_m[2]);
+    const { from_m, at_m } = viewOf("medium", EYES_M, null);
+    this.#place.camera.position.set(...from_m);
     this.#place.controls.target.set(...at_m);
     this.#place.controls.update();
   }

@@ -1,8 +1,9 @@
 /** A body on the stage that shows poses of clips. */
 
-import { Mesh, Vector3 } from "three";
+import { Mesh, Object3D, Vector3 } from "three";
 import { Retargeting, rigFromThree, sampled } from "understudy-client";
 
+import { Glow } from "./glow.js";
 import { showOnVrm } from "./vrm_face.js";
 
 /** @import { Clip, Pose, Vector } from "understudy-client" */
@@ -36,6 +37,8 @@ export class Figure {
    */
   constructor({ root, vrm }, joints) {
     this.root = root;
+    /** Which part of the body is pointed out. */
+    this.glow = new Glow(vrm ? new Object3D() : root);
     this.#vrm = vrm;
     const bones = vrm ? { bones: bonesOf(vrm) } : {};
     this.#retargeting = new Retargeting(rigFromThree(root), joints, bones);

@@ -1,26 +1,34 @@
-/** A place to stand: ground, lights, a camera that the pointer orbits, and the drawing of it all. */
+/** A place to stand: a neutral studio with soft light, a camera that the pointer orbits, and the drawing of it all. */
 
 import {
-  CircleGeometry,
   Color,
   DirectionalLight,
+  Fog,
+  GridHelper,
   HemisphereLight,
   Mesh,
-  MeshStandardMaterial,
   PCFShadowMap,
   PerspectiveCamera,
+  PlaneGeometry,
   Scene,
+  ShadowMaterial,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import { FIELD_DEG } from "./framing.js";
 import { followOrbitKeys } from "./orbit_keys.js";
 
-const GROUND = 0x8a9478;
 const LARGEST_PIXEL_RATIO = 2;
+const FLOOR_M = 24;
+const [FOG_FROM_M, FOG_TO_M] = [4, 13];
+
+/** The colours of the room where nobody says others. */
+const NEUTRAL = Object.freeze({ stage: "#d7dce0", grid: "#b3bac0" });
 
 /**
- * What is drawn, where, and how it is looked at. `draw()` draws it once; `fit()` takes over the size of the canvas.
+ * What is drawn, where, and how it is looked at. `draw()` draws it once; `fit()` takes over the size of the canvas, or
+ * the one that is given to `fix`; `paint` gives the room colours.
  *
  * @typedef {object} Place
  * @property {Scene} scene
@@ -29,7 +37,11 @@ const LARGEST_PIXEL_RATIO = 2;
  * @property {WebGLRenderer} renderer
  * @property {() => void} draw
  * @property {() => boolean} fit whether the size was another one
+ * @property {(size: Size | null) => void} fix
+ * @property {(colours: Readonly<{ stage: string, grid: string }>) => void} paint
  */
+
+/** @typedef {Readonly<{ width_px: number, height_px: number }>} Size */
 
 /**
  * @param {HTMLCanvasElement} canvas
@@ -37,49 +49,72 @@ const LARGEST_PIXEL_RATIO = 2;
  */
 export function makePlace(canvas) {
   const renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-  renderer.setPixelRatio(Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO));
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   const scene = new Scene();
-  scene.background = new Color(0xc9d3d8);
-  scene.add(new HemisphereLight(0xffffff, GROUND, 1.6), sun(), ground());
-  const camera = new PerspectiveCamera(32, 1, 0.05, 50);
+  const grid = new GridHelper(FLOOR_M, 2 * FLOOR_M);
+  scene.add(new HemisphereLight(0xffffff, 0xb9b2aa, 1.5), key(), rim(), ground(), grid);
+  const camera = new PerspectiveCamera(FIELD_DEG, 1, 0.05, 50);
   const controls = new OrbitControls(camera, canvas);
   followOrbitKeys(canvas, controls);
-  const fit = () => fitted(renderer, camera, canvas);
-  return { scene, camera, controls, renderer, fit, draw: () => renderer.render(scene, camera) };
+  const fixed = /** @type {{ size: Size | null }} */ ({ size: null });
+  const paint = (/** @type {Readonly<{ stage: string, grid: string }>} */ colours) => {
+    scene.background = new Color(colours.stage);
+    scene.fog = new Fog(colours.stage, FOG_FROM_M, FOG_TO_M);
+    grid.material.color.set(colours.grid);
+  };
+  grid.material.vertexColors = false;
+  paint(NEUTRAL);
+  const fit = () => fitted(renderer, camera, canvas, fixed.size);
+  const fix = (/** @type {Size | null} */ size) => void (fixed.size = size);
+  return { scene, camera, controls, renderer, fit, fix, paint, draw: () => renderer.render(scene, camera) };
 }
 
 /**
  * @param {WebGLRenderer} renderer
  * @param {PerspectiveCamera} camera
  * @param {HTMLCanvasElement} canvas
+ * @param {Size | null} fixed
  */
-function fitted(renderer, camera, canvas) {
-  const { clientWidth, clientHeight } = canvas;
-  const ratio = renderer.getPixelRatio();
-  const isSame = canvas.width === Math.floor(clientWidth * ratio) && canvas.height === Math.floor(clientHeight * ratio);
-  if (isSame || clientWidth === 0 || clientHeight === 0) {
+function fitted(renderer, camera, canvas, fixed) {
+  const ratio = fixed ? 1 : Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO);
+  const { width_px, height_px } = fixed ?? { width_px: canvas.clientWidth, height_px: canvas.clientHeight };
+  const isSame = canvas.width === Math.floor(width_px * ratio) && canvas.height === Math.floor(height_px * ratio);
+  if (isSame || width_px === 0 || height_px === 0) {
     return false;
   }
-  renderer.setSize(clientWidth, clientHeight, false);
-  camera.aspect = clientWidth / clientHeight;
+  renderer.setPixelRatio(ratio);
+  renderer.setSize(width_px, height_px, false);
+  camera.aspect = width_px / height_px;
   camera.updateProjectionMatrix();
   return true;
 }
 
-function sun() {
-  const light = new DirectionalLight(0xfff2dd, 2.2);
-  light.position.set(2, 4, 3);
+/** The light that shapes the body, from before it and above. */
+function key() {
+  const light = new DirectionalLight(0xfff4e6, 2);
+  light.position.set(1.6, 4, 2.8);
   light.castShadow = true;
   light.shadow.camera.top = light.shadow.camera.right = 2.5;
   light.shadow.camera.bottom = light.shadow.camera.left = -2.5;
+  light.shadow.mapSize.set(1024, 1024);
+  light.shadow.radius = 6;
+  light.shadow.normalBias = 0.02;
   return light;
 }
 
+/** The light from behind that parts the body from the room. */
+function rim() {
+  const light = new DirectionalLight(0xdce8ff, 1.1);
+  light.position.set(-2.2, 2.6, -3);
+  return light;
+}
+
+/** The floor is the room's own colour: nothing of it is seen but shadows. */
 function ground() {
-  const disc = new Mesh(new CircleGeometry(12, 48), new MeshStandardMaterial({ color: GROUND, roughness: 1 }));
-  disc.rotation.x = -Math.PI / 2;
-  disc.receiveShadow = true;
-  return disc;
+  const floor = new Mesh(new PlaneGeometry(FLOOR_M, FLOOR_M), new ShadowMaterial({ opacity: 0.28 }));
+  floor.rotation.x = -Math.PI / 2;
+  floor.position.y = 0.001;
+  floor.receiveShadow = true;
+  return floor;
 }

@@ -5,16 +5,19 @@
  * of each are, metres from where he stands) and `data-casts` (how often somebody was cast) for tests and benchmarks.
  */
 
+import { selectedBehavior } from "../changes/behaviors.js";
 import { el } from "../dom.js";
 import { problemOf } from "../service/service.js";
-import { AVATAR, PERFORMED, PROBLEM, TIME_S } from "../state/performed.js";
+import { AVATAR, PERFORMED, PLAYBACK, PROBLEM, SELECTION, TIME_S } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { Bodies } from "./bodies.js";
-import { movedAside, viewOf } from "./cameras.js";
+import { viewOf } from "./cameras.js";
 import { Cast } from "./cast.js";
 import { Clock } from "./clock.js";
+import { NameTags } from "./name_tags.js";
 import { makePlace } from "./scene.js";
 import { Trail } from "./trail.js";
+import { COMPARED_NAME } from "./viewing.js";
 import { mountTransport } from "./transport.js";
 import { CHARACTERS, GUESTS, rolesOf, SCREEN, VIEWING } from "./viewing.js";
 
@@ -33,10 +36,12 @@ export function mountStage(element, store, service) {
   const canvas = el("canvas", { id: "stage-canvas", tabindex: 0, role: "img", "aria-label": "The character performs the line" });
   const controls = el("div", { class: "transport", role: "toolbar", "aria-label": "Playing" });
   const audio = recordingOf(store);
-  element.append(el("div", { class: "screen" }, [canvas]), controls, audio);
-  mountTransport(controls, store);
   const stage = new Stage(canvas, store, service);
-  store.set(SCREEN, { canvas, audio, draw: () => stage.draw() });
+  const safe = el("div", { class: "safe", hidden: true });
+  store.watch(VIEWING, (viewing) => (safe.hidden = !viewing.safe));
+  element.append(el("div", { class: "screen" }, [canvas, safe, stage.tags.element]), controls, audio);
+  mountTransport(controls, store);
+  store.set(SCREEN, { canvas, audio, draw: () => stage.draw(), fix: (size) => stage.fix(size) });
   runFrames(new Clock(store, audio), stage);
 }
 
@@ -81,7 +86,10 @@ class Stage {
   #place;
   #cast;
   #trail = new Trail();
+  tags = new NameTags();
   #isStale = true;
+  #isOrbited = false;
+  #aimed = "";
   #casts = 0;
 
   /**
@@ -97,25 +105,63 @@ class Stage {
     this.#place.scene.add(this.#trail.group);
     const stale = () => (this.#isStale = true);
     this.#place.controls.addEventListener("change", stale);
-    store.watch(TIME_S, stale);
+    this.#place.controls.addEventListener("start", () => (this.#isOrbited = true));
+    this.#paint();
+    new MutationObserver(() => this.#paint()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#paint());
+    for (const of of [TIME_S, SELECTION, PLAYBACK]) {
+      store.watch(/** @type {typeof TIME_S} */ (of), stale);
+    }
     for (const of of [PERFORMED, AVATAR, GUESTS]) {
       store.watch(/** @type {typeof AVATAR} */ (of), () => void this.#recast());
     }
-    store.watch(VIEWING, () => void this.#recast().then(() => this.#aim()));
+    store.watch(VIEWING, () => void this.#recast());
     this.#aim();
   }
 
+  /** @param {import("./scene.js").Size | null} size of pictures; null for that of the stage */
+  fix(size) {
+    this.#place.fix(size);
+  }
+
   draw() {
-    if (this.#place.fit() || this.#isStale) {
+    const isResized = this.#place.fit();
+    if (isResized && !this.#isOrbited) {
+      this.#aim();
+    }
+    if (isResized || this.#isStale) {
       this.#isStale = false;
       const line = this.#store.get(PERFORMED);
       const time_s = this.#store.get(TIME_S);
       const lead_in_s = line?.performance.lead_in_s ?? 0;
       this.#cast.show(time_s, lead_in_s);
       this.#trail.show(time_s - lead_in_s - (line?.motion.audioOffsetS ?? 0));
+      this.#pointOut();
       this.#place.draw();
       this.#tell();
     }
+  }
+
+  /** The part of the body that makes what is selected glows, and several bodies have names. */
+  #pointOut() {
+    const { standing } = this.#cast;
+    const isStill = !this.#store.get(PLAYBACK).playing;
+    const behavior = isStill ? selectedBehavior(this.#store) : null;
+    standing.forEach(({ role, figure }) => figure.glow.show(role.name === "speaker" && behavior?.kept ? behavior : null));
+    const isCompared = this.#store.get(GUESTS).length > 0;
+    const named = standing.map(({ role, figure }) => {
+      const edited = role.name === "speaker";
+      return { name: edited ? "This line, edited" : role.name === "compared" ? this.#store.get(COMPARED_NAME) : role.name, edited, figure };
+    });
+    this.#place.camera.updateMatrixWorld();
+    this.tags.show(isCompared ? named : [], this.#place.camera);
+  }
+
+  #paint() {
+    const style = getComputedStyle(document.documentElement);
+    const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+    this.#place.paint({ stage: colour("--stage"), grid: colour("--stage-grid") });
+    this.#isStale = true;
   }
 
   async #recast() {
@@ -134,16 +180,29 @@ class Stage {
     }
     this.#casts += 1;
     this.#isStale = true;
+    this.#aimAnew();
+  }
+
+  /** Aims where another shot is wanted or others stand there: else the camera stays where the author has it. */
+  #aimAnew() {
+    const { shot } = this.#store.get(VIEWING);
+    const key = JSON.stringify([shot, this.#cast.standing.map(({ role }) => [role.name, role.character, role.place_m])]);
+    if (key !== this.#aimed) {
+      this.#aimed = key;
+      this.#aim();
+    }
   }
 
   #aim() {
+    this.#isOrbited = false;
     const guests = this.#store.get(GUESTS);
     const { standing } = this.#cast;
     const listener = standing.slice(1).find(({ role }) => !guests.includes(role));
     const [head, listening] = [standing[0], listener].map((each) => each?.figure.place("head")?.toArray() ?? null);
     const eyes_m = head ? head[1] + 0.06 : EYES_M;
-    const view = viewOf(this.#store.get(VIEWING).shot, eyes_m, listening ?? null);
-    const { from_m, at_m } = movedAside(view, (guests[0]?.place_m[0] ?? 0) / 2);
+    const extra_m = guests[0]?.place_m[0] ?? 0;
+    const picture = { aspect: this.#place.camera.aspect, extra_m };
+    const { from_m, at_m } = viewOf(this.#store.get(VIEWING).shot, eyes_m, listening ?? null, picture);
     this.#place.camera.position.set(...from_m);
     this.#place.controls.target.set(...at_m);
     this.#place.controls.update();

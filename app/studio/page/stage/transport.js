@@ -26,7 +26,7 @@ export function mountTransport(element, store) {
 
 /** @param {Store} store */
 function playButton(store) {
-  const button = el("button", { type: "button", id: "play", click: () => togglePlaying(store) });
+  const button = el("button", { type: "button", id: "play", class: "primary", title: "Play or pause (Space)", click: () => togglePlaying(store) });
   store.watch(PLAYBACK, ({ playing }) => button.replaceChildren(playing ? "Pause" : "Play"));
   store.watch(PERFORMED, (line) => (button.disabled = line === null));
   return button;
@@ -61,17 +61,22 @@ function choices(store) {
   const speed = choice(SPEEDS.map((each) => [each, `× ${each}`]), "1", (value) => store.patch(PLAYBACK, { speed: Number(value) }));
   const shot = choice(SHOTS, store.get(VIEWING).shot, (value) => store.patch(VIEWING, { shot: /** @type {Shot} */ (value) }));
   const listening = choice(
-    [["none", "Nobody"], ["beside", "Beside"], ["instead", "Instead"]],
+    [["none", "Nobody"], ["beside", "Opposite"], ["instead", "Alone"]],
     store.get(VIEWING).listening,
     (value) => showListener(store, /** @type {Listening} */ (value)),
   );
   const trail = el("input", { type: "checkbox", checked: store.get(VIEWING).trail });
   trail.addEventListener("change", () => store.patch(VIEWING, { trail: trail.checked }));
+  const safe = el("input", { type: "checkbox", id: "safe" });
+  safe.addEventListener("change", () => store.patch(VIEWING, { safe: safe.checked }));
   store.watch(VIEWING, (viewing) => {
-    [shot.value, listening.value, trail.checked] = [viewing.shot, viewing.listening, viewing.trail];
+    [shot.value, listening.value, trail.checked, safe.checked] = [viewing.shot, viewing.listening, viewing.trail, viewing.safe];
   });
+  store.watch(PLAYBACK, (playback) => (speed.value = String(Math.abs(playback.speed))));
   [speed.id, shot.id, listening.id, trail.id] = ["speed", "shot", "listening", "trail"];
-  return [labelled("Speed", speed), labelled("Camera", shot), labelled("Listener", listening), labelled("Trail", trail)];
+  const drawn = [labelled("Wrist path", trail), labelled("Safe frame", safe), labelled("Speed", speed)];
+  const menu = el("details", { class: "menu" }, [el("summary", {}, ["View"]), el("div", { class: "floating" }, drawn)]);
+  return [labelled("Camera", shot), labelled("Listener", listening), menu];
 }
 
 /**

@@ -6,23 +6,29 @@ import { OPPOSITE_M } from "./cameras.js";
 /** @import { PerformedLine } from "../state/performed.js" */
 /** @import { Shot } from "./cameras.js" */
 /** @import { Role } from "./figure.js" */
+/** @import { Size } from "./scene.js" */
 /** @import { Vector } from "understudy-client" */
 
 /** Where a listener is seen: not at all, opposite the speaker, or alone. @typedef {"none" | "beside" | "instead"} Listening */
 
-/** @typedef {Readonly<{ shot: Shot, listening: Listening, trail: boolean }>} Viewing */
+/** `safe` shows how much of the picture every screen shows. @typedef {Readonly<{ shot: Shot, listening: Listening, trail: boolean, safe: boolean }>} Viewing */
 
-export const VIEWING = slice(/** @type {Viewing} */ ({ shot: "medium", listening: "none", trail: true }));
+export const VIEWING = slice(/** @type {Viewing} */ ({ shot: "medium", listening: "none", trail: false, safe: false }));
 
 /**
  * Others on the stage beside the line's own, as a second version to compare: whoever compares sets this.
  */
 export const GUESTS = slice(/** @type {readonly Role[]} */ ([]));
 
+/** What the first of them is called. */
+export const COMPARED_NAME = slice("");
+
 /**
  * What the stage is shown and heard on, for those who take pictures: `draw` draws it as it is now.
  *
- * @typedef {Readonly<{ canvas: HTMLCanvasElement, audio: HTMLAudioElement, draw: () => void }>} Screen
+ * `fix` has pictures of a size; null: as large as the stage is.
+ *
+ * @typedef {Readonly<{ canvas: HTMLCanvasElement, audio: HTMLAudioElement, draw: () => void, fix: (size: Size | null) => void }>} Screen
  */
 
 /** Null before there is a stage. */

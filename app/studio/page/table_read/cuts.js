@@ -1,6 +1,6 @@
 /**
- * Which camera is on when: the scene is shown whole, then whoever speaks, over a listener's shoulder or close, and now and
- * then who listens; the end is shown whole again.
+ * Which camera is on when: the scene is shown whole, then whoever speaks, over a listener's shoulder, close, or with whom
+ * he speaks to, and now and then who listens; the end is shown whole again.
  */
 
 import { lineAt } from "./sequence.js";
@@ -8,7 +8,8 @@ import { lineAt } from "./sequence.js";
 /** @import { SceneLine } from "./scene_index.js" */
 /** @import { Span } from "./sequence.js" */
 
-/** @typedef {"wide" | "close" | "over_shoulder"} Shot */
+/** @import { Shot } from "../stage/framing.js" */
+
 /** A shot of somebody from a time on; `beside` is whose shoulder is seen. @typedef {Readonly<{ from_s: number, shot: Shot, subject: string, beside: string | null }>} Cut */
 
 const OPENING_S = 2;
@@ -17,6 +18,9 @@ const SHORTEST_S = 1.2;
 const REACTION_S = 1.6;
 const LONG_S = 5;
 const REACTION_AT = 0.55;
+
+/** The shots of lines that somebody hears, one after the other. @type {readonly Shot[]} */
+const ALTERNATING = Object.freeze(["over_shoulder", "close", "two_shot", "close"]);
 
 /**
  * @param {readonly SceneLine[]} lines
@@ -54,9 +58,9 @@ export function cutAt(cuts, time_s) {
  */
 function lineCuts({ speaker, listeners }, { start_s, end_s }, place) {
   const [listener] = listeners.keys();
-  const over = listener !== undefined && place % 2 === 0;
   const beside = listener ?? null;
-  const main = { from_s: start_s, shot: /** @type {Shot} */ (over ? "over_shoulder" : "close"), subject: speaker, beside };
+  const shot = listener === undefined ? "close" : (ALTERNATING[place % ALTERNATING.length] ?? "close");
+  const main = { from_s: start_s, shot, subject: speaker, beside };
   if (listener === undefined || end_s - start_s < LONG_S) {
     return [main];
   }

@@ -2,7 +2,7 @@
 
 import { cutAt, cutsOf } from "./cuts.js";
 import { Actors } from "./actors.js";
-import { marksOf } from "./marks.js";
+import { facing, marksOf, turned } from "./marks.js";
 import { SceneClock } from "./scene_clock.js";
 import { castOf, sceneOf } from "./scene_index.js";
 import { spansOf } from "./sequence.js";
@@ -10,7 +10,8 @@ import { viewOf } from "./shots.js";
 
 /** @import { Bodies } from "../stage/bodies.js" */
 /** @import { Place } from "../stage/scene.js" */
-/** @import { Cut, Shot } from "./cuts.js" */
+/** @import { Shot } from "../stage/framing.js" */
+/** @import { Cut } from "./cuts.js" */
 /** @import { SceneFiles } from "./scene_files.js" */
 
 /** The camera by itself, one shot of whoever speaks, or where the pointer has it. @typedef {"automatic" | Shot | "free"} Camera */
@@ -19,7 +20,9 @@ import { viewOf } from "./shots.js";
 export const CAMERAS = Object.freeze([
   ["automatic", "Automatic cuts"],
   ["wide", "Wide"],
-  ["close", "Close on who speaks"],
+  ["medium", "Whoever speaks"],
+  ["close", "Whoever speaks, close"],
+  ["two_shot", "Both"],
   ["over_shoulder", "Over the listener's shoulder"],
   ["free", "Free"],
 ]);
@@ -120,9 +123,13 @@ export class Reading {
     if (!cut || !subject) {
       return;
     }
-    const reach_m = Math.max(...[...this.marks.values()].map(({ x, z }) => Math.hypot(x, z)));
-    const beside = this.marks.get(cut.beside ?? "") ?? null;
-    const { from_m, at_m } = viewOf(cut.shot, subject, beside, { eyes_m: this.#actors.eyes_m, reach_m });
+    const { speaker = "", listeners = new Map() } = this.lines[this.clock.line] ?? {};
+    const { gaze_rad, body_rad } = facing(cut.subject, { speaker, listeners: [...listeners.keys()] }, this.marks);
+    const partner = this.marks.get(cut.beside ?? "");
+    const rest = [...this.marks.values()].filter((mark) => mark !== subject && mark !== partner);
+    const shown = { ...subject, facing_rad: turned(body_rad, gaze_rad, 0.5) };
+    const picture = { aspect: this.#place.camera.aspect, eyes_m: this.#actors.eyes_m };
+    const { from_m, at_m } = viewOf(cut.shot, shown, partner ? [partner, ...rest] : rest, picture);
     this.#place.camera.position.set(...from_m);
     this.#place.controls.target.set(...at_m);
     this.#place.controls.update();

@@ -1,63 +1,48 @@
-/** From where a shot is taken, of people on their marks: metres, the audience towards +Z. The camera stays on its side. */
+/**
+ * From where a shot is taken, of people on their marks: metres, the audience towards +Z. Whoever is shown is seen from
+ * before him and past everybody else (stage/framing.js), from the audience's side where both sides will do.
+ */
 
-/** @import { Shot } from "./cuts.js" */
-/** @import { Mark } from "./marks.js" */
-/** @import { View } from "../stage/cameras.js" */
+import { distanceFor, framed, isClear, roundFrom } from "../stage/framing.js";
 
-const CLOSE_M = 1.5;
-const BEHIND_M = 0.9;
-const BESIDE_M = 0.62;
-const WIDE_M = 2.2;
+/** @import { Picture, Shot, Spot, Subject, View } from "../stage/framing.js" */
+
+const MARGIN_M = 1.4;
+const FEET_TO_HEAD = 1.16;
+const ROUND_DEG = Object.freeze([0, 30, -30, 60, -60, 90, -90, 120, -120, 150, -150, 180]);
+/** A little past the profile, in which two who face each other are seen. */
+const LARGEST_ROUND = 1.65;
 
 /**
- * The view of a shot of whoever stands on `subject`, past whoever stands on `beside`.
+ * The view of a shot of somebody, past the others; the first of them is whom he speaks to.
  *
  * @param {Shot} shot
- * @param {Mark} subject
- * @param {Mark | null} beside
- * @param {{ eyes_m: number, reach_m: number }} scene the height of the eyes, and how far from the middle marks are
+ * @param {Subject} subject
+ * @param {readonly Spot[]} others
+ * @param {Picture} picture
  * @returns {View}
  */
-export function viewOf(shot, subject, beside, { eyes_m, reach_m }) {
-  if (shot === "wide") {
-    return { from_m: [0, eyes_m + 0.1, reach_m + WIDE_M + 2 * reach_m], at_m: [0, eyes_m * 0.62, 0] };
-  }
-  if (shot === "over_shoulder" && beside) {
-    return overShoulder(subject, beside, eyes_m);
-  }
-  const [ux, uz] = towards(subject, beside ?? { x: subject.x, z: subject.z + 1 });
-  const [cx, cz] = unit(ux, uz + 1.2);
-  const from_m = /** @type {const} */ ([subject.x + cx * CLOSE_M, eyes_m - 0.05, subject.z + cz * CLOSE_M]);
-  return { from_m, at_m: [subject.x, eyes_m * 0.9, subject.z] };
+export function viewOf(shot, subject, others, picture) {
+  return shot === "wide" ? ofAll(subject, others, picture) : framed(shot, subject, others, picture);
 }
 
 /**
- * @param {Mark} subject
- * @param {Mark} beside
- * @param {number} eyes_m
+ * All of them, from the audience, or so far round as the face of whoever speaks is seen.
+ *
+ * @param {Subject} subject
+ * @param {readonly Spot[]} others
+ * @param {Picture} picture
  * @returns {View}
  */
-function overShoulder(subject, beside, eyes_m) {
-  const [ux, uz] = towards(subject, beside);
-  const side = ux >= 0 ? 1 : -1;
-  const [x, z] = [beside.x + ux * BEHIND_M - side * uz * BESIDE_M, beside.z + uz * BEHIND_M + side * ux * BESIDE_M];
-  return { from_m: [x, eyes_m + 0.12, z], at_m: [subject.x, eyes_m * 0.93, subject.z] };
-}
-
-/**
- * @param {Mark} from
- * @param {Mark} to
- */
-function towards(from, to) {
-  return unit(to.x - from.x, to.z - from.z);
-}
-
-/**
- * @param {number} x
- * @param {number} z
- * @returns {[number, number]}
- */
-function unit(x, z) {
-  const length = Math.hypot(x, z) || 1;
-  return [x / length, z / length];
+function ofAll(subject, others, { aspect, eyes_m }) {
+  const all = [subject, ...others];
+  const reach_m = Math.max(...all.map(({ x, z }) => Math.hypot(x, z)));
+  const away_m = distanceFor(2 * reach_m + MARGIN_M, FEET_TO_HEAD * eyes_m, aspect) + reach_m;
+  const views = ROUND_DEG.map((deg) => {
+    const round = (deg * Math.PI) / 180;
+    return /** @type {View} */ ({ from_m: [away_m * Math.sin(round), eyes_m + 0.1, away_m * Math.cos(round)], at_m: [0, eyes_m * 0.58, 0] });
+  });
+  const faced = views.filter((view) => roundFrom(view, subject) < LARGEST_ROUND);
+  const [straight] = views;
+  return faced.find((view) => isClear(view, subject, others)) ?? faced[0] ?? /** @type {View} */ (straight);
 }

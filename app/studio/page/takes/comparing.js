@@ -5,7 +5,7 @@
 
 import { heardBefore, performed } from "../service/performing.js";
 import { problemOf } from "../service/service.js";
-import { GUESTS, VIEWING } from "../stage/viewing.js";
+import { COMPARED_NAME, GUESTS, VIEWING } from "../stage/viewing.js";
 import { PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { slice } from "../state/slice.js";
@@ -84,23 +84,25 @@ async function stand(store, service, signal) {
   if (signal.aborted) {
     return;
   }
+  store.set(COMPARING, false);
   if (found && "code" in found) {
     store.set(PROBLEM, found);
   } else if (found) {
-    store.set(DIFFERS, { name: nameOf(store) ?? "", found: differences(line, found) });
-    showBeside(store, found);
+    showBeside(store, line, found);
   }
-  store.set(COMPARING, false);
 }
 
 /**
  * Has a version stand there. As it comes the camera shows both; then it is the author's again.
  *
  * @param {Store} store
+ * @param {PerformedLine} line
  * @param {PerformedLine} other
  */
-function showBeside(store, other) {
+function showBeside(store, line, other) {
+  store.set(DIFFERS, { name: nameOf(store) ?? "", found: differences(line, other) });
   const isNew = store.get(GUESTS).length === 0;
+  store.set(COMPARED_NAME, nameOf(store) ?? "");
   store.set(GUESTS, [guest(other)]);
   if (isNew) {
     store.patch(VIEWING, { shot: "wide" });
