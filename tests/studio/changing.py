@@ -6,14 +6,15 @@ from tests.studio.waiting import wait_until
 
 
 def select(page: Page, text: str) -> None:
-    page.locator("#items li", has_text=text).first.click()
+    """By what the service calls it: "gesture NEGATION", "word lights"."""
+    page.locator(f"#items li[title*='{text}']").first.click()
 
 
 def place_of(page: Page, time_s: float, top_px: float = 8.0) -> tuple[float, float]:
     """Where a time is on the timeline when all of it is seen: on the ruler, unless lower."""
     box = page.locator("#timeline-canvas").bounding_box()
     assert box is not None
-    return box["x"] + 78 + time_s / whole_s(page) * (box["width"] - 88), box["y"] + top_px
+    return box["x"] + 104 + time_s / whole_s(page) * (box["width"] - 114), box["y"] + top_px
 
 
 def whole_s(page: Page) -> float:

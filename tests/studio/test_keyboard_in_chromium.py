@@ -32,7 +32,7 @@ STROKE = "#selected input[data-mark=stroke]"
 
 @pytest.mark.parametrize("view", ["Line", "Gesture editor", "Rules", "Table read"])
 def test_tab_leads_to_every_control_of_a_view(opened: Page, view: str) -> None:
-    opened.click("#items li:has-text('gesture NEGATION')")
+    opened.click("#items li[title*='gesture NEGATION']")
     opened.click(f"#views >> text='{view}'")
     if view == "Gesture editor":
         opened.wait_for_selector("#gesture-canvas[data-pose*='.']")
@@ -50,7 +50,7 @@ def test_tab_leads_to_every_control_of_a_view(opened: Page, view: str) -> None:
 def test_marks_and_edges_of_words_are_moved_by_arrows_and_keep_the_focus(opened: Page) -> None:
     """Quick presses add up, though the service has not answered the first when the last comes. The first of a field
     goes to whole hundredths."""
-    opened.click("#items li:has-text('gesture NEGATION')")
+    opened.click("#items li[title*='gesture NEGATION']")
     before_s = float(opened.input_value(STROKE))
     opened.focus(STROKE)
     for _press in range(5):
@@ -59,7 +59,7 @@ def test_marks_and_edges_of_words_are_moved_by_arrows_and_keep_the_focus(opened:
     performed(opened)
     assert float(opened.input_value(STROKE)) == pytest.approx(before_s + 0.045, abs=0.006)
     assert opened.evaluate("document.activeElement.dataset.mark") == "stroke"
-    opened.click("#items li:has-text('word lights')")
+    opened.click("#items li[title*='word lights']")
     end_s, start_s = (float(opened.input_value(f"#word-{edge}")) for edge in ("end", "start"))
     opened.focus("#word-end")
     opened.keyboard.press("ArrowDown")
@@ -72,7 +72,7 @@ def test_marks_and_edges_of_words_are_moved_by_arrows_and_keep_the_focus(opened:
     opened.keyboard.press("Alt+ArrowLeft")
     opened.keyboard.press("Alt+ArrowLeft")
     moved = f"{start_s - 0.04:.2f}–{end_s - 0.04:.2f}"
-    expect(opened.locator("#items li", has_text="word lights")).to_contain_text(moved)
+    expect(opened.locator("#items li[title*='word lights']")).to_contain_text(moved)
 
 
 def test_the_line_is_played_and_looped_where_the_list_has_the_focus(opened: Page) -> None:

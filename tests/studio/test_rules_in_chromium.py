@@ -100,7 +100,7 @@ def test_nothing_is_saved_by_a_service_without_a_folder_for_it(rules: Page) -> N
 
 
 def test_a_reason_leads_to_its_rule(opened: Page) -> None:
-    opened.click("#items li:has-text('gesture') >> nth=0")
+    opened.click("#items li[title*='gesture'] >> nth=0")
     opened.click("#numbers > summary")
     link = opened.locator("#reasons button.link", has_text="_").first
     name = link.inner_text()

@@ -1,8 +1,9 @@
 """The timeline shows what is heard, meant and done, and says of all of it why; by mouse and by keyboard."""
 
-from playwright.sync_api import Page
+import pytest
+from playwright.sync_api import Page, expect
 
-from tests.studio.changing import place_of, whole_s
+from tests.studio.changing import performed, place_of, select, whole_s
 from tests.studio.waiting import wait_until
 
 
@@ -13,7 +14,7 @@ def _reasons(page: Page) -> str:
 
 
 def test_the_list_leads_to_reasons_rules_terms_and_losers(opened: Page) -> None:
-    opened.click("#items li:has-text('gesture NEGATION')")
+    opened.click("#items li[title*='gesture NEGATION']")
     told = _reasons(opened)
     for part in ("have never seen", "show_negation", "agreement.rules:", "reading in context: negation", "none_empty"):
         assert part in told
@@ -23,7 +24,8 @@ def test_the_list_leads_to_reasons_rules_terms_and_losers(opened: Page) -> None:
 
 
 def test_what_was_dropped_says_to_what_it_gave_way(opened: Page) -> None:
-    opened.locator("#items li.dropped", has_text="head SHAKE").last.click()
+    opened.click("#alternatives")
+    opened.locator("#items li.dropped[title*='head SHAKE']").last.click()
     assert "too close to SHAKE" in _reasons(opened)
 
 
@@ -36,11 +38,11 @@ def test_arrows_move_the_selection(opened: Page) -> None:
 
 
 def test_a_click_on_the_canvas_selects_and_the_ruler_moves_the_playhead(opened: Page) -> None:
-    opened.click("#items li:has-text('gesture NEGATION')")
+    opened.click("#items li[title*='gesture NEGATION']")
     opened.keyboard.press("Home")
     opened.mouse.click(*place_of(opened, 4.0))
     wait_until(opened, "Math.abs(parseFloat(document.querySelector('#time').value) - 4) < 0.1")
-    opened.mouse.click(*place_of(opened, 0.9, top_px=58))
+    opened.mouse.click(*place_of(opened, 0.9, top_px=68))
     assert "never" in _reasons(opened)
 
 
@@ -51,3 +53,42 @@ def test_zooming_is_undone_by_the_whole_line(opened: Page) -> None:
     assert opened.get_attribute("#timeline-canvas", "data-stretch") == f"{whole_s(opened) / 1.4**2:.3f} 0.000"
     opened.click("[aria-label='Whole line']")
     assert opened.get_attribute("#timeline-canvas", "data-stretch") == whole
+
+
+def test_rows_fold_and_stay_folded(opened: Page) -> None:
+    before = opened.locator("#timeline-canvas").bounding_box()
+    opened.click(".gutter button:has-text('Sounds')")
+    opened.focus(".gutter button:has-text('Voice')")
+    opened.keyboard.press("+")
+    expect(opened.locator(".gutter button[data-row=phones]")).to_have_attribute("aria-expanded", "false")
+    opened.reload()
+    expect(opened.locator(".gutter button[data-row=phones]")).to_have_attribute("aria-expanded", "false")
+    after = opened.locator("#timeline-canvas").bounding_box()
+    assert before
+    assert after
+    assert after["height"] == pytest.approx(before["height"] - 8 + 10, abs=1)
+
+
+def test_a_movement_is_copied_to_the_playhead_and_undone(opened: Page) -> None:
+    select(opened, "head SHAKE")
+    opened.focus("#items")
+    opened.keyboard.press("Control+c")
+    stroke_s = 4.0
+    opened.mouse.click(*place_of(opened, stroke_s))
+    opened.keyboard.press("Control+v")
+    performed(opened)
+    expect(opened.locator("#items li:not(.dropped)[title*='head SHAKE']")).to_have_count(2)
+    opened.click("#undo")
+    performed(opened)
+    expect(opened.locator("#items li:not(.dropped)[title*='head SHAKE']")).to_have_count(1)
+
+
+def test_j_k_and_l_play_as_in_other_timelines(opened: Page) -> None:
+    opened.focus("#stage-canvas")
+    opened.keyboard.press("End")
+    opened.keyboard.press("j")
+    wait_until(opened, "parseFloat(document.querySelector('#time').value) < 7")
+    opened.keyboard.press("k")
+    expect(opened.locator("#play")).to_have_text("Play")
+    opened.keyboard.press("i")
+    expect(opened.locator("#loop")).to_have_attribute("aria-pressed", "true")

@@ -1,12 +1,16 @@
 /**
- * The keyboard's way to change what is selected, while the timeline has the focus: Delete deletes, M mutes, L locks;
- * with Alt the arrows move it, or the word that is selected, by 20 ms, with Shift too by 100 ms. Single marks and the
- * edges of words are moved by their fields in the panel.
+ * The keyboard's way to change all that is selected, while the timeline has the focus: Delete deletes, M mutes, Shift+L
+ * locks; with Alt the arrows move it, or the word that is selected, by 20 ms, with Shift too by 100 ms. Ctrl+C copies
+ * movements, Ctrl+V pastes them at the playhead. Single marks and the edges of words are moved by their fields.
  */
 
 import { SELECTION } from "../state/performed.js";
-import { changeBehavior, editOfSelected, lockBehavior, selectedBehavior } from "./behaviors.js";
-import { moveBehavior } from "./moving.js";
+import { MARKED } from "../timeline/pointing.js";
+import { behaviorOf, editOfSelected, lockBehavior, madeOf, selectedBehavior } from "./behaviors.js";
+import { changeEdits, editsOf } from "./change_edits.js";
+import { copyBehaviors, paste } from "./clipboard.js";
+import { editOf, withBehavior } from "./edits.js";
+import { moveBehaviors } from "./moving.js";
 import { moveWord, wordOf } from "./words.js";
 
 /** @import { Behavior } from "understudy-client" */
@@ -15,12 +19,27 @@ import { moveWord, wordOf } from "./words.js";
 const STEP_S = 0.02;
 const LARGE_STEP_S = 0.1;
 
-/** @type {Readonly<Record<string, (store: Store, behavior: Behavior) => void>>} */
+/** @type {Readonly<Record<string, (store: Store, behaviors: readonly Behavior[]) => void>>} */
 const ACTIONS = Object.freeze({
-  Delete: (store, behavior) => changeOmission(store, behavior, "deleted"),
-  m: (store, behavior) => changeOmission(store, behavior, "muted"),
-  l: (store, behavior) => lockBehavior(store, behavior, !editOfSelected(store)?.lock),
+  Delete: (store, behaviors) => omit(store, behaviors, "deleted"),
+  m: (store, behaviors) => omit(store, behaviors, "muted"),
+  L: (store, [behavior]) => behavior && lockBehavior(store, behavior, !editOfSelected(store)?.lock),
 });
+/** With Ctrl. @type {typeof ACTIONS} */
+const COPYING = Object.freeze({
+  c: (store, behaviors) => copyBehaviors(store, behaviors),
+  v: (store) => paste(store),
+});
+
+/**
+ * The movements that are selected, the one that the inspector shows first.
+ *
+ * @param {Store} store
+ */
+export function selectedBehaviors(store) {
+  const made = madeOf(store);
+  return [selectedBehavior(store), ...store.get(MARKED).map((id) => behaviorOf(made, id))].filter((each) => each !== null);
+}
 
 /**
  * @param {HTMLElement} timeline
@@ -42,28 +61,30 @@ export function followKeys(timeline, store) {
  * @param {number} later_s
  */
 function move(store, later_s) {
-  const [behavior, word] = [selectedBehavior(store), wordOf(store.get(SELECTION))];
-  if (behavior && later_s) {
-    moveBehavior(store, behavior, null, later_s);
+  const [behaviors, word] = [selectedBehaviors(store), wordOf(store.get(SELECTION))];
+  if (behaviors.length > 0 && later_s) {
+    moveBehaviors(store, behaviors, later_s);
   } else if (word !== null && later_s) {
     moveWord(store, word, later_s);
   }
-  return later_s !== 0 && (behavior !== null || word !== null);
+  return later_s !== 0 && (behaviors.length > 0 || word !== null);
 }
 
 /**
- * Does what a key says with the behaviour that is selected; whether it says something.
+ * Does what a key says with the movements that are selected; whether it says something.
  *
  * @param {Store} store
  * @param {KeyboardEvent} event
  */
-function act(store, { key, altKey, ctrlKey, metaKey }) {
-  const behavior = selectedBehavior(store);
-  const action = altKey || ctrlKey || metaKey ? undefined : ACTIONS[key.length === 1 ? key.toLowerCase() : key];
-  if (behavior && action) {
-    action(store, behavior);
+function act(store, { key, altKey, ctrlKey, metaKey, target }) {
+  const isTyping = target instanceof Element && target.matches("input, select, textarea");
+  const behaviors = selectedBehaviors(store);
+  const action = altKey || isTyping ? undefined : (ctrlKey || metaKey ? COPYING : ACTIONS)[key];
+  const isMeant = action !== undefined && (behaviors.length > 0 || key === "v");
+  if (isMeant) {
+    action(store, behaviors);
   }
-  return behavior !== null && action !== undefined;
+  return isMeant;
 }
 
 /**
@@ -74,11 +95,28 @@ function act(store, { key, altKey, ctrlKey, metaKey }) {
  * @param {"deleted" | "muted"} omission
  */
 export function changeOmission(store, behavior, omission) {
-  const isOmitted = editOfSelected(store)?.omit === omission;
-  const nothing = { lexeme: undefined, hand: undefined, amount: undefined, direction: undefined, marks: undefined, lock: undefined };
-  const label = isOmitted ? "Make" : omission === "deleted" ? "Delete" : "Mute";
-  changeBehavior(store, label, behavior, isOmitted ? { omit: undefined } : { ...nothing, omit: omission });
+  omit(store, [behavior], omission);
 }
+
+/**
+ * @param {Store} store
+ * @param {readonly Behavior[]} behaviors all are made again where the first is so omitted
+ * @param {"deleted" | "muted"} omission
+ */
+function omit(store, behaviors, omission) {
+  const made = madeOf(store);
+  const [first] = behaviors;
+  if (!made || !first) {
+    return;
+  }
+  const isOmitted = editOf(made, first)?.omit === omission;
+  const label = isOmitted ? "Make" : omission === "deleted" ? "Delete" : "Mute";
+  const change = isOmitted ? { omit: undefined } : { ...NOTHING, omit: omission };
+  const edits = behaviors.reduce((now, behavior) => withBehavior(now, made, behavior, change), editsOf(store));
+  changeEdits(store, `${label} ${behaviors.map(({ id }) => id).join(", ")}`, edits);
+}
+
+const NOTHING = Object.freeze({ lexeme: undefined, hand: undefined, amount: undefined, direction: undefined, marks: undefined, lock: undefined });
 
 /** @param {KeyboardEvent} event */
 function laterBy_s({ key, altKey, shiftKey }) {

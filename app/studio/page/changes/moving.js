@@ -17,7 +17,7 @@ const LEADING = /** @type {const} */ (["stroke", "ready", "start"]);
  * What was moved last, and how much since the performance that is shown; whoever moves it again before the service has
  * answered goes on from there.
  *
- * @typedef {Readonly<{ performance: object, edits: object, id: string, mark: string | null, later_s: number }>} Moved
+ * @typedef {Readonly<{ performance: object, edits: object, id: string, later_s: number }>} Moved
  */
 const MOVED = slice(/** @type {Moved | null} */ (null));
 
@@ -58,17 +58,18 @@ function shifted(made, behavior, later_s) {
 
 /**
  * @param {Store} store
- * @param {Behavior} behavior
- * @param {string | null} mark
+ * @param {readonly Behavior[]} behaviors
  * @param {number} later_s
  */
-export function moveBehavior(store, behavior, mark, later_s) {
+export function moveBehaviors(store, behaviors, later_s) {
   const made = madeOf(store);
   if (made) {
     const { performance } = made;
-    const together_s = later_s + alreadyMoved_s(store, performance, behavior.id, mark);
-    changeEdits(store, `Move ${mark ?? "all"} of ${behavior.id}`, withMoved(editsOf(store), made, behavior, mark, together_s));
-    store.set(MOVED, { performance, edits: editsOf(store), id: behavior.id, mark, later_s: together_s });
+    const id = behaviors.map((each) => each.id).join(", ");
+    const together_s = later_s + alreadyMoved_s(store, performance, id);
+    const edits = behaviors.reduce((now, behavior) => withMoved(now, made, behavior, null, together_s), editsOf(store));
+    changeEdits(store, `Move all of ${id}`, edits);
+    store.set(MOVED, { performance, edits: editsOf(store), id, later_s: together_s });
   }
 }
 
@@ -92,10 +93,9 @@ export function putMark(store, behavior, mark, time_s) {
  * @param {Store} store
  * @param {object} performance
  * @param {string} id
- * @param {string | null} mark
  */
-function alreadyMoved_s(store, performance, id, mark) {
+function alreadyMoved_s(store, performance, id) {
   const last = store.get(MOVED);
-  const isSame = last?.performance === performance && last.edits === editsOf(store) && last.id === id && last.mark === mark;
+  const isSame = last?.performance === performance && last.edits === editsOf(store) && last.id === id;
   return last && isSame ? last.later_s : 0;
 }

@@ -1,6 +1,7 @@
 /** Says in a sentence what something on the timeline is, and why it is there. Pure; the numbers are telling.js's. */
 
 import { familyName, functionName } from "../naming/meanings.js";
+import { strongest } from "../timeline/listening_tracks.js";
 import { channelName, handName, movementName, plain, plainText } from "../naming/movements.js";
 
 /** @import { Behavior, Performance } from "understudy-client" */
@@ -96,14 +97,33 @@ function saidOfFunction(performance, found) {
  * @param {string} id
  * @returns {Said | null}
  */
-function saidOfSound({ words, visemes }, id) {
+function saidOfSound({ words, visemes, affect }, id) {
   const [kind, number] = id.split(":");
   const word = kind === "word" ? words[Number(number)] : undefined;
   if (word) {
     return { name: `“${word.text}”`, technical: `word ${String(word.index)}`, about: "Word", why: wordSaid(word) };
   }
+  if (kind === "feeling") {
+    return saidOfFeeling({ affect, words }, Number(number));
+  }
   const viseme = kind === "viseme" ? visemes.filter(({ label }) => label !== "sil")[Number(number)] : undefined;
   return viseme ? { name: `Lips for ${viseme.label}`, technical: `viseme ${viseme.label}`, about: "Lips", why: "The lips follow the sounds." } : null;
+}
+
+/**
+ * @param {Pick<Performance, "words" | "affect">} performance
+ * @param {number} index
+ * @returns {Said | null}
+ */
+function saidOfFeeling({ affect, words }, index) {
+  const phrase = affect?.phrases[index];
+  if (!phrase) {
+    return null;
+  }
+  const [tone, share] = strongest(phrase.tones);
+  const why = affect.given ? "The feeling was given." : `The voice sounds ${tone} here, with ${(100 * share).toFixed(0)} of 100 parts.`;
+  const text = quoted({ words }, phrase.first, phrase.last);
+  return { name: plain(tone), technical: `affect ${phrase.activation.toFixed(2)} ${phrase.valence.toFixed(2)} ${phrase.dominance.toFixed(2)}`, about: `Feeling · ${text}`, why };
 }
 
 /** @param {Performance["words"][number]} word */
@@ -113,7 +133,7 @@ function wordSaid({ emphasis, spread }) {
 }
 
 /**
- * @param {Performance} performance
+ * @param {Pick<Performance, "words">} performance
  * @param {number} first
  * @param {number} last
  */

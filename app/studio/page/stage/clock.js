@@ -1,6 +1,7 @@
 /**
  * Tells where the performance is while it is played. The recording leads: what is shown is the pose of the time that the
- * audio has reached, whatever the frame rate is. Before the recording begins (a lead-in) the time runs by itself.
+ * audio has reached, whatever the frame rate is. Before the recording begins (a lead-in), and backwards, the time runs by
+ * itself.
  */
 
 import { PERFORMED, PLAYBACK, TIME_S } from "../state/performed.js";
@@ -24,7 +25,7 @@ export class Clock {
     this.#store = store;
     this.#audio = audio;
     store.watch(PLAYBACK, ({ playing, speed }) => {
-      audio.playbackRate = speed;
+      audio.playbackRate = Math.abs(speed);
       if (playing) {
         this.#start();
       } else {
@@ -56,6 +57,10 @@ export class Clock {
     if (!playing) {
       return;
     }
+    if (speed < 0) {
+      this.#back(passed_s);
+      return;
+    }
     const [start_s, end_s] = loop ?? [0, this.end_s];
     const time_s = this.#reached(passed_s);
     if (time_s < end_s - NEAR_END_S) {
@@ -66,6 +71,16 @@ export class Clock {
     } else {
       this.#tell(end_s);
       this.#store.patch(PLAYBACK, { playing: false });
+    }
+  }
+
+  /** @param {number} passed_s below 0 */
+  #back(passed_s) {
+    this.#audio.pause();
+    const time_s = Math.max(0, this.#told_s + passed_s);
+    this.#tell(time_s);
+    if (time_s === 0) {
+      this.#store.patch(PLAYBACK, { playing: false, speed: 1 });
     }
   }
 
@@ -103,7 +118,8 @@ export class Clock {
   #seek(time_s) {
     this.#told_s = time_s;
     this.#audio.currentTime = Math.max(0, time_s - this.#lead_in_s);
-    if (this.#store.get(PLAYBACK).playing && time_s >= this.#lead_in_s) {
+    const { playing, speed } = this.#store.get(PLAYBACK);
+    if (playing && speed > 0 && time_s >= this.#lead_in_s) {
       this.#sound();
     } else {
       this.#audio.pause();

@@ -3,6 +3,7 @@
 import { el } from "../dom.js";
 
 /** @import { PerspectiveCamera } from "three" */
+/** @import { Standing } from "./cast.js" */
 /** @import { Figure } from "./figure.js" */
 
 /** Whom a tag is on; `edited` for the version that is changed. @typedef {Readonly<{ name: string, edited: boolean, figure: Figure }>} Named */
@@ -30,4 +31,19 @@ export class NameTags {
     });
     this.element.replaceChildren(...tags);
   }
+}
+
+/**
+ * Whom tags are on: nobody unless a version is compared, which has a name.
+ *
+ * @param {readonly Standing[]} standing
+ * @param {string} compared
+ * @returns {Named[]}
+ */
+export function namedOf(standing, compared) {
+  const isCompared = standing.some(({ role }) => role.name === "compared");
+  return (isCompared ? standing : []).map(({ role, figure }) => {
+    const edited = role.name === "speaker";
+    return { name: edited ? "This line, edited" : role.name === "compared" ? compared : role.name, edited, figure };
+  });
 }

@@ -1,6 +1,7 @@
 /**
- * The keys that play the line while it is seen, where nothing else takes them: Space plays, the arrows step a frame, with
- * Shift half a second, Home and End go to the ends, and [ and ] begin and end at the playhead what Loop repeats.
+ * The keys that play the line while it is seen, where nothing else takes them: Space plays, L plays on and faster, K
+ * pauses, J goes back; the arrows step a frame, with Shift half a second, Home and End go to the ends; I and O (or [ and ])
+ * begin and end at the playhead what Loop repeats.
  */
 
 import { VIEW } from "../frame/views.js";
@@ -10,6 +11,7 @@ import { PERFORMED, PLAYBACK, TIME_S } from "../state/performed.js";
 
 export const FRAME_S = 1 / 60;
 const LARGE_STEP_S = 0.5;
+const FASTEST = 2;
 const TAKERS = "input, textarea, select, button, summary, a, dialog";
 
 /** @param {Store} store */
@@ -32,7 +34,8 @@ export function pauseWhereUnseen(store) {
 
 /** @param {Store} store */
 export function togglePlaying(store) {
-  store.patch(PLAYBACK, { playing: !store.get(PLAYBACK).playing });
+  const { playing, speed } = store.get(PLAYBACK);
+  store.patch(PLAYBACK, { playing: !playing, speed: Math.abs(speed) });
 }
 
 /**
@@ -67,6 +70,18 @@ function endLoopHere(store, end) {
   }
 }
 
+/**
+ * Plays on or back; again, it goes twice as fast. Backwards it is silent.
+ *
+ * @param {Store} store
+ * @param {1 | -1} way
+ */
+function shuttle(store, way) {
+  const { playing, speed } = store.get(PLAYBACK);
+  const goesOn = playing && Math.sign(speed) === way;
+  store.patch(PLAYBACK, { playing: true, speed: way * (goesOn ? Math.min(FASTEST, 2 * Math.abs(speed)) : 1) });
+}
+
 /** @type {Readonly<Record<string, (store: Store, isLarge: boolean) => void>>} */
 const KEYS = Object.freeze({
   " ": togglePlaying,
@@ -76,6 +91,11 @@ const KEYS = Object.freeze({
   End: (store) => stepBy(store, Infinity),
   "[": (store) => endLoopHere(store, 0),
   "]": (store) => endLoopHere(store, 1),
+  i: (store) => endLoopHere(store, 0),
+  o: (store) => endLoopHere(store, 1),
+  j: (store) => shuttle(store, -1),
+  k: (store) => store.patch(PLAYBACK, { playing: false, speed: 1 }),
+  l: (store) => shuttle(store, 1),
 });
 
 /**
@@ -83,7 +103,7 @@ const KEYS = Object.freeze({
  * @param {Store} store
  */
 function onKey(event, store) {
-  const act = KEYS[event.key];
+  const act = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
   if (act && !isTaken(event) && store.get(VIEW) === "line" && store.get(PERFORMED)) {
     event.preventDefault();
     act(store, event.shiftKey);

@@ -9,13 +9,14 @@ import { selectedBehavior } from "../changes/behaviors.js";
 import { el } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { AVATAR, PERFORMED, PLAYBACK, PROBLEM, SELECTION, TIME_S } from "../state/performed.js";
-import { PROJECT } from "../state/project.js";
 import { Bodies } from "./bodies.js";
 import { viewOf } from "./cameras.js";
 import { Cast } from "./cast.js";
 import { Clock } from "./clock.js";
-import { NameTags } from "./name_tags.js";
+import { NameTags, namedOf } from "./name_tags.js";
+import { recordingOf } from "./recording.js";
 import { makePlace } from "./scene.js";
+import { followTheme } from "./theme.js";
 import { Trail } from "./trail.js";
 import { COMPARED_NAME } from "./viewing.js";
 import { mountTransport } from "./transport.js";
@@ -43,27 +44,6 @@ export function mountStage(element, store, service) {
   mountTransport(controls, store);
   store.set(SCREEN, { canvas, audio, draw: () => stage.draw(), fix: (size) => stage.fix(size) });
   runFrames(new Clock(store, audio), stage);
-}
-
-/**
- * The recording, as something that sounds.
- *
- * @param {Store} store
- */
-function recordingOf(store) {
-  const audio = el("audio");
-  audio.preservesPitch = true;
-  /** @type {File | null} */
-  let file = null;
-  store.watch(PROJECT, (project) => {
-    if (project.audio !== file) {
-      URL.revokeObjectURL(audio.src);
-      file = project.audio;
-      audio.src = file ? URL.createObjectURL(file) : "";
-      store.set(TIME_S, 0);
-    }
-  });
-  return audio;
 }
 
 /**
@@ -106,9 +86,7 @@ class Stage {
     const stale = () => (this.#isStale = true);
     this.#place.controls.addEventListener("change", stale);
     this.#place.controls.addEventListener("start", () => (this.#isOrbited = true));
-    this.#paint();
-    new MutationObserver(() => this.#paint()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#paint());
+    followTheme(this.#place, stale);
     for (const of of [TIME_S, SELECTION, PLAYBACK]) {
       store.watch(/** @type {typeof TIME_S} */ (of), stale);
     }
@@ -131,15 +109,19 @@ class Stage {
     }
     if (isResized || this.#isStale) {
       this.#isStale = false;
-      const line = this.#store.get(PERFORMED);
-      const time_s = this.#store.get(TIME_S);
-      const lead_in_s = line?.performance.lead_in_s ?? 0;
-      this.#cast.show(time_s, lead_in_s);
-      this.#trail.show(time_s - lead_in_s - (line?.motion.audioOffsetS ?? 0));
+      this.#pose();
       this.#pointOut();
       this.#place.draw();
       this.#tell();
     }
+  }
+
+  #pose() {
+    const line = this.#store.get(PERFORMED);
+    const time_s = this.#store.get(TIME_S);
+    const lead_in_s = line?.performance.lead_in_s ?? 0;
+    this.#cast.show(time_s, lead_in_s);
+    this.#trail.show(time_s - lead_in_s - (line?.motion.audioOffsetS ?? 0));
   }
 
   /** The part of the body that makes what is selected glows, and several bodies have names. */
@@ -148,20 +130,8 @@ class Stage {
     const isStill = !this.#store.get(PLAYBACK).playing;
     const behavior = isStill ? selectedBehavior(this.#store) : null;
     standing.forEach(({ role, figure }) => figure.glow.show(role.name === "speaker" && behavior?.kept ? behavior : null));
-    const isCompared = this.#store.get(GUESTS).length > 0;
-    const named = standing.map(({ role, figure }) => {
-      const edited = role.name === "speaker";
-      return { name: edited ? "This line, edited" : role.name === "compared" ? this.#store.get(COMPARED_NAME) : role.name, edited, figure };
-    });
     this.#place.camera.updateMatrixWorld();
-    this.tags.show(isCompared ? named : [], this.#place.camera);
-  }
-
-  #paint() {
-    const style = getComputedStyle(document.documentElement);
-    const colour = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
-    this.#place.paint({ stage: colour("--stage"), grid: colour("--stage-grid") });
-    this.#isStale = true;
+    this.tags.show(namedOf(standing, this.#store.get(COMPARED_NAME)), this.#place.camera);
   }
 
   async #recast() {

@@ -123,15 +123,25 @@ export class Reading {
     if (!cut || !subject) {
       return;
     }
-    const { speaker = "", listeners = new Map() } = this.lines[this.clock.line] ?? {};
-    const { gaze_rad, body_rad } = facing(cut.subject, { speaker, listeners: [...listeners.keys()] }, this.marks);
     const partner = this.marks.get(cut.beside ?? "");
     const rest = [...this.marks.values()].filter((mark) => mark !== subject && mark !== partner);
-    const shown = { ...subject, facing_rad: turned(body_rad, gaze_rad, 0.5) };
+    const shown = { ...subject, facing_rad: this.#facing(cut.subject) };
     const picture = { aspect: this.#place.camera.aspect, eyes_m: this.#actors.eyes_m };
     const { from_m, at_m } = viewOf(cut.shot, shown, partner ? [partner, ...rest] : rest, picture);
     this.#place.camera.position.set(...from_m);
     this.#place.controls.target.set(...at_m);
     this.#place.controls.update();
+  }
+
+  /**
+   * Which way somebody faces while the line of now is spoken: between his body and his gaze.
+   *
+   * @param {string} name
+   */
+  #facing(name) {
+    const line = this.lines[this.clock.line];
+    const turn = { speaker: line?.speaker ?? "", listeners: [...(line?.listeners.keys() ?? [])] };
+    const { gaze_rad, body_rad } = facing(name, turn, this.marks);
+    return turned(body_rad, gaze_rad, 0.5);
   }
 }

@@ -9,6 +9,7 @@ import { COMPARED_NAME, GUESTS, VIEWING } from "../stage/viewing.js";
 import { PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { slice } from "../state/slice.js";
+import { DIFFERING, OTHERS } from "../timeline/compared.js";
 import { differences } from "./differences.js";
 import { TAKES } from "./takes.js";
 
@@ -52,6 +53,10 @@ export function keepCompared(store, service) {
   for (const of of [COMPARED, PERFORMED]) {
     store.watch(/** @type {typeof COMPARED} */ (of), compare);
   }
+  store.watch(DIFFERS, (differs) => {
+    store.set(DIFFERING, new Set(differs?.found.here.map(({ id }) => id)));
+    store.set(OTHERS, differs?.found.there ?? []);
+  });
   store.watch(TAKES, () => nameOf(store) === null && store.set(COMPARED, "none"));
 }
 

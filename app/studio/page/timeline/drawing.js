@@ -1,6 +1,7 @@
 /** Draws the timeline: rows, items with their phases and marks, what is selected. Colours are the page's. */
 
-import { box, LABELS_PX, LANE_PX, RULER_PX } from "./layout.js";
+import { drawSideBySide, drawSpilling } from "./item_names.js";
+import { box, LABELS_PX, RULER_PX } from "./layout.js";
 import { PHASE_COLOURS } from "./phases.js";
 import { drawVoice, drawWave } from "./signals.js";
 
@@ -11,7 +12,8 @@ import { drawVoice, drawWave } from "./signals.js";
 /** @import { Item } from "./tracks.js" */
 
 /**
- * Everything that a picture of the timeline depends on. `badges` are short texts behind items' names, by id.
+ * Everything that a picture of the timeline depends on. `badges` are short texts behind items' names, by id; `marked` are
+ * selected as well; `differing` are not in the version beside this one; at `snap_s` something snaps.
  *
  * @typedef {object} Picture
  * @property {readonly PlacedRow[]} rows
@@ -19,6 +21,9 @@ import { drawVoice, drawWave } from "./signals.js";
  * @property {Palette} palette
  * @property {Signals} signals
  * @property {string | null} selected
+ * @property {readonly string[]} marked
+ * @property {ReadonlySet<string>} differing
+ * @property {number | null} snap_s
  * @property {readonly [number, number] | null} loop
  * @property {Readonly<Record<string, string>>} badges
  * @property {number} height_px
@@ -30,6 +35,10 @@ const TICKS_S = [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 30, 60];
 const NARROWEST_TICK_PX = 55;
 const LABEL_PX = 20;
 const FAINT = 0.45;
+const STRIP_PX = 9;
+const TICK_PX = 4;
+
+/** @typedef {ReturnType<typeof box>} Place */
 
 /**
  * @param {Pen} pen
@@ -46,7 +55,23 @@ export function draw(pen, picture) {
   for (const placedRow of picture.rows) {
     drawRow(pen, picture, placedRow);
   }
-  drawLabels(pen, picture);
+  drawSnap(pen, picture);
+  pen.fillStyle = palette.panel;
+  pen.fillRect(0, 0, LABELS_PX - 2, height_px);
+}
+
+/**
+ * Where what is dragged snaps to.
+ *
+ * @param {Pen} pen
+ * @param {Picture} picture
+ */
+function drawSnap(pen, { axis, palette, snap_s, height_px }) {
+  if (snap_s !== null) {
+    pen.fillStyle = palette.focus;
+    pen.fillRect(axis.px(snap_s) - 0.5, 0, 1, height_px);
+    pen.fillText("⇥", axis.px(snap_s) + 3, RULER_PX / 2);
+  }
 }
 
 /**
@@ -87,13 +112,17 @@ function drawRuler(pen, { axis, palette, height_px }) {
  * @param {PlacedRow} placedRow
  */
 function drawRow(pen, picture, placedRow) {
-  if (placedRow.row.kind === "wave") {
+  const { row, folded } = placedRow;
+  if (row.kind === "wave" && !folded) {
     drawWave(pen, picture, placedRow);
-  } else if (placedRow.row.kind === "voice") {
+  } else if (row.kind === "voice" && !folded) {
     drawVoice(pen, picture, placedRow);
   }
-  for (const item of placedRow.row.items) {
+  for (const item of row.items) {
     drawItem(pen, picture, placedRow, item);
+  }
+  if (!folded && (row.kind === "wave" || row.name === "phones")) {
+    drawSideBySide(pen, picture, placedRow);
   }
 }
 
@@ -104,26 +133,40 @@ function drawRow(pen, picture, placedRow) {
  * @param {Item} item
  */
 function drawItem(pen, picture, placedRow, item) {
-  const { axis, palette, selected } = picture;
-  const { left, top, width, height } = box(placedRow, item, axis);
-  if (left > axis.left_px + axis.width_px || left + width < axis.left_px) {
+  const { axis } = picture;
+  const place = box(placedRow, item, axis);
+  if (place.left > axis.left_px + axis.width_px || place.left + place.width < axis.left_px) {
     return;
   }
   pen.globalAlpha = item.kept ? 1 : FAINT;
-  pen.fillStyle = palette.rows[placedRow.row.name] ?? palette.faint;
-  pen.fillRect(left, top, width, height);
-  for (const { name, start_s, end_s } of item.phases) {
-    pen.fillStyle = PHASE_COLOURS[name];
-    pen.fillRect(axis.px(start_s), top + height - 5, axis.px(end_s) - axis.px(start_s), 5);
+  drawBar(pen, picture, placedRow, item);
+  if (!placedRow.folded) {
+    drawPhases(pen, picture, item, place);
+    drawMarks(pen, picture, item, place);
   }
-  drawMarks(pen, picture, item, top, height);
-  drawName(pen, picture, item, { left, top, width, height });
+  if (!placedRow.folded && placedRow.row.kind === "items" && placedRow.row.name !== "phones") {
+    drawSpilling(pen, picture, item, place);
+  }
   pen.globalAlpha = 1;
-  if (selected === item.id) {
-    pen.strokeStyle = palette.focus;
-    pen.lineWidth = 2;
-    pen.strokeRect(left, top, width, height);
-    pen.lineWidth = 1;
+  outline(pen, picture, item, place);
+}
+
+/**
+ * @param {Pen} pen
+ * @param {Picture} picture
+ * @param {PlacedRow} placedRow
+ * @param {Item} item
+ */
+function drawBar(pen, { axis, palette, differing }, placedRow, item) {
+  const { left, top, width, height } = box(placedRow, item, axis);
+  const filled = height * (item.share ?? 1);
+  pen.fillStyle = palette.rows[placedRow.row.name] ?? palette.faint;
+  pen.beginPath();
+  pen.roundRect(left, top + height - filled, width, filled, 3);
+  pen.fill();
+  if (differing.has(item.id)) {
+    pen.fillStyle = palette.differs;
+    pen.fillRect(left, top, 4, height);
   }
 }
 
@@ -131,48 +174,43 @@ function drawItem(pen, picture, placedRow, item) {
  * @param {Pen} pen
  * @param {Picture} picture
  * @param {Item} item
- * @param {number} top
- * @param {number} height
+ * @param {Place} place
  */
-function drawMarks(pen, { axis, palette }, { marks }, top, height) {
-  pen.fillStyle = palette.ink;
-  for (const [mark, time_s] of marks) {
-    pen.fillRect(axis.px(time_s) - 0.5, top, mark === "stroke" ? 2 : 1, height);
+function drawPhases(pen, { axis }, { phases }, { top, height }) {
+  for (const { name, start_s, end_s } of phases) {
+    pen.fillStyle = PHASE_COLOURS[name];
+    pen.fillRect(axis.px(start_s), top + height - STRIP_PX, axis.px(end_s) - axis.px(start_s), STRIP_PX);
   }
 }
 
 /**
- * An item's name, as much of it as fits.
+ * Marks are below the name, so that it can be read.
  *
  * @param {Pen} pen
  * @param {Picture} picture
  * @param {Item} item
- * @param {Readonly<{ left: number, top: number, width: number, height: number }>} place
+ * @param {Place} place
  */
-function drawName(pen, { axis, palette, badges }, { id, label }, { left, top, width, height }) {
-  const from = Math.max(left, axis.left_px) + 3;
-  const room = left + width - from - 2;
-  if (room < 7) {
-    return;
-  }
-  pen.save();
-  pen.beginPath();
-  pen.rect(from - 2, top, room + 3, height);
-  pen.clip();
+function drawMarks(pen, { axis, palette }, { marks, phases }, { top, height }) {
+  const tick_px = phases.length > 0 ? STRIP_PX : TICK_PX;
   pen.fillStyle = palette.ink;
-  pen.fillText(badges[id] ? `${label} ${badges[id]}` : label, from, top + height / 2);
-  pen.restore();
+  for (const [mark, time_s] of marks) {
+    const wide_px = mark === "stroke" ? 2 : 1;
+    pen.fillRect(axis.px(time_s) - wide_px / 2, top + height - tick_px, wide_px, tick_px);
+  }
 }
 
 /**
  * @param {Pen} pen
  * @param {Picture} picture
+ * @param {Item} item
+ * @param {Place} place
  */
-function drawLabels(pen, { rows, palette, height_px }) {
-  pen.fillStyle = palette.panel;
-  pen.fillRect(0, 0, LABELS_PX - 2, height_px);
-  pen.fillStyle = palette.quiet;
-  for (const { row, top_px } of rows) {
-    pen.fillText(row.name, 6, top_px + LANE_PX / 2);
+function outline(pen, { palette, selected, marked }, { id }, { left, top, width, height }) {
+  if (selected === id || marked.includes(id)) {
+    pen.strokeStyle = palette.focus;
+    pen.lineWidth = 2;
+    pen.strokeRect(left, top, width, height);
+    pen.lineWidth = 1;
   }
 }

@@ -1,9 +1,10 @@
 /** Where rows and items are on the timeline's canvas, and what is under a point of it. Pixels, from the top left. */
 
 /** @import { Axis } from "./axis.js" */
+/** @import { Looks } from "./looks.js" */
 /** @import { Item, Row } from "./tracks.js" */
 
-/** @typedef {Readonly<{ row: Row, top_px: number, height_px: number }>} PlacedRow */
+/** `lane_px` is the height of a lane; a folded row is one line of bars. @typedef {Readonly<{ row: Row, top_px: number, height_px: number, lane_px: number, folded: boolean }>} PlacedRow */
 
 /**
  * What is under a point: an item and perhaps one of its marks, or nothing but a row (`ruler` for the top).
@@ -11,22 +12,32 @@
  * @typedef {Readonly<{ row: string, item: Item | null, mark: string | null }>} Hit
  */
 
-export const LABELS_PX = 78;
-export const RULER_PX = 18;
-export const LANE_PX = 16;
-const GAP_PX = 4;
+export const LABELS_PX = 104;
+export const RULER_PX = 20;
+/** The two lines of words below the wave. */
+export const WORDS_PX = 28;
+const FOLDED_PX = 16;
+const GAP_PX = 3;
 const NEAR_PX = 4;
-const HEIGHTS_PX = Object.freeze({ wave: 48, voice: 36 });
+const HEIGHTS_PX = Object.freeze({ wave: 62, voice: 40 });
+/** @type {Readonly<Record<string, number>>} */
+const LANES_PX = Object.freeze({ gesture: 28, phones: 24 });
+const LANE_PX = 19;
 
 /**
  * @param {readonly Row[]} rows
+ * @param {Readonly<Pick<Looks, "folded" | "heights">>} [looks]
  * @returns {PlacedRow[]}
  */
-export function placed(rows) {
+export function placed(rows, { folded, heights } = { folded: {}, heights: {} }) {
   let top_px = RULER_PX;
   return rows.map((row) => {
-    const height_px = row.kind === "items" ? row.lanes * LANE_PX : HEIGHTS_PX[row.kind];
-    const found = { row, top_px, height_px };
+    const share = heights[row.name] ?? 1;
+    const lane_px = Math.round((LANES_PX[row.name] ?? LANE_PX) * share);
+    const open_px = row.kind === "items" ? row.lanes * lane_px : Math.round(HEIGHTS_PX[row.kind] * share);
+    const isFolded = folded[row.name] ?? false;
+    const height_px = isFolded ? FOLDED_PX : open_px;
+    const found = { row, top_px, height_px, lane_px, folded: isFolded };
     top_px += height_px + GAP_PX;
     return found;
   });
@@ -45,11 +56,15 @@ export function heightOf(rows) {
  * @param {Item} item
  * @param {Axis} axis
  */
-export function box({ row, top_px, height_px }, item, axis) {
+export function box({ row, top_px, height_px, lane_px, folded }, item, axis) {
   const left = axis.px(item.start_s);
+  const width = Math.max(2, axis.px(item.end_s) - left);
+  if (folded) {
+    return { left, top: top_px + 4, width, height: FOLDED_PX - 8 };
+  }
   const isWave = row.kind === "wave";
-  const top = isWave ? top_px + height_px - LANE_PX : top_px + item.lane * LANE_PX;
-  return { left, top, width: Math.max(2, axis.px(item.end_s) - left), height: LANE_PX - 3 };
+  const top = isWave ? top_px + height_px - WORDS_PX : top_px + item.lane * lane_px;
+  return { left, top, width, height: (isWave ? WORDS_PX : lane_px) - 2 };
 }
 
 /**

@@ -1,7 +1,9 @@
 /** The items of the timeline as a list, for the keyboard and for those who do not see the canvas. */
 
 import { el } from "../dom.js";
+import { channelName } from "../naming/movements.js";
 import { SELECTION } from "../state/performed.js";
+import { selectAndSeek } from "../state/selecting.js";
 import { listed } from "./tracks.js";
 
 /** @import { Store } from "../state/store.js" */
@@ -18,7 +20,7 @@ export function makeList(store) {
   list.addEventListener("click", ({ target }) => {
     const row = target instanceof Element ? target.closest("li") : null;
     if (row) {
-      store.set(SELECTION, row.dataset["id"] ?? null);
+      selectAndSeek(store, row.dataset["id"] ?? null);
     }
   });
   store.watch(SELECTION, (id) => mark(list, id));
@@ -34,11 +36,13 @@ export function makeList(store) {
  * @param {Item} item
  * @param {number} index
  */
-function entry(row, { id, label, start_s, end_s, kept, why }, index) {
+function entry(row, { id, label, technical, start_s, end_s, kept, why }, index) {
   const times = `${start_s.toFixed(2)}–${end_s.toFixed(2)} s`;
-  const said = `${times} ${row === "words" ? "word" : row} ${label}${kept ? "" : `, dropped: ${why}`}`;
-  const attributes = { id: `item-${String(index)}`, role: "option", "data-id": id, "aria-selected": "false" };
-  return el("li", kept ? attributes : { ...attributes, class: "dropped" }, [said]);
+  const title = `${row === "words" ? "word" : row} ${technical}${kept ? "" : `, dropped: ${why}`}`;
+  const attributes = { id: `item-${String(index)}`, role: "option", "data-id": id, "aria-selected": "false", title };
+  const name = el("b", {}, [kept ? label : `${label}: ${why}`]);
+  const told = [name, el("span", {}, [channelName(row)]), el("span", {}, [times])];
+  return el("li", kept ? attributes : { ...attributes, class: "dropped" }, told);
 }
 
 /**
@@ -74,5 +78,5 @@ function onKey(event, store, list) {
   const rows = [...list.querySelectorAll("li")];
   const now = rows.findIndex((row) => row.dataset["id"] === store.get(SELECTION));
   const next = rows[Math.min(rows.length - 1, Math.max(0, now + step))];
-  store.set(SELECTION, next?.dataset["id"] ?? null);
+  selectAndSeek(store, next?.dataset["id"] ?? null);
 }

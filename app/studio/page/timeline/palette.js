@@ -1,12 +1,12 @@
 /** The page's colours for the canvas, which cannot take them from style sheets by itself. */
 
 /**
- * @typedef {Record<"panel" | "ink" | "quiet" | "faint" | "focus" | "wave" | "f0" | "energy" | "stress", string> &
+ * @typedef {Record<"panel" | "ink" | "quiet" | "faint" | "focus" | "differs" | "wave" | "f0" | "energy" | "stress", string> &
  *   { rows: Readonly<Record<string, string>> }} Palette
  */
 
-const NAMES = /** @type {const} */ (["panel", "ink", "quiet", "faint", "focus", "wave", "f0", "energy", "stress"]);
-const ROWS = ["functions", "gesture", "head", "gaze", "face", "eyes", "posture"];
+const NAMES = /** @type {const} */ (["panel", "ink", "quiet", "faint", "focus", "differs", "wave", "f0", "energy", "stress"]);
+const ROWS = ["functions", "feeling", "focus", "gesture", "head", "gaze", "face", "eyes", "posture", "compared"];
 
 /**
  * @param {Element} element

@@ -1,11 +1,14 @@
 /**
- * What the pointer does on the timeline. Clicking an item selects it; dragging one, or one of its marks, tells DRAG and
+ * What the pointer does on the timeline. Clicking an item selects it, with Shift or Ctrl beside others; dragging one, or one of its marks, tells DRAG and
  * nothing else: whoever changes lines (`changes/`) watches DRAG and makes an edit of it. The ruler moves the playhead;
- * dragging over the words, but for their edges, chooses what is repeated.
+ * dragging over the words, but for their edges, chooses what is repeated. What is dragged snaps (snapping.js) unless Alt is
+ * held.
  */
 
-import { PLAYBACK, SELECTION, TIME_S } from "../state/performed.js";
+import { PERFORMED, PLAYBACK, SELECTION, TIME_S } from "../state/performed.js";
+import { selectAndSeek } from "../state/selecting.js";
 import { slice } from "../state/slice.js";
+import { snapped, targetsOf } from "./snapping.js";
 
 /** @import { Store } from "../state/store.js" */
 /** @import { Axis } from "./axis.js" */
@@ -18,6 +21,12 @@ import { slice } from "../state/slice.js";
  */
 
 export const DRAG = slice(/** @type {Drag | null} */ (null));
+
+/** What is selected beside SELECTION, by ids. */
+export const MARKED = slice(/** @type {readonly string[]} */ ([]));
+
+/** Where what is dragged has snapped to, seconds; null where it has not. */
+export const SNAP_S = slice(/** @type {number | null} */ (null));
 
 /** Short texts behind items' names, by id, such as that one is locked; whoever knows such things sets it. */
 export const BADGES = slice(/** @type {Readonly<Record<string, string>>} */ ({}));
@@ -38,12 +47,12 @@ export function followPointer(canvas, store, { axis, hit }) {
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
     held = { hit: hit(event.offsetX, event.offsetY), x: event.offsetX, from_s: time_s(event), far: false };
-    press(store, held.hit, held.from_s);
+    press(store, held.hit, held.from_s, event.shiftKey || event.ctrlKey || event.metaKey);
   });
   canvas.addEventListener("pointermove", (event) => {
     if (held) {
       held.far ||= Math.abs(event.offsetX - held.x) > LEAST_PX;
-      drag(store, held, time_s(event), false);
+      drag(store, held, snappedTime_s(store, held, time_s(event), event.altKey ? null : axis()), false);
     } else {
       canvas.style.cursor = cursorOver(hit(event.offsetX, event.offsetY));
       canvas.title = titleOf(hit(event.offsetX, event.offsetY));
@@ -51,7 +60,8 @@ export function followPointer(canvas, store, { axis, hit }) {
   });
   canvas.addEventListener("pointerup", (event) => {
     if (held) {
-      drag(store, held, time_s(event), true);
+      drag(store, held, snappedTime_s(store, held, time_s(event), event.altKey ? null : axis()), true);
+      store.set(SNAP_S, null);
       held = null;
     }
   });
@@ -61,13 +71,39 @@ export function followPointer(canvas, store, { axis, hit }) {
  * @param {Store} store
  * @param {Hit} hit
  * @param {number} time_s
+ * @param {boolean} isMore whether what was selected stays so
  */
-function press(store, { row, item }, time_s) {
+function press(store, { row, item }, time_s, isMore) {
+  const before = store.get(SELECTION);
   if (row === "ruler") {
     store.set(TIME_S, Math.max(0, time_s));
+  } else if (isMore && item && before !== null && item.id !== before) {
+    const marked = store.get(MARKED);
+    store.set(MARKED, marked.includes(item.id) ? marked.filter((id) => id !== item.id) : [...marked, item.id]);
   } else {
-    store.set(SELECTION, item?.id ?? null);
+    store.set(MARKED, []);
+    selectAndSeek(store, item?.id ?? null);
   }
+}
+
+/**
+ * The time that is dragged to, moved so that the item or its mark snaps.
+ *
+ * @param {Store} store
+ * @param {{ hit: Hit, from_s: number, far: boolean }} held
+ * @param {number} to_s
+ * @param {Axis | null} axis null where nothing is to snap
+ */
+function snappedTime_s(store, { hit: { item, mark, row }, from_s, far }, to_s, axis) {
+  const line = store.get(PERFORMED);
+  const leading = mark ?? (item?.marks.some(([name]) => name === "stroke") ? "stroke" : item?.marks[0]?.[0]);
+  const at_s = item?.marks.find(([name]) => name === leading)?.[1];
+  if (!far || !line || !axis || row === "words" || at_s === undefined) {
+    return to_s;
+  }
+  const snap_s = snapped(at_s + to_s - from_s, targetsOf(line.performance, item?.id ?? "", store.get(TIME_S)), axis);
+  store.set(SNAP_S, snap_s);
+  return snap_s === null ? to_s : from_s + snap_s - at_s;
 }
 
 /**
@@ -96,5 +132,5 @@ function cursorOver({ row, item, mark }) {
 
 /** @param {Hit} hit */
 function titleOf({ item, mark }) {
-  return item ? [item.label, mark && `mark: ${mark}`, item.why].filter(Boolean).join("\n") : "";
+  return item ? [item.label, item.technical, mark && `mark: ${mark}`, item.why].filter(Boolean).join("\n") : "";
 }

@@ -1,7 +1,7 @@
 /** Draws what is heard: the wave, and below it energy and f0, stress thresholds and how the words stand out. */
 
 import { slice } from "../state/slice.js";
-import { LANE_PX } from "./layout.js";
+import { WORDS_PX } from "./layout.js";
 
 /** @import { Performance } from "understudy-client" */
 /** @import { Contours } from "../state/performed.js" */
@@ -46,14 +46,14 @@ export async function peaksOf(recording) {
  */
 export function drawWave(pen, { axis, palette, signals }, { top_px, height_px }) {
   const { peaks, performance } = signals;
-  const middle = top_px + (height_px - LANE_PX) / 2;
+  const middle = top_px + (height_px - WORDS_PX) / 2;
   const loudest = peaks.reduce((most, peak) => Math.max(most, peak), 0.01);
   pen.fillStyle = palette.wave;
   for (let x = axis.left_px; x < axis.left_px + axis.width_px; x++) {
     const first = Math.floor((axis.time_s(x) - performance.lead_in_s) * PEAKS_HZ);
     const last = Math.max(first + 1, Math.floor((axis.time_s(x + 1) - performance.lead_in_s) * PEAKS_HZ));
     const peak = peaks.subarray(Math.max(0, first), Math.max(0, last)).reduce((most, each) => Math.max(most, each), 0);
-    const half = (peak / loudest) * ((height_px - LANE_PX - 2) / 2);
+    const half = (peak / loudest) * ((height_px - WORDS_PX - 2) / 2);
     pen.fillRect(x, middle - half, 1, 2 * half);
   }
 }
@@ -76,10 +76,6 @@ export function drawVoice(pen, picture, placedRow) {
     drawCurve(pen, picture, placedRow, { values: contours.f0_hz, share: f0Share, colour: picture.palette.f0 });
     drawThreshold(pen, picture, placedRow, f0Share(performance.stress?.f0_hz ?? 0));
   }
-  const { memberships, agitation } = performance;
-  const shares = Object.values(memberships).map((share) => share.toFixed(2));
-  pen.fillStyle = picture.palette.quiet;
-  pen.fillText(`agitation ${agitation} (low, medium, high: ${shares.join(", ")})`, picture.axis.left_px + 4, placedRow.top_px + 6);
 }
 
 /**

@@ -7,7 +7,9 @@ import { el } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
+import { OTHERS } from "./compared.js";
 import { makeList } from "./list.js";
+import { keepLooks, LOOKS } from "./looks.js";
 import { PEAKS, peaksOf } from "./signals.js";
 import { Timeline, ZOOM } from "./view.js";
 
@@ -21,17 +23,26 @@ export function mountTimeline(element, store) {
   const canvas = el("canvas", { id: "timeline-canvas", "aria-label": "Timeline; the list beside it says the same", role: "img" });
   const playhead = el("div", { class: "playhead" });
   const { list, show } = makeList(store);
-  const screen = el("div", { class: "tracks", role: "group", tabindex: 0, "aria-label": "Tracks" }, [canvas, playhead]);
   const timeline = new Timeline(canvas, playhead, store);
-  element.append(toolbar(timeline), el("div", { class: "beside" }, [screen, list]));
-  store.watch(PERFORMED, () => show(timeline.take()));
+  const none = el("p", { class: "none quiet" }, ["The timeline appears when the line is performed."]);
+  const screen = el("div", { class: "tracks", role: "group", tabindex: 0, "aria-label": "Tracks" }, [canvas, timeline.gutter.element, playhead, none]);
+  element.append(toolbar(timeline, store), el("div", { class: "beside" }, [screen, list]));
+  keepLooks(store);
+  for (const of of [PERFORMED, LOOKS, OTHERS]) {
+    store.watch(/** @type {typeof LOOKS} */ (of), () => show(timeline.take()));
+  }
+  store.watch(PERFORMED, (line) => (none.hidden = line !== null));
+  store.watch(LOOKS, (looks) => (list.hidden = !looks.list));
   keepPeaks(store);
   new ResizeObserver(() => timeline.draw()).observe(screen);
   new MutationObserver(() => timeline.draw()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
 }
 
-/** @param {Timeline} timeline */
-function toolbar(timeline) {
+/**
+ * @param {Timeline} timeline
+ * @param {Store} store
+ */
+function toolbar(timeline, store) {
   const button = (/** @type {string} */ name, /** @type {string} */ sign, /** @type {() => void} */ click) =>
     el("button", { type: "button", "aria-label": name, title: name, click }, [sign]);
   return el("div", { class: "toolbar", role: "toolbar", "aria-label": "Timeline" }, [
@@ -40,6 +51,9 @@ function toolbar(timeline) {
     button("Whole line", "Whole", () => timeline.whole()),
     button("Earlier", "◂", () => timeline.scroll(-0.5)),
     button("Later", "▸", () => timeline.scroll(0.5)),
+    button("Zoom to what is selected", "Selection", () => timeline.selection()),
+    toggle(store, "alternatives", "Alternatives", "What could have been done as well, and why it was not"),
+    toggle(store, "list", "List", "Everything on the timeline as a list"),
   ]);
 }
 
@@ -64,4 +78,17 @@ function keepPeaks(store) {
       );
     }
   });
+}
+
+/**
+ * @param {Store} store
+ * @param {"alternatives" | "list"} name
+ * @param {string} text
+ * @param {string} title
+ */
+function toggle(store, name, text, title) {
+  const button = el("button", { type: "button", id: name, title, class: name === "alternatives" ? "apart" : "" }, [text]);
+  button.addEventListener("click", () => store.patch(LOOKS, { [name]: !store.get(LOOKS)[name] }));
+  store.watch(LOOKS, (looks) => button.setAttribute("aria-pressed", String(looks[name])));
+  return button;
 }

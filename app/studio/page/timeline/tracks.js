@@ -3,6 +3,10 @@
  * each other; what was dropped lies below what was kept.
  */
 
+import { functionName } from "../naming/meanings.js";
+import { handName, movementName, plain, plainText } from "../naming/movements.js";
+import { feelingItems, focusItems } from "./listening_tracks.js";
+import { within } from "./items.js";
 import { MARKS, phasesOf } from "./phases.js";
 
 /** @import { Behavior, Performance } from "understudy-client" */
@@ -10,11 +14,13 @@ import { MARKS, phasesOf } from "./phases.js";
 
 /**
  * Something in time. `id` is what SELECTION has for it; `marks` are its sync points, `phases` those of a gesture; `why`
- * says why it was dropped.
+ * says why it was dropped. `label` is what people call it, `technical` what the service does; `next_s` is when something
+ * else begins in its lane, `share` how much of the lane's height it fills.
  *
  * @typedef {object} Item
  * @property {string} id
  * @property {string} label
+ * @property {string} technical
  * @property {number} start_s
  * @property {number} end_s
  * @property {boolean} kept
@@ -22,7 +28,11 @@ import { MARKS, phasesOf } from "./phases.js";
  * @property {readonly (readonly [mark: string, time_s: number])[]} marks
  * @property {readonly Phase[]} phases
  * @property {string} why
+ * @property {number} next_s
+ * @property {number} [share]
  */
+
+/** An item that is in no lane yet. @typedef {Omit<Item, "lane" | "next_s">} Loose */
 
 /** @typedef {"wave" | "voice" | "items"} RowKind */
 
@@ -32,15 +42,23 @@ import { MARKS, phasesOf } from "./phases.js";
 export const CHANNELS = /** @type {const} */ (["gesture", "head", "gaze", "face", "eyes", "posture"]);
 
 /**
+ * What is shown of a performance: `alternatives` are what gave way; `others` are movements that only the version that it is
+ * compared with has.
+ *
  * @param {Performance} performance
+ * @param {Readonly<{ alternatives: boolean, others?: readonly Behavior[] }>} [shown]
  * @returns {Row[]}
  */
-export function rowsOf(performance) {
+export function rowsOf(performance, { alternatives, others = [] } = { alternatives: true }) {
+  const row = (/** @type {string} */ name, /** @type {readonly Loose[]} */ items) => rowOf(name, items, alternatives);
   return [
     { name: "words", kind: "wave", items: wordItems(performance), lanes: 1 },
     row("phones", phoneItems(performance)),
     { name: "voice", kind: "voice", items: [], lanes: 1 },
+    row("feeling", feelingItems(performance)),
+    row("focus", focusItems(performance)),
     ...CHANNELS.map((channel) => row(channel, behaviorItems(performance, channel))),
+    ...(others.length > 0 ? [row("compared", others.map((each) => ({ ...behaviorItem(each), id: `compared:${each.id}` })))] : []),
     row("functions", functionItems(performance)),
     row("visemes", visemeItems(performance)),
   ];
@@ -52,21 +70,28 @@ export function rowsOf(performance) {
  * @param {readonly Row[]} rows
  */
 export function listed(rows) {
-  const chosen = rows.filter(({ name }) => name !== "phones" && name !== "visemes");
+  const chosen = rows.filter(({ name }) => !UNLISTED.includes(name));
   return chosen
     .flatMap(({ name, items }) => items.map((item) => ({ row: name, item })))
     .sort((a, b) => a.item.start_s - b.item.start_s);
 }
 
+/** What the list leaves out: the words are in it already. */
+const UNLISTED = ["phones", "visemes", "focus", "compared"];
+
+/** What an author took out himself is never hidden: it is to be taken back. */
+const BY_AUTHOR = /by the author/;
+
 /**
  * @param {string} name
- * @param {readonly Omit<Item, "lane">[]} items
+ * @param {readonly Loose[]} items
+ * @param {boolean} alternatives
  * @returns {Row}
  */
-function row(name, items) {
+function rowOf(name, items, alternatives) {
   const kept = inLanes(items.filter((item) => item.kept), 0);
   const lanesOfKept = lanesOf(kept, 1);
-  const dropped = inLanes(items.filter((item) => !item.kept), lanesOfKept);
+  const dropped = inLanes(items.filter((item) => !item.kept && (alternatives || BY_AUTHOR.test(item.why))), lanesOfKept);
   return { name, kind: "items", items: [...kept, ...dropped], lanes: lanesOf(dropped, lanesOfKept) };
 }
 
@@ -81,34 +106,39 @@ function lanesOf(items, least) {
 /**
  * Puts each item into the first lane where nothing is in its way.
  *
- * @param {readonly Omit<Item, "lane">[]} items
+ * @param {readonly Loose[]} items
  * @param {number} first
  * @returns {Item[]}
  */
 function inLanes(items, first) {
-  /** @type {number[]} when each lane is free again */
-  const free_s = [];
+  /** @type {Item[]} the last of each lane */
+  const last = [];
   return [...items]
     .sort((a, b) => a.start_s - b.start_s)
     .map((item) => {
-      const found = free_s.findIndex((end_s) => end_s <= item.start_s);
-      const lane = found < 0 ? free_s.length : found;
-      free_s[lane] = item.end_s;
-      return { ...item, lane: first + lane };
+      const found = last.findIndex(({ end_s }) => end_s <= item.start_s);
+      const lane = found < 0 ? last.length : found;
+      const before = last[lane];
+      if (before) {
+        before.next_s = item.start_s;
+      }
+      const placed = { ...item, lane: first + lane, next_s: Infinity };
+      last[lane] = placed;
+      return placed;
     });
 }
 
 /** @param {Performance} performance */
 function wordItems({ words }) {
   const items = words.flatMap(({ index, text, start_s, end_s }) => within(`word:${String(index)}`, text, start_s, end_s));
-  return items.map(withEdges).map(on(0));
+  return inLanes(items.map(withEdges), 0).map((item) => ({ ...item, lane: 0 }));
 }
 
 /**
  * A word with its edges as marks, by which it is dragged.
  *
- * @param {Omit<Item, "lane">} item
- * @returns {Omit<Item, "lane">}
+ * @param {Loose} item
+ * @returns {Loose}
  */
 function withEdges(item) {
   return { ...item, marks: [["start", item.start_s], ["end", item.end_s]] };
@@ -131,8 +161,9 @@ function visemeItems({ visemes }) {
 /** @param {Performance} performance */
 function functionItems({ functions }) {
   return functions.flatMap((each) =>
-    within(each.id, [each.class, each.subtype].filter(Boolean).join("."), each.start_s, each.end_s).map((item) => ({
+    within(each.id, plain(functionName(each)), each.start_s, each.end_s).map((item) => ({
       ...item,
+      technical: [each.class, each.subtype].filter(Boolean).join("."),
       kept: each.kept,
       why: each.lost_to ? `gave way to ${each.lost_to}` : "",
     })),
@@ -153,31 +184,13 @@ function behaviorItem({ id, kind, lexeme, hand, sync, kept, reason, lost_to: los
   const times_s = marks.map(([, time_s]) => time_s);
   return {
     id,
-    label: hand ? `${lexeme} (${hand})` : lexeme,
+    label: [movementName(kind, lexeme), handName(hand)].filter(Boolean).join(", "),
+    technical: hand ? `${lexeme} (${hand})` : lexeme,
     start_s: Math.min(...times_s),
     end_s: Math.max(...times_s),
     kept,
     marks,
     phases: kind === "gesture" ? phasesOf(sync) : [],
-    why: kept ? "" : [reason, lostTo && `gave way to ${lostTo}`].filter(Boolean).join("; "),
+    why: kept ? "" : plainText([reason, lostTo && `gave way to ${lostTo}`].filter(Boolean).join("; ")),
   };
-}
-
-/**
- * An item that has a time, else none.
- *
- * @param {string} id
- * @param {string} label
- * @param {number | null | undefined} start_s
- * @param {number | null | undefined} end_s
- * @returns {Omit<Item, "lane">[]}
- */
-function within(id, label, start_s, end_s) {
-  const isTimed = typeof start_s === "number" && typeof end_s === "number";
-  return isTimed ? [{ id, label, start_s, end_s, kept: true, marks: [], phases: [], why: "" }] : [];
-}
-
-/** @param {number} lane */
-function on(lane) {
-  return (/** @type {Omit<Item, "lane">} */ item) => ({ ...item, lane });
 }

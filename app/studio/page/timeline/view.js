@@ -3,10 +3,13 @@
 import { PERFORMED, PLAYBACK, SELECTION, TIME_S } from "../state/performed.js";
 import { Axis, scrolled, STRETCH, within, zoomed } from "./axis.js";
 import { draw } from "./drawing.js";
+import { Gutter } from "./gutter.js";
 import { heightOf, hitAt, LABELS_PX, placed } from "./layout.js";
+import { LOOKS } from "./looks.js";
 import { paletteOf } from "./palette.js";
-import { BADGES, followPointer } from "./pointing.js";
+import { BADGES, followPointer, MARKED, SNAP_S } from "./pointing.js";
 import { PEAKS } from "./signals.js";
+import { DIFFERING, OTHERS } from "./compared.js";
 import { rowsOf } from "./tracks.js";
 
 /** @import { Store } from "../state/store.js" */
@@ -15,11 +18,14 @@ import { rowsOf } from "./tracks.js";
 /** How much less is seen after a step of zooming. */
 export const ZOOM = 1.4;
 const RIGHT_PX = 10;
+/** How much more than what is selected is seen when it is zoomed to. */
+const AROUND = 2.5;
 
 /** Shows the line that was performed last. */
 export class Timeline {
   /** @type {readonly PlacedRow[]} */
   #rows = [];
+  gutter;
   #whole_s = 1;
   /** @type {Axis | null} */
   #axis = null;
@@ -36,7 +42,8 @@ export class Timeline {
     this.#canvas = canvas;
     this.#playhead = playhead;
     this.#store = store;
-    for (const of of [SELECTION, STRETCH, PLAYBACK, PEAKS, BADGES]) {
+    this.gutter = new Gutter(store);
+    for (const of of [SELECTION, STRETCH, PLAYBACK, PEAKS, BADGES, MARKED, SNAP_S, DIFFERING]) {
       store.watch(/** @type {typeof SELECTION} */ (of), () => this.draw());
     }
     store.watch(TIME_S, () => this.#movePlayhead());
@@ -47,8 +54,10 @@ export class Timeline {
   /** Takes over what was performed last. */
   take() {
     const line = this.#store.get(PERFORMED);
-    const rows = line ? rowsOf(line.performance) : [];
-    this.#rows = placed(rows);
+    const looks = this.#store.get(LOOKS);
+    const rows = line ? rowsOf(line.performance, { alternatives: looks.alternatives, others: this.#store.get(OTHERS) }) : [];
+    this.#rows = placed(rows, looks);
+    this.gutter.show(this.#rows);
     const ends_s = rows.flatMap(({ items }) => items.map(({ end_s }) => end_s));
     const { lead_in_s, audio } = line?.performance ?? { lead_in_s: 0, audio: { duration_s: 1 } };
     this.#whole_s = Math.max(lead_in_s + audio.duration_s, ...ends_s);
@@ -75,6 +84,9 @@ export class Timeline {
       palette: paletteOf(this.#canvas),
       signals: { peaks: this.#store.get(PEAKS), contours: line.contours, performance: line.performance },
       selected: this.#store.get(SELECTION),
+      marked: this.#store.get(MARKED),
+      differing: this.#store.get(DIFFERING),
+      snap_s: this.#store.get(SNAP_S),
       loop: this.#store.get(PLAYBACK).loop,
       badges: this.#store.get(BADGES),
       height_px,
@@ -97,6 +109,16 @@ export class Timeline {
 
   whole() {
     this.#store.set(STRETCH, null);
+  }
+
+  /** Shows what is selected, with some of what is around it. */
+  selection() {
+    const id = this.#store.get(SELECTION);
+    const item = this.#rows.flatMap(({ row }) => row.items).find((each) => each.id === id);
+    if (item) {
+      const length_s = AROUND * (item.end_s - item.start_s);
+      this.#store.set(STRETCH, within({ start_s: (item.start_s + item.end_s - length_s) / 2, length_s }, this.#whole_s));
+    }
   }
 
   get #stretch() {
