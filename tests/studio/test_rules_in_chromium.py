@@ -21,7 +21,7 @@ def rules(opened: Page) -> Page:
 def _choose(page: Page, name: str, kind: str) -> None:
     page.select_option("#rule-kind", kind)
     page.fill("#rule-filter", name)
-    page.click(f"#rule-list button:text-is('{name}')")
+    page.click(f"#rule-list [data-name='{name}']")
     shown = "({ disabled, value }, name) => !disabled && value.includes(name)"
     wait_until(page, f"({shown})(document.querySelector('#rule-text'), {name!r})")
 

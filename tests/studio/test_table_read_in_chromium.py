@@ -59,7 +59,7 @@ def test_two_characters_speak_in_turn_on_their_marks(room: Page, scene: Path) ->
     assert len(before) == 6, "the right hands of two"
     assert before[0] < 0 < before[3], "ELIZA stands on the left, HENRY on the right"
     assert room.get_attribute("#table-read-canvas", "data-shot") == "wide ELIZA"
-    room.get_by_role("button", name="HENRY").click()
+    room.click(".said:has-text('HENRY')")
     wait_until(room, "document.querySelector('#scene-time').value.startsWith('7.6')")
     assert room.get_attribute("[aria-current=true]", "aria-current")
     assert room.get_attribute("#table-read-canvas", "data-shot") == "close HENRY"
@@ -87,6 +87,20 @@ def test_a_zip_of_the_folder_will_do(room: Page, scene: Path, tmp_path: Path) ->
     room.set_input_files("#scene-zip", packed)
     room.wait_for_selector("#table-read-canvas[data-wrists]")
     assert room.get_by_role("list", name="Lines").get_by_role("listitem").count() == 2
+    assert room.get_by_role("list", name="Cast").inner_text().split() == ["ELIZA", "HENRY"]
+    assert room.is_hidden("#table_read .chooser")
+
+
+def test_a_line_of_the_scene_is_noted_on_and_opened_in_the_studio(room: Page, scene: Path) -> None:
+    room.set_input_files("#scene-folder", scene)
+    room.fill("[aria-label='Note on two']", "slower")
+    room.press("[aria-label='Note on two']", "Tab")
+    with room.expect_download() as download:
+        room.click("#scene-notes")
+    assert Path(download.value.path()).read_text(encoding="utf-8") == "two\tHENRY\tslower\n"
+    room.click("[aria-label='Open two in the studio']")
+    room.wait_for_selector("#stage-canvas[data-roles='speaker']")
+    assert "really sure" in room.input_value("#text")
 
 
 def test_a_folder_that_is_no_batch_says_so(room: Page, tmp_path: Path) -> None:

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { matching } from "../../../app/studio/page/rules/choosing_rules.js";
+import { groupsOf, matching } from "../../../app/studio/page/rules/choosing_rules.js";
 import { toldChanges } from "../../../app/studio/page/rules/telling_changes.js";
 
 /** @import { Item } from "../../../app/studio/page/rules/rule_book.js" */
@@ -42,5 +42,17 @@ test("what is there no more is told before what is new", () => {
     { sign: "-", text: "affirmation “Yes,”, priority 5 (big_yes)" },
     { sign: "-", text: "big_nod for affirmation, weight 4 (show)" },
     { sign: "+", text: "big_nod for affirmation, weight 9 (show)" },
+  ]);
+});
+
+test("items are in groups by what they are about, else by their file", () => {
+  const items = [
+    { kind: "function", name: "no", class: "negation", file: "functions/a.rules", line: 1 },
+    { kind: "bml", name: "wave_off", file: "bml/own_moves.rules", line: 1 },
+    { kind: "word", name: "never", class: "negation", file: "en/negation.yaml", line: 2 },
+  ];
+  assert.deepEqual(groupsOf(/** @type {Parameters<typeof groupsOf>[0]} */ (items)).map(({ name, items: found }) => [name, ...found.map((each) => each.name)]), [
+    ["a no", "no", "never"],
+    ["own moves", "wave_off"],
   ]);
 });

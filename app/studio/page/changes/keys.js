@@ -76,15 +76,20 @@ function move(store, later_s) {
  * @param {Store} store
  * @param {KeyboardEvent} event
  */
-function act(store, { key, altKey, ctrlKey, metaKey, target }) {
-  const isTyping = target instanceof Element && target.matches("input, select, textarea");
+function act(store, event) {
   const behaviors = selectedBehaviors(store);
-  const action = altKey || isTyping ? undefined : (ctrlKey || metaKey ? COPYING : ACTIONS)[key];
-  const isMeant = action !== undefined && (behaviors.length > 0 || key === "v");
+  const action = actionOf(event);
+  const isMeant = action !== undefined && (behaviors.length > 0 || event.key === "v");
   if (isMeant) {
     action(store, behaviors);
   }
   return isMeant;
+}
+
+/** @param {KeyboardEvent} event */
+function actionOf({ key, altKey, ctrlKey, metaKey, target }) {
+  const isTyping = target instanceof Element && target.matches("input, select, textarea");
+  return altKey || isTyping ? undefined : (ctrlKey || metaKey ? COPYING : ACTIONS)[key];
 }
 
 /**

@@ -1,6 +1,6 @@
 /** The gesture editor (Gesture Engine §4.3): composes a gesture graphically, on the body at once, in the same language. */
 
-import { el } from "../dom.js";
+import { el, foldable } from "../dom.js";
 import { VIEW } from "../frame/views.js";
 import { askLanguage, keepChecked } from "./checking.js";
 import { compass } from "./compass.js";
@@ -13,10 +13,13 @@ import { languageText } from "./language_text.js";
 import { poseForm } from "./pose_form.js";
 import { preview } from "./preview.js";
 import { sectorGrid } from "./sector_grid.js";
+import { tools } from "./tools.js";
 import { trackForm } from "./track_form.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
+
+const TALL_PX = 720;
 
 /**
  * Nothing is asked of the service, and nothing drawn, before the editor is looked at.
@@ -52,9 +55,12 @@ function mount(element, store, service) {
     poseForm(store, service),
     trackForm(store),
   ]);
-  const left = el("div", { class: "column" }, [headerForm(store), preview(store, service), times]);
-  const right = el("div", { class: "column" }, [languageText(store, service)]);
-  element.append(left, frame, right);
+  const whole = foldable("The whole gesture", [headerForm(store)]);
+  // On a low screen the body goes before what is rarely changed.
+  whole.open = innerHeight >= TALL_PX;
+  const left = el("div", { class: "column body" }, [whole, preview(store, service), times]);
+  const right = el("div", { class: "column language" }, [languageText(store, service)]);
+  element.append(tools(store, service), left, frame, right);
   void askLanguage(store, service);
   keepChecked(store, service);
 }

@@ -1,4 +1,6 @@
-/** Which rules and words a filter finds. */
+/** Which rules and words a filter finds, and in which groups they are. */
+
+import { functionName } from "../naming/meanings.js";
 
 /** @import { Item } from "./rule_book.js" */
 
@@ -18,6 +20,27 @@ export function matching(items, filter, kind) {
   const found = items.filter((item) => (!kind || item.kind === kind) && words.every((word) => textOf(item).includes(word)));
   const begins = (/** @type {Item} */ { name }) => Number(!name.toLowerCase().startsWith(filter.trim().toLowerCase()));
   return words.length > 0 ? found.sort((one, other) => begins(one) - begins(other)) : found;
+}
+
+/**
+ * Items by what they are about: the function that they are of, else their file. In alphabetical order.
+ *
+ * @param {readonly Item[]} items
+ * @returns {{ name: string, items: Item[] }[]}
+ */
+export function groupsOf(items) {
+  /** @type {Map<string, Item[]>} */
+  const groups = new Map();
+  for (const item of items) {
+    const name = item.class ? functionName({ class: item.class }) : fileName(item.file);
+    groups.set(name, [...(groups.get(name) ?? []), item]);
+  }
+  return [...groups].map(([name, found]) => ({ name, items: found })).sort((one, other) => one.name.localeCompare(other.name));
+}
+
+/** @param {string} file */
+function fileName(file) {
+  return (file.split("/").at(-1) ?? file).replace(/\.\w+$/, "").replaceAll("_", " ");
 }
 
 /** @param {Item} item */

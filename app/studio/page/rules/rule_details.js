@@ -12,9 +12,9 @@ const MOST_NAMED = 30;
 
 /** @param {Store} store */
 export function ruleDetails(store) {
-  const explained = el("div", { id: "rule-explained" });
+  const explained = el("div", { id: "rule-explained" }, [el("p", { class: "quiet" }, ["Here stands what a rule rests on and leads to, and what your changes do to the examples."])]);
   const compared = el("div", { id: "rules-compared", role: "status" });
-  store.watch(EXPLAINED, (found) => explained.replaceChildren(...(found ? explanations(store, found) : [])));
+  store.watch(EXPLAINED, (found) => found && explained.replaceChildren(...explanations(store, found)));
   store.watch(COMPARED, (found) => compared.replaceChildren(...(found ? comparison(found) : [])));
   return el("section", { class: "rule-details", "aria-label": "About the rule" }, [compared, explained]);
 }

@@ -1,20 +1,21 @@
-/** The rule browser: everything that authors edit, filtered by words and kind. */
+/** The rule browser: everything that authors edit, in groups by what it is about, or filtered by words and kind. */
 
 import { choice, el, labelled } from "../dom.js";
+import { plain } from "../naming/movements.js";
 import { slice } from "../state/slice.js";
-import { matching, MOST_SHOWN } from "./choosing_rules.js";
+import { groupsOf, matching, MOST_SHOWN } from "./choosing_rules.js";
 import { CHOSEN, ITEMS } from "./rule_book.js";
 
 /** @import { Store } from "../state/store.js" */
 /** @import { Item } from "./rule_book.js" */
 
-const KINDS = /** @type {const} */ ([["", "everything"], ["function", "function rules"], ["behavior", "mapping rules"], ["bml", "movements"], ["word", "words"]]);
+const KINDS = /** @type {const} */ ([["", "Everything"], ["function", "What a line means"], ["behavior", "What is done for it"], ["bml", "Movements"], ["word", "Words"]]);
 
 const FILTER = slice({ text: "", kind: "" });
 
 /** @param {Store} store */
 export function ruleList(store) {
-  const typed = el("input", { id: "rule-filter", type: "search", autocomplete: "off", spellcheck: false });
+  const typed = el("input", { id: "rule-filter", type: "search", autocomplete: "off", spellcheck: false, placeholder: "negation, yes, point…" });
   typed.addEventListener("input", () => store.patch(FILTER, { text: typed.value }));
   const kind = choice(KINDS, "", (value) => store.patch(FILTER, { kind: value }));
   kind.id = "rule-kind";
@@ -23,14 +24,27 @@ export function ruleList(store) {
   const show = () => {
     const { text, kind: of } = store.get(FILTER);
     const found = matching(store.get(ITEMS), text, of);
-    count.replaceChildren(found.length > MOST_SHOWN ? `${String(found.length)} found, ${String(MOST_SHOWN)} shown` : `${String(found.length)} found`);
-    list.replaceChildren(...found.slice(0, MOST_SHOWN).map((item) => entry(store, item)));
+    count.replaceChildren(text && found.length > MOST_SHOWN ? `${String(found.length)} found, ${String(MOST_SHOWN)} shown` : `${String(found.length)} found`);
+    list.replaceChildren(...(text ? found.slice(0, MOST_SHOWN).map((item) => entry(store, item)) : groupsOf(found).map((each) => group(store, each))));
   };
   for (const of of [FILTER, ITEMS]) {
     store.watch(/** @type {typeof FILTER} */ (of), show);
   }
-  const filter = el("div", { class: "row" }, [labelled("Filter", typed), labelled("Kind", kind)]);
+  const filter = el("div", { class: "row" }, [labelled("Search", typed), labelled("Kind", kind)]);
   return el("section", { class: "rule-browser", "aria-label": "Rule browser" }, [filter, count, list]);
+}
+
+/**
+ * A group, whose items are listed when it is opened.
+ *
+ * @param {Store} store
+ * @param {Readonly<{ name: string, items: readonly Item[] }>} group
+ */
+function group(store, { name, items }) {
+  const list = el("ul", {});
+  const fold = el("details", { class: "part" }, [el("summary", {}, [`${plain(name)} `, el("span", { class: "quiet" }, [String(items.length)])]), list]);
+  fold.addEventListener("toggle", () => list.childElementCount === 0 && list.append(...items.map((item) => entry(store, item))));
+  return el("li", {}, [fold]);
 }
 
 /**
@@ -38,7 +52,7 @@ export function ruleList(store) {
  * @param {Item} item
  */
 function entry(store, item) {
-  const button = el("button", { type: "button", class: "link", click: () => store.set(CHOSEN, item) }, [item.name]);
-  const about = [item.class, item.subtype].filter(Boolean).join(" ");
+  const button = el("button", { type: "button", class: "link", "data-name": item.name, title: item.name, click: () => store.set(CHOSEN, item) }, [plain(item.name)]);
+  const about = plain([item.class, item.subtype].filter(Boolean).join(" ")).toLowerCase();
   return el("li", {}, [button, el("span", { class: "quiet" }, [` ${about}`])]);
 }

@@ -17,7 +17,7 @@ const QUIET_MS = 400;
  * @param {Service} service
  */
 export function ruleText(store, service) {
-  const title = el("h2", { id: "rule-file" }, ["Choose a rule"]);
+  const title = el("h2", { id: "rule-file" }, ["Choose a rule or a word: its file is shown here, to be read and edited."]);
   const typed = el("textarea", { id: "rule-text", spellcheck: false, wrap: "off", "aria-labelledby": "rule-file", disabled: true });
   const mistakes = el("ul", { id: "rule-mistakes", class: "mistakes" });
   store.watch(CHOSEN, (item) => {

@@ -19,10 +19,10 @@ export const THIS_LINE = "this line";
  */
 export function actions(store, service) {
   const button = (/** @type {string} */ id, /** @type {string} */ text, /** @type {() => void} */ click) =>
-    el("button", { type: "button", id, click }, [text]);
+    el("button", { type: "button", id, class: id === "rules-run" ? "primary" : "", click }, [text]);
   const run = button("rules-run", "Run the line by these rules", () => perform(store));
   const compare = button("rules-compare", "What else changes?", () => void compareAll(store, service));
-  const back = button("rules-back", "As it was", () => takeBack(store));
+  const back = button("rules-back", "Take back", () => takeBack(store));
   const save = button("rules-save", "Save", () => void saveFile(store, service));
   const show = () => {
     const drafts = store.get(DRAFTS);

@@ -13,6 +13,9 @@ import { viewOf } from "./shots.js";
 /** @import { Shot } from "../stage/framing.js" */
 /** @import { Cut } from "./cuts.js" */
 /** @import { SceneFiles } from "./scene_files.js" */
+/** @import { IndexLine } from "./scene_index.js" */
+
+/** @typedef {Readonly<{ script?: string, lines: readonly IndexLine[] }>} SceneIndex */
 
 /** The camera by itself, one shot of whoever speaks, or where the pointer has it. @typedef {"automatic" | Shot | "free"} Camera */
 
@@ -30,6 +33,8 @@ export const CAMERAS = Object.freeze([
 export class Reading {
   /** @type {Camera} */
   camera = "automatic";
+  /** The script that the scene is of. */
+  script = "";
   #place;
   #actors;
   #cuts;
@@ -46,8 +51,9 @@ export class Reading {
    * @param {(error: unknown) => void} failed is told of a clip that cannot be read later
    */
   static async open(files, place, bodies, failed) {
-    const index = JSON.parse((await files.get("index.json")?.text()) ?? "");
+    const index = /** @type {SceneIndex} */ (JSON.parse((await files.get("index.json")?.text()) ?? ""));
     const reading = new Reading(files, sceneOf(index, new Set(files.keys())), place, failed);
+    reading.script = index.script ?? "";
     await reading.#actors.enter(place.scene, bodies, castOf(reading.lines));
     return reading;
   }
@@ -59,6 +65,7 @@ export class Reading {
    * @param {(error: unknown) => void} failed
    */
   constructor(files, lines, place, failed) {
+    this.files = files;
     this.lines = lines;
     this.spans = spansOf(lines);
     this.marks = marksOf([...castOf(lines).keys()]);

@@ -3,21 +3,25 @@
  * wrote. Nothing of it leaves the page but the names of the characters, whose bodies the service makes.
  */
 
-import { choice, el, labelled } from "../dom.js";
+import { el, fileButton } from "../dom.js";
+import { open as openLine } from "../line/opening.js";
 import { Bodies } from "../stage/bodies.js";
 import { makePlace } from "../stage/scene.js";
+import { followTheme } from "../stage/theme.js";
 import { PROBLEM } from "../state/performed.js";
 import { problemOf } from "../service/service.js";
 import { VIEW } from "../frame/views.js";
-import { CAMERAS, Reading } from "./reading.js";
+import { Reading } from "./reading.js";
 import { droppedFiles, openedFiles, sceneFiles } from "./scene_files.js";
 import { Script } from "./script.js";
+import { transport } from "./transport.js";
 
 /** @import { Place } from "../stage/scene.js" */
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
-/** @import { Camera } from "./reading.js" */
 /** @import { SceneFiles } from "./scene_files.js" */
+/** @import { SceneLine } from "./scene_index.js" */
+/** @import { Room } from "./transport.js" */
 
 /**
  * @param {HTMLElement} element
@@ -49,26 +53,46 @@ export function mountTableRead(element, store, service) {
 function mountRoom(element, store, bodies) {
   const canvas = el("canvas", { id: "table-read-canvas", tabindex: 0, role: "img", "aria-label": "The scene" });
   const place = makePlace(canvas);
-  const room = /** @type {{ reading: Reading | null }} */ ({ reading: null });
-  const script = new Script((time_s) => room.reading?.clock.seek(time_s));
+  const room = /** @type {Room} */ ({ reading: null });
+  const openInStudio = (/** @type {SceneLine} */ line) => toStudio(store, room, line);
+  const script = new Script({ seek: (time_s) => room.reading?.clock.seek(time_s), open: openInStudio });
   const failed = (/** @type {unknown} */ error) => store.set(PROBLEM, problemOf(error));
   const open = async (/** @type {Promise<SceneFiles>} */ files) => {
     const next = await Reading.open(await files, place, bodies, failed);
     room.reading?.close();
     room.reading = next;
-    script.show(next.lines, next.spans);
+    script.show({ ...next, cast: [...next.marks.keys()] });
+    element.classList.remove("empty");
     store.set(PROBLEM, null);
   };
   const opened = (/** @type {Promise<SceneFiles>} */ files) => void open(files).catch(failed);
-  const { controls, tell } = transport(room);
+  const { controls, tell } = transport(room, () => element.classList.toggle("empty"));
+  element.classList.add("empty");
   element.replaceChildren(chooser(opened), el("div", { class: "scene" }, [canvas, script.element]), controls);
   letBeDropped(element, opened);
   store.watch(VIEW, (view) => view === "table_read" || room.reading?.clock.pause());
+  followTheme(place, () => place.draw());
   keepDrawn(place, () => store.get(VIEW) === "table_read", (now_ms) => {
     tell();
     return showReading(room.reading, { now_ms, script, canvas });
   });
   return opened;
+}
+
+/**
+ * Opens a line of the scene as a line of its own: its recording, its words, who plays it.
+ *
+ * @param {Store} store
+ * @param {Room} room
+ * @param {SceneLine} line
+ */
+function toStudio(store, { reading }, { id, sound, text, performer }) {
+  const recording = reading?.files.get(sound);
+  if (recording) {
+    const audio = new File([recording], sound.split("/").at(-1) ?? id, { type: recording.type });
+    openLine(store, { audio, text, options: performer === "default" ? {} : { character: performer } });
+    store.set(VIEW, "line");
+  }
 }
 
 /**
@@ -111,13 +135,14 @@ function keepDrawn(place, isSeen, show) {
 
 /** @param {(files: Promise<SceneFiles>) => void} open */
 function chooser(open) {
-  const folder = el("input", { type: "file", id: "scene-folder", webkitdirectory: true });
-  const zip = el("input", { type: "file", id: "scene-zip", accept: ".zip" });
-  for (const input of [folder, zip]) {
-    input.addEventListener("change", () => open(sceneFiles([...(input.files ?? [])])));
-  }
-  const told = "Drop the folder of a batch here (understudy batch … --format clip.json --format wav), or choose it:";
-  return el("div", { class: "row chooser" }, [el("p", {}, [told]), labelled("Folder", folder), labelled("or a zip of it", zip)]);
+  const take = (/** @type {File[]} */ files) => open(sceneFiles(files));
+  const folder = fileButton("Choose the folder…", { id: "scene-folder", webkitdirectory: true, class: "primary" }, take);
+  const zip = fileButton("Choose a zip of it…", { id: "scene-zip", accept: ".zip" }, take);
+  return el("section", { class: "chooser drop", "aria-label": "Open a scene" }, [
+    el("strong", {}, ["Drop the folder of a performed scene here"]),
+    el("div", { class: "row" }, [folder, zip]),
+    el("p", { class: "quiet" }, ["It is made by ", el("code", {}, ["understudy batch scene.csv --audio recordings --out scene --format clip.json --format wav"])]),
+  ]);
 }
 
 /**
@@ -133,31 +158,4 @@ function letBeDropped(element, open) {
       open(droppedFiles(event.dataTransfer));
     }
   });
-}
-
-/** @param {{ reading: Reading | null }} room */
-function transport(room) {
-  const play = el("button", { type: "button", id: "scene-play", click: () => room.reading?.clock.toggle() }, ["Play"]);
-  const step = (/** @type {number} */ by) => () => {
-    const { reading } = room;
-    reading?.clock.seek(reading.spans[Math.max(0, reading.clock.line + by)]?.start_s ?? reading.clock.time_s);
-  };
-  const back = el("button", { type: "button", "aria-label": "One line back", click: step(-1) }, ["◂◂"]);
-  const on = el("button", { type: "button", "aria-label": "One line on", click: step(1) }, ["▸▸"]);
-  const slider = el("input", { type: "range", min: 0, max: 1, step: 0.01, value: 0, "aria-label": "Time of the scene" });
-  slider.addEventListener("input", () => room.reading?.clock.seek(slider.valueAsNumber));
-  const time = el("output", { "aria-label": "Time in seconds", id: "scene-time" });
-  const camera = choice(CAMERAS, "automatic", (value) => {
-    if (room.reading) {
-      room.reading.camera = /** @type {Camera} */ (value);
-    }
-  });
-  const tell = () => {
-    const { playing = false, time_s = 0, end_s = 0 } = room.reading?.clock ?? {};
-    play.textContent = playing ? "Pause" : "Play";
-    [slider.max, slider.value] = [String(end_s), String(time_s)];
-    time.value = `${time_s.toFixed(1)} s`;
-  };
-  const controls = el("div", { class: "transport" }, [play, back, on, slider, time, labelled("Camera", camera)]);
-  return { controls, tell };
 }

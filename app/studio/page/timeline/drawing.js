@@ -1,15 +1,14 @@
-/** Draws the timeline: rows, items with their phases and marks, what is selected. Colours are the page's. */
+/** Draws the timeline: its ruler, its rows with their signals, items and names. Colours are the page's. */
 
-import { drawSideBySide, drawSpilling } from "./item_names.js";
-import { box, LABELS_PX, RULER_PX } from "./layout.js";
-import { PHASE_COLOURS } from "./phases.js";
+import { drawItem, isSpoken } from "./drawing_items.js";
+import { drawSideBySide } from "./item_names.js";
+import { LABELS_PX, RULER_PX } from "./layout.js";
 import { drawVoice, drawWave } from "./signals.js";
 
 /** @import { Axis } from "./axis.js" */
 /** @import { Palette } from "./palette.js" */
 /** @import { PlacedRow } from "./layout.js" */
 /** @import { Signals } from "./signals.js" */
-/** @import { Item } from "./tracks.js" */
 
 /**
  * Everything that a picture of the timeline depends on. `badges` are short texts behind items' names, by id; `marked` are
@@ -34,11 +33,6 @@ import { drawVoice, drawWave } from "./signals.js";
 const TICKS_S = [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 30, 60];
 const NARROWEST_TICK_PX = 55;
 const LABEL_PX = 20;
-const FAINT = 0.45;
-const STRIP_PX = 9;
-const TICK_PX = 4;
-
-/** @typedef {ReturnType<typeof box>} Place */
 
 /**
  * @param {Pen} pen
@@ -113,104 +107,16 @@ function drawRuler(pen, { axis, palette, height_px }) {
  */
 function drawRow(pen, picture, placedRow) {
   const { row, folded } = placedRow;
-  if (row.kind === "wave" && !folded) {
-    drawWave(pen, picture, placedRow);
-  } else if (row.kind === "voice" && !folded) {
-    drawVoice(pen, picture, placedRow);
+  if (!folded) {
+    SIGNALS[row.kind]?.(pen, picture, placedRow);
   }
   for (const item of row.items) {
     drawItem(pen, picture, placedRow, item);
   }
-  if (!folded && (row.kind === "wave" || row.name === "phones")) {
+  if (!folded && isSpoken(row)) {
     drawSideBySide(pen, picture, placedRow);
   }
 }
 
-/**
- * @param {Pen} pen
- * @param {Picture} picture
- * @param {PlacedRow} placedRow
- * @param {Item} item
- */
-function drawItem(pen, picture, placedRow, item) {
-  const { axis } = picture;
-  const place = box(placedRow, item, axis);
-  if (place.left > axis.left_px + axis.width_px || place.left + place.width < axis.left_px) {
-    return;
-  }
-  pen.globalAlpha = item.kept ? 1 : FAINT;
-  drawBar(pen, picture, placedRow, item);
-  if (!placedRow.folded) {
-    drawPhases(pen, picture, item, place);
-    drawMarks(pen, picture, item, place);
-  }
-  if (!placedRow.folded && placedRow.row.kind === "items" && placedRow.row.name !== "phones") {
-    drawSpilling(pen, picture, item, place);
-  }
-  pen.globalAlpha = 1;
-  outline(pen, picture, item, place);
-}
-
-/**
- * @param {Pen} pen
- * @param {Picture} picture
- * @param {PlacedRow} placedRow
- * @param {Item} item
- */
-function drawBar(pen, { axis, palette, differing }, placedRow, item) {
-  const { left, top, width, height } = box(placedRow, item, axis);
-  const filled = height * (item.share ?? 1);
-  pen.fillStyle = palette.rows[placedRow.row.name] ?? palette.faint;
-  pen.beginPath();
-  pen.roundRect(left, top + height - filled, width, filled, 3);
-  pen.fill();
-  if (differing.has(item.id)) {
-    pen.fillStyle = palette.differs;
-    pen.fillRect(left, top, 4, height);
-  }
-}
-
-/**
- * @param {Pen} pen
- * @param {Picture} picture
- * @param {Item} item
- * @param {Place} place
- */
-function drawPhases(pen, { axis }, { phases }, { top, height }) {
-  for (const { name, start_s, end_s } of phases) {
-    pen.fillStyle = PHASE_COLOURS[name];
-    pen.fillRect(axis.px(start_s), top + height - STRIP_PX, axis.px(end_s) - axis.px(start_s), STRIP_PX);
-  }
-}
-
-/**
- * Marks are below the name, so that it can be read.
- *
- * @param {Pen} pen
- * @param {Picture} picture
- * @param {Item} item
- * @param {Place} place
- */
-function drawMarks(pen, { axis, palette }, { marks, phases }, { top, height }) {
-  const tick_px = phases.length > 0 ? STRIP_PX : TICK_PX;
-  pen.fillStyle = palette.ink;
-  for (const [mark, time_s] of marks) {
-    const wide_px = mark === "stroke" ? 2 : 1;
-    pen.fillRect(axis.px(time_s) - wide_px / 2, top + height - tick_px, wide_px, tick_px);
-  }
-}
-
-/**
- * @param {Pen} pen
- * @param {Picture} picture
- * @param {Item} item
- * @param {Place} place
- */
-function outline(pen, { palette, selected, marked }, { id }, { left, top, width, height }) {
-  if (selected === id || marked.includes(id)) {
-    pen.strokeStyle = palette.focus;
-    pen.lineWidth = 2;
-    pen.strokeRect(left, top, width, height);
-    pen.lineWidth = 1;
-  }
-}
+/** What lies below the items of a row, by its kind. @type {Readonly<Record<string, typeof drawWave>>} */
+const SIGNALS = Object.freeze({ wave: drawWave, voice: drawVoice });

@@ -2,7 +2,8 @@
 
 import { box } from "./layout.js";
 
-/** @import { Pen, Picture, Place } from "./drawing.js" */
+/** @import { Pen, Picture } from "./drawing.js" */
+/** @import { Place } from "./drawing_items.js" */
 /** @import { PlacedRow } from "./layout.js" */
 /** @import { Item } from "./tracks.js" */
 

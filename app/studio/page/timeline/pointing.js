@@ -13,6 +13,7 @@ import { snapped, targetsOf } from "./snapping.js";
 /** @import { Store } from "../state/store.js" */
 /** @import { Axis } from "./axis.js" */
 /** @import { Hit } from "./layout.js" */
+/** @import { Item } from "./tracks.js" */
 
 /**
  * An item that is dragged, or one of its marks (null: all of it), from a time to another; `ended` when it is let go.
@@ -74,16 +75,27 @@ export function followPointer(canvas, store, { axis, hit }) {
  * @param {boolean} isMore whether what was selected stays so
  */
 function press(store, { row, item }, time_s, isMore) {
-  const before = store.get(SELECTION);
   if (row === "ruler") {
     store.set(TIME_S, Math.max(0, time_s));
-  } else if (isMore && item && before !== null && item.id !== before) {
-    const marked = store.get(MARKED);
-    store.set(MARKED, marked.includes(item.id) ? marked.filter((id) => id !== item.id) : [...marked, item.id]);
-  } else {
+  } else if (!isMore || !item || !mark(store, item.id)) {
     store.set(MARKED, []);
     selectAndSeek(store, item?.id ?? null);
   }
+}
+
+/**
+ * Selects something beside what is selected, or no longer; whether there is something to be beside.
+ *
+ * @param {Store} store
+ * @param {string} id
+ */
+function mark(store, id) {
+  const [before, marked] = [store.get(SELECTION), store.get(MARKED)];
+  const isBeside = before !== null && before !== id;
+  if (isBeside) {
+    store.set(MARKED, marked.includes(id) ? marked.filter((each) => each !== id) : [...marked, id]);
+  }
+  return isBeside;
 }
 
 /**
@@ -94,16 +106,26 @@ function press(store, { row, item }, time_s, isMore) {
  * @param {number} to_s
  * @param {Axis | null} axis null where nothing is to snap
  */
-function snappedTime_s(store, { hit: { item, mark, row }, from_s, far }, to_s, axis) {
+function snappedTime_s(store, { hit: { item, mark: name, row }, from_s, far }, to_s, axis) {
   const line = store.get(PERFORMED);
-  const leading = mark ?? (item?.marks.some(([name]) => name === "stroke") ? "stroke" : item?.marks[0]?.[0]);
-  const at_s = item?.marks.find(([name]) => name === leading)?.[1];
-  if (!far || !line || !axis || row === "words" || at_s === undefined) {
+  const at_s = item && row !== "words" ? leading_s(item, name) : undefined;
+  if (!far || !line || !axis || !item || at_s === undefined) {
     return to_s;
   }
-  const snap_s = snapped(at_s + to_s - from_s, targetsOf(line.performance, item?.id ?? "", store.get(TIME_S)), axis);
+  const snap_s = snapped(at_s + to_s - from_s, targetsOf(line.performance, item.id, store.get(TIME_S)), axis);
   store.set(SNAP_S, snap_s);
   return snap_s === null ? to_s : from_s + snap_s - at_s;
+}
+
+/**
+ * When the mark is that is dragged; of a whole movement its stroke, else its beginning.
+ *
+ * @param {Item} item
+ * @param {string | null} name
+ */
+function leading_s({ marks }, name) {
+  const wanted = name ?? "stroke";
+  return (marks.find(([mark]) => mark === wanted) ?? marks[0])?.[1];
 }
 
 /**

@@ -1,0 +1,51 @@
+/** The controls of a table read: play, the lines, the time, the camera, the notes as a file. */
+
+import { choice, el, labelled } from "../dom.js";
+import { notesText } from "./notes.js";
+import { CAMERAS } from "./reading.js";
+
+/** @import { Camera, Reading } from "./reading.js" */
+
+/** Where a scene is read; null before one is open. @typedef {{ reading: Reading | null }} Room */
+
+/**
+ * @param {Room} room
+ * @param {() => void} openOther
+ */
+export function transport(room, openOther) {
+  const play = el("button", { type: "button", id: "scene-play", class: "primary", click: () => room.reading?.clock.toggle() }, ["Play"]);
+  const step = (/** @type {number} */ by) => () => {
+    const { reading } = room;
+    reading?.clock.seek(reading.spans[Math.max(0, reading.clock.line + by)]?.start_s ?? reading.clock.time_s);
+  };
+  const back = el("button", { type: "button", "aria-label": "One line back", click: step(-1) }, ["◂◂"]);
+  const on = el("button", { type: "button", "aria-label": "One line on", click: step(1) }, ["▸▸"]);
+  const slider = el("input", { type: "range", min: 0, max: 1, step: 0.01, value: 0, "aria-label": "Time of the scene" });
+  slider.addEventListener("input", () => room.reading?.clock.seek(slider.valueAsNumber));
+  const time = el("output", { "aria-label": "Time in seconds", id: "scene-time" });
+  const camera = choice(CAMERAS, "automatic", (value) => {
+    if (room.reading) {
+      room.reading.camera = /** @type {Camera} */ (value);
+    }
+  });
+  const tell = () => {
+    const { playing = false, time_s = 0, end_s = 0 } = room.reading?.clock ?? {};
+    play.textContent = playing ? "Pause" : "Play";
+    [slider.max, slider.value] = [String(end_s), String(time_s)];
+    time.value = `${time_s.toFixed(1)} s`;
+  };
+  const other = el("button", { type: "button", id: "scene-other", click: openOther }, ["Open…"]);
+  const controls = el("div", { class: "transport" }, [play, back, on, slider, time, labelled("Camera", camera), notesButton(room), other]);
+  return { controls, tell };
+}
+
+/** @param {Room} room */
+function notesButton(room) {
+  const save = () => {
+    const text = room.reading ? notesText(room.reading.script, room.reading.lines) : "";
+    const address = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+    el("a", { href: address, download: "notes.txt" }).click();
+    URL.revokeObjectURL(address);
+  };
+  return el("button", { type: "button", id: "scene-notes", click: save }, ["Save notes"]);
+}
