@@ -204,7 +204,7 @@ def test_a_gesture_of_the_library_is_opened(editor: Page) -> None:
 
 def test_nobody_stumbles_over_the_editor(editor: Page) -> None:
     """With everything unfolded, one frame open and the other set; then with mistakes."""
-    for folded in editor.locator("#gesture_editor summary").all():
+    for folded in editor.locator("#gesture_editor details:not([open]) > summary").all():
         folded.click()
     editor.click(_direction("Palm faces", "Up"))
     editor.wait_for_selector(_direction("Fingers point", "Down") + ":disabled")

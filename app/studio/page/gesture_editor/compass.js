@@ -33,7 +33,7 @@ export function compass(store) {
  */
 function parts(store, language) {
   const wrist = gestureOf(store.get(EDITED)).frames[store.get(FRAME)]?.[store.get(ARM)]?.wrist ?? null;
-  const open = el("button", { type: "button", id: "wrist-open", disabled: !wrist, click: () => put(store, undefined) }, ["Leave open"]);
+  const open = el("button", { type: "button", id: "wrist-open", disabled: !wrist, click: () => put(store, undefined) }, ["Leave free"]);
   return [
     el("legend", {}, ["Wrist"]),
     half(store, language, wrist, { key: "finger_base", other: "palm", title: "Fingers point" }),

@@ -54,7 +54,7 @@ function handle(store, line, frame, index) {
     pointerdown: (/** @type {PointerEvent} */ event) => drag(store, line, index, event),
   });
   made.style.left = `${String(frame.time * 100)}%`;
-  made.append(el("span", {}, [frame.type]));
+  made.append(el("span", {}, [frame.type.replaceAll("_", " ")]));
   return made;
 }
 
@@ -119,7 +119,7 @@ function add(store, index) {
     }
   };
   const isFull = !language || !roomBehind(language, gestureOf(store.get(EDITED)).frames, index);
-  return el("button", { type: "button", id: "frame-add", disabled: isFull, click: add }, ["Add a frame behind"]);
+  return el("button", { type: "button", id: "frame-add", disabled: isFull, click: add }, ["Add a frame after it"]);
 }
 
 /**

@@ -38,7 +38,7 @@ export function sectorGrid(store) {
 function parts(store, language) {
   const place = gestureOf(store.get(EDITED)).frames[store.get(FRAME)]?.[store.get(ARM)]?.place ?? null;
   const isFirst = store.get(FRAME) === 0 && store.get(ARM) === "leading";
-  const open = el("button", { type: "button", id: "place-open", disabled: isFirst || !place, click: () => put(store, null) }, ["Leave open"]);
+  const open = el("button", { type: "button", id: "place-open", disabled: isFirst || !place, click: () => put(store, null) }, ["Leave free"]);
   const distances = language.z.map(({ name }) => distance(store, language, place, name));
   return [
     el("legend", {}, ["Place of the wrist"]),

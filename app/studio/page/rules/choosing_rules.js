@@ -32,7 +32,7 @@ export function groupsOf(items) {
   /** @type {Map<string, Item[]>} */
   const groups = new Map();
   for (const item of items) {
-    const name = item.class ? functionName({ class: item.class }) : fileName(item.file);
+    const name = item.class && !item.class.includes("$") ? functionName({ class: item.class }) : fileName(item.file);
     groups.set(name, [...(groups.get(name) ?? []), item]);
   }
   return [...groups].map(([name, found]) => ({ name, items: found })).sort((one, other) => one.name.localeCompare(other.name));

@@ -108,10 +108,11 @@ function mark(store, id) {
  */
 function snappedTime_s(store, { hit: { item, mark: name, row }, from_s, far }, to_s, axis) {
   const line = store.get(PERFORMED);
-  const at_s = item && row !== "words" ? leading_s(item, name) : undefined;
-  if (!far || !line || !axis || !item || at_s === undefined) {
+  const isMoved = far && row !== "words";
+  if (!line || !axis || !item || !isMoved) {
     return to_s;
   }
+  const at_s = leading_s(item, name) ?? from_s;
   const snap_s = snapped(at_s + to_s - from_s, targetsOf(line.performance, item.id, store.get(TIME_S)), axis);
   store.set(SNAP_S, snap_s);
   return snap_s === null ? to_s : from_s + snap_s - at_s;
