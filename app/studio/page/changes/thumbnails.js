@@ -25,6 +25,8 @@ export class GestureClips {
   #clips = new Map();
   /** @type {Promise<unknown>} */
   #last = Promise.resolve();
+  /** Whether somebody who asked for a gesture still wants it, by lexeme. @type {Map<string, (() => boolean)[]>} */
+  #wanted = new Map();
   #service;
 
   /** @param {Service} service */
@@ -41,13 +43,21 @@ export class GestureClips {
    */
   of(lexeme, isWanted) {
     const known = this.#clips.get(lexeme);
+    this.#wanted.set(lexeme, [...(this.#wanted.get(lexeme) ?? []), isWanted]);
     if (known) {
       return known;
     }
-    const asked = this.#last.then(() => (isWanted() ? this.#asked(lexeme) : Promise.reject(new Error("nobody wants it"))));
+    const asked = this.#last.then(() => this.#inTurn(lexeme));
     this.#clips.set(lexeme, asked);
     this.#last = asked.catch(() => this.#clips.delete(lexeme));
     return asked;
+  }
+
+  /** @param {string} lexeme */
+  #inTurn(lexeme) {
+    const isWanted = this.#wanted.get(lexeme)?.some((each) => each());
+    this.#wanted.delete(lexeme);
+    return isWanted ? this.#asked(lexeme) : Promise.reject(new Error("nobody wants it"));
   }
 
   /** @param {string} lexeme */

@@ -29,7 +29,7 @@ const DEPTH_M = 0.3;
 const BODY_M = 0.34;
 const NEAREST_M = 0.5;
 const REACH_M = 0.35;
-const [BEHIND_M, BESIDE_M, ABOVE_M] = [0.8, 0.6, 0.12];
+const [BEHIND_M, BESIDE_M, ABOVE_M] = [0.8, 0.7, 0.12];
 
 /** How far round from straight before somebody the camera may go, the best first: degrees. */
 const ROUND_DEG = Object.freeze([28, 38, 48, 18, 58, 68, 8, 0]);
