@@ -9,6 +9,8 @@ export * from "./service/errors.js";
 export { DEFAULT_POLICY, type RetryPolicy } from "./service/retrying.js";
 export { performEach, type PerformedLine, type StreamOptions } from "./service/streaming.js";
 export type * from "./service/types.js";
+export type * from "./live/messages.js";
+export { LiveStream, type LiveAddress } from "./live/stream.js";
 export type * from "./motion/clip.js";
 export type { Quaternion, Vector } from "./motion/vectors.js";
 export { clipFromGlb } from "./motion/glb.js";
