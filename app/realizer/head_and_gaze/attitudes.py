@@ -49,13 +49,13 @@ _BEFORE_PHRASE_S = 0.0
 """A head that holds in the pause sets out with the voice; the weight has gone before."""
 _ENDING_S = 0.45
 """A change that is due so shortly before a pause waits for its end as well."""
-_PAUSE_S, _IN_PAUSES = 0.05, 0.15
+_PAUSE_S, _IN_PAUSES = 0.05, 0.1
 """Between words that are at least so far apart the head goes on at this share of its speed only, and no attitude
 changes in a pause until the voice is back, unless it stays silent for longer than `_SILENCE_S`."""
 _SILENCE_S = 1.5
 _SLOWING_S = 0.03
 
-_THRUST_DEGREES = np.array([1.0, 0.0, 0.0, 4.5, 2.2, 0.0, 0.0])
+_THRUST_DEGREES = np.array([1.0, 0.0, 0.0, 4.5, 2.8, 0.0, 0.0])
 """On a stressed word, at the usual size, with which the others differ by a third: the head goes forward and down."""
 _THRUST_S = 0.18
 """The time forward; back takes twice as long."""

@@ -60,16 +60,20 @@ JUMPER = Garment(
     blend_m=0.012,
     grid_m=0.016,
     middle=(
-        Bone("hips", "upperChest", 0.1045, 0.1065, (0, -0.03, 0.0), (0, 0.02, 0.008), (1.45, 0.9, 1.03), Use.DRAWN),
+        Bone("hips", "spine", 0.105, 0.088, (0, -0.03, 0.0), (0, 0.070, 0.004), (1.42, 0.9, 1.03), Use.DRAWN),
+        Bone("spine", "upperChest", 0.088, 0.106, (0, 0.080, 0.004), (0, 0.0, 0.012), (1.46, 0.9, 1.06), Use.DRAWN),
         Bone("hips", "spine", 0.106, 0.100, (0, -0.01, 0.004), (0, 0.02, 0.006), (1.42, 0.75, 0.98), Use.CARRIES),
         Bone("spine", "chest", 0.098, 0.100, (0, 0.02, 0.006), HERE, (1.34, 1.0, 1.0), Use.CARRIES),
         Bone("chest", "upperChest", 0.102, 0.106, (0, 0.02, 0.004), (0, 0.0, 0.012), (1.50, 1.0, 1.02), Use.CARRIES),
-        Bone("upperChest", "neck", 0.104, 0.052, (0, 0.02, 0.008), (0, -0.020, -0.002), (1.46, 1.0, 1.0)),
+        Bone("upperChest", "neck", 0.102, 0.055, (0, 0.015, 0.008), (0, 0.004, -0.001), (1.42, 1.0, 1.0)),
     ),
     left=(
-        Bone("leftShoulder", "leftUpperArm", 0.048, 0.052, (0.02, -0.028, -0.01), (-0.01, -0.012, 0), (1, 1, 1.15)),
-        Bone("leftUpperArm", "leftLowerArm", 0.055, 0.043, (-0.01, -0.008, 0.0)),
-        Bone("leftLowerArm", "leftHand", 0.043, 0.034, HERE, (-0.03, 0, 0)),
+        Bone("leftShoulder", "leftUpperArm", 0.046, 0.042, (0.02, -0.036, -0.01), (-0.014, -0.023, 0), (1, 1, 1.2)),
+        Bone(
+            "leftShoulder", "leftUpperArm", 0.046, 0.033, (0.0, 0.014, -0.020), (-0.035, -0.016, -0.004), use=Use.DRAWN
+        ),
+        Bone("leftUpperArm", "leftLowerArm", 0.047, 0.037, (0.030, -0.008, 0.0)),
+        Bone("leftLowerArm", "leftHand", 0.038, 0.034, HERE, (-0.03, 0, 0)),
     ),
 )
 
@@ -77,10 +81,10 @@ TROUSERS = Garment(
     "legwear",
     blend_m=0.012,
     grid_m=0.018,
-    middle=(Bone("hips", "hips", 0.102, 0.100, (0, 0.01, 0.0), (0, -0.06, -0.008), (1.42, 0.8, 1.02)),),
+    middle=(Bone("hips", "hips", 0.098, 0.098, (0, 0.005, 0.0), (0, -0.06, -0.008), (1.42, 0.8, 1.02)),),
     left=(
-        Bone("leftUpperLeg", "leftLowerLeg", 0.080, 0.054, (-0.006, -0.065, -0.004), (0, 0, 0.0)),
-        Bone("leftLowerLeg", "leftFoot", 0.053, 0.046, (0, 0, 0), (0, 0.03, 0.004)),
+        Bone("leftUpperLeg", "leftLowerLeg", 0.080, 0.049, (-0.006, -0.065, -0.004), (0, 0, 0.0)),
+        Bone("leftLowerLeg", "leftFoot", 0.049, 0.046, (0, 0, 0), (0, 0.03, 0.004)),
     ),
 )
 
@@ -116,13 +120,13 @@ SHOES = Garment(
 
 def _finger_bones() -> tuple[Bone, ...]:
     """Three capsules per finger; the last ends a finger's breadth beyond its joint."""
-    radii = {"Thumb": 0.0112, "Index": 0.0092, "Middle": 0.0095, "Ring": 0.0090, "Little": 0.0080}
+    radii = {"Thumb": 0.0119, "Index": 0.0097, "Middle": 0.0100, "Ring": 0.0095, "Little": 0.0085}
     tips: dict[str, Offset] = {
-        "Thumb": (0.020, -0.002, 0.010),
-        "Index": (0.018, -0.001, 0.0),
-        "Middle": (0.020, -0.001, 0.0),
-        "Ring": (0.018, -0.001, 0.0),
-        "Little": (0.015, -0.001, 0.0),
+        "Thumb": (0.024, -0.002, 0.013),
+        "Index": (0.025, -0.001, 0.0),
+        "Middle": (0.028, -0.001, 0.0),
+        "Ring": (0.025, -0.001, 0.0),
+        "Little": (0.021, -0.001, 0.0),
     }
     bones = []
     for finger in FINGERS:
@@ -143,12 +147,12 @@ HANDS = Garment(
     grid_m=0.0055,
     left=(
         Bone("leftLowerArm", "leftHand", 0.026, 0.026, (0.21, 0, 0), (-0.005, 0, 0), (1, 0.82, 1.05)),
-        Bone("leftHand", "leftHand", 0.024, 0.022, HERE, (0.03, -0.001, 0.0), (1, 0.72, 1.15)),
-        Bone("leftHand", "leftIndexProximal", 0.018, 0.0135, (0.02, 0, 0.012), (-0.006, -0.001, -0.002), (1, 0.85, 1)),
-        Bone("leftHand", "leftMiddleProximal", 0.018, 0.0135, (0.02, 0, 0.004), (-0.006, -0.002, 0), (1, 0.85, 1)),
-        Bone("leftHand", "leftRingProximal", 0.018, 0.013, (0.02, 0, -0.006), (-0.006, -0.001, 0), (1, 0.85, 1)),
-        Bone("leftHand", "leftLittleProximal", 0.017, 0.012, (0.02, 0, -0.014), (-0.004, 0.001, 0), (1, 0.9, 1)),
-        Bone("leftHand", "leftThumbMetacarpal", 0.014, 0.015, (0.015, -0.004, 0.014), (0.012, -0.002, 0.006)),
+        Bone("leftHand", "leftHand", 0.0258, 0.0235, HERE, (0.03, -0.001, 0.0), (1, 0.72, 1.15)),
+        Bone("leftHand", "leftIndexProximal", 0.0193, 0.0145, (0.02, 0, 0.012), (-0.006, -0.001, -0.002), (1, 0.85, 1)),
+        Bone("leftHand", "leftMiddleProximal", 0.0193, 0.0145, (0.02, 0, 0.004), (-0.006, -0.002, 0), (1, 0.85, 1)),
+        Bone("leftHand", "leftRingProximal", 0.0193, 0.0140, (0.02, 0, -0.006), (-0.006, -0.001, 0), (1, 0.85, 1)),
+        Bone("leftHand", "leftLittleProximal", 0.0183, 0.0129, (0.02, 0, -0.014), (-0.004, 0.001, 0), (1, 0.9, 1)),
+        Bone("leftHand", "leftThumbMetacarpal", 0.0150, 0.0160, (0.015, -0.004, 0.014), (0.012, -0.002, 0.006)),
         *_finger_bones(),
     ),
 )
@@ -158,8 +162,8 @@ NECK = Garment(
     blend_m=0.008,
     grid_m=0.012,
     middle=(
-        Bone("neck", "head", 0.051, 0.046, (0, -0.07, 0.002), (0, -0.02, 0.0)),
-        Bone("head", "head", 0.046, 0.046, (0, -0.02, 0.0), (0, 0.04, 0.004)),
+        Bone("neck", "head", 0.054, 0.050, (0, -0.07, 0.002), (0, -0.02, 0.0)),
+        Bone("head", "head", 0.050, 0.048, (0, -0.02, 0.0), (0, 0.04, 0.004)),
     ),
 )
 

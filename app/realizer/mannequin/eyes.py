@@ -16,9 +16,9 @@ from .face import Tissue
 from .head import skin_from_front_m
 from .surface import Capsule, IntArray, Surface, mesh
 
-BALL_M = 0.0152
-LID_M = 0.0166
-LASH_M = 0.0169
+BALL_M = 0.0178
+LID_M = 0.0194
+LASH_M = 0.0197
 EDGE_THICKNESS_M = 0.0005
 
 PUPIL_DEGREES, IRIS_DEGREES, BALL_DEGREES = 11.0, 27.0, 105.0
@@ -67,11 +67,11 @@ OPENINGS: Mapping[str, Opening] = MappingProxyType(
 SIDEWAYS_DEGREES: Mapping[str, float] = MappingProxyType({"eyeLookIn": -5.0, "eyeLookOut": 5.0})
 
 BROW: tuple[tuple[float, float, float], ...] = (
-    (0.0140, 0.0990, 0.0028),
-    (0.0240, 0.1005, 0.0034),
-    (0.0360, 0.1025, 0.0032),
-    (0.0460, 0.1015, 0.0026),
-    (0.0550, 0.0980, 0.0016),
+    (0.0140, 0.1005, 0.0023),
+    (0.0240, 0.1022, 0.0028),
+    (0.0360, 0.1040, 0.0026),
+    (0.0460, 0.1030, 0.0021),
+    (0.0550, 0.0997, 0.0013),
 )
 """Positions (x, y) from the front and radii along the left brow: level, as nobody's who worries."""
 

@@ -21,7 +21,7 @@ from ..geometry.rotations import from_axis_angle, rotate
 MOUTH_Y_M = 0.017
 """The height of the line between the closed lips."""
 
-MOUTH_HALF_M = 0.025
+MOUTH_HALF_M = 0.0295
 JAW_HINGE_M = np.array([0.0, 0.035, 0.005])
 JAW_OPEN_DEGREES = 15.0
 JAW_MOVES_MM: Mapping[str, tuple[float, float, float]] = MappingProxyType(
@@ -65,19 +65,19 @@ class Tissue:
 _LEFT_PULLS: Mapping[str, tuple[Pull, ...]] = MappingProxyType(
     {
         "mouthSmileLeft": (
-            Pull((27, 17), (15, 14), (9, 9, -6)),
-            Pull((42, 43), (17, 16), (2, 4, 3)),
+            Pull((32, 17), (16, 14), (9, 10, -6)),
+            Pull((44, 43), (17, 16), (2, 5, 4)),
         ),
-        "mouthFrownLeft": (Pull((26, 15), (13, 13), (1, -10, -2)),),
-        "mouthDimpleLeft": (Pull((28, 17), (11, 12), (5, 1, -6)),),
-        "mouthStretchLeft": (Pull((28, 14), (16, 16), (10, -4, -5)),),
+        "mouthFrownLeft": (Pull((31, 15), (14, 13), (1, -10, -2)),),
+        "mouthDimpleLeft": (Pull((33, 17), (12, 12), (5, 1, -6)),),
+        "mouthStretchLeft": (Pull((33, 14), (17, 16), (10, -4, -5)),),
         "mouthPressLeft": (
-            Pull((10, 22), (14, 8), (1, -2.5, -2), Lip.UPPER),
-            Pull((10, 11), (14, 8), (1, 2.5, -2), Lip.LOWER),
+            Pull((12, 22), (16, 8), (1, -2.5, -2), Lip.UPPER),
+            Pull((12, 11), (16, 8), (1, 2.5, -2), Lip.LOWER),
         ),
-        "mouthUpperUpLeft": (Pull((13, 23), (12, 11), (0, 8, 1), Lip.UPPER),),
-        "mouthLowerDownLeft": (Pull((13, 10), (12, 11), (0, -8, 1), Lip.LOWER),),
-        "cheekSquintLeft": (Pull((38, 50), (15, 12), (0, 6, 4)),),
+        "mouthUpperUpLeft": (Pull((15, 23), (14, 11), (0, 8, 1), Lip.UPPER),),
+        "mouthLowerDownLeft": (Pull((15, 10), (14, 11), (0, -8, 1), Lip.LOWER),),
+        "cheekSquintLeft": (Pull((38, 50), (16, 13), (0, 6.5, 5)),),
         "noseSneerLeft": (
             Pull((12, 48), (9, 11), (1.5, 6, 1)),
             Pull((14, 26), (9, 9), (0, 3, 0), Lip.UPPER),
@@ -101,13 +101,13 @@ _MIDDLE_PULLS: Mapping[str, tuple[Pull, ...]] = MappingProxyType(
             Pull((-42, 20), (17, 17), (-9, 0, 6)),
         ),
         "mouthPucker": (
-            Pull((25, 17), (15, 14), (-13, 0, 6)),
-            Pull((-25, 17), (15, 14), (13, 0, 6)),
+            Pull((29, 17), (17, 14), (-15, 0, 6)),
+            Pull((-29, 17), (17, 14), (15, 0, 6)),
             Pull((0, 17), (13, 13), (0, 0, 8)),
         ),
         "mouthFunnel": (
-            Pull((25, 17), (14, 14), (-9, 0, 5)),
-            Pull((-25, 17), (14, 14), (9, 0, 5)),
+            Pull((29, 17), (16, 14), (-10.5, 0, 5)),
+            Pull((-29, 17), (16, 14), (10.5, 0, 5)),
             Pull((0, 22), (15, 10), (0, 5, 7), Lip.UPPER),
             Pull((0, 11), (15, 10), (0, -7, 7), Lip.LOWER),
         ),

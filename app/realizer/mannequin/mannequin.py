@@ -19,6 +19,7 @@ from ..geometry.rotations import length, rotate
 from . import head as mannequin_head
 from .body import drawn_capsules, garments_of, skinning_capsules
 from .carrying import carried, on_head, t_pose_m
+from .cloth import folded
 from .colours import Colour, colours_of
 from .eyes import ball, brow, lids
 from .face import displacements_m
@@ -28,7 +29,7 @@ from .surface import Capsule, IntArray, Surface, distances_m, mesh
 
 INFLUENCES = 4
 
-SOFTNESS_M = 0.009
+SOFTNESS_M = 0.012
 """The distance from a joint over which skinning blends into the next one."""
 
 FLESH_SOFTNESS_M = 0.03
@@ -70,6 +71,7 @@ def _parts(skeleton: Skeleton, hair: Hair, legwear: Legwear) -> tuple[Part, ...]
     parts = []
     for garment in garments:
         surface = mesh(drawn_capsules(garment, average), blend_m=garment.blend_m, grid_m=garment.grid_m)
+        surface = folded(surface, garment.material, average)
         closeness = _hanging(surface, average) if garment.hangs else _closeness(surface, bones, average, SOFTNESS_M)
         flesh = closeness if garment.hangs else _closeness(surface, bones, average, FLESH_SOFTNESS_M)
         shares = flesh / flesh.sum(axis=1, keepdims=True)

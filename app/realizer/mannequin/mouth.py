@@ -8,7 +8,7 @@ from ...model import FloatArray
 from .face import MOUTH_Y_M, Tissue
 from .surface import Capsule, IntArray, Surface, mesh
 
-TEETH_HALF_M = 0.0185
+TEETH_HALF_M = 0.0215
 TEETH_FRONT_Z_M = 0.0940
 TEETH_DEPTH_M = 0.020
 UPPER_TEETH_Y_M = (MOUTH_Y_M + 0.0095, MOUTH_Y_M + 0.0005)

@@ -75,7 +75,8 @@ def steps_of(schedule: Schedule, *, seed: int) -> tuple[Step, ...]:
     if schedule.duration_s <= SHORTEST_TAKE_S or schedule.stillness >= _STILL:
         return ()
     generator = np.random.default_rng(seed + 10)
-    side, steps = float(generator.choice([-1.0, 1.0])), []
+    side = float(generator.choice([-1.0, 1.0]))
+    steps: list[Step] = []
     for start_s in _starts_s(schedule):
         aside_m = side * float(generator.uniform(*WAY_M))
         away_m = _FORWARD * float(generator.choice([-1.0, 1.0])) * abs(aside_m)

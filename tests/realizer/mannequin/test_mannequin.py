@@ -3,10 +3,15 @@
 import numpy as np
 import pytest
 
-from understudy.model import FloatArray
+from understudy.model import FloatArray, Hand
+from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
 from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle
+from understudy.realizer.gestures.arm_joints import arm_joints
+from understudy.realizer.mannequin.carrying import t_pose_m
+from understudy.realizer.mannequin.eyes import BALL_M
+from understudy.realizer.mannequin.face import MOUTH_HALF_M
 from understudy.realizer.mannequin.mannequin import Mannequin, posed
 
 BODY = Skeleton.standing()
@@ -54,3 +59,30 @@ def test_a_bent_elbow_moves_the_hand_and_leaves_the_rest(mannequin: Mannequin) -
     assert before[moved, 0].min() > elbow_m - 0.08
     assert moved[before[:, 0] > elbow_m + 0.06].all()
     assert after[:, 2].max() > 0.35
+
+
+def test_shoulders_slope_and_the_waist_is_narrower_than_chest_and_hips(mannequin: Mannequin) -> None:
+    rest = np.tile(IDENTITY, (len(BODY.names), 1))
+    for side in (Hand.LEFT, Hand.RIGHT):
+        rest[BODY.chain(*arm_joints(side))] = rest_pose(BODY, side, "at_side").rotations
+    posed_parts = zip(mannequin.parts, posed(mannequin, rest, HIPS, AT_REST), strict=True)
+    jumper = np.concatenate([made.positions_m for part, made in posed_parts if part.material == "jumper"])
+    top = [jumper[np.abs(np.abs(jumper[:, 0]) - across_m) < 0.012, 1].max() for across_m in (0.07, 0.12, 0.165)]
+    assert top[0] > top[1] > top[2]
+    assert top[2] < 1.402, "2 cm lower than the level ones of before"
+    at = points(mannequin)
+    width = {
+        height_m: np.ptp(at[(np.abs(at[:, 1] - height_m) < 0.012) & (np.abs(at[:, 0]) < 0.22), 0])
+        for height_m in (0.93, 1.10, 1.24)
+    }
+    assert width[1.10] < 0.96 * width[1.24]
+    assert width[1.10] < 0.99 * width[0.93]
+
+
+def test_eyes_mouth_and_hands_can_be_read_from_some_way_off(mannequin: Mannequin) -> None:
+    """Against the measures of before: eyes of 15.2 mm radius, a mouth of 50 mm, hands of 18.9 cm."""
+    assert 1.15 <= BALL_M / 0.0152 <= 1.20
+    assert 1.15 <= MOUTH_HALF_M / 0.025 <= 1.20
+    hand = np.concatenate([part.surface.positions_m for part in mannequin.parts if part.material == "skin"])
+    length_m = hand[:, 0].max() - t_pose_m(BODY)[BODY.index["leftHand"], 0]
+    assert 1.04 <= length_m / 0.189 <= 1.08
