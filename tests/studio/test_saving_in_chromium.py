@@ -26,6 +26,16 @@ def test_a_change_outlives_a_reload_and_is_found_on_the_start_page(opened: Page)
 
 
 def test_lines_that_were_worked_on_are_opened_from_the_start_page(opened: Page) -> None:
+    """As they were left: what was undone is not there again."""
+    opened.fill("#seed", "7")
+    opened.press("#seed", "Tab")
+    expect(opened.locator("#saved")).to_have_text("Saved")
+    opened.click("#undo")
+    opened.wait_for_timeout(400)  # the quiet after which a change is kept
+    expect(opened.locator("#saved")).to_have_text("Saved")
+    opened.reload()
+    expect(opened.locator("#text")).not_to_be_empty()
+    expect(opened.locator("#seed")).to_have_value("0")
     opened.fill("#seed", "5")
     opened.press("#seed", "Tab")
     expect(opened.locator("#saved")).to_have_text("Saved")

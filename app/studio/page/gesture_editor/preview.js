@@ -11,6 +11,7 @@ import { Bodies } from "../stage/bodies.js";
 import { viewOf } from "../stage/cameras.js";
 import { Cast } from "../stage/cast.js";
 import { makePlace } from "../stage/scene.js";
+import { followTheme } from "../stage/theme.js";
 import { MOTION, PREVIEW } from "./checking.js";
 import { clipTime } from "./clip_time.js";
 import { FRAME } from "./gestures.js";
@@ -76,6 +77,7 @@ class Shown {
     this.#cast = new Cast(this.#place.scene, new Bodies(service));
     this.#place.controls.addEventListener("change", () => (this.#isStale = true));
     this.#aim();
+    followTheme(this.#place, () => (this.#isStale = true));
     store.watch(MOTION, () => void this.#recast());
     store.watch(FRAME, () => this.#rewind());
     store.watch(PREVIEW, () => this.#rewind());

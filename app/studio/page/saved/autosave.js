@@ -22,13 +22,16 @@ export const SAVING = slice(/** @type {Saving} */ ("same"));
 /** @param {Store} store */
 export function keepSaved(store) {
   let timer = 0;
+  let kept = "";
   const save = () => {
     clearTimeout(timer);
+    kept = store.get(OPENED).id;
     return saveNow(store);
   };
   const changed = () => {
     clearTimeout(timer);
-    const isChanged = store.get(PROJECT).audio !== null && isOther(store);
+    // What was kept once is kept again as it was before, when everything is undone.
+    const isChanged = store.get(PROJECT).audio !== null && (isOther(store) || kept === store.get(OPENED).id);
     store.set(SAVING, isChanged ? "unsaved" : "same");
     if (isChanged) {
       timer = window.setTimeout(() => void save(), QUIET_MS);

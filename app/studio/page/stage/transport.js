@@ -76,6 +76,7 @@ function choices(store) {
   [speed.id, shot.id, listening.id, trail.id] = ["speed", "shot", "listening", "trail"];
   const drawn = [labelled("Wrist path", trail), labelled("Safe frame", safe), labelled("Speed", speed)];
   const menu = el("details", { class: "menu" }, [el("summary", {}, ["View"]), el("div", { class: "floating" }, drawn)]);
+  document.addEventListener("pointerdown", ({ target }) => target instanceof Node && !menu.contains(target) && (menu.open = false));
   return [labelled("Camera", shot), labelled("Listener", listening), menu];
 }
 
