@@ -85,3 +85,26 @@ def test_nothing_serious_is_in_the_way_of_anybody(page: Page) -> None:
     page.click("#add-gesture")
     page.wait_for_selector("#gesture-browser canvas[data-played]")
     assert serious_findings(page) == []
+
+
+def test_every_view_fits_a_small_screen(opened: Page) -> None:
+    """At 1024 × 700 nothing is cut off at the side; what a view is for is in reach, and why something is there."""
+    opened.set_viewport_size({"width": 1024, "height": 700})
+    opened.click("#items li[title*='gesture NEGATION']")
+    for selector in ("#why", "#mute", "#replace", "#play"):
+        assert _bottom(opened, selector) <= 700, selector
+    primary = {"Gesture editor": "#gesture-save", "Rules": "#rules-run", "Table read": "#table_read .file.primary"}
+    for view, selector in primary.items():
+        opened.click(f"#views >> text='{view}'")
+        opened.wait_for_selector(selector)
+        assert opened.evaluate("document.documentElement.scrollWidth") <= 1024
+        assert _bottom(opened, selector) <= 700, view
+
+
+def _bottom(page: Page, selector: str) -> float:
+    """How far down something ends that is whole in the width of the page."""
+    box = page.locator(selector).bounding_box()
+    assert box
+    assert box["x"] >= 0
+    assert box["x"] + box["width"] <= 1024
+    return box["y"] + box["height"]
