@@ -30,7 +30,7 @@ WHEN_WRITTEN = {"dialect", "timing", "visemes", "bmlt_audio"}
 """In Python these are arguments of `write_bml`."""
 OF_FILES = {"skeleton", "t_pose", "root_at_origin", "keys", "bap_version"}
 """In Python these are arguments of `write_motion`."""
-OF_A_LINE = {"character", "agitation", "seed", "stillness", "mode"}
+OF_A_LINE = {"character", "agitation", "seed", "stillness", "mode", "affect"}
 """What an author sets for one line; the rest is said of the request."""
 OF_A_ROW = {"character", "agitation", "affect", "seed", "listener"}
 """A script's columns; a row has `target`, one or more, and what the row lacks the command line says of all lines."""

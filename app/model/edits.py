@@ -11,6 +11,7 @@ from enum import StrEnum
 
 from .body import Channel, Hand
 from .choice import Mode
+from .voice.affect import AffectTrack
 from .voice.speech import Level
 
 MARKS = ("start", "ready", "stroke_start", "stroke", "stroke_end", "relax", "end")
@@ -151,6 +152,7 @@ class LineSettings:
     seed: int | None = None
     stillness: float | None = None
     mode: Mode | None = None
+    affect: AffectTrack | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,10 +8,11 @@ import json
 from collections.abc import Sequence
 from typing import Annotated, Literal, Self
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
+from ..acoustic.affect.given import affect_rows, affect_track
 from ..errors import InputError
-from ..model import Channel, Hand
+from ..model import AffectTrack, Channel, Hand
 from ..model.edits import (
     MARKS,
     BehaviorEdit,
@@ -29,7 +30,7 @@ from ..model.edits import (
 )
 from ..model.tables.lexemes import GazeDirection
 from .mistakes import mistakes_told
-from .options import LevelName, ModeName, Seed
+from .options import AffectValue, LevelName, ModeName, Seed
 from .requests import read_object
 
 FIELD = "edits"
@@ -47,6 +48,21 @@ def _counted(edits: object) -> object:
     return edits
 
 
+def _affect_given(told: object) -> object:
+    """What is told of a feeling, also by a value that is to be written."""
+    return affect_rows(told) if isinstance(told, AffectTrack) else told
+
+
+def _usable_affect(told: AffectValue) -> AffectValue:
+    """Raises ValueError for what is no feeling."""
+    try:
+        affect_track(told)
+    except InputError as error:
+        raise ValueError(error.message) from None
+    return told
+
+
+_Affect = Annotated[AffectValue, BeforeValidator(_affect_given), AfterValidator(_usable_affect)]
 _Counted = BeforeValidator(_counted)
 _Name = Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]
 _Offset = Annotated[float, Field(ge=-LONGEST_OFFSET_S, le=LONGEST_OFFSET_S, allow_inf_nan=False)]
@@ -211,9 +227,11 @@ class LineSettingsForm(_Form):
     seed: Seed | None = None
     stillness: Annotated[float | None, Field(ge=0, le=1, allow_inf_nan=False)] = None
     mode: ModeName | None = None
+    affect: _Affect | None = None
 
     def to_value(self) -> LineSettings:
-        return LineSettings(self.character, self.agitation, self.seed, self.stillness, self.mode)
+        affect = None if self.affect is None else affect_track(self.affect)
+        return LineSettings(self.character, self.agitation, self.seed, self.stillness, self.mode, affect)
 
 
 class EditsForm(_Form):

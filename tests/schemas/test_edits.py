@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from understudy.acoustic.affect.given import affect_track, read_affect
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Channel, Hand, Level, Mode
 from understudy.model.edits import (
@@ -26,7 +27,7 @@ from understudy.schemas.edits import MOST_EDITS, edits_schema, read_edits, write
 ROOT = Path(__file__).parents[2]
 NEVER = WordReference(3, "never")
 EVERYTHING = Edits(
-    line=LineSettings("reserved", Level.HIGH, 7, 0.2, Mode.PROSODY),
+    line=LineSettings("reserved", Level.HIGH, 7, 0.2, Mode.PROSODY, read_affect("sad")),
     words=(
         WordEdit(NEVER, mark=WordMark.IMPORTANT),
         WordEdit(WordReference(4), mark=WordMark.STILL, start_s=1.0, end_s=1.2, heard=HeardTime(1.1, 1.25)),
@@ -48,6 +49,22 @@ EVERYTHING = Edits(
 
 def test_what_is_written_reads_back() -> None:
     assert read_edits(write_edits(EVERYTHING)) == EVERYTHING
+
+
+@pytest.mark.parametrize("told", ['"angry"', "[0.5, -0.2, 0.1]", "[[0, 0.5, -0.2, 0.1], [1.5, 0, 0.3, 0]]"])
+def test_the_feeling_of_a_line_is_a_tone_numbers_or_a_track(told: str) -> None:
+    edits = read_edits(f'{{"line": {{"affect": {told}}}}}'.encode())
+    assert edits.line.affect == affect_track(json.loads(told))
+    again = read_edits(write_edits(edits)).line.affect
+    assert again is not None
+    assert again.times_s == affect_track(json.loads(told)).times_s
+
+
+@pytest.mark.parametrize("told", ['"grumpy"', "[0.5, 7, 0.1]", "[]"])
+def test_what_is_no_feeling_is_refused_with_its_place(told: str) -> None:
+    with pytest.raises(InputError, match=r"line\.affect") as caught:
+        read_edits(f'{{"line": {{"affect": {told}}}}}'.encode())
+    assert (caught.value.code, caught.value.field) == ("edits_wrong", "edits")
 
 
 def test_nothing_is_no_edit() -> None:

@@ -7,8 +7,9 @@ from types import MappingProxyType
 
 from pydantic import Field, RootModel
 
+from ...acoustic.affect.given import affect_track, read_affect_track
 from ...errors import AuthoringError, InputError, Mistake
-from ...model import Level, Target
+from ...model import AffectTrack, Level, Target
 from ...model.targets import targets_of
 from ...model.voice.speaker_reference import SpeakerReference
 from ...models import usable_profile
@@ -28,6 +29,7 @@ class _Part(Entry):
     character: str | None = None
     seed: int | None = None
     agitation: Level | None = None
+    affect: str | tuple[float, float, float] | None = None
     stillness: float | None = Field(default=None, ge=0, le=1)
     reference: str = LEARN
     listener: list[str] | None = None
@@ -51,6 +53,7 @@ class Part:
     character: str | None = None
     seed: int | None = None
     agitation: Level | None = None
+    affect: AffectTrack | None = None
     stillness: float | None = None
     reference: SpeakerReference | None = None
     is_learnt: bool = True
@@ -87,7 +90,8 @@ def read_cast(path: Path, characters: frozenset[str]) -> Cast:
         try:
             parts[folded(name)] = _part(part, path.parent)
         except InputError as error:
-            key = {"target_wrong": "target", "unknown_profile": "profile"}.get(error.code, "reference")
+            keys = {"target_wrong": "target", "unknown_profile": "profile", "affect_wrong": "affect"}
+            key = keys.get(error.code, "reference")
             mistakes.append(source.mistake((name, key), error.message))
         except AuthoringError as error:
             mistakes += error.mistakes
@@ -115,6 +119,7 @@ def _part(part: _Part, folder: Path) -> Part:
         part.character,
         part.seed,
         part.agitation,
+        None if part.affect is None else _affect(part.affect, folder),
         part.stillness,
         reference,
         part.reference == LEARN,
@@ -122,6 +127,17 @@ def _part(part: _Part, folder: Path) -> Part:
         targets_of(part.target),
         None if part.profile is None else usable_profile(part.profile, folder),
     )
+
+
+def _affect(told: str | tuple[float, float, float], folder: Path) -> AffectTrack:
+    """A tone, three numbers, or the name of a track beside the cast; raises InputError `affect_wrong`."""
+    if not isinstance(told, str) or not told.casefold().endswith(".csv"):
+        return affect_track(told)
+    try:
+        return read_affect_track((folder / told).read_bytes(), told)
+    except OSError as error:
+        message = f"{told}: cannot be read: {error.strerror}"
+        raise InputError("affect_wrong", message, field="cast") from None
 
 
 def _doubles(source: Source, told: Mapping[str, _Part]) -> Iterator[Mistake]:

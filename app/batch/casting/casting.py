@@ -44,7 +44,7 @@ class Casting:
             self.common,
             character=self._performer(line.character),
             agitation=line.agitation or part.agitation or self.common.agitation,
-            affect=line.affect or self.common.affect,
+            affect=line.affect or part.affect or self.common.affect,
             seed=next(seed for seed in (line.seed, part.seed, self.common.seed) if seed is not None),
             stillness=self.common.stillness if part.stillness is None else part.stillness,
             reference=part.reference,

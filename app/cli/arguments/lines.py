@@ -66,7 +66,7 @@ def add_script(add: Adding) -> None:
     add_line(parser)
     add_functions(parser)
     add_option(parser, PERFORMANCE["profile"], required=True)
-    add_options(parser, PERFORMANCE, "character", "agitation", "seed", "choice", "lead_in_s")
+    add_options(parser, PERFORMANCE, "character", "agitation", "affect", "seed", "choice", "lead_in_s")
     add_output(parser, "SCRIPT.json", "where the script goes (default: standard output)", default=STANDARD)
 
 

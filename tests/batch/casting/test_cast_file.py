@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from understudy.acoustic.affect.given import read_affect
 from understudy.batch.casting.cast_file import read_cast
 from understudy.errors import AuthoringError
 from understudy.model import Level, Target
@@ -40,6 +41,25 @@ def test_what_a_cast_says(tmp_path: Path) -> None:
     assert (ben.reference.recordings, ben.is_learnt) == (3, False)
     assert not cast.part("Dora").is_learnt
     assert ben.profile == "sparing"
+
+
+def test_a_feeling_is_a_tone_numbers_or_a_track_beside_the_cast(tmp_path: Path) -> None:
+    (tmp_path / "up.csv").write_text("time_s,activation,valence,dominance\n0,0,0,0\n2,0.8,0.1,0.2\n")
+    text = "ANNA: {affect: sad}\nBEN: {affect: [0.5, -0.2, 0.1]}\nEVE: {affect: up.csv}\n'*': {}\n"
+    cast = read_cast(write(tmp_path, text), OURS)
+    assert cast.part("anna").affect == read_affect("sad")
+    assert cast.part("ben").affect == read_affect("0.5,-0.2,0.1")
+    track = cast.part("eve").affect
+    assert track is not None
+    assert track.times_s == (0.0, 2.0)
+    assert cast.part("dora").affect is None
+
+
+def test_a_wrong_feeling_is_told_with_its_place(tmp_path: Path) -> None:
+    text = "ANNA:\n  seed: 1\n  affect: grumpy\nBEN:\n  affect: gone.csv\n"
+    with pytest.raises(AuthoringError) as raised:
+        read_cast(write(tmp_path, text), OURS)
+    assert sorted(mistake.line for mistake in raised.value.mistakes) == [3, 5]
 
 
 def test_every_mistake_is_told_with_its_place(tmp_path: Path) -> None:

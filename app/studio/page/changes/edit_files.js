@@ -10,7 +10,7 @@ import { ChangeProject } from "../state/change_project.js";
 /** @import { Project } from "../state/project.js" */
 /** @import { Store } from "../state/store.js" */
 
-const SETTINGS = /** @type {const} */ (["character", "agitation", "seed", "stillness", "mode"]);
+const SETTINGS = /** @type {const} */ (["character", "agitation", "seed", "stillness", "mode", "affect"]);
 
 /**
  * The edits of a line as `perform --edits` makes the same of the same recording and words.
