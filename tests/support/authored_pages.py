@@ -48,6 +48,7 @@ def failed_commands(page: Path, folder: Path, *, at_least: int) -> list[str]:
 
 
 def _steps(page: Path) -> tuple[list[dict[str, object]], list[tuple[str, list[str]]]]:
+    """What to write and to run, and what each command should say; an example that names no file is only shown."""
     steps: list[dict[str, object]] = []
     expected: list[tuple[str, list[str]]] = []
     for kind, file, text in examples_of(page):
@@ -55,7 +56,7 @@ def _steps(page: Path) -> tuple[list[dict[str, object]], list[tuple[str, list[st
             told = [(command, lines) for command, *lines in map(str.splitlines, text.split("$ ")[1:])]
             expected += told
             steps += [{"command": shlex.split(command)[1:]} for command, _ in told]
-        else:
+        elif file:
             steps.append({"file": file, "text": text})
     return steps, expected
 
