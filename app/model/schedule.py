@@ -39,6 +39,18 @@ class SyncPoints:
         return replace(self, **{name: round(time_s + delay_s, 3) for name, time_s in self.in_order()})
 
 
+Sector = tuple[str, str, str]
+"""A sector of gesture space: across, in height and away from the body, in the words of the gesture language."""
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """The sectors from and to which the stroke of a gesture leads (NGS §3.3); None leaves one to the gesture."""
+
+    start: Sector | None = None
+    end: Sector | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Behavior:
     """One movement of the schedule. `rule` chose it, `function` (an id) is what it shows; both are None for idle
@@ -70,6 +82,7 @@ class Behavior:
     reason: str | None = None
     after_strokes_s: tuple[float, ...] | None = None
     curved: bool = False
+    way: Way | None = None
     edit: int | None = None
     manner: Manner | None = None
     decided_by: tuple[Term, ...] = field(default=(), compare=False)

@@ -27,6 +27,7 @@ _WEIGHTS = {
     "pronunciation_guessed": 0,
     "listener_unknown": 0,
     "tags_unread": 0,
+    "script_start": 0,
     "audio_length_unstated": 0,
 }
 """The urgency of warnings; others weigh 5. With 0 nobody has to look: the line says so itself."""

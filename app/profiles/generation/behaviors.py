@@ -3,7 +3,8 @@
 from collections.abc import Iterator, Mapping
 
 from ...model import Behavior, Channel, SyncPoints
-from ..annotation.model import PathForm
+from ...model.schedule import Sector, Way
+from ..annotation.model import PathForm, Position
 from .script import GestureScript, ScriptedGesture, ScriptedUnit
 
 PRIORITY = 5.0
@@ -27,13 +28,14 @@ ShownFunctions = Mapping[tuple[str, int, int], str]
 """The ids of functions by tag, first and last word."""
 
 
-def behaviors_of(script: GestureScript, functions: ShownFunctions) -> tuple[Behavior, ...]:
-    """The gestures of a script, those that were given up among them, and the rests of its units."""
-    made = (_gesture(each, script.profile, functions) for each in script.gestures)
+def behaviors_of(script: GestureScript, functions: ShownFunctions, *, led: bool = False) -> tuple[Behavior, ...]:
+    """The gestures of a script, those that were given up among them, and the rests of its units. If they are `led`,
+    hands go from and to the sectors of the script; else these are in the size alone."""
+    made = (_gesture(each, script.profile, functions, led=led) for each in script.gestures)
     return (*made, *_rests(script))
 
 
-def _gesture(gesture: ScriptedGesture, profile: str, functions: ShownFunctions) -> Behavior:
+def _gesture(gesture: ScriptedGesture, profile: str, functions: ShownFunctions, *, led: bool) -> Behavior:
     main, *others = gesture.strokes
     emphasis_s = main.end_s if gesture.emphasis_s is None else gesture.emphasis_s
     sync = SyncPoints(
@@ -61,7 +63,12 @@ def _gesture(gesture: ScriptedGesture, profile: str, functions: ShownFunctions) 
         reason=gesture.reason,
         after_strokes_s=tuple(round(each.end_s - main.end_s, 3) for each in others),
         curved=gesture.path is PathForm.CURVED and not gesture.held,
+        way=Way(_sector(gesture.start), _sector(gesture.end)) if led and (gesture.start or gesture.end) else None,
     )
+
+
+def _sector(position: Position | None) -> Sector | None:
+    return None if position is None else (position.sideways, position.height, position.depth)
 
 
 def _rests(script: GestureScript) -> Iterator[Behavior]:

@@ -10,6 +10,7 @@ from math import inf
 
 from ...model import Hand, Level, Manner, SyncPoints
 from ...model.limits.gesture_limits import playable_size
+from ...model.schedule import Way
 from ...model.slots import Slots
 from ..body.motion import Decision
 from .gesture import Clip, Markers
@@ -26,7 +27,7 @@ class GestureRequest:
     where it says that, and the ends of further strokes, seconds after that of the main one (None: as the emphases of
     the speech have it). A still body makes the whole gesture smaller by the factor `scale`; the stroke of one
     that is `curved` is an arc. `manner` is how the voice at the stroke has it made, `slots` what its words say of size,
-    number and place."""
+    number and place, `way` the sectors from and to which its stroke leads."""
 
     behavior: str
     category: str
@@ -43,6 +44,7 @@ class GestureRequest:
     curved: bool = False
     manner: Manner = USUAL_MANNER
     slots: Slots | None = None
+    way: Way | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -66,6 +66,7 @@ def _request(gesture: Behavior, level: Level, lively: float) -> GestureRequest:
         after_strokes_s=gesture.after_strokes_s,
         manner=manner,
         slots=gesture.slots,
+        way=gesture.way,
     )
 
 

@@ -17,6 +17,7 @@ from ..gestures.gesture import Clip, HandForm
 from ..gestures.gesture_plan import GestureRequest, PlacedGesture, Position
 from .directions import POINTING, points_far, told
 from .measures import TINY_M, begun_in_time, counting, measuring, placed_aside, stretched
+from .sectors import led, led_decisions
 
 NUMBERS = ("COUNT_ONE", "COUNT_TWO", "COUNT_THREE", "COUNT_FOUR", "COUNT_FIVE")
 COUNTING = frozenset({"COUNT", "COUNT_FIRST", "COUNT_NEXT", *NUMBERS})
@@ -62,11 +63,11 @@ def as_shown(request: GestureRequest, nearest: Callable[[str], str | None]) -> G
 
 
 def showing(placed: PlacedGesture, aims_m: Mapping[str, Position]) -> PlacedGesture:
-    """The gesture with the height, size, number or place that its slots say."""
+    """The gesture with the height, size, number or place that its slots say, or with the places of its script."""
     request = placed.request
     slots = request.slots
     if slots is None:
-        return placed
+        return led(placed)
     clip = measuring(placed.clip, slots)
     if clip is not placed.clip:
         return replace(placed, clip=clip, request=replace(request, size=1.0, scale=1.0))
@@ -102,7 +103,8 @@ def _has_index(clip: Clip) -> bool:
 
 
 def shown_decisions(asked: GestureRequest, placed: PlacedGesture) -> Iterator[Decision]:
-    """What a gesture shows that its lexeme alone would not."""
+    """What a gesture shows that its lexeme alone would not, and what of its places it cannot."""
+    yield from (Decision(asked.behavior, "placed", told) for told in led_decisions(asked.way, placed))
     slots = asked.slots
     if slots is None:
         return

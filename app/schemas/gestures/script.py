@@ -4,14 +4,18 @@ Times are seconds on the performance's clock. Besides the gestures it has the ti
 alone; lips move where the words' phones are known.
 """
 
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
 from ...behavior.speech.visemes import visemes
 from ...errors import InputError, UndecodableError
-from ...model import Agitation, Hand, Interval, Level, Parse, Performance, Phone, Utterance, Word
-from ...profiles.annotation.model import PathForm
+from ...model import Agitation, Hand, Interval, Level, Notice, Parse, Performance, Phone, Utterance, Word
+from ...profiles.annotation.model import PathForm, Position, Swivel
+from ...profiles.annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
 from ...profiles.generation.behaviors import behaviors_of
 from ...profiles.generation.script import GestureScript, ScriptedGesture, ScriptedUnit
 from ..options import Seed
@@ -27,6 +31,31 @@ _Index = Annotated[int, Field(ge=0, le=10**6)]
 
 class _Form(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+def _sectors(told: str) -> str:
+    """Checks a place: a sector across, one in height, one away from the body, and perhaps a swivel."""
+    words = told.split()
+    counts = [sum(word in known for word in words) for known in (SIDEWAYS, HEIGHTS, DEPTHS)]
+    swivels = sum(word in set(Swivel) for word in words)
+    if counts != [1, 1, 1] or swivels > 1 or len(words) != 3 + swivels:
+        raise ValueError(f"{told!r} is no place; give one sector each of {_known()}, such as 'XC YCC ZMiddle'")
+    return told
+
+
+def _known() -> str:
+    return "; ".join(" ".join(words) for words in (SIDEWAYS, HEIGHTS, DEPTHS))
+
+
+_Position = Annotated[str, AfterValidator(_sectors)]
+
+
+def _position(told: str | None) -> Position | None:
+    if told is None:
+        return None
+    words = told.split()
+    across, height, depth = (next(word for word in words if word in known) for known in (SIDEWAYS, HEIGHTS, DEPTHS))
+    return Position(across, height, depth, next((each for each in Swivel if each in words), Swivel.NORMAL))
 
 
 class StretchForm(_Form):
@@ -72,16 +101,17 @@ class GestureForm(_Form):
     held: bool = False
     emphasis_s: _Time | None = None
     amount: Annotated[float, Field(ge=0, le=1)] | None = None
-    start: str | None = Field(default=None, alias="from")
-    end: str | None = Field(default=None, alias="to")
+    start: _Position | None = Field(default=None, alias="from")
+    end: _Position | None = Field(default=None, alias="to")
     path: PathForm = PathForm.STRAIGHT
     kept: bool = True
     reason: str | None = None
 
     def gesture(self) -> ScriptedGesture:
-        """The gesture without its places, which its amount reflects."""
+        """The gesture, with the places from and to which its stroke leads."""
         said = self.model_dump(exclude={"strokes", "start", "end"})
-        return ScriptedGesture(strokes=tuple(each.interval() for each in self.strokes), **said)
+        strokes = tuple(each.interval() for each in self.strokes)
+        return ScriptedGesture(strokes=strokes, start=_position(self.start), end=_position(self.end), **said)
 
 
 class UnitForm(StretchForm):
@@ -139,12 +169,40 @@ def read_script(content: bytes) -> Performance:
     return Performance(
         utterance=Utterance(words, Parse((), (), ()), _certain(form.agitation), duration_s=form.duration_s),
         functions=(),
-        behaviors=behaviors_of(script, {}),
+        behaviors=behaviors_of(_matched(script), {}, led=True),
         character=form.character,
         seed=form.seed,
-        notices=notices,
+        notices=(*_moved_starts(script), *notices),
         visemes=lips,
     )
+
+
+def _matched(script: GestureScript) -> GestureScript:
+    """The script with each stroke that has no preparation beginning where the one before it in its unit ended (NGS
+    §3.3: the start must match the previous end)."""
+    begins = {gesture.id: before.end for before, gesture in _unprepared(script)}
+    gestures = (replace(each, start=begins.get(each.id, each.start)) for each in script.gestures)
+    return replace(script, gestures=tuple(gestures))
+
+
+def _unprepared(script: GestureScript) -> Iterator[tuple[ScriptedGesture, ScriptedGesture]]:
+    """Each gesture whose stroke has no preparation, after the one before it in its unit, whose end is known."""
+    made = {gesture.id: gesture for gesture in script.made}
+    for unit in script.units:
+        for before, gesture in pairwise([made[name] for name in unit.gestures if name in made]):
+            if before.end is not None and gesture.strokes[0].start_s <= gesture.start_s:
+                yield before, gesture
+
+
+def _moved_starts(script: GestureScript) -> Iterator[Notice]:
+    for before, gesture in _unprepared(script):
+        if gesture.start is not None and _differ(gesture.start, before.end):
+            told = f"{gesture.id} has no preparation: its stroke begins where {before.id} ended, at {before.end}"
+            yield Notice("script_start", f"{told}, not at {gesture.start}")
+
+
+def _differ(one: Position, other: Position | None) -> bool:
+    return other is not None and replace(one, swivel=other.swivel) != other
 
 
 def _certain(level: Level) -> Agitation:
