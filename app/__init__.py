@@ -90,7 +90,6 @@ __all__ = [
 ]
 
 if TYPE_CHECKING:
-    from .acoustic.stage import AcousticModels
     from .errors import (
         AuthoringError,
         InputError,
@@ -102,21 +101,15 @@ if TYPE_CHECKING:
         UnsupportedFormatError,
         WrongBmlError,
     )
-    from .library import (
-        align,
-        analyze,
-        find_functions,
-        load,
-        make_reference,
-        perform,
-        realize,
-        realize_bml,
-        say,
+    from .library.hearing import AcousticModels, align, make_reference
+    from .library.language import find_functions
+    from .library.motion import MotionFormat, Realized, Realizer, realize, realize_bml, write_motion
+    from .library.performing import analyze, load, perform, say
+    from .library.writing import (
         write_bml,
         write_bml_json,
         write_ctm,
         write_json,
-        write_motion,
         write_speech_file,
         write_textgrid,
     )
@@ -156,11 +149,23 @@ if TYPE_CHECKING:
     from .model.formats.bml_form import DialectName, TimeForm
     from .model.voice.speaker_reference import SpeakerReference
     from .models import LanguageModels, Understudy
-    from .realization import MotionFormat, Realized, Realizer
     from .realizer.body.motion import Motion
     from .settings import Settings
 else:
-    _HOMES = ("errors", "model", "library", "realizer.body.motion")
+    _HOMES = (
+        "errors",
+        "model",
+        "model.formats.bml_form",
+        "model.voice.speaker_reference",
+        "models",
+        "settings",
+        "library.language",
+        "library.hearing",
+        "library.writing",
+        "library.performing",
+        "library.motion",
+        "realizer.body.motion",
+    )
     """The modules searched for a name, the cheapest to import first."""
 
     def __getattr__(name: str) -> object:

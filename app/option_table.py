@@ -2,7 +2,7 @@
 
 Every door takes its own from these tables: the command line its arguments (`cli/arguments/options.py`), the service and
 the Python interface the fields of a request (`schemas/options.py`). Where a type must be written out for a type checker
-or in another language (the keywords of `library.py`, the panels of the studio and of Blender), a test compares it
+or in another language (the keywords of `library`, the panels of the studio and of Blender), a test compares it
 (`tests/test_option_table.py`).
 """
 

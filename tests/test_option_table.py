@@ -15,7 +15,8 @@ import pytest
 from understudy.batch.scripts.columns import FIELDS
 from understudy.cli.arguments.parser import make_parser
 from understudy.errors import InputError
-from understudy.library import MotionFileKeywords, PerformKeywords, RealizeKeywords
+from understudy.library.motion import MotionFileKeywords, RealizeKeywords
+from understudy.library.performing import PerformKeywords
 from understudy.model.edits import LineSettings
 from understudy.option_table import MOTION, PERFORMANCE, Option
 from understudy.schemas.edits import LineSettingsForm

@@ -20,7 +20,7 @@ from ..options import Options
 from ..performance import perform_behaviors
 from ..rules.chaining.chainer import Derivation, derive
 from ..rules.chaining.matching import FactBase
-from ..rules.chaining.tracing import RuleTrace, fires, trace_rule, trace_rules
+from ..rules.chaining.tracing import Firing, NearMiss, RuleTrace, Said, fires, trace_rule, trace_rules
 from ..rules.derivation import FunctionRules, derive_facts, understand
 from ..rules.lexicon import LexicalEntry
 from ..rules.mapping import MappingRules
@@ -28,6 +28,21 @@ from ..rules.program.program import Program, Rule
 from ..rules.stage import find_functions
 from ..suggestions import did_you_mean
 from ..transcript import read_transcript
+
+__all__ = [
+    "Firing",
+    "NearMiss",
+    "Rule",
+    "RuleTrace",
+    "Said",
+    "Trace",
+    "Unused",
+    "find_unused",
+    "read_again",
+    "trace",
+    "trace_heard",
+    "trace_one",
+]
 
 LEAD_S = 1.0
 

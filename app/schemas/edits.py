@@ -10,7 +10,6 @@ from typing import Annotated, Literal, Self
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
-from ..acoustic.affect.given import affect_rows, affect_track
 from ..errors import InputError
 from ..model import AffectTrack, Channel, Hand
 from ..model.edits import (
@@ -29,6 +28,7 @@ from ..model.edits import (
     WordReference,
 )
 from ..model.tables.lexemes import GazeDirection
+from .affect import affect_rows, affect_track
 from .mistakes import mistakes_told
 from .options import AffectValue, LevelName, ModeName, Seed
 from .requests import read_object

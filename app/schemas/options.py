@@ -10,7 +10,6 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic.config import JsonDict
 
-from ..acoustic.affect.given import affect_track
 from ..errors import InputError, shown
 from ..model import Level, Mode
 from ..model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
@@ -18,6 +17,7 @@ from ..model.formats.motion_formats import BapVersion, FileOptions, Keys
 from ..model.targets import MOST_TARGETS, NAME, targets_of
 from ..option_table import LARGEST_SEED, MOST_LISTENERS, MOTION, PERFORMANCE, Option
 from ..options import Options
+from .affect import affect_track
 from .references import ReferenceForm
 from .requests import checked, read_object
 

@@ -17,7 +17,7 @@ from typing import Any
 
 from benchmarks.behavior.directing import gestures_of, load_score, others_of
 from training.acting.directed import DirectedLine, is_held_out, read_lines
-from understudy.library import find_functions
+from understudy.library.language import find_functions
 from understudy.model import Analysis, Interval
 from understudy.models import Understudy
 from understudy.options import Options

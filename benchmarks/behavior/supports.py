@@ -17,7 +17,7 @@ from benchmarks.behavior.directing import load_score
 from understudy.behavior.reading import supports
 from understudy.behavior.reading.planning import Understood, plan
 from understudy.behavior.reading.player import Player
-from understudy.library import find_functions
+from understudy.library.language import find_functions
 from understudy.model import Channel, Function
 from understudy.models import BehaviorModels, LanguageModels
 from understudy.rules.mapping import offer_movements

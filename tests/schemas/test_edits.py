@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from understudy.acoustic.affect.given import affect_track, read_affect
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Channel, Hand, Level, Mode
 from understudy.model.edits import (
@@ -22,6 +21,7 @@ from understudy.model.edits import (
     WordMark,
     WordReference,
 )
+from understudy.schemas.affect import affect_track, read_affect
 from understudy.schemas.edits import MOST_EDITS, edits_schema, read_edits, write_edits
 
 ROOT = Path(__file__).parents[2]

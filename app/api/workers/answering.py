@@ -8,18 +8,18 @@ from pathlib import Path, PurePath
 from types import MappingProxyType
 
 from ...authoring.rule_edits import Edits, rules_wrong, with_edits
-from ...bml.writing.writer import write_bml, write_listener, write_speech_file
 from ...errors import AuthoringError, InputError, UnsupportedFormatError
-from ...model import Analysis, Line, Notice, Performance
+from ...library.language import find_functions
+from ...library.motion import AvatarOptions, BmlInput, prepare_schedule, realize_prepared, write_realized
+from ...library.motion_checks import require_writer
+from ...library.performing import PerformedLine, perform_line
+from ...library.writing import write_bml_files
+from ...model import Line, Notice
 from ...model.formats.motion_formats import AudioFile
 from ...model.targets import targets_of
 from ...models import Understudy
 from ...option_table import MOTION
 from ...options import Options
-from ...performance import perform_heard
-from ...realization import AvatarOptions, BmlInput, prepare_schedule, realize_prepared, write_motion
-from ...realizer.exporting.extras import require_writer
-from ...rules.stage import find_functions
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions
@@ -52,24 +52,25 @@ def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer
     offered = (JSON,) if options.listeners else (XML, JSON)
     media_type = chosen(job.accept, offered, "a performance with listeners" if options.listeners else "a performance")
     edits = read_rule_part(form["rules"].content) if "rules" in form else {}
-    analysis, performance = _performance(understudy, line, options, edits)
-    bml = write_bml(performance, options.form)
-    listeners = {each.name: write_listener(performance, each, options.form) for each in performance.listeners}
-    beside = write_speech_file(performance, options.form)
+    performed = _performance(understudy, line, options, edits)
+    performance = performed.performance
+    files = write_bml_files(performance, options.form)
     if media_type == XML:
-        return Answer(media_type, _headers((*performance.notices, *([beside.left_out] if beside else ())))), bml
-    contours = analysis.heard.contours if options.contours and analysis.heard else None
-    body = PerformResponse.of(performance, bml, listeners, beside, contours).to_json()
+        left_out = [files.speech.left_out] if files.speech else []
+        return Answer(media_type, _headers((*performance.notices, *left_out))), files.speaker
+    heard = performed.analysis.heard
+    contours = heard.contours if options.contours and heard else None
+    body = PerformResponse.of(performance, files.speaker, files.listeners, files.speech, contours).to_json()
     return Answer(media_type, _headers(performance.notices)), body
 
 
-def _performance(understudy: Understudy, line: Line, options: Options, edits: Edits) -> tuple[Analysis, Performance]:
-    """What was heard and understood, and the performance by the rules with these edits.
+def _performance(understudy: Understudy, line: Line, options: Options, edits: Edits) -> PerformedLine:
+    """The analysis and the performance by the rules with these edits.
 
     Raises InputError `rules_wrong`, also for a rule that goes wrong where it runs.
     """
     try:
-        return perform_heard(with_edits(understudy, edits), line, options)
+        return perform_line(with_edits(understudy, edits), line, options)
     except AuthoringError as error:
         if not edits:
             raise
@@ -147,7 +148,7 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
     realized = realize_prepared(realizer, staged, frame_rate_hz=question.fps, tail_s=question.tail_s, physics=physics)
     wearer = AvatarOptions(question.skeleton, asked.avatar)
     files = replace(question.files, audio=asked.audio)
-    body = write_motion(realized, realizer, MOTION_TYPES[media_type], wearer, files)
+    body = write_realized(realized, realizer, MOTION_TYPES[media_type], wearer, files)
     limits.check_content(body)
     return Answer(media_type, _headers(realized.motion.notices)), body
 

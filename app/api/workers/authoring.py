@@ -8,8 +8,8 @@ from ...authoring.gesture_texts import check_text, one_gesture
 from ...authoring.rule_comparison import compare, example_lines
 from ...authoring.rule_edits import mistakes_in, with_edits
 from ...errors import InputError, TooLargeError, UnsupportedFormatError
+from ...library.motion import OURS, realize_prepared, write_realized
 from ...models import Understudy
-from ...realization import OURS, realize_prepared, write_motion
 from ...realizer.exporting.avatars.pose import read_pose
 from ...schemas.avatar_pose import AvatarPoseResponse, read_pose_options
 from ...schemas.gestures.definitions import GestureCheckResponse, read_gesture_check, read_gesture_motion
@@ -50,7 +50,7 @@ def play_gesture(understudy: Understudy, job: Job, content: bytes) -> tuple[Answ
     limits.check(prepared.schedule, frame_rate_hz=asked.fps)
     realizer = with_only(understudy.realizer, definition, playing)
     realized = realize_prepared(realizer, prepared, frame_rate_hz=asked.fps)
-    body = write_motion(realized, realizer, GESTURE_TYPES[media_type], OURS)
+    body = write_realized(realized, realizer, GESTURE_TYPES[media_type], OURS)
     limits.check_content(body)
     return Answer(media_type, {"Vary": "Accept"}), body
 

@@ -17,21 +17,20 @@ from typing import Never
 
 import numpy as np
 
-from ...acoustic.signal.decoding import decode
-from ...acoustic.stage import audio_limits
 from ...authoring.catalogue import Catalogue, Kind
 from ...authoring.inspection import read_again
 from ...authoring.rule_edits import editable_files
 from ...authoring.rule_files import read_rule_text
 from ...errors import UnderstudyError
+from ...library.hearing import read_audio
+from ...library.motion import realize
+from ...library.performing import perform_line
 from ...live.models import LiveModels
 from ...live.session import LiveSession
 from ...live.telling import LiveOptions
 from ...model import Line
 from ...models import Understudy
 from ...options import Options
-from ...performance import perform
-from ...realization import realize, schedule_of
 from ...resources import resource_folder
 from ...schemas.gestures.language import GestureLanguageResponse
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
@@ -77,8 +76,8 @@ def _warm(models: LiveModels) -> None:
     first line needs; what is loaded then is spared by the collection of garbage, which would write to every page."""
     examples = resource_folder("examples")
     sound, text = (examples / "example.flac").read_bytes(), (examples / "example.txt").read_text(encoding="utf-8")
-    performance = perform(models.understudy, Line(sound, text), Options())
-    realize(models.understudy.realizer, schedule_of(performance), frame_rate_hz=30)
+    performed = perform_line(models.understudy, Line(sound, text), Options())
+    realize(models.understudy, performed.performance, fps=30)
     _listen_to(models, sound, text)
     models.understudy.close()
     gc.collect()
@@ -87,7 +86,7 @@ def _warm(models: LiveModels) -> None:
 
 def _listen_to(models: LiveModels, sound: bytes, text: str) -> None:
     """The first half by the voice alone, the second with its words."""
-    samples = decode(sound, audio_limits(models.understudy.acoustic.settings))[0].samples
+    samples = read_audio(sound, models.understudy.acoustic.settings)[0].samples
     session = LiveSession(models, LiveOptions(frame_rate_hz=30))
     for half in np.array_split(samples, 2):
         for part in np.array_split(half, STEPS):

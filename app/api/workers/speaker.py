@@ -3,8 +3,8 @@
 from dataclasses import replace
 from pathlib import PurePath
 
-from ...acoustic.stage import analyze_signal, make_reference
 from ...errors import InputError
+from ...library.hearing import make_reference
 from ...models import Understudy
 from ...options import Options
 from ...schemas.references import read_reference
@@ -26,7 +26,7 @@ def with_reference(options: Options, part: Part | None, understudy: Understudy) 
     if PurePath(name).suffix.lower() == ".json":
         return replace(options, reference=read_reference(part.content, name))
     try:
-        heard = analyze_signal(understudy.acoustic, part.content)
+        reference = make_reference(understudy, [part.content])
     except InputError as error:
         raise type(error)(error.code, f"reference: {error.message}", field="reference") from None
-    return replace(options, reference=make_reference(understudy.acoustic, [heard]))
+    return replace(options, reference=reference)

@@ -7,13 +7,13 @@ from types import MappingProxyType
 
 from pydantic import Field, RootModel
 
-from ...acoustic.affect.given import affect_track, read_affect_track
 from ...errors import AuthoringError, InputError, Mistake
 from ...model import AffectTrack, Level, Target
 from ...model.targets import targets_of
 from ...model.voice.speaker_reference import SpeakerReference
 from ...models import usable_profile
 from ...profiles.profile import Profile
+from ...schemas.affect import affect_track, read_affect_track
 from ...schemas.options import Positions
 from ...schemas.references import read_reference
 from ...suggestions import did_you_mean

@@ -16,7 +16,6 @@ from typing import Any
 
 import requests
 
-from ...acoustic.affect.given import affect_rows
 from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
 from ...model.edits import NO_EDITS
@@ -24,6 +23,7 @@ from ...model.formats.bml_form import DialectName
 from ...model.voice.speaker_reference import SpeakerReference
 from ...profiles.files.writing import profile_yaml
 from ...profiles.profile import Profile
+from ...schemas.affect import affect_rows
 from ...schemas.direction import direction_fields
 from ...schemas.edits import write_edits
 from ...schemas.references import ReferenceForm

@@ -6,11 +6,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
 
-from ...acoustic.affect.given import read_affect, read_affect_track
 from ...errors import InputError
 from ...model import AffectTrack, Direction, Interval, Level, Target
 from ...model.edits import Edits
 from ...model.targets import read_targets
+from ...schemas.affect import read_affect, read_affect_track
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ..model import Problem

@@ -7,8 +7,8 @@ from enum import StrEnum
 from pathlib import PurePosixPath
 
 from ...errors import InputError
+from ...library.motion_checks import require_writer
 from ...model.formats.motion_formats import PICTURES, MotionFormat
-from ...realizer.exporting.extras import require_writer
 from ...settings import Settings
 from ...suggestions import did_you_mean
 

@@ -10,21 +10,21 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...bml.writing.writer import (
-    listener_part,
-    write_bml,
-    write_bml_json,
-    write_listener,
-    write_speech_file,
-)
 from ...errors import InputError
-from ...library import write_ctm, write_json, write_textgrid
+from ...library.motion import AvatarOptions, PreparedSchedule, Realized, realize_prepared, write_realized
+from ...library.performing import perform_line
+from ...library.writing import (
+    listener_part,
+    write_bml_files,
+    write_bml_json,
+    write_ctm,
+    write_json,
+    write_textgrid,
+)
 from ...model import Analysis, Channel, Line, Performance
 from ...model.formats.bml_form import BmlForm, DialectName
 from ...model.formats.motion_formats import AudioFile, FileOptions, MotionFormat
 from ...models import Understudy
-from ...performance import perform_heard
-from ...realization import AvatarOptions, PreparedSchedule, Realized, realize_prepared, write_motion
 from .files import write_files
 from .formats import LineFormat, act_path, beside, needs_motion, recording_name
 from .jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
@@ -40,7 +40,8 @@ def perform_job(job: LineJob, models: Understudy) -> LineOutcome:
     try:
         audio = job.audio.content()
         line = Line(audio, job.text, direction=job.direction)
-        analysis, performance = perform_heard(models, line, job.options)
+        performed = perform_line(models, line, job.options)
+        analysis, performance = performed.analysis, performed.performance
         realized = _realized(job, models, performance)
         files = tuple(_files(job, models, audio, performance, realized))
     except InputError as error:
@@ -77,7 +78,7 @@ def _files(
     options = FileOptions(audio=AudioFile(job.audio.path.name, audio), blender=models.acoustic.settings.blender)
     form = job.options.form
     spoken: Mapping[LineFormat, Callable[[], bytes]] = {
-        LineFormat.BML_JSON: lambda: write_bml_json(performance, form),
+        LineFormat.BML_JSON: lambda: write_bml_json(performance, form=form),
         LineFormat.PERFORMANCE: lambda: write_json(performance, indent=2) + b"\n",
         LineFormat.TEXTGRID: lambda: write_textgrid(performance),
         LineFormat.CTM: lambda: write_ctm(performance, job.id),
@@ -86,7 +87,7 @@ def _files(
     for target in job.targets:
         if isinstance(target.form, MotionFormat):
             for name, part in realized.items():
-                yield _file(target, name, write_motion(part, models.realizer, target.form, wearer, options))
+                yield _file(target, name, write_realized(part, models.realizer, target.form, wearer, options))
         elif target.form is LineFormat.BML:
             yield from _bml_files(target, performance, form)
         else:
@@ -98,13 +99,13 @@ def _bml_files(target: Target, performance: Performance, form: BmlForm) -> Itera
     line's own name."""
     if form.dialect is DialectName.SMARTBODY:
         form = replace(form, audio_file=recording_name(target.path))
-    speech = write_speech_file(performance, form)
-    if speech:
-        yield _file(target, "", speech.content)
+    files = write_bml_files(performance, form)
+    if files.speech:
+        yield _file(target, "", files.speech.content)
         target = replace(target, path=act_path(target.path))
-    yield _file(target, "", write_bml(performance, form))
-    for listening in performance.listeners:
-        yield _file(target, listening.name, write_listener(performance, listening, form))
+    yield _file(target, "", files.speaker)
+    for name, content in files.listeners.items():
+        yield _file(target, name, content)
 
 
 def _file(target: Target, listener: str, content: bytes) -> OutputFile:

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...acoustic.stage import AcousticModels, analyze_signal, make_reference
 from ...errors import InputError
+from ...library.hearing import AcousticModels, analyze_signal, make_reference
 from ...model import SignalAnalysis
 from ...model.voice.speaker_reference import SpeakerReference
 from .audio import AudioSource

@@ -2,7 +2,7 @@
 
 import argparse
 
-from ...acoustic.stage import AcousticModels
+from ...library.hearing import AcousticModels
 from ...schemas.responses import AgitationResponse
 from ...settings import read_settings
 from ..files import write_standard

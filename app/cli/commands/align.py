@@ -3,13 +3,12 @@
 import argparse
 from pathlib import PurePath
 
-from ...acoustic.alignment.timings import to_ctm, to_textgrid
-from ...acoustic.stage import AcousticModels, align
+from ...library.checks import check_line
+from ...library.hearing import AcousticModels, align
+from ...library.writing import write_ctm, write_json, write_textgrid
 from ...model import AlignedLine
-from ...schemas.responses import AlignResponse
 from ...settings import read_settings
 from ..files import write_standard
-from ..inputs.early import require_usable
 from ..inputs.lines import read_line
 from ..log import Log
 
@@ -17,9 +16,10 @@ from ..log import Log
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     line = read_line(arguments, settings)
-    require_usable(line, settings)
+    check_line(line, settings)
+    assert line.audio is not None, "the command takes a recording"
     with AcousticModels.load(settings) as acoustic:
-        aligned = align(acoustic, line)
+        aligned = align(acoustic, line.audio, line.text, words=line.timings)
     write_standard(_formatted(aligned, arguments))
     log.warnings(aligned.notices)
     return 0
@@ -27,7 +27,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 def _formatted(aligned: AlignedLine, arguments: argparse.Namespace) -> bytes:
     if arguments.format == "textgrid":
-        return to_textgrid(aligned.words, aligned.duration_s).encode()
+        return write_textgrid(aligned)
     if arguments.format == "ctm":
-        return to_ctm(aligned.words, PurePath(arguments.audio).stem).encode()
-    return AlignResponse.of(aligned).to_json(indent=2) + b"\n"
+        return write_ctm(aligned, PurePath(arguments.audio).stem)
+    return write_json(aligned, indent=2) + b"\n"

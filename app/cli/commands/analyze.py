@@ -2,10 +2,10 @@
 
 import argparse
 
+from ...library.checks import check_line
 from ...settings import read_settings
 from ..files import require_writable, write, write_standard
 from ..inputs.affect import optional_affect
-from ..inputs.early import require_usable
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import read_line
 from ..inputs.options import level_of
@@ -22,16 +22,18 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     level = level_of(arguments)
     affect = optional_affect(arguments.affect)
     require_reference(arguments.reference, settings)
-    require_usable(line, settings)
+    check_line(line, settings)
+    from ...library.performing import analyze_line
+    from ...library.writing import write_json
     from ...models import Understudy  # imported late: arguments are checked before the models load
-    from ...performance import analyze
-    from ...schemas.responses import AnalysisResponse
 
     with Understudy.load(settings) as understudy:
         reference = speaker_reference(understudy.acoustic, arguments.reference, log)
-        analysis = analyze(understudy, line, agitation=level, affect=affect, reference=reference, progress=log.stage)
+        analysis = analyze_line(
+            understudy, line, agitation=level, affect=affect, reference=reference, progress=log.stage
+        )
     if arguments.plot and analysis.heard is not None:
         write(arguments.plot, plot(analysis, analysis.heard))
-    write_standard(AnalysisResponse.of(analysis).to_json(indent=2) + b"\n")
+    write_standard(write_json(analysis, indent=2) + b"\n")
     log.warnings(analysis.notices)
     return 0

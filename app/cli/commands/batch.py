@@ -17,14 +17,15 @@ from ...batch.scripts.columns import read_named
 from ...batch.work.formats import formats_named, needs_pictures, require_writers
 from ...batch.work.jobs import MotionForm
 from ...errors import InputError
+from ...library.checks import check_character
+from ...library.motion_checks import check_skeleton
 from ...settings import Settings, read_settings
 from ..distinct_files import OutputFile, require_distinct
 from ..files import write_standard
-from ..inputs.early import require_character
 from ..inputs.options import performance_options
 from ..log import Log
 from ..outputs.batch_progress import progress_for
-from ..outputs.motions import physics_asked, require_skeleton
+from ..outputs.motions import physics_asked
 from ..outputs.plot import require_plot
 
 SOME_FAILED = 1
@@ -34,8 +35,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
     require_distinct(arguments, [OutputFile(Path(arguments.out) / name) for name in sorted(OURS)])
     request = _request(arguments, settings)
-    require_character(request.options.character)
-    require_skeleton(request.motion.skeleton)
+    check_character(request.options.character)
+    check_skeleton(request.motion.skeleton)
     if needs_pictures(request.formats) or request.thumbnails:
         require_plot("sheet.png")
     require_writers(request.formats, settings)

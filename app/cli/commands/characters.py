@@ -26,14 +26,10 @@ def _show(arguments: argparse.Namespace, _log: Log) -> None:
 
 
 def _render(arguments: argparse.Namespace, log: Log) -> None:
-    from ...realizer.body.proportions import Proportions
-    from ...realizer.body.skeleton import Skeleton
-    from ...realizer.pictures.characters import draw_characters
+    from ...authoring.gesture_views import draw_characters  # the other actions need no body
 
     require_plot(arguments.output)
     require_writable(arguments.output, field="output")
-    characters = load_characters()
-    drawn = {name: characters.named(name).figure for name in arguments.names or characters.by_name}
-    bodies = {name: (Skeleton.standing(Proportions(each.physique)), each.looks) for name, each in drawn.items()}
-    write(arguments.output, draw_characters(bodies))
-    log.note(f"{len(bodies)} characters in {arguments.output}")
+    picture, count = draw_characters(arguments.names)
+    write(arguments.output, picture)
+    log.note(f"{count} characters in {arguments.output}")

@@ -17,8 +17,8 @@ def run(arguments: argparse.Namespace, _log: Log) -> int:
     settings = read_settings()
     if arguments.text is not None:
         read_transcript(arguments.text, max_characters=settings.max_text_characters)  # before models are loaded
+    from ...library.language import find_functions
     from ...models import LanguageModels
-    from ...rules.stage import find_functions
 
     language = LanguageModels.load(settings)
     if arguments.text is not None:

@@ -14,9 +14,8 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from typing import BinaryIO, TextIO
 
-from ...acoustic.signal.decoding import decode
-from ...acoustic.stage import audio_limits
 from ...errors import InputError
+from ...library.hearing import read_audio
 from ...live.avatars.sending import FrameSender
 from ...live.body import BodyFrame
 from ...live.models import LiveModels
@@ -98,7 +97,7 @@ def _sound(arguments: argparse.Namespace, settings: Settings, log: Log) -> tuple
     content = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
     if rate_hz is not None:
         return rate_hz, _cut(_samples(content), rate_hz)
-    audio, notices = decode(content, audio_limits(settings))
+    audio, notices = read_audio(content, settings)
     log.warnings(notices)
     return SAMPLE_RATE_HZ, _cut(audio.samples, SAMPLE_RATE_HZ)
 

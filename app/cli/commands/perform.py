@@ -5,13 +5,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
-from ...bml.writing.writer import (
-    speech_file_name,
-    write_bml,
-    write_bml_json,
-    write_speech_file,
-)
 from ...errors import InputError
+from ...library.checks import check_character, check_line
+from ...library.writing import speech_file_name, write_bml_files, write_bml_json, write_json
 from ...model import Line, Performance
 from ...model.formats.bml_form import BmlForm
 from ...model.formats.motion_formats import is_editorial
@@ -20,7 +16,6 @@ from ...schemas.options import listener_names
 from ...settings import Settings, read_settings
 from ..distinct_files import OutputFile, require_distinct
 from ..files import STANDARD, require_writable, write
-from ..inputs.early import require_character, require_usable
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import edits_of, read_line
 from ..inputs.options import bml_form, performance_options
@@ -35,13 +30,13 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     motion = MotionOptions.of(arguments, settings)
     line = read_line(arguments, settings)
     options = performance_options(arguments).with_edits(edits_of(arguments, settings))
-    require_character(options.character)
+    check_character(options.character)
     require_reference(arguments.reference, settings)
-    require_usable(line, settings)
+    check_line(line, settings)
     performance = _performed(line, options, arguments.reference, settings, log)
     realized = [*arguments.realize, *([arguments.output] if is_editorial(arguments.output) else [])]
     if realized:
-        from ...realization import PreparedSchedule
+        from ...library.motion import PreparedSchedule
 
         audio = recording(arguments.audio, line.audio)
         write_motions(realized, PreparedSchedule.of(performance), motion, audio, log)
@@ -55,32 +50,29 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 def _performed(
     line: Line, options: Options, reference: Sequence[str] | None, settings: Settings, log: Log
 ) -> Performance:
+    from ...library.performing import perform_line
     from ...models import Understudy  # imported late: arguments are checked before the models load
-    from ...performance import perform
 
     with Understudy.load(settings) as understudy:
         options = replace(options, reference=speaker_reference(understudy.acoustic, reference, log))
-        return perform(understudy, line, options, log.stage)
+        return perform_line(understudy, line, options, log.stage).performance
 
 
 def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespace, log: Log) -> None:
     """Writes the trace, the BML, and the files beside it."""
-    from ...bml.writing.writer import write_listener
-    from ...schemas.responses import PerformanceResponse
-
     if arguments.trace:
-        write(arguments.trace, PerformanceResponse.of_performance(performance).to_json(indent=2) + b"\n")
+        write(arguments.trace, write_json(performance, indent=2) + b"\n")
     if is_editorial(arguments.output):
         return
-    written = write_bml_json if arguments.output.lower().endswith(".json") else write_bml
-    write(arguments.output, written(performance, form))
-    speech = write_speech_file(performance, form)
-    if speech and arguments.output != STANDARD:
-        write(_beside_act(arguments.output, speech.name), speech.content)
-    elif speech:
-        log.warnings([speech.left_out])
-    for listening in performance.listeners:
-        write(_beside(arguments.output, listening.name), write_listener(performance, listening, form))
+    files = write_bml_files(performance, form)
+    is_json = arguments.output.lower().endswith(".json")
+    write(arguments.output, write_bml_json(performance, form=form) if is_json else files.speaker)
+    if files.speech and arguments.output != STANDARD:
+        write(_beside_act(arguments.output, files.speech.name), files.speech.content)
+    elif files.speech:
+        log.warnings([files.speech.left_out])
+    for name, content in files.listeners.items():
+        write(_beside(arguments.output, name), content)
 
 
 def _speech_file_names(arguments: argparse.Namespace) -> list[OutputFile]:

@@ -2,7 +2,7 @@
 
 import argparse
 
-from ...acoustic.stage import AcousticModels, analyze_signal
+from ...library.hearing import AcousticModels, analyze_signal
 from ...model import FRAME_SHIFT_S, Contours
 from ...settings import read_settings
 from ..files import read_bytes, write_standard

@@ -17,8 +17,8 @@ from ..log import Log
 from ..outputs.motions import MotionOptions, recording, require_motions, write_motions
 
 if TYPE_CHECKING:
-    from ...acoustic.stage import AcousticModels
-    from ...realization import PreparedSchedule
+    from ...library.hearing import AcousticModels
+    from ...library.motion import PreparedSchedule
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -42,7 +42,7 @@ def _prepared(
     bml: bytes, audio: bytes | None, arguments: argparse.Namespace, settings: Settings, log: Log
 ) -> PreparedSchedule:
     """The schedule; the acoustic models are loaded only if there is a recording."""
-    from ...realization import BmlInput, PreparedSchedule, prepare_schedule
+    from ...library.motion import BmlInput, PreparedSchedule, prepare_schedule
 
     if bml.lstrip().startswith(b"{"):
         from ...schemas.gestures.script import read_script  # takes long to import, and BML does not need it
@@ -65,6 +65,6 @@ def _prepared(
 
 
 def _acoustic(settings: Settings) -> AcousticModels:
-    from ...acoustic.stage import AcousticModels  # takes long to import, and only a recording needs it
+    from ...library.hearing import AcousticModels  # takes long to import, and only a recording needs it
 
     return AcousticModels.load(settings)

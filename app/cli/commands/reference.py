@@ -2,7 +2,7 @@
 
 import argparse
 
-from ...acoustic.stage import AcousticModels, make_reference
+from ...library.hearing import AcousticModels, make_reference
 from ...schemas.references import to_json
 from ...settings import read_settings
 from ..files import require_writable, write

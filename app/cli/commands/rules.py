@@ -96,13 +96,13 @@ def _trace(arguments: argparse.Namespace, _log: Log) -> None:
 
 def _trace_heard(arguments: argparse.Namespace, settings: Settings) -> Trace:
     from ...authoring.inspection import trace_heard
+    from ...library.performing import analyze_line
     from ...model import Line
     from ...models import Understudy
-    from ...performance import analyze
 
     sound = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
     with Understudy.load(settings) as understudy:
-        analysis = analyze(understudy, Line(sound, arguments.text))
+        analysis = analyze_line(understudy, Line(sound, arguments.text))
         return trace_heard(understudy.language, understudy.behavior, analysis, arguments.character)
 
 

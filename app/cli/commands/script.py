@@ -2,10 +2,10 @@
 
 import argparse
 
+from ...library.checks import check_character, check_line
 from ...schemas.gestures.script import script_json
 from ...settings import read_settings
 from ..files import require_writable, write
-from ..inputs.early import require_character, require_usable
 from ..inputs.lines import read_line
 from ..inputs.options import performance_options
 from ..log import Log
@@ -16,10 +16,10 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     require_writable(arguments.output, field="output")
     line = read_line(arguments, settings)
     options = performance_options(arguments)
-    require_character(options.character)
-    require_usable(line, settings)
+    check_character(options.character)
+    check_line(line, settings)
+    from ...library.performing import write_script
     from ...models import Understudy  # imported late: arguments are checked before the models load
-    from ...performance import write_script
 
     with Understudy.load(settings) as understudy:
         performance, script = write_script(understudy, line, options, log.stage)

@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path, PurePath
 
 from ...errors import InputError
+from ...library.checks import check_character
 from ...model import Notice
 from ...options import Options
 from ...profiles.profile import Profile
@@ -15,7 +16,6 @@ from ...study.comparison import Comparison
 from ...study.key import KEY_NAME
 from ...study.request import PAGE_FOLDER, Source, StudyRequest
 from ..files import require_writable, write, write_standard
-from ..inputs.early import require_character
 from ..inputs.profiles import optional_profile
 from ..log import Log
 
@@ -32,7 +32,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 def _make(arguments: argparse.Namespace, log: Log) -> None:
     comparison = Comparison(arguments.compare)
     options = Options(character=arguments.character, seed=arguments.seed, profile=_profile(arguments, comparison))
-    require_character(options.character)
+    check_character(options.character)
     source = Source(Path(arguments.lines), arguments.audio and Path(arguments.audio), Path(arguments.out))
     request = StudyRequest(source, comparison, options)
     from ...models import Understudy  # imported late: arguments are checked before the models load

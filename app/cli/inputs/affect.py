@@ -1,7 +1,7 @@
 """Reads `--affect`: a tone, three numbers, or a track in a CSV file."""
 
-from ...acoustic.affect.given import read_affect, read_affect_track
 from ...model import AffectTrack
+from ...schemas.affect import read_affect, read_affect_track
 from ..files import read_bytes
 
 LARGEST_TRACK_BYTES = 8 << 20

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from io import BufferedIOBase
 
 from ...errors import InputError
+from ...library.language import find_functions_in_all
 from ...model import Word
 from ...models import LanguageModels
-from ...rules.stage import find_functions_in_all
 from ...schemas.requests import line_id, read_object, read_request
 from ...schemas.responses import FunctionsResponse, MistakeResponse
 from ...transcript import read_transcript

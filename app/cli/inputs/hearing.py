@@ -4,8 +4,8 @@ import os
 from collections.abc import Sequence
 from pathlib import PurePath
 
-from ...acoustic.stage import AcousticModels, analyze_signal, make_reference
 from ...errors import InputError
+from ...library.hearing import AcousticModels, analyze_signal, make_reference
 from ...model import SignalAnalysis
 from ...model.voice.speaker_reference import SpeakerReference
 from ...schemas.references import read_reference

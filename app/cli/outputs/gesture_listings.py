@@ -3,11 +3,8 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from ...authoring.catalogue import shown_path
+from ...authoring.gesture_views import Definition, Library, clips_by_level, place_of
 from ...model import Hand, Level
-from ...realizer.gestures.clips import clip
-from ...realizer.gestures.gesture import Definition
-from ...realizer.gestures.library import Library
 
 _FACTORS = ("amplitude", "tempo", "fluidity", "power", "repetition")
 _MARKERS = ("ready", "stroke_start", "stroke", "stroke_end", "relax", "end")
@@ -17,7 +14,7 @@ def headline(definition: Definition) -> str:
     arms = definition.hand or "one"
     levels = "" if len(definition.levels) == len(Level) else f" ({', '.join(definition.levels)})"
     shows = ", ".join(definition.categories) + (" at a target" if definition.aimed else "") + levels
-    return f"{definition.name:32s} {definition.gesture_class:11s} {arms:6s} {shows:40s} {place(definition)}"
+    return f"{definition.name:32s} {definition.gesture_class:11s} {arms:6s} {shows:40s} {place_of(definition)}"
 
 
 def counts(library: Library) -> Iterator[str]:
@@ -31,10 +28,10 @@ def counts(library: Library) -> Iterator[str]:
 
 def explanation(definition: Definition) -> Iterator[str]:
     """A gesture as in its file, with its expressivity and times at each level."""
-    yield f"{definition.name}: {place(definition)}"
+    yield f"{definition.name}: {place_of(definition)}"
     yield from (f"    {line}" for line in _source(definition))
     yield f"  {'':8s}" + "".join(f"{name:>13s}" for name in (*_FACTORS, "stroke m/s"))
-    clips = [clip(definition, level, definition.hand or Hand.RIGHT, definition.name) for level in definition.levels]
+    clips = clips_by_level(definition)
     for one in clips:
         factors = [getattr(one.expressivity, name) for name in _FACTORS]
         yield f"  {one.level:8s}" + _numbers([*factors, one.stroke_speed_m_s])
@@ -45,11 +42,6 @@ def explanation(definition: Definition) -> Iterator[str]:
 
 def _numbers(values: Iterable[float]) -> str:
     return "".join(f"{value:13.2f}" for value in values)
-
-
-def place(definition: Definition) -> str:
-    """The gesture's file and line."""
-    return f"{shown_path(definition.path)}:{definition.line}" if definition.path else ""
 
 
 def _source(definition: Definition) -> Sequence[str]:

@@ -9,22 +9,17 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...authored_folders import lexicon_folder
+from ...library.motion_checks import check_skeleton, require_physics, require_writer
 from ...model.formats.motion_formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
 from ...models import load_realizer
 from ...option_table import MOTION
-from ...realizer.body.motion import Decision
-from ...realizer.body.skeleton import Skeleton
-from ...realizer.exporting.extras import require_writer
-from ...realizer.exporting.retargeting import find_rig, load_rigs
-from ...realizer.physics.tracking import require_physics
 from ...settings import Settings
 from ..files import STANDARD, read_bytes, require_writable, write
 from ..log import Log
 from .plot import require_plot
 
 if TYPE_CHECKING:
-    from ...realization import PreparedSchedule
+    from ...library.motion import Decision, PreparedSchedule
 
 LARGEST_AVATAR_BYTES = 256 << 20
 
@@ -38,12 +33,6 @@ def require_motions(names: Sequence[str], settings: Settings, *, field: str) -> 
             require_plot(name)
         require_writer(form, settings.blender)
         require_writable(name, field=field)
-
-
-def require_skeleton(name: str | None) -> None:
-    """Raises InputError `unknown_skeleton`."""
-    if name is not None:
-        find_rig(load_rigs(lexicon_folder() / "retarget", Skeleton.standing()), name)
 
 
 def physics_asked(arguments: argparse.Namespace, settings: Settings) -> bool:
@@ -69,7 +58,7 @@ class MotionOptions:
     @classmethod
     def of(cls, arguments: argparse.Namespace, settings: Settings) -> MotionOptions:
         """Raises InputError `unknown_skeleton`, `value_wrong` and `file_unreadable`, ServiceError `physics_missing`."""
-        require_skeleton(arguments.skeleton)
+        check_skeleton(arguments.skeleton)
         MOTION["tail_s"].check(arguments.tail)
         physics = physics_asked(arguments, settings)
         name = arguments.avatar
@@ -89,7 +78,7 @@ def write_motions(
 ) -> None:
     """Realizes the schedule once and writes it to every name; decisions are logged. Files refer to the recording by its
     path relative to them."""
-    from ...realization import AvatarOptions, realize_prepared, write_motion
+    from ...library.motion import AvatarOptions, realize_prepared, write_realized
 
     realizer = load_realizer()
     log.stage("realize")
@@ -105,7 +94,7 @@ def write_motions(
     wearer = AvatarOptions(options.skeleton, options.avatar)
     for name in names:
         files = replace(options.files, audio=audio and _from(name, audio))
-        write(name, write_motion(realized, realizer, format_of(name), wearer, files))
+        write(name, write_realized(realized, realizer, format_of(name), wearer, files))
     if realized.motion.decisions:
         log.note("\n".join(_told(decision) for decision in realized.motion.decisions))
 

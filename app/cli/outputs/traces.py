@@ -3,10 +3,8 @@
 from collections.abc import Iterator, Sequence
 
 from ...authoring.catalogue import shown_path
-from ...authoring.inspection import Trace, Unused
+from ...authoring.inspection import Firing, NearMiss, Rule, RuleTrace, Said, Trace, Unused
 from ...model import Behavior, Moment, Word
-from ...rules.chaining.tracing import Firing, NearMiss, RuleTrace, Said
-from ...rules.program.program import Rule
 
 MOST_NEAR_MISSES = 12
 WORDS_COLUMN = 64

@@ -10,10 +10,10 @@ import json
 import soundfile
 
 from ...errors import UndecodableError
+from ...library.motion import PreparedSchedule, Realized, realize_prepared, write_realized
 from ...model import Schedule
 from ...model.formats.motion_formats import MotionFormat
 from ...models import Understudy
-from ...realization import PreparedSchedule, Realized, realize_prepared, write_motion
 
 FRAME_RATE_HZ = 30
 """The page goes evenly from one frame to the next."""
@@ -31,7 +31,7 @@ def realized(models: Understudy, prepared: PreparedSchedule) -> Realized:
 
 def blind_clip(models: Understudy, found: Realized) -> str:
     """The motion as JSON (docs/motion-formats.md), without anything that reveals its condition."""
-    clip = json.loads(write_motion(found, models.realizer, MotionFormat.JSON))
+    clip = json.loads(write_realized(found, models.realizer, MotionFormat.JSON))
     return json.dumps(clip | {name: [] for name in _TELLING}, separators=(",", ":"))
 
 
@@ -39,7 +39,7 @@ def body_of(models: Understudy, character: str) -> bytes:
     """The mannequin of a character, at rest, as GLB."""
     still = PreparedSchedule(Schedule((), duration_s=1 / FRAME_RATE_HZ, character=character, stillness=1.0), ())
     standing = realize_prepared(models.realizer, still, frame_rate_hz=FRAME_RATE_HZ)
-    return write_motion(standing, models.realizer, MotionFormat.GLB)
+    return write_realized(standing, models.realizer, MotionFormat.GLB)
 
 
 def blind_sound(audio: bytes) -> bytes:

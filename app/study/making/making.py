@@ -13,9 +13,9 @@ from itertools import combinations
 
 from ...batch.work.files import write_whole
 from ...errors import InputError
+from ...library.motion import PreparedSchedule, Realized
 from ...model import Behavior, Channel, Notice
 from ...models import Understudy
-from ...realization import PreparedSchedule, Realized
 from ..comparison import CONDITIONS, Comparison
 from ..key import KEY_COLUMNS, KEY_NAME
 from ..request import PAGE_FOLDER, StudyRequest

@@ -7,16 +7,17 @@ on a body whose arms move otherwise is never in quite the same place.
 from collections.abc import Mapping
 from dataclasses import replace
 
+from ...library.performing import perform_analysis, perform_line
 from ...model import Behavior, Channel, Mode, Performance
 from ...models import Understudy
-from ...performance import perform_analysis, perform_heard
 from .lines import StudyLine
 
 
 def in_modes(models: Understudy, study_line: StudyLine) -> Mapping[str, Performance]:
-    """The line's performances by mode; raises as `perform_heard` does."""
+    """The line's performances by mode; raises as `perform_line` does."""
     line, options = study_line.line, study_line.options
-    analysis, meant = perform_heard(models, line, options)
+    performed = perform_line(models, line, options)
+    analysis, meant = performed.analysis, performed.performance
     others = {
         mode: perform_analysis(models, analysis, replace(options, mode=mode), line.direction)
         for mode in (Mode.PROSODY, Mode.RANDOM)

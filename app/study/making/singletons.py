@@ -13,14 +13,14 @@ from itertools import pairwise
 
 from ...behavior.speaker_profiles.gesture_scripts import scripted_behaviors
 from ...errors import InputError
+from ...library.motion import PreparedSchedule, Realized
+from ...library.performing import perform_line, script_analysis
 from ...model import Behavior, Channel, Interval, Performance, SyncPoints
 from ...models import Understudy
-from ...performance import perform_heard, script_analysis
 from ...profiles.generation.phases import Timed
 from ...profiles.generation.script import GestureScript, ScriptedGesture
 from ...profiles.generation.units import bounds_of
 from ...profiles.profile import Profile
-from ...realization import PreparedSchedule, Realized
 from ...realizer.scheduling.rests import POSTURES
 from ..comparison import SINGLETONS, UNITS
 from .clips import realized
@@ -55,7 +55,7 @@ class _Member:
 def in_units_and_singly(models: Understudy, study_line: StudyLine) -> UnitVersions:
     """The line's versions; raises as `script_analysis` does."""
     line, options = study_line.line, study_line.options
-    analysis, _meant = perform_heard(models, line, options)
+    analysis = perform_line(models, line, options).analysis
     performance, script = script_analysis(models, analysis, options, line.direction)
     profile = models.behavior.profile(options.profile)
     if profile is None:

@@ -3,9 +3,10 @@
 import pytest
 
 from understudy.acoustic.affect.dimensions import PLACES
-from understudy.acoustic.affect.given import affect_rows, affect_track, given_line, read_affect, read_affect_track
+from understudy.acoustic.affect.given import given_line
 from understudy.errors import InputError
 from understudy.model import AffectTrack, Interval, Tone, Word
+from understudy.schemas.affect import affect_rows, affect_track, read_affect, read_affect_track
 
 HEADER = "time_s,activation,valence,dominance\n"
 RISING = (HEADER + "0,-1,0,0\n2,1,0,0.5\n").encode()

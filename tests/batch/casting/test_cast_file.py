@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from understudy.acoustic.affect.given import read_affect
 from understudy.batch.casting.cast_file import read_cast
 from understudy.errors import AuthoringError
 from understudy.model import Level, Target
+from understudy.schemas.affect import read_affect
 
 OURS = frozenset({"default", "expansive"})
 

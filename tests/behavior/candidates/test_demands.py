@@ -6,7 +6,7 @@ import pytest
 
 from understudy.behavior.candidates.demands import beside, demanded, kept_free, meant, permitted
 from understudy.behavior.reading.player import Ban, Player
-from understudy.library import find_functions
+from understudy.library.language import find_functions
 from understudy.model import (
     Analysis,
     Behavior,

@@ -6,7 +6,7 @@ import pytest
 from understudy.behavior.reading.contrasts import Ground
 from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.parallels import parallel_strokes
-from understudy.library import find_functions
+from understudy.library.language import find_functions
 from understudy.models import Understudy
 
 

@@ -1,22 +1,22 @@
-"""Checks arguments and files before anything large is loaded.
+"""Checks a line before anything large is loaded.
 
 Loading spaCy, the aligner and their models takes most of the time of a short line; nothing here needs them.
 """
 
-from ...acoustic.alignment.timings import read_timings
-from ...acoustic.signal.decoding import decode
-from ...acoustic.stage import audio_limits
-from ...authored_folders import rules_folder
-from ...behavior.candidates.notes import check_direction
-from ...model import GivenFunction, Line
-from ...models import load_characters
-from ...rules.given import given_facts
-from ...rules.priorities import Priorities
-from ...settings import Settings
-from ...transcript import read_transcript
+from ..acoustic.alignment.timings import read_timings
+from ..acoustic.signal.decoding import decode
+from ..acoustic.stage import audio_limits
+from ..authored_folders import rules_folder
+from ..behavior.candidates.notes import check_direction
+from ..model import GivenFunction, Line
+from ..models import load_characters
+from ..rules.given import given_facts
+from ..rules.priorities import Priorities
+from ..settings import Settings
+from ..transcript import read_transcript
 
 
-def require_usable(line: Line, settings: Settings) -> None:
+def check_line(line: Line, settings: Settings) -> None:
     """Raises InputError as the performance would, for the line's audio, text, word timings, functions and notes."""
     transcript = read_transcript(line.text, max_characters=settings.max_text_characters)
     duration_s = settings.max_audio_s
@@ -24,16 +24,16 @@ def require_usable(line: Line, settings: Settings) -> None:
         duration_s = decode(line.audio, audio_limits(settings))[0].duration_s
     if line.timings is not None:
         read_timings(line.timings.content, line.timings.format, transcript, duration_s=duration_s)
-    _require_functions(line.functions, len(transcript))
+    _check_functions(line.functions, len(transcript))
     if line.direction is not None:
         check_direction(line.direction, words=len(transcript))
 
 
-def require_character(name: str) -> None:
+def check_character(name: str) -> None:
     """Raises InputError `unknown_character`."""
     load_characters().named(name)
 
 
-def _require_functions(given: tuple[GivenFunction, ...], words: int) -> None:
+def _check_functions(given: tuple[GivenFunction, ...], words: int) -> None:
     if given:
         given_facts(given, Priorities.load(rules_folder() / "functions" / "priorities.yaml"), words=words)
