@@ -89,8 +89,9 @@ test-plugins: .venv/installed-test .venv-bpy/installed
 	$(PYTHON) -c 'import sys; sys.exit(None if sys.version_info >= (3, 11) else "understudy needs Python 3.11 or newer")'
 	$(PYTHON) -m venv .venv
 
-.venv/installed: .venv/bin/python requirements.lock pyproject.toml
-	$(BIN)/pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+# With what draws pictures (contact sheets, plots), which the image of the service does without.
+.venv/installed: .venv/bin/python requirements-plot.lock pyproject.toml
+	$(BIN)/pip install --quiet --disable-pip-version-check --require-hashes -r requirements-plot.lock
 	$(BIN)/pip install --quiet --disable-pip-version-check --no-deps --editable .
 	touch $@
 
@@ -104,6 +105,7 @@ LOCK := $(BIN)/uv pip compile --quiet --universal --fork-strategy fewest --pytho
 lock: .venv/installed-test
 	$(BIN)/pip install --quiet uv
 	$(LOCK) --output-file requirements.lock pyproject.toml
+	$(LOCK) --extra plot --constraint requirements.lock --output-file requirements-plot.lock pyproject.toml
 	$(LOCK) --extra test --constraint requirements.lock --output-file requirements-test.lock pyproject.toml
 
 # After a change of what the service takes or answers: the client's types are generated from it.

@@ -86,7 +86,7 @@ def test_physics_without_mujoco_names_the_extra(
     monkeypatch.setitem(sys.modules, "mujoco", None)
     code, err = _run(capfdbinary, "realize", str(beat), "-o", str(tmp_path / "a.bvh"), "--physics")
     assert (code, err.count("\n")) == (2, 1)
-    assert "understudy[physics]" in err
+    assert ".[physics]" in err
 
 
 def test_an_avatar_of_ones_own_wears_the_motion(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:

@@ -65,7 +65,7 @@ def _histograms(entries: Sequence[Entry]) -> str:
     measures = [entry.measures for entry in entries if entry.measures is not None and entry.measures.duration_s > 0]
     picture = draw_histograms(measures) if measures else b""
     if picture is None:
-        return "<p>Histograms need matplotlib: <code>pip install 'understudy[plot]'</code></p>"
+        return "<p>Histograms need matplotlib: <code>pip install '.[plot]'</code></p>"
     return _picture(picture, "histograms", "how the lines are distributed") if picture else ""
 
 

@@ -74,7 +74,7 @@ def _connected(address: str) -> Client:
     try:
         from distributed import Client
     except ModuleNotFoundError:
-        message = "a cluster needs dask, which is not installed: pip install 'understudy[cluster]'"
+        message = "a cluster needs dask, which is not installed: pip install '.[cluster]'"
         raise ServiceError("cluster_unavailable", message) from None
     try:
         return Client(address, timeout=CONNECTING_S, set_as_default=False)

@@ -17,7 +17,7 @@ def microphone_chunks(rate_hz: int, chunk_s: float) -> Iterator[FloatArray]:
     try:
         import sounddevice  # an extra, which most do without
     except (ImportError, OSError) as error:
-        told = f"no microphone can be heard: {error}; pip install 'understudy[microphone]' with PortAudio, {_INSTEAD}"
+        told = f"no microphone can be heard: {error}; pip install '.[microphone]' with PortAudio, {_INSTEAD}"
         raise InputError("microphone_missing", told, field="microphone") from None
     try:
         stream = sounddevice.RawInputStream(rate_hz, round(chunk_s * rate_hz), channels=1, dtype="int16")

@@ -3,7 +3,7 @@
 From top to bottom, on one time axis: the words and phones, the waveform, f0 and energy with the thresholds above which
 a frame is stressed (paper §3.1.5), and each word's stressed ratio, prominence and emphasis; at the bottom, for the
 whole line, the memberships of agitation. Stressed frames are red, words that are emphasised by the chosen measure are
-on a band. Needs matplotlib, an extra: `pip install 'understudy[plot]'`.
+on a band. Needs matplotlib, an extra: `pip install '.[plot]'`.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def require_plot(name: str) -> None:
         import matplotlib.figure  # noqa: F401
     except ModuleNotFoundError:
         raise ServiceError(
-            "plot_unavailable", "pictures need matplotlib, which is not installed: pip install 'understudy[plot]'"
+            "plot_unavailable", "pictures need matplotlib, which is not installed: pip install '.[plot]'"
         ) from None
 
 

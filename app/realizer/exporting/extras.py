@@ -18,4 +18,4 @@ def require_writer(form: MotionFormat, blender: str | None = None) -> None:
 def require_usd() -> None:
     """Raises ServiceError `usd_missing`."""
     if find_spec("pxr") is None:
-        raise ServiceError("usd_missing", "USD needs usd-core, which is not installed: pip install 'understudy[usd]'")
+        raise ServiceError("usd_missing", "USD needs usd-core, which is not installed: pip install '.[usd]'")

@@ -23,7 +23,7 @@ _EYES = ("leftEye", "rightEye")
 def require_physics() -> None:
     """Raises ServiceError `physics_missing`."""
     if find_spec("mujoco") is None:
-        message = "physics needs mujoco, which is not installed: pip install 'understudy[physics]'"
+        message = "physics needs mujoco, which is not installed: pip install '.[physics]'"
         raise ServiceError("physics_missing", message)
 
 
