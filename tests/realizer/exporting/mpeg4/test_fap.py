@@ -33,6 +33,19 @@ def test_neither_viseme_nor_expression_nor_head_is_set() -> None:
     assert not mask[[0, 1, 47, 48, 49]].any()
 
 
+def test_the_outer_lips_go_with_the_inner_ones() -> None:
+    """FAP 51 to 60 are, in the same order, the outer points of 4 to 13 but the lips' ends, which come last."""
+    values = read_parameters(to_fap(waving(0.5, 30), BODY, FACE)).values
+    inner, outer = FAPS.index("raise_b_midlip"), FAPS.index("raise_b_midlip_o")
+    assert outer == 51
+    opened = values[:, inner]
+    assert opened.min() < 0
+    assert values[:, outer] == pytest.approx(0.9 * opened, abs=12)
+    assert {f"{name.removesuffix('_o')}_o" for name in FACE.amounts if "lip" in name and "push" not in name} <= set(
+        FACE.amounts
+    )
+
+
 @pytest.mark.parametrize(("axis", "column"), [(Y, LEFT_YAW), (X, LEFT_PITCH)])
 def test_eyes_turn_left_and_down_by_positive_angles(axis: tuple[float, float, float], column: int) -> None:
     motion = turned("leftEye", from_axis_angle(axis, np.array(0.2)))
