@@ -5,13 +5,14 @@ looks at another clock, so the same steps always tell the same. While words are 
 sound, the rules perform them and the voice moves nothing; before and after it does.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
 
+from ..behavior.characters.abstaining import abstaining, never_shown
 from ..errors import InputError
-from ..model import Affect, FloatArray, Word
+from ..model import Affect, Behavior, FloatArray, Word
 from ..options import Options
 from .agenda import REMEMBERED_S, WORDED, Agenda
 from .attention import Attention
@@ -41,7 +42,9 @@ class LiveSession:
     def __init__(self, models: LiveModels, options: LiveOptions) -> None:
         behavior = models.understudy.behavior
         self._models, self._options = models, options
-        self._placer = Placer.of(behavior.characters.named(options.character), options.seed)
+        character = abstaining(behavior.characters.named(options.character), behavior.families)
+        self._placer = Placer.of(character, options.seed)
+        self._never = frozenset(never_shown(character, behavior.families))
         self._own, self._other = Ear(options.sample_rate_hz), Ear(options.sample_rate_hz)
         self._recent, self._feeling = RecentVoice(), RunningFeeling()
         self._events, self._mouth = LiveEvents(models.voice), StreamingMouth(models.mouth)
@@ -78,7 +81,7 @@ class LiveSession:
         if self._listens:
             told += self._listened(np.zeros(count) if other is None else other)
         if not self._is_worded():
-            told += self._agenda.keep(self._attention.passed(self.heard_s), self.heard_s)
+            told += self._kept(self._attention.passed(self.heard_s))
         self._forget()
         return (*told, *self._frames())
 
@@ -135,18 +138,23 @@ class LiveSession:
             if not edge.begins:
                 self._movements.release()
             if not self._is_worded():
-                yield from self._agenda.keep(self._attention.spoken(edge, self.heard_s), self.heard_s)
+                yield from self._kept(self._attention.spoken(edge, self.heard_s))
         for event in self._events.hear(energy_db, f0_hz, self.heard_s):
             if not self._is_worded():
-                yield from self._agenda.keep(self._movements.moved(event, self.heard_s), self.heard_s)
+                yield from self._kept(self._movements.moved(event, self.heard_s))
         if not self._is_worded():
-            yield from self._agenda.keep(self._movements.passed(self.heard_s), self.heard_s)
+            yield from self._kept(self._movements.passed(self.heard_s))
 
     def _listened(self, samples: FloatArray) -> Iterator[Told]:
         """What is done about the other's voice."""
         _, f0_hz = self._other.contours(self._other.resampled(samples))
         for edge in self._other.phrases(f0_hz):
-            yield from self._agenda.keep(self._attention.listened(edge, self.heard_s), self.heard_s)
+            yield from self._kept(self._attention.listened(edge, self.heard_s))
+
+    def _kept(self, behaviors: Iterable[Behavior]) -> Iterator[Told]:
+        """What the voice alone moves, but what the character never shows."""
+        shown = [each for each in behaviors if (each.kind, each.lexeme) not in self._never]
+        yield from self._agenda.keep(shown, self.heard_s)
 
     def _is_worded(self) -> bool:
         """Whether words are being spoken that are known."""

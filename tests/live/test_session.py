@@ -1,5 +1,6 @@
 """A stream from its first chunk to its end: voice, words, silence, listening, interruption, frames."""
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -34,6 +35,17 @@ def test_a_voice_moves_hands_head_eyes_and_mouth(models: LiveModels) -> None:
     assert {each.kind for each in behaviors(told)} >= {Channel.GESTURE, Channel.EYES}
     assert any(isinstance(each, Mouthed) for each in told)
     assert not frames(told)
+
+
+def test_a_voice_moves_nothing_that_the_character_never_shows(models: LiveModels) -> None:
+    behavior = models.understudy.behavior
+    quiet = replace(behavior.characters.named("default"), name="quiet", never={"hands": None, "eyes": None})
+    characters = replace(behavior.characters, by_name={**behavior.characters.by_name, "quiet": quiet})
+    understudy = replace(models.understudy, behavior=replace(behavior, characters=characters))
+    session = LiveSession(replace(models, understudy=understudy), LiveOptions(character="quiet"))
+    told = [each for _, each in heard(session)]
+    assert any(isinstance(each, Mouthed) for each in told)
+    assert not {each.kind for each in behaviors(told)} & {Channel.GESTURE, Channel.EYES}
 
 
 def test_nothing_is_told_of_the_past(models: LiveModels) -> None:

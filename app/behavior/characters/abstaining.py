@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from types import MappingProxyType
 
-from ...model import Demand
-from ..candidates.demands import meant
+from ...model import Channel, Demand
+from ..candidates.demands import banned_by, meant
 from ..reading.families import Families
 from .overlays import Character
 
@@ -30,3 +30,9 @@ def forbidden(character: Character) -> Iterator[Demand]:
     """What the character never shows, on any word."""
     for what in character.never:
         yield Demand(what, 0, WHOLE_LINE, always=False, by=f"the character {character.name}")
+
+
+def never_shown(character: Character, families: Families) -> Iterator[tuple[Channel, str]]:
+    """The channels and lexemes of what the character never shows."""
+    for ban in banned_by(forbidden(character), families, character.entries):
+        yield from (character.lexemes[name] for name in ban.names)
