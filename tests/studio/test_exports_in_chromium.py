@@ -60,16 +60,20 @@ def test_a_project_has_all_and_opens_again(opened: Page, tmp_path: Path) -> None
     opened.fill("#seed", "7")
     opened.press("#seed", "Enter")
     opened.wait_for_selector("#state:has-text('movements')")
+    opened.click("#tab-taken")
+    opened.click("#keep-version")
     kept = tmp_path / "kept.studio.zip"
     kept.write_bytes(_made(opened, "Project"))
     with zipfile.ZipFile(kept) as opened_zip:
-        assert set(opened_zip.namelist()) == {"audio/example.flac", "text.txt", "options.json"}
+        assert set(opened_zip.namelist()) == {"audio/example.flac", "text.txt", "options.json", "takes.json"}
         assert opened_zip.read("audio/example.flac") == AUDIO.read_bytes()
         assert json.loads(opened_zip.read("options.json")) == {"seed": 7}
     opened.goto("/")
     opened.set_input_files("#files", str(kept))
     opened.wait_for_selector("#state:has-text('7.18 s')")
     assert opened.input_value("#seed") == "7"
+    opened.click("#tab-taken")
+    assert opened.locator(".takes li").count() == 1
 
 
 def test_stills_are_a_picture_of_the_strokes(opened: Page) -> None:

@@ -6,6 +6,7 @@ import { problemOf } from "../service/service.js";
 import { AVATAR, PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { SCREEN } from "../stage/viewing.js";
+import { TAKES } from "../takes/takes.js";
 import { FORMATS } from "./formats.js";
 import { film, frames, sheet } from "./pictures.js";
 import { projectFile } from "./project_file.js";
@@ -59,7 +60,7 @@ function pictureRow(store, told) {
   const button = (/** @type {string} */ name, /** @type {string} */ ending, /** @type {(exported: Exported) => Promise<Blob>} */ make) =>
     el("button", { type: "button", click: () => void offer(store, told, ending, make) }, [name]);
   return el("div", { class: "row" }, [
-    button("Project", ".studio.zip", ({ line }) => projectFile(line)),
+    button("Project", ".studio.zip", ({ line }) => projectFile(line, store.get(TAKES))),
     button("Film (WebM)", ".webm", ({ performed }) => film(store, screen(), lengthOf(performed), tell)),
     button("Frames (PNG)", ".frames.zip", ({ performed }) => frames(store, screen(), lengthOf(performed), tell)),
     button("Still sheet", ".png", ({ performed }) => sheet(store, screen(), performed.performance)),

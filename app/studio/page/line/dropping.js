@@ -62,7 +62,8 @@ function takeLine(store, audio, words) {
  */
 async function openProject(store, file) {
   try {
-    open(store, await openedProject(file));
+    const { project, takes } = await openedProject(file);
+    open(store, project, takes);
   } catch (error) {
     store.set(PROBLEM, problemOf(error));
   }

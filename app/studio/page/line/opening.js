@@ -18,9 +18,10 @@ import { TAKES } from "../takes/takes.js";
  *
  * @param {Store} store
  * @param {Partial<Project>} line
- * @param {Readonly<{ id: string, takes: readonly Take[] }>} [kept] what is known of it, if it was kept before
+ * @param {readonly Take[]} [takes]
+ * @param {string} [id] by which it is kept, if it was kept before
  */
-export function open(store, line, kept = { id: newId(), takes: [] }) {
+export function open(store, line, takes = [], id = newId()) {
   const project = { ...EMPTY, ...line };
   store.set(SELECTION, null);
   store.set(PERFORMED, null);
@@ -28,8 +29,8 @@ export function open(store, line, kept = { id: newId(), takes: [] }) {
   store.set(PROBLEM, null);
   store.history.clear();
   store.set(STARTING, false);
-  store.set(OPENED, { id: kept.id, project, takes: kept.takes });
-  store.set(TAKES, kept.takes);
+  store.set(OPENED, { id, project, takes });
+  store.set(TAKES, takes);
   store.set(PROJECT, project);
 }
 
@@ -40,7 +41,7 @@ export function open(store, line, kept = { id: newId(), takes: [] }) {
  * @param {KeptProject} project
  */
 export function openKept(store, { id, audio, draft, takes }) {
-  open(store, { ...draft, audio }, { id, takes });
+  open(store, { ...draft, audio }, takes, id);
 }
 
 /** Also where the page is not from a secure place, in which browsers make none by themselves. */
