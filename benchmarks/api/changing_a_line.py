@@ -46,7 +46,7 @@ def main() -> None:
         page = browser.new_context(viewport=SIZE, base_url=f"http://{HOST}:{service.port}").new_page()
         page.goto("/?line=example")
         page.wait_for_selector("#stage-canvas[data-roles='speaker']")
-        page.locator("#items li", has_text="gesture NEGATION").first.click()
+        page.locator("#items li[title*='gesture NEGATION']").first.click()
         for mark in ("stroke", "relax"):
             for number in range(WARMING):
                 _changed(page, mark, number)
