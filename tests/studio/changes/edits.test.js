@@ -72,10 +72,10 @@ test("a change is undone, written and read", () => {
 });
 
 test("a file of edits says of the line what the options say, and sets them again", () => {
-  const project = { ...EMPTY, options: { seed: 4, lead_in_s: 0.5 }, edits: NOTHING };
+  const project = { ...EMPTY, options: { affect: "angry", seed: 4, lead_in_s: 0.5 }, edits: NOTHING };
   const file = editsFile(project);
-  assert.deepEqual(file.line, { seed: 4 });
-  assert.deepEqual(projectWith(EMPTY, file), { options: { seed: 4 }, edits: NOTHING });
+  assert.deepEqual(file.line, { affect: "angry", seed: 4 });
+  assert.deepEqual(projectWith(EMPTY, file), { options: { affect: "angry", seed: 4 }, edits: NOTHING });
 });
 
 test("the selection stays on its behaviour though ids are given anew", () => {
