@@ -105,6 +105,6 @@ def test_names_that_are_no_pngs_are_refused(name: str) -> None:
 def test_without_matplotlib_it_is_told_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
     require_plot("out.PNG")
     monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
-    with pytest.raises(ServiceError, match=r"pip install 'understudy\[plot\]'") as caught:
+    with pytest.raises(ServiceError, match=r"pip install '\.\[plot\]'") as caught:
         require_plot("out.png")
     assert caught.value.code == "plot_unavailable"
