@@ -75,7 +75,7 @@ def test_every_line_performs_over_http(nursery: Nursery, performances: dict[Path
     with TestClient(create_app(Settings(workers=1), nursery)) as client:
         for path, performance in performances.items():
             line = _line(path)
-            files = {"audio": (path.name, line.audio)}
+            files = {"audio": (path.name, path.read_bytes())}
             answer = client.post(
                 "/perform", files=files, data={"text": line.text}, headers={"Accept": "application/json"}
             )

@@ -311,10 +311,6 @@ def _expressivity(found: Expressivity) -> ExpressivityValues:
     return ExpressivityValues(**{name: getattr(found, name) for name in Expressivity.__slots__})
 
 
-def _in_numbers(values: ExpressivityValues) -> Expressivity:
-    return Expressivity(**values.model_dump())
-
-
 def _in_order(directions: Iterable[Direction]) -> tuple[Direction, ...]:
     said = set(directions)
     return tuple(direction for direction in Direction if direction in said)

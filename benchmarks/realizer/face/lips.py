@@ -60,8 +60,9 @@ def hear_lines(folders: Sequence[Path]) -> Iterator[Spoken]:
     settings = Settings()
     with Understudy.load(settings) as understudy:
         for path in sorted(each for folder in folders for each in folder.glob("*.flac")):
-            line = Line(path.read_bytes(), path.with_suffix(".txt").read_text())
-            heard = analyze_signal(understudy.acoustic, line.audio)
+            sound = path.read_bytes()
+            line = Line(sound, path.with_suffix(".txt").read_text())
+            heard = analyze_signal(understudy.acoustic, sound)
             transcript = read_transcript(line.text, max_characters=settings.max_text_characters)
             alignment = align_words(understudy.acoustic, heard.audio, transcript)
             shapes, _ = visemes(alignment.words, heard.audio.duration_s)

@@ -39,7 +39,7 @@ def apart_deg(body: BodyMotion, look: Look) -> FloatArray:
     from_m = faced(body).eyes_m.mean(axis=1)
     sight, way = seen_by(body) - from_m, np.array(look.at_m) - from_m
     cosine = np.sum(sight * way, axis=1) / np.linalg.norm(sight, axis=1) / np.linalg.norm(way, axis=1)
-    return np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+    return np.asarray(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
 
 
 def set_out_s(course: FloatArray) -> float:

@@ -59,7 +59,7 @@ def _sector_m(told: str) -> FloatArray:
     ],
 )
 def test_the_wrist_goes_from_and_to_the_sectors_of_the_script(understudy: Understudy, begins: str, ends: str) -> None:
-    played = _played(understudy, _script(_gesture(**{"from": begins, "to": f"{ends} normal"})))
+    played = _played(understudy, _script(_gesture() | {"from": begins, "to": f"{ends} normal"}))
     for wrist_m, sector in zip(_wrists_m(played), (begins, ends), strict=True):
         assert np.linalg.norm(wrist_m - _sector_m(sector)) < NEAR_M
     assert not [each for each in played.motion.decisions if each.action == "placed"]
@@ -68,7 +68,7 @@ def test_the_wrist_goes_from_and_to_the_sectors_of_the_script(understudy: Unders
 def test_what_is_out_of_reach_or_too_far_for_its_time_is_told(understudy: Understudy) -> None:
     far = _played(understudy, _script(_gesture(to="XEP YUpperEP ZFar")))
     assert "to XEP YUpperEP ZFar is 6 cm out of reach" in {each.reason for each in far.motion.decisions}
-    fast = _played(understudy, _script(_gesture(**{"from": "XEP YLowerEP ZMiddle", "to": "XOppP YUpperP ZMiddle"})))
+    fast = _played(understudy, _script(_gesture() | {"from": "XEP YLowerEP ZMiddle", "to": "XOppP YUpperP ZMiddle"}))
     told = [each.reason for each in fast.motion.decisions if each.action == "placed"]
     assert any("to be no faster than hands are" in each for each in told)
 
@@ -87,4 +87,4 @@ def test_a_stroke_without_preparation_begins_where_the_one_before_ended() -> Non
 @pytest.mark.parametrize("told", ["XC YCC", "XC YCC ZMiddle ZNear", "XC YCC ZMid", "XC YCC ZMiddle bent"])
 def test_what_is_no_place_is_refused(told: str) -> None:
     with pytest.raises(InputError, match=r"gestures\.0\.from: .*is no place; give one sector each of XEP"):
-        read_script(_script(_gesture(**{"from": told})))
+        read_script(_script(_gesture() | {"from": told}))

@@ -38,7 +38,9 @@ class Shown:
     index: dict[str, int]
 
     def at_end(self, gesture: Behavior) -> int:
-        return round((self.motion.realized[gesture.id].stroke_end + SETTLED_S) * RATE_HZ)
+        ends_s = self.motion.realized[gesture.id].stroke_end
+        assert ends_s is not None
+        return round((ends_s + SETTLED_S) * RATE_HZ)
 
     def joint_m(self, name: str, frame: int) -> FloatArray:
         return np.asarray(self.at_m[frame, self.index[name]])

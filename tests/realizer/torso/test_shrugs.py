@@ -39,7 +39,8 @@ def elevation_deg(body: BodyMotion, side: str) -> FloatArray:
     way = places_m[:, arm] - places_m[:, shoulder]
     up = np.array([[0.0, 1.0, 0.0]])
 
-    return np.degrees(np.arcsin(np.sum(way * rotate(turned[:, chest], up), axis=1) / np.linalg.norm(way, axis=1)))
+    sines = np.sum(way * rotate(turned[:, chest], up), axis=1) / np.linalg.norm(way, axis=1)
+    return np.asarray(np.degrees(np.arcsin(sines)))
 
 
 @pytest.mark.parametrize(("lexeme", "hand"), [("SHRUG", Hand.BOTH), ("UNCERTAINTY", Hand.BOTH), ("SHRUG", Hand.RIGHT)])
