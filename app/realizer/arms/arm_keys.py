@@ -21,7 +21,7 @@ from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType, KeyCurv
 from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, Repeat
 from .arms import ArmTrack, TimedPose
 from .posing import HAND_ROWS, PartialPose, pose_arms
-from .rest_poses import BEHIND_BACK, rest_pose
+from .rest_poses import BEHIND_BACK, LIFTED, rest_pose
 from .wrist_paths import amplitude, arm_key
 
 REST_NOISE, HOLD_NOISE, ADDED_NOISE, STROKE_NOISE = 0.6, 1.0, 0.5, 0.1
@@ -33,6 +33,9 @@ _BACK = 0.5
 """The share of a repetition that the backward movement takes."""
 FINGER_ROWS = 12
 """The last rows of a pose: four fingers of three joints."""
+_HALF, _DECAYED = 0.45, 0.56
+"""Where in the time of a way to rest its middle is, and how much of the way is behind it."""
+_SHORTEST_ARC_S = 0.3
 _USUAL_SHARE, _MOST_SHARE = 0.35, 0.6
 """Of the way to hanging that a repetition goes back: where the length of the way is unknown, and at most."""
 
@@ -41,10 +44,12 @@ def arm_track(skeleton: Skeleton, side: Hand, plan: GesturePlan) -> ArmTrack:
     """The keys of one arm from the first frame to the end of the plan."""
     gestures, rests = plan.of_arm(side)
     keys = [key for rest in rests for key in _rest_keys(skeleton, rest)]
-    keys += [key for gesture in gestures for key in _gesture_keys(skeleton, gesture)]
+    poses = tuple((rest.start_s, _resting(skeleton, side, rest.pose)) for rest in rests)
+    arc = Arc(plan.style.retractions.arc_deg, poses)
+    keys += [key for gesture in gestures for key in _gesture_keys(skeleton, gesture, arc)]
     if gestures and gestures[0].initial_progress:
         keys = _underway(skeleton, gestures[0], keys, from_behind=rests[0].pose == BEHIND_BACK)
-        rests = tuple(rest for rest in rests if rest.end_s > 0.0)
+        rests = tuple(rest for rest in rests if rest.start_s > 0.0)
     keys += [way for rest in rests if rest.pose == BEHIND_BACK for way in _past_the_hip(skeleton, rest, keys)]
     return ArmTrack(side, tuple(_apart(sorted(keys, key=lambda key: key.time_s))))
 
@@ -78,7 +83,9 @@ def _underway(skeleton: Skeleton, first: ArmGesture, keys: list[TimedPose], *, f
     at_rest = next(key for key in keys if key.time_s == 0.0)
     at_rest = replace(at_rest, pose=_resting(skeleton, first.side, "at_side")) if from_behind else at_rest
     parts = slerp(at_rest.pose.parts, start.over(at_rest.pose).parts, np.array(first.initial_progress))
-    return [replace(at_rest, pose=PartialPose(parts)), *(key for key in keys if key.time_s > 0.0)]
+    until_s = first.markers.start
+    waiting = [replace(at_rest, time_s=time_s, pose=PartialPose(parts)) for time_s in {0.0, until_s}]
+    return [*waiting, *(key for key in keys if key.time_s > until_s)]
 
 
 def _apart(keys: Iterable[TimedPose]) -> Iterator[TimedPose]:
@@ -98,6 +105,8 @@ def _apart(keys: Iterable[TimedPose]) -> Iterator[TimedPose]:
 def _rest_keys(skeleton: Skeleton, rest: ArmRest) -> Iterator[TimedPose]:
     pose = _resting(skeleton, rest.side, rest.pose)
     yield TimedPose(rest.start_s, pose, noise=REST_NOISE)
+    for beat in rest.beats:
+        yield from _repeat_keys(beat, pose, pose, _resting(skeleton, rest.side, LIFTED))
     yield TimedPose(rest.end_s, pose, noise=REST_NOISE)
 
 
@@ -110,7 +119,19 @@ class _Posed:
     pose: PartialPose
 
 
-def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose]:
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """How far out the arms go on their ways to rest, and where those lead, by arm."""
+
+    degrees: float
+    rests: tuple[tuple[float, PartialPose], ...]
+
+    def rest_at(self, time_s: float) -> PartialPose | None:
+        """The pose of the rest that begins then."""
+        return next((pose for start_s, pose in self.rests if abs(start_s - time_s) < _SHORTEST_KEY_S), None)
+
+
+def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture, arc: Arc) -> Iterator[TimedPose]:
     """The keys of a gesture, including its hold and those on the way back to rest."""
     posed = list(_posed(skeleton, gesture))
     markers = gesture.placed.clip.markers
@@ -122,6 +143,21 @@ def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[TimedPose
         yield from _repeat_keys(repeat, start, end, hanging)
     held = next((each.key.curve for each in posed if each.key.time_s == markers.relax), KeyCurve())
     yield _shaped(TimedPose(gesture.markers.relax, end, noise=HOLD_NOISE), held)
+    drops = gesture.blended_to is None and not any(each.key.time_s > markers.relax for each in posed)
+    if drops and arc.degrees and gesture.markers.end - gesture.markers.relax > _SHORTEST_ARC_S:
+        yield from _arced(gesture, end, arc)
+
+
+def _arced(gesture: ArmGesture, end: PartialPose, arc: Arc) -> Iterator[TimedPose]:
+    """The pose in the middle of a way to rest: outwards, and nearer to its end than in time, for a hand that has been
+    let go comes down slower and slower."""
+    rest = arc.rest_at(gesture.markers.end)
+    if rest is not None:
+        way_s = gesture.markers.end - gesture.markers.relax
+        parts = slerp(end.parts, rest.parts, np.array(_DECAYED))
+        turn = np.radians(arc.degrees) * (1.0 if gesture.side is Hand.LEFT else -1.0)
+        parts[1] = multiply(from_rotation_vector(np.array([0.0, 0.0, turn])), parts[1])
+        yield TimedPose(gesture.markers.relax + _HALF * way_s, PartialPose(parts), noise=STROKE_NOISE)
 
 
 def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
@@ -135,16 +171,16 @@ def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
         before = sum(key.time_s < placed.aimed_from_s for key, _of_arm in played)
         poses = (*free[:before], *poses[before:])
     for (key, _of_arm), pose in zip(played, poses, strict=True):
-        made = _part_of_the_way(skeleton, gesture.side, pose, placed.share) if placed.follows else pose
+        made = _part_of_the_way(skeleton, gesture, pose) if placed.follows else pose
         made = _bent(made, gesture.side, placed.bends_deg) if placed.bends_deg else made
         yield _Posed(_on_the_clock(gesture, key.time_s), key, made)
 
 
-def _part_of_the_way(skeleton: Skeleton, side: Hand, pose: PartialPose, share: float) -> PartialPose:
-    """A pose of a hand that only follows: between hanging and `pose`, with relaxed fingers."""
-    hanging = _resting(skeleton, side, "at_side").parts
-    parts = slerp(hanging, pose.parts, np.array(share))
-    parts[HAND_ROWS] = hanging[HAND_ROWS]
+def _part_of_the_way(skeleton: Skeleton, gesture: ArmGesture, pose: PartialPose) -> PartialPose:
+    """A pose of a hand that only follows: between where it rests and `pose`, with relaxed fingers."""
+    resting = _resting(skeleton, gesture.side, gesture.placed.basis).parts
+    parts = slerp(resting, pose.parts, np.array(gesture.placed.share))
+    parts[HAND_ROWS] = resting[HAND_ROWS]
     return PartialPose(parts)
 
 

@@ -34,6 +34,15 @@ def _delay(part: str) -> float:
     return first[part] if part in first else {"Distal": 0.7, "Intermediate": 0.55}.get(part[-6:], 0.4)
 
 
+def _finger_lag_s(part: str) -> float:
+    """How much later than the hand a finger is at each key: fingers are there one after another, 35 ms apart."""
+    lags_s = {"Middle": 0.035, "Ring": 0.07, "Little": 0.105}
+    return next((lag_s for finger, lag_s in lags_s.items() if part.startswith(finger)), 0.0)
+
+
+_FINGER_LAGS_S: FloatArray = np.array([_finger_lag_s(part) for part in PARTS])
+_FINGER_LAGS_S.setflags(write=False)
+_MOMENT_S = 1e-3
 _DELAYS: FloatArray = np.array([_delay(part) for part in PARTS])
 _DELAYS.setflags(write=False)
 
@@ -118,13 +127,16 @@ def _curves(track: ArmTrack) -> Curves:
 
 def _shifted(track: ArmTrack) -> FloatArray:
     """The time (K, 20) at which each part reaches each key. The follow-through grows with the time to the next key but
-    never reorders keys; the last key is reached by all parts at once."""
+    never reorders keys; the first key is reached by all parts at once."""
     times_s = np.array([key.time_s for key in track.keys])
     until_next_s = np.append(np.diff(times_s), 0.0)
     since_last_s = np.append(np.inf, np.diff(times_s))
     most_s = np.minimum(FOLLOW_THROUGH_S, _SHARE_OF_INTERVAL * np.minimum(until_next_s, since_last_s))
     most_s *= [key.follow_through for key in track.keys]
-    return np.asarray(times_s[:, None] + most_s[:, None] * _DELAYS)
+    lags_s = np.array([key.follow_through for key in track.keys])[:, None] * _FINGER_LAGS_S
+    reached_s = times_s[:, None] + most_s[:, None] * _DELAYS + lags_s
+    reached_s[0] = times_s[0]
+    return np.asarray(np.maximum(reached_s, reached_s[0] + _MOMENT_S * np.arange(len(times_s))[:, None]))
 
 
 _STIRRED_ROWS = (slice(0, 5), slice(8, None, 3))

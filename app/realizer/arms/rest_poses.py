@@ -46,6 +46,12 @@ _IN_POCKETS = Rest((0.232, 0.015, 0.065), (-0.10, -1.0, 0.20), (-1.0, 0.1, -0.1)
 _ON_HIPS = Rest((0.225, 0.090, 0.010), (-0.35, -0.45, 0.85), (-0.7, -0.6, -0.5), 46.0, _STIFF)
 _OPEN = Rest((0.250, 0.110, 0.200), (-0.35, -0.15, 1.0), (-0.9, 0.25, -0.3))
 
+LAPS = ("lap_low", "lap", "lap_high")
+"""The hands before the belly, ready to go on, at low, medium and high agitation."""
+LIFTED = "lifted"
+"""Where the beats of hands in the lap come from."""
+_LAP_HEIGHTS_M = {**dict(zip(LAPS, (0.150, 0.190, 0.245), strict=True)), LIFTED: 0.40}
+
 RESTS: Mapping[str, tuple[Rest, Rest]] = MappingProxyType(
     {
         "at_side": (HANGING, HANGING),
@@ -61,6 +67,13 @@ RESTS: Mapping[str, tuple[Rest, Rest]] = MappingProxyType(
             Rest((0.159, 0.040, -0.175), (-1.0, -0.35, -0.1), (-0.1, 0.0, -1.0), 0.0, _EASY, _CURVED),
             Rest((0.080, -0.010, -0.215), (-1.0, -0.30, -0.1), (-0.1, 0.0, -1.0), 0.0, _EASY, _CURVED),
         ),
+        **{
+            name: (
+                Rest((0.150, up_m, 0.230), (-0.62, -0.12, 0.78), (-0.55, -0.75, -0.40), 4.0),
+                Rest((0.162, up_m + 0.022, 0.246), (-0.50, -0.02, 0.86), (-0.70, -0.55, -0.42), 7.0),
+            )
+            for name, up_m in _LAP_HEIGHTS_M.items()
+        },
         "in_pockets": (_IN_POCKETS, _IN_POCKETS),
         "on_hips": (_ON_HIPS, _ON_HIPS),
         "open": (_OPEN, _OPEN),

@@ -14,7 +14,7 @@ from ..body.skeleton import HIPS_HEIGHT_M
 from ..gestures.gesture import ArmKey, Clip, ClipKey, Depth, Height, Place, Sideways
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
-from .rest_poses import HANGING
+from .rest_poses import RESTS
 
 _UNPLACED = Place(Sideways.C, Height.CC, Depth.MIDDLE)
 """The place assumed for a hand that is given by joint angles."""
@@ -38,8 +38,8 @@ def wrist_m(placed: PlacedGesture, side: Hand, time_s: float) -> FloatArray:
     target; of a hand that follows, on the way there from hanging."""
     place_m = _wrist_m(placed.clip, side, time_s, amplitude(placed))
     if placed.follows:
-        hanging_m = np.array(HANGING.wrist_m)
-        return np.asarray(hanging_m + placed.share * (place_m - hanging_m))
+        basis_m = np.array(RESTS[placed.basis][side is Hand.RIGHT].wrist_m)
+        return np.asarray(basis_m + placed.share * (place_m - basis_m))
     if placed.aim_m is None or time_s < placed.aimed_from_s:
         return place_m
     out = 1.0 if side is Hand.LEFT else -1.0

@@ -4,7 +4,7 @@ The classes are the schema of the file as well, whose comments explain the keys.
 does no more than its schedule asks: every amount is 0.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import inf
 from pathlib import Path
 from typing import Annotated, ClassVar, TypeAlias
@@ -23,8 +23,14 @@ def _rising(ends: tuple[float, float]) -> tuple[float, float]:
 Share: TypeAlias = Annotated[float, Field(ge=0, le=1)]
 Seconds: TypeAlias = Annotated[float, Field(ge=0, le=5)]
 Degrees: TypeAlias = Annotated[float, Field(ge=0, le=20)]
+Reach: TypeAlias = Annotated[float, Field(ge=0, le=0.6)]
+Bend: TypeAlias = Annotated[float, Field(ge=0, le=60)]
+Lift: TypeAlias = Annotated[float, Field(ge=-0.2, le=0.2)]
 Metres: TypeAlias = Annotated[float, Field(ge=0, le=0.4)]
 Hertz: TypeAlias = Annotated[float, Field(ge=0.01, le=2)]
+Speed: TypeAlias = Annotated[float, Field(ge=0, le=2)]
+Factor: TypeAlias = Annotated[float, Field(gt=0, le=4)]
+Factors: TypeAlias = Annotated[tuple[Factor, Factor], AfterValidator(_rising)]
 Shares: TypeAlias = Annotated[tuple[Share, Share], AfterValidator(_rising)]
 SecondsRange: TypeAlias = Annotated[tuple[Seconds, Seconds], AfterValidator(_rising)]
 MetresRange: TypeAlias = Annotated[tuple[Metres, Metres], AfterValidator(_rising)]
@@ -38,6 +44,7 @@ class SecondHand:
     follows: Share = 0.0
     share: Shares = (0.0, 0.0)
     lag_s: SecondsRange = (0.0, 0.0)
+    near_belly: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +61,54 @@ class Holds:
     longest_s: Annotated[float, Field(ge=0.3)] = inf
     way_m: MetresRange = (0.0, 0.0)
     spacing_s: SecondsRange = (1.0, 1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Strokes:
+    """Three values are those of low, medium and high agitation, here and below."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    speed_m_s: tuple[Speed, Speed, Speed] = (0.0, 0.0, 0.0)
+    fastest_m_s: tuple[Speed, Speed, Speed] = (1.0, 1.0, 1.0)
+    variety: Factors = (1.0, 1.0)
+    shortest_s: Seconds = 0.0
+    lift_m: tuple[Lift, Lift, Lift] = (0.0, 0.0, 0.0)
+    wind_up: tuple[Factor, Factor, Factor] = (1.0, 1.0, 1.0)
+    longest_m: tuple[Reach, Reach, Reach] = (0.0, 0.0, 0.0)
+    unhurried: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Retractions:
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    speed_m_s: Annotated[float, Field(ge=0.2, le=2)] = 1.0
+    variety: Factors = (1.0, 1.0)
+    arc_deg: Degrees = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Lap:
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    longest_gap_s: tuple[Annotated[float, Field(ge=0)], ...] = (0.0, 0.0, 0.0)
+    beats: tuple[Share, Share, Share] = (0.0, 0.0, 0.0)
+    lift_m: tuple[Metres, Metres, Metres] = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Dragging:
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    hand_deg: Bend = 0.0
+    hand_lag_s: Seconds = 0.0
+    fingers_deg: Bend = 0.0
+    finger_lag_s: Seconds = 0.0
+    life_deg: Degrees = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Ends:
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    still_s: Seconds = 0.0
+    eased_s: Seconds = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,12 +151,17 @@ class MovementStyle:
     holds: Holds = Holds()
     stroke: StrokeLife = StrokeLife()
     idle: IdleLife = IdleLife()
+    strokes: Strokes = Strokes()
+    retractions: Retractions = Retractions()
+    lap: Lap = Lap()
+    dragging: Dragging = Dragging()
+    ends: Ends = Ends()
 
     @classmethod
     def load(cls, path: Path) -> "MovementStyle":
         """The style of a file; raises AuthoringError with every mistake at its place."""
         file = Source(path).validated(_MovementFile)
-        return cls(file.second_hand, file.two_hands, file.holds, file.stroke, file.idle)
+        return cls(**{each.name: getattr(file, each.name) for each in fields(cls)})
 
 
 class _MovementFile(Entry):
@@ -110,6 +170,11 @@ class _MovementFile(Entry):
     holds: Holds
     stroke: StrokeLife
     idle: IdleLife
+    strokes: Strokes
+    retractions: Retractions
+    lap: Lap
+    dragging: Dragging
+    ends: Ends
 
 
 PLAIN = MovementStyle()

@@ -22,18 +22,18 @@ def brief(clip: Clip) -> Clip:
     keys = tuple(
         replace(
             key,
-            time_s=_in_less_time(markers, key.time_s, share),
+            time_s=in_less_time(markers, key.time_s, share),
             left=_nearer(key.left, ends[Hand.LEFT], share) if _is_before_the_end(markers, key) else key.left,
             right=_nearer(key.right, ends[Hand.RIGHT], share) if _is_before_the_end(markers, key) else key.right,
         )
         for key in clip.keys
     )
-    times_s = (_in_less_time(markers, getattr(markers, name), share) for name in Markers.__slots__)
+    times_s = (in_less_time(markers, getattr(markers, name), share) for name in Markers.__slots__)
     return replace(clip, markers=Markers(*times_s), keys=keys)
 
 
-def _in_less_time(markers: Markers, time_s: float, share: float) -> float:
-    """A time in the clip, in the brief one."""
+def in_less_time(markers: Markers, time_s: float, share: float) -> float:
+    """A time in a clip, in the same clip with that share of its stroke's time."""
     in_stroke_s = min(max(time_s, markers.stroke_start), markers.stroke_end) - markers.stroke_start
     return time_s - (1 - share) * in_stroke_s
 

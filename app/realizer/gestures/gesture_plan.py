@@ -13,6 +13,7 @@ from ...model.limits.gesture_limits import playable_size
 from ...model.schedule import Way
 from ...model.slots import Slots
 from ..body.motion import Decision
+from ..body.movement_style import PLAIN, MovementStyle
 from .gesture import Clip, Markers
 
 Position = tuple[float, float, float]
@@ -63,9 +64,8 @@ class Repeat:
 class PlacedGesture:
     """A clip A_i for a request G_i, its stroke at the desired time; `relax_s` is the earliest end of its hold. `aim_m`
     is the world position that it points at; None plays it as defined; poses before `aimed_from_s` of the clip are as
-    defined. `share` is how far of the way from hanging the
-    hand goes: less than 1 in a hand that only follows the other. Where the hand does not lead, its fingers from index
-    to little are bent by `bends_deg` more."""
+    defined. `share` is how far of the way from the rest pose `basis` the hand goes: less than 1 in a hand that only
+    follows the other. Where the hand does not lead, its fingers from index to little are bent by `bends_deg` more."""
 
     request: GestureRequest
     clip: Clip
@@ -74,6 +74,7 @@ class PlacedGesture:
     aim_m: Position | None = None
     aimed_from_s: float = -inf
     share: float = 1.0
+    basis: str = "at_side"
     bends_deg: tuple[float, ...] = ()
 
     @property
@@ -131,12 +132,13 @@ class ArmGesture:
 
 @dataclass(frozen=True, slots=True)
 class ArmRest:
-    """An arm at rest in a pose, from arrival to departure."""
+    """An arm at rest in a pose, from arrival to departure, with small `beats` on stressed words."""
 
     side: Hand
     pose: str
     start_s: float
     end_s: float
+    beats: tuple[Repeat, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,7 +166,7 @@ class GestureUnit:
 @dataclass(frozen=True, slots=True)
 class GesturePlan:
     """What the arms do from the first frame to `end_s`, when both are at rest; gestures and rests are in order of time.
-    `following` are those that an arm makes because the other one gestures.
+    `following` are those that an arm makes because the other one gestures, `style` is how lively they all are.
     `realized` has the sync points of every gesture that is played, by BML id; `decisions` explain those that are not
     played as requested."""
 
@@ -176,6 +178,7 @@ class GesturePlan:
     realized: Mapping[str, SyncPoints]
     end_s: float
     following: tuple[ArmGesture, ...] = ()
+    style: MovementStyle = PLAIN
 
     def of_arm(self, side: Hand) -> tuple[tuple[ArmGesture, ...], tuple[ArmRest, ...]]:
         """The gestures of one arm, with those in which it follows, and its rests."""

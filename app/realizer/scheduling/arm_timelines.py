@@ -11,6 +11,7 @@ from itertools import pairwise
 from math import inf
 
 from ...model import Hand
+from ..arms.rest_poses import LAPS
 from ..arms.wrist_paths import relax_m, stroke_start_m
 from ..gestures.gesture import Markers
 from ..gestures.gesture_plan import ArmGesture, ArmRest, PlacedGesture
@@ -22,9 +23,7 @@ from .rests import (
     change_s,
     posture_pose,
     preparation_s,
-    rest_pose_for_gap,
     rest_way_m,
-    retraction_s,
     shortest_way_s,
 )
 from .transitions import TransitionContext, blends, in_same_unit, natural_preparation_s, prolonged_relax_s
@@ -71,10 +70,11 @@ def rest_changes(units: Sequence[Sequence[PlacedGesture]], setting: TransitionCo
     two_handed = [False, *(any(len(each.arms) == 2 for each in unit) for unit in units)]
     gaps_s = [start_s - end_s for end_s, start_s in zip(ends_s, starts_s, strict=False)]
     poses = [
-        rest_pose_for_gap(gap_s, together=before or after)
+        setting.gap_pose(gap_s, together=before or after)
         for gap_s, (before, after) in zip(gaps_s, pairwise(two_handed), strict=True)
     ]
-    by_gap = tuple(zip(ends_s, [*poses, AT_SIDE], strict=True))
+    last = setting.gap_pose(setting.end_s - ends_s[-1], together=False) if units else AT_SIDE
+    by_gap = tuple(zip(ends_s, [*poses, last if last in LAPS else AT_SIDE], strict=True))
     times_s = sorted({*ends_s, *(from_s for from_s, _pose in setting.postures)})
     changes = [
         RestChange(time_s, posture_pose(setting.postures, time_s) or _in_force(by_gap, time_s)) for time_s in times_s
@@ -93,7 +93,7 @@ def arm_timeline(
     if not own:
         return ArmTimeline((), tuple(_rests(side, 0.0, inf, changes)))
     between = [_between(first, second, side, changes, setting) for first, second in pairwise(own)]
-    ways = [_from_the_first_frame(own[0], side, changes), *between, _to_rest(own[-1], side, changes, setting)]
+    ways = [_from_the_first_frame(own[0], side, changes, setting), *between, _to_rest(own[-1], side, changes, setting)]
     played = [_arm_gesture(side, *each) for each in zip(own, ways, ways[1:], strict=False)]
     rests = (rest for way in ways if not way.joined for rest in _rests(side, way.arrival_s, way.start_s, changes))
     return ArmTimeline(tuple(played), tuple(rests))
@@ -120,7 +120,7 @@ def _between(
     if blends(first, second, side, setting):
         relax_s = prolonged_relax_s(first, second, side)
         return _Way(relax_s, relax_s, relax_s, second.stroke_start_s, first, second, joined=True)
-    there_s, back_s = _retraction_s(first, side, changes), _preparation_s(second, side, changes)
+    there_s, back_s = _retraction_s(first, side, changes, setting), _preparation_s(second, side, changes)
     window_s = second.stroke_start_s - first.relax_s
     share = min(1.0, window_s / (there_s + back_s))
     hold_s = _hold_s(second, window_s - there_s - back_s - SHORTEST_REST_S)
@@ -128,21 +128,29 @@ def _between(
     return _Way(first.relax_s, first.relax_s + share * there_s, ready_s - share * back_s, ready_s, first, second)
 
 
-def _from_the_first_frame(first: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> _Way:
+def _from_the_first_frame(
+    first: PlacedGesture, side: Hand, changes: tuple[RestChange, ...], setting: TransitionContext
+) -> _Way:
     """The way to the first gesture. Speakers raise their hands before the first word, so if there is too little time,
     part of the way has already been covered in the first frame."""
-    window_s = max(0.0, first.stroke_start_s)
+    still_s = min(setting.style.ends.still_s, max(0.0, first.stroke_start_s))
+    window_s = max(0.0, first.stroke_start_s - still_s)
     way_s = min(_preparation_s(first, side, changes), window_s)
-    ready_s = window_s - _hold_s(first, window_s - way_s)
+    ready_s = still_s + window_s - _hold_s(first, window_s - way_s)
     hurried = shortest_way_s(rest_way_m(changes[0].pose, side, stroke_start_m(first, side)))
     progress = max(0.0, 1.0 - window_s / hurried)
-    return _Way(0.0, 0.0, max(0.0, ready_s - way_s), ready_s, None, first, initial_progress=progress)
+    return _Way(0.0, 0.0, max(still_s, ready_s - way_s), ready_s, None, first, initial_progress=progress)
 
 
 def _to_rest(last: PlacedGesture, side: Hand, changes: tuple[RestChange, ...], setting: TransitionContext) -> _Way:
-    """The last way to rest, a little faster if that is what it takes to arrive before the end."""
-    natural_s = _retraction_s(last, side, changes)
-    there_s = min(natural_s, max(setting.end_s - last.relax_s, HURRIED_RETRACTION * natural_s))
+    """The last way to rest, a little faster if that is what it takes to arrive before the end; where that is not enough
+    and the body is to end still, the hand stays where it is."""
+    natural_s, least_s = _retraction_s(last, side, changes, setting), setting.style.ends.still_s
+    left_s = setting.end_s - last.relax_s
+    if least_s and left_s - least_s < HURRIED_RETRACTION * natural_s:
+        relax_s = max(last.relax_s, setting.end_s)
+        return _Way(relax_s, relax_s + natural_s, inf, inf, last)
+    there_s = min(natural_s, max(left_s - least_s, HURRIED_RETRACTION * natural_s))
     return _Way(last.relax_s, last.relax_s + there_s, inf, inf, last)
 
 
@@ -158,9 +166,11 @@ def _preparation_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange
     return preparation_s(rest_way_m(pose, side, stroke_start_m(gesture, side)), natural_s)
 
 
-def _retraction_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> float:
+def _retraction_s(
+    gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...], setting: TransitionContext
+) -> float:
     pose = pose_on_arrival(changes, gesture.relax_s + SHORTEST_RETRACTION_S)
-    return retraction_s(rest_way_m(pose, side, relax_m(gesture, side)))
+    return setting.retraction_s(gesture, rest_way_m(pose, side, relax_m(gesture, side)))
 
 
 def _arm_gesture(side: Hand, gesture: PlacedGesture, before: _Way, after: _Way) -> ArmGesture:

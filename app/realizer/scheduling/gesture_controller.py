@@ -15,6 +15,8 @@ from ..arms.posing import wrists_of
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife
 from ..body.skeleton import Skeleton
+from ..dynamics.dragging import drag
+from ..dynamics.ends import eased_at_the_ends
 from ..geometry.rotations import inverse, multiply, normalize, normalized
 from ..geometry.smoothing import smooth
 from ..gestures.arm_joints import arm_joints
@@ -48,10 +50,13 @@ def apply_gestures(
     breath = _breath(body.rotations.take(collarbones, axis=1))
     arms = [body.rotations[:, joints] for joints in rows]
     tracks = [arm_track(skeleton, side, plan) for side in SIDES]
-    set_arms(arms, tracks, body.times_s, seed=seed, noise_scale=noise_scale)
+    eased_s = eased_at_the_ends(body.times_s, plan.style.ends.eased_s)
+    set_arms(arms, tracks, eased_s, seed=seed, noise_scale=noise_scale)
     for arm in arms:
         _smooth(arm, body.times_s)
-    follow_with_trunk(skeleton, body, wrists_of(skeleton, *arms), accents)
+    wrists_m = wrists_of(skeleton, *arms)
+    drag(arms, wrists_m, body.times_s, plan.style.dragging, seed=seed, life=noise_scale)
+    follow_with_trunk(skeleton, body, wrists_m, accents)
     body.rotations[:, collarbones] = multiply(body.rotations.take(collarbones, axis=1), breath)
     bend_strokes(skeleton, body, plan)
     add_offset_tracks(skeleton, body.rotations, body.times_s, plan)
@@ -65,7 +70,8 @@ def _arm_rows(skeleton: Skeleton, side: Hand) -> slice:
 
 def accents_of(plan: GesturePlan, times_s: FloatArray, life: StrokeLife, *, scale: float) -> AccentCourse:
     """What the plan's strokes do to the trunk; `scale` (0 to 1) is 1 - stillness."""
-    return accent_course(times_s, list(_accents(plan)), life, scale=scale)
+    eased_s = eased_at_the_ends(times_s, plan.style.ends.eased_s)
+    return accent_course(eased_s, list(_accents(plan)), life, scale=scale)
 
 
 def _accents(plan: GesturePlan) -> Iterator[Accent]:

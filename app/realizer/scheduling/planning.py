@@ -17,6 +17,10 @@ import numpy as np
 from ...model import Hand, Schedule, SyncPoints
 from ..body.motion import Decision
 from ..body.movement_style import PLAIN, MovementStyle
+from ..dynamics.drawing import drawn
+from ..dynamics.resting_beats import Habits
+from ..dynamics.resting_beats import with_beats as riding
+from ..dynamics.snapping import lifted, snapped, wound_up
 from ..gestures.gesture_plan import (
     ArmGesture,
     ArmRest,
@@ -42,6 +46,8 @@ SIDES = (Hand.LEFT, Hand.RIGHT)
 
 _STILL = 0.5
 """The stillness above which a hand goes back to rest instead of beating time in a long hold."""
+_PACE = 1
+"""What is drawn for a stroke, beside what is drawn for its gesture's hands."""
 _NOTICEABLE_S = 0.02
 _ON_TIME_S = 0.01
 """Differences from the schedule below this are not reported."""
@@ -62,7 +68,7 @@ def plan_gestures(
     `targets_m` has the world positions of pointing targets, as for the gaze; `leading` is the hand that the character
     prefers.
     """
-    setting = _setting(schedule)
+    setting = _setting(schedule, style, seed)
     chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
     gestures = tuple(led_by(each, leading) for each in _repeated(chosen.kept, schedule, setting, style))
     units = units_of(gestures, setting)
@@ -72,7 +78,7 @@ def plan_gestures(
     played = (each for line in timelines for each in line.gestures)
     made = sorted(_beating(played, gestures, schedule, habits), key=lambda each: each.markers.start)
     arms = tuple(each for each in made if not each.placed.follows)
-    rests = _rests(timelines, schedule.duration_s)
+    rests = tuple(_riding(_rests(timelines, schedule.duration_s), schedule, habits))
     aimed_at_nothing = (told for gesture in gestures for told in unknown_target(gesture))
     return GesturePlan(
         gestures=arms,
@@ -83,13 +89,28 @@ def plan_gestures(
         realized={gesture.request.behavior: _realized(gesture, arms) for gesture in gestures},
         end_s=max(rest.end_s for rest in rests),
         following=tuple(each for each in made if each.placed.follows),
+        style=style,
     )
 
 
-def _setting(schedule: Schedule) -> TransitionContext:
+def _setting(schedule: Schedule, style: MovementStyle, seed: int) -> TransitionContext:
     return TransitionContext(
-        schedule.phrases, posture_changes(schedule), schedule.duration_s, singletons=schedule.singletons
+        schedule.phrases,
+        posture_changes(schedule),
+        schedule.duration_s,
+        singletons=schedule.singletons,
+        style=style,
+        level=schedule.agitation,
+        seed=seed,
     )
+
+
+def _riding(rests: Iterable[ArmRest], schedule: Schedule, habits: HandHabits) -> Iterator[ArmRest]:
+    """The rests with beats on stressed words, unless the body is to be still."""
+    own = Habits(habits.leading, habits.seed)
+    for rest in rests:
+        still = schedule.stillness > _STILL
+        yield rest if still else riding(rest, schedule.emphases_s, schedule.phrases, habits.style.lap, own)
 
 
 def _rests(timelines: Iterable[ArmTimeline], duration_s: float) -> tuple[ArmRest, ...]:
@@ -103,7 +124,7 @@ def chosen_clips(
     library: Clips, schedule: Schedule, setting: TransitionContext, *, seed: int, targets_m: Mapping[str, Position]
 ) -> Admission:
     """The gestures that are played with their clips, in order of their strokes, and the decisions about the others."""
-    draw = Draw(library, np.random.default_rng(seed), targets_m)
+    draw = Draw(library, np.random.default_rng(seed), targets_m, setting)
     kept: tuple[PlacedGesture, ...] = ()
     decisions: list[Decision] = []
     asked = requests_of(schedule)
@@ -129,6 +150,7 @@ class Draw:
     library: Clips
     rng: np.random.Generator
     targets_m: Mapping[str, Position]
+    setting: TransitionContext
 
     def options(
         self, request: GestureRequest, kept: Iterable[PlacedGesture], shown_m: Mapping[str, Position]
@@ -138,11 +160,15 @@ class Draw:
         if not clips:
             return (), told
         before = [each.clip.name for each in kept if each.clip.category == clips[0].category]
-        drawn = finger_first(shuffled(clips, before[-1] if before else None, self.rng), request)
-        plain = [with_target(place_clip(clip, request), self.targets_m) for clip in drawn]
+        order = finger_first(shuffled(clips, before[-1] if before else None, self.rng), request)
+        plain = [with_target(place_clip(clip, request), self.targets_m) for clip in order]
         shown = [showing(each, shown_m) for each in plain]
         others = [one for one, other in zip(plain, shown, strict=True) if one is not other]
-        options = [in_time(each) for each in (*shown, *others)]
+        style, seed = self.setting.style, self.setting.seed
+        strong = [wound_up(lifted(each, style.strokes), style.strokes) for each in shown]
+        others += [one for one, other in zip(shown, strong, strict=True) if one is not other]
+        made = (snapped(each, style.strokes, drawn(seed, each, _PACE)) for each in (*strong, *others))
+        options = [in_time(each, style.ends.still_s) for each in made]
         return tuple(sorted(options, key=lambda each: each.stroke_start_s < 0)), told
 
 

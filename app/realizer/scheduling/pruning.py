@@ -46,7 +46,8 @@ def admit(options: Sequence[PlacedGesture], kept: tuple[PlacedGesture, ...], set
         others = options[1:] if hurdle.replaceable else ()
         other = next((option for option in others if obstacle(option, kept, setting) is None), None)
         if other is not None:
-            decisions.append(_replaced(first, other, hurdle))
+            if other.clip.name != first.clip.name or first.request.slots:
+                decisions.append(_replaced(first, other, hurdle))
             return Admission((*kept, other), tuple(decisions))
         if hurdle.rival is None or hurdle.rival.request.priority >= first.request.priority:
             return Admission(kept, (*decisions, _dropped(first, hurdle)))

@@ -51,6 +51,7 @@ CHANGE_SPEED_M_S = 0.6
 SHORTEST_PREPARATION_S = 0.35
 HURRIED_PREPARATION_S = 0.15
 SHORTEST_RETRACTION_S = 0.40
+HURRIED_RETRACTION_S = 0.28
 SHORTEST_CHANGE_S = 0.6
 SHORTEST_REST_S = 0.3
 """A shorter rest looks like a twitch."""
@@ -64,9 +65,12 @@ class RestChange:
     pose: str
 
 
-def rest_pose_for_gap(gap_s: float, *, together: bool = True) -> str:
+def rest_pose_for_gap(gap_s: float, *, together: bool = True, lap: str | None = None, lap_s: float = 0.0) -> str:
     """The rest pose for a gap of this length until the next unit. Hands are clasped only where both gesture before or
-    after it (`together`), which is ours: by the paper's rule the second hand stays before the belly alone."""
+    after it (`together`), which is ours: by the paper's rule the second hand stays before the belly alone. In a gap
+    shorter than `lap_s` they stay before the belly, in the pose `lap`, and do not drop between two ideas."""
+    if lap is not None and gap_s < lap_s:
+        return lap
     if gap_s < SMALL_GAP_S and together:
         return CLASPED
     return AT_SIDE if gap_s < MEDIUM_GAP_S else IN_POCKETS
@@ -125,9 +129,9 @@ def shortest_way_s(way_m: float) -> float:
     return max(way_m / TOP_SPEED_M_S, HURRIED_PREPARATION_S)
 
 
-def retraction_s(way_m: float) -> float:
-    """The duration of a retraction without time pressure."""
-    return max(way_m / RETRACTION_SPEED_M_S, SHORTEST_RETRACTION_S)
+def retraction_s(way_m: float, speed_m_s: float = RETRACTION_SPEED_M_S, *, pace: float = 1.0) -> float:
+    """The duration of a retraction without time pressure, at that mean speed and `pace` times as fast."""
+    return max(max(way_m / speed_m_s, SHORTEST_RETRACTION_S) / pace, HURRIED_RETRACTION_S)
 
 
 def change_s(pose: str, to: str, side: Hand) -> float:

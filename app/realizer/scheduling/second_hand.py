@@ -9,12 +9,13 @@ What is drawn for a gesture depends on the seed and on the gesture alone, so tha
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from zlib import crc32
 
 import numpy as np
 
 from ...model import Hand
+from ..arms.rest_poses import LAPS
 from ..body.movement_style import MovementStyle
+from ..dynamics.drawing import drawn
 from ..gestures.gesture import Clip, ClipKey
 from ..gestures.gesture_plan import PlacedGesture
 from .arm_timelines import pose_at
@@ -37,9 +38,7 @@ class HandHabits:
     seed: int
 
     def drawn(self, gesture: PlacedGesture) -> np.random.Generator:
-        asked = gesture.request
-        named = f"{asked.behavior} {asked.category} {asked.stroke_s:.3f}"
-        return np.random.default_rng((self.seed, crc32(named.encode())))
+        return drawn(self.seed, gesture)
 
 
 def led_by(gesture: PlacedGesture, leading: Hand) -> PlacedGesture:
@@ -87,15 +86,16 @@ def _following(
 ) -> PlacedGesture | None:
     """How the arm goes along with a gesture of the other; None if it rests or has to be elsewhere."""
     second, pose = habits.style.second_hand, pose_at(changes, max(0.0, gesture.stroke_start_s))
-    if not second.follows or pose not in (AT_SIDE, CLASPED):
+    if not second.follows or pose not in (AT_SIDE, CLASPED, *LAPS):
         return None
     rng = habits.drawn(gesture)
     lag_s, share = float(rng.uniform(*second.lag_s)), float(rng.uniform(*second.share))
     follows = bool(rng.uniform() < second.follows)
-    if pose == AT_SIDE and not follows:
+    if pose != CLASPED and not follows:
         return None
     clip = _of_other_hand(gesture.clip, side)
-    made = _later(replace(gesture, clip=clip, aim_m=None, share=share if follows else 0.0), lag_s)
+    basis = pose if pose in LAPS else LAPS[0] if second.near_belly and follows else AT_SIDE
+    made = _later(replace(gesture, clip=clip, aim_m=None, share=share if follows else 0.0, basis=basis), lag_s)
     return _between(made, list(own))
 
 

@@ -106,10 +106,10 @@ def place_clip(clip: Clip, request: GestureRequest) -> PlacedGesture:
     return PlacedGesture(request, clip, max(request.relax_s, stroke_end_s))
 
 
-def in_time(placed: PlacedGesture) -> PlacedGesture:
-    """The gesture delayed until its stroke begins with the first frame, the hand already raised; if that would be more
-    than `LATEST_S`, unchanged, with its stroke before the first frame."""
-    late_s = -placed.stroke_start_s
+def in_time(placed: PlacedGesture, from_s: float = 0.0) -> PlacedGesture:
+    """The gesture delayed until its stroke begins at `from_s`, by default with the first frame, the hand raised;
+    if that would be more than `LATEST_S`, unchanged, with its stroke before the first frame."""
+    late_s = from_s - placed.stroke_start_s
     if not 0 < late_s <= LATEST_S:
         return placed
     late = replace(placed, request=replace(placed.request, stroke_s=placed.request.stroke_s + late_s))

@@ -11,9 +11,12 @@ there are no units, and a rest takes no longer than hands at their fastest need 
 from dataclasses import dataclass
 from math import inf
 
-from ...model import Hand, Interval
+from ...model import Hand, Interval, Level
 from ...model.limits.gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
+from ..arms.rest_poses import LAPS
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
+from ..body.movement_style import PLAIN, MovementStyle
+from ..dynamics.drawing import drawn
 from ..gestures.gesture_plan import PlacedGesture
 from .rests import (
     SHORTEST_REST_S,
@@ -31,12 +34,15 @@ UNIT_GAP_S = 1.5
 @dataclass(frozen=True, slots=True)
 class TransitionContext:
     """The parts of a schedule that affect transitions: its phrases, the rest poses of its postures, its end, and
-    whether gestures are to be single."""
+    whether gestures are to be single; and how the body moves, by style, level of agitation and seed."""
 
     phrases: tuple[Interval, ...] = ()
     postures: tuple[tuple[float, str | None], ...] = ()
     end_s: float = inf
     singletons: bool = False
+    style: MovementStyle = PLAIN
+    level: Level = Level.MEDIUM
+    seed: int = 0
 
     def phrase_of(self, time_s: float) -> int | None:
         """The index of the last phrase that has begun; None if there are no phrases."""
@@ -45,7 +51,19 @@ class TransitionContext:
 
     def pose_in_gap(self, start_s: float, gap_s: float) -> str:
         """The rest pose in a gap between units."""
-        return posture_pose(self.postures, start_s) or rest_pose_for_gap(gap_s)
+        return posture_pose(self.postures, start_s) or self.gap_pose(gap_s)
+
+    def gap_pose(self, gap_s: float, *, together: bool = True) -> str:
+        """The rest pose in a gap in which nobody asks for another."""
+        number = list(Level).index(self.level)
+        lap_s = self.style.lap.longest_gap_s[number]
+        return rest_pose_for_gap(gap_s, together=together, lap=LAPS[number], lap_s=lap_s)
+
+    def retraction_s(self, gesture: PlacedGesture, way_m: float) -> float:
+        """The time of a gesture's way to rest: each has a pace of its own."""
+        retractions = self.style.retractions
+        pace = float(drawn(self.seed, gesture).uniform(*retractions.variety))
+        return retraction_s(way_m, retractions.speed_m_s, pace=pace)
 
 
 def gap_s(first: PlacedGesture, second: PlacedGesture) -> float:
@@ -72,7 +90,7 @@ def _rest_between_s(first: PlacedGesture, second: PlacedGesture, side: Hand, set
     there_m, back_m = (rest_way_m(pose, side, at_m) for at_m in (relax_m(first, side), stroke_start_m(second, side)))
     if setting.singletons:
         return shortest_way_s(there_m) + shortest_way_s(back_m)
-    return retraction_s(there_m) + SHORTEST_REST_S + preparation_s(back_m, natural_preparation_s(second))
+    return setting.retraction_s(first, there_m) + SHORTEST_REST_S + preparation_s(back_m, natural_preparation_s(second))
 
 
 def natural_preparation_s(placed: PlacedGesture) -> float:

@@ -1,0 +1,91 @@
+"""Hands that drag behind their wrists, and fingers behind the hand, one after another; and fingers that never stand.
+
+A hand is no rigid end of the forearm: when the wrist sets off it stays behind, when the wrist stops it swings on, and
+the fingers do the same a little later, from the index to the little finger. Both follow the speed of the wrist across
+the hand a moment ago, so that a hand that is held is as its gesture has it. Besides, fingers curl and stretch a little
+all the time, each by itself.
+
+Conventions: `posing.arm_joints` has the rows of an arm; the left arm's axes, mirrored for the right arm.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...model import FloatArray
+from ..body.limits import MIRROR
+from ..body.movement_style import Dragging
+from ..geometry.noise import Noise, perlins
+from ..geometry.rotations import from_rotation_vector, inverse, multiply, rotate
+from ..geometry.smoothing import smoothed
+
+_COLLARBONE, _UPPER_ARM, _LOWER_ARM, _HAND, _FINGERS = 0, 1, 2, 3, slice(7, 19)
+_SMOOTH_S = 0.04
+_MOST_RAD = float(np.radians(32.0))
+_MIDDLE_JOINTS, _CLOSED = slice(8, 19, 3), 1.5
+"""The intermediate joints of the fingers, and twice the sine of half their bend in a hand that is nearly a fist."""
+_SOFT_RAD, _MOST_CURL_RAD = float(np.radians(3.0)), float(np.radians(16.0))
+_ASIDE = 0.4
+"""How much less a hand gives way to the side of thumb or little finger than towards palm and back."""
+_LIFE_HZ = 0.6
+_AT_EASE = 0.4
+"""How much fingers are curled on the whole, as a share of how far they curl and stretch about that."""
+_JOINTS: FloatArray = np.array([1.0, 1.0, 0.7])
+"""How much the three joints of a finger have of its curl."""
+
+
+def drag(
+    arms: Sequence[FloatArray], wrists_m: FloatArray, times_s: FloatArray, style: Dragging, *, seed: int, life: float
+) -> None:
+    """Turn hands and fingers of the left and the right arm (T, 19, 4), in place, by the ways of their wrists (2, T, 3),
+    seen from their own side; `life` (0 to 1) scales the curling of fingers at rest."""
+    if len(times_s) < 2 or not (style.hand_deg or style.fingers_deg or style.life_deg):
+        return
+    step_s = float(times_s[1] - times_s[0])
+    speeds = np.gradient(wrists_m, step_s, axis=1)
+    noise = perlins(times_s, Noise(_LIFE_HZ, 2 * seed + 1, 8)).reshape(-1, 2, 4)
+    curls = np.radians(style.life_deg * life) * (noise + _AT_EASE)
+    for number, (arm, mirror) in enumerate(zip(arms, (np.ones(4), MIRROR), strict=True)):
+        across = smoothed(_across_the_hand(arm * mirror, speeds[number]), _SMOOTH_S / step_s)
+        turns = np.zeros((len(times_s), 3))
+        late = _delayed(across, style.hand_lag_s / step_s)
+        turns[:, 1] = _ASIDE * np.radians(style.hand_deg) * late[:, 1]
+        turns[:, 2] = -np.radians(style.hand_deg) * late[:, 0]
+        arm[:, _HAND] = multiply(arm[:, _HAND], from_rotation_vector(_at_most(turns)) * mirror)
+        lags = (style.hand_lag_s + (1 + finger) * style.finger_lag_s for finger in range(4))
+        behind = np.stack([_delayed(across[:, 0], lag_s / step_s) for lag_s in lags], axis=1)
+        curled = np.radians(style.fingers_deg) * behind + curls[:, number]
+        arm[:, _FINGERS] = multiply(arm[:, _FINGERS], _bent(-_within(curled, arm)) * mirror)
+
+
+def _across_the_hand(arm: FloatArray, speed: FloatArray) -> FloatArray:
+    """The speeds (T, 2) of a wrist towards the back of the hand and towards the thumb."""
+    upper = multiply(arm[:, _COLLARBONE], arm[:, _UPPER_ARM])
+    hand = multiply(multiply(upper, arm[:, _LOWER_ARM]), arm[:, _HAND])
+    return np.asarray(rotate(inverse(hand), speed)[:, 1:])
+
+
+def _delayed(values: FloatArray, frames: float) -> FloatArray:
+    """The values (T, …) as they were so many frames ago."""
+    whole = round(frames)
+    return np.concatenate([values[:1].repeat(whole, axis=0), values[: len(values) - whole]])[: len(values)]
+
+
+def _at_most(angles: FloatArray) -> FloatArray:
+    """Angles that approach the most that joints give way, however fast a wrist is."""
+    return np.asarray(_MOST_RAD * np.tanh(angles / _MOST_RAD))
+
+
+def _within(curled: FloatArray, arm: FloatArray) -> FloatArray:
+    """Curls (T, 4) that fingers have room for: none stretches further, and a closed one hardly curls more."""
+    closed = np.clip(2 * np.abs(arm[:, _MIDDLE_JOINTS, 2]) / _CLOSED, 0.0, 1.0)
+    flexed = _SOFT_RAD * np.logaddexp(0.0, curled / _SOFT_RAD)
+    return np.asarray((1 - closed) * _MOST_CURL_RAD * np.tanh(flexed / _MOST_CURL_RAD))
+
+
+def _bent(bends: FloatArray) -> FloatArray:
+    """Rotations (T, 12, 4) of the joints of four fingers by bends (T, 4) about their hinges."""
+    halves = (bends[:, :, None] * _JOINTS).reshape(len(bends), -1) / 2
+    turned = np.zeros((*halves.shape, 4))
+    turned[..., 2], turned[..., 3] = np.sin(halves), np.cos(halves)
+    return turned

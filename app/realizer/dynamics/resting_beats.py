@@ -1,0 +1,69 @@
+"""Small beats of hands that rest before the belly while the voice goes on: on its stressed words, and between them.
+
+Speakers' hands do not stand still between two gestures while they go on talking. How many beats there are, and how high
+the hand is lifted, is by the level of agitation; the hand that does not lead lifts less and later.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...model import Hand, Interval
+from ..arms.rest_poses import LAPS
+from ..body.movement_style import Lap
+from ..gestures.gesture_plan import ArmRest, Repeat
+
+SPACING_S = 0.5
+"""The least time between the ends of two beats."""
+_LIFT_S = 0.42
+"""How long a beat takes, up and down."""
+_SETTLED_S = 0.15
+"""Before and after a rest's ends no beat is made."""
+_OTHER_SHARE, _OTHER_LAG_S = 0.6, 0.05
+_STEPS_S = (0.5, 0.9)
+_UNSTRESSED = 0.65
+"""How high a beat is that is on no stressed word."""
+
+
+@dataclass(frozen=True, slots=True)
+class Habits:
+    """Which hand leads, and the seed of what is drawn."""
+
+    leading: Hand
+    seed: int
+
+
+def with_beats(
+    rest: ArmRest, emphases_s: Iterable[float], phrases: Sequence[Interval], lap: Lap, habits: Habits
+) -> ArmRest:
+    """The rest with beats on emphases in it, and smaller ones where nothing is stressed for long in a phrase; which
+    ones and how high depends on the seed and the time alone."""
+    if rest.pose not in LAPS or not any(lap.lift_m):
+        return rest
+    level = LAPS.index(rest.pose)
+    lag_s, share = (0.0, 1.0) if rest.side is habits.leading else (_OTHER_LAG_S, _OTHER_SHARE)
+    last_s, beats = rest.start_s + _SETTLED_S, []
+    for at_s, height in _times(emphases_s, phrases, lap.beats[level], habits.seed):
+        end_s = at_s + lag_s
+        if end_s - _LIFT_S >= last_s and end_s <= rest.end_s - _SETTLED_S:
+            beats.append(Repeat(end_s - _LIFT_S, end_s, 0.0, height * share * lap.lift_m[level]))
+            last_s = end_s + SPACING_S - _LIFT_S
+    return replace(rest, beats=tuple(beats))
+
+
+def _times(
+    emphases_s: Iterable[float], phrases: Sequence[Interval], likely: float, seed: int
+) -> Iterator[tuple[float, float]]:
+    """The times of beats and their heights: on emphases, and at uneven steps where none comes for longer."""
+    stressed = sorted(emphases_s)
+    for phrase in phrases:
+        rng = np.random.default_rng((seed, round(1000 * phrase.start_s)))
+        within = [each for each in stressed if phrase.start_s <= each <= phrase.end_s]
+        at_s = phrase.start_s
+        while at_s < phrase.end_s:
+            step_s, height = float(rng.uniform(*_STEPS_S)), float(rng.uniform(0.7, 1.3))
+            soon = next((each for each in within if at_s + SPACING_S <= each <= at_s + step_s + _SETTLED_S), None)
+            at_s = at_s + step_s if soon is None else soon
+            if at_s <= phrase.end_s and rng.uniform() < likely:
+                yield at_s, height * (_UNSTRESSED if soon is None else 1.0)

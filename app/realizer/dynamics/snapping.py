@@ -1,0 +1,149 @@
+"""Strokes that snap: the same way in less time, around the same emphasis, so that the accent is the fastest move.
+
+People's strokes are about as fast as their ways to rest, 1.1 to 1.4 m/s at their peak, and no two are of one length;
+clips alone have a few lengths. A stroke is quickened until its mean speed is what the level of agitation and chance ask
+for, never slowed; what is slow by its meaning stays slow. Its emphasis stays at its time, preparation and hold have the
+time that is left. The speed for which gestures are planned stays that of the clip, so that ways between gestures are no
+faster.
+"""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from ...model import FloatArray, Hand, Level
+from ..arms.wrist_paths import amplitude, distance_m, stroke_end_m, stroke_start_m, wrist_m
+from ..body.movement_style import Strokes
+from ..gestures.brief_strokes import in_less_time
+from ..gestures.gesture import ArmKey, Clip, Markers
+from ..gestures.gesture_plan import PlacedGesture
+from ..gestures.gesture_space import sector_m
+
+_LEAST_TENSION = 0.75
+_LEAST_S = 0.17
+_WOUND_UP_M_S = 1.1
+"""The fastest mean speed of a stroke that is wound up, in its own time."""
+_USUAL_POWER = 0.5
+"""A stroke that is quick stops abruptly by itself; more power would make its middle faster still."""
+_MOST_M_S = 1.40
+"""From key to key: wrists stay below 3 m/s."""
+_LEAST_SIZE = 0.5
+"""Gestures that are asked to be smaller than this stay as small."""
+_SHORTEST_M = 0.05
+"""Strokes of the wrist or the fingers alone are neither wound up nor quickened."""
+_NOT_NEARER_M: FloatArray = np.array([0.02, -0.02, 0.19])
+"""A hand that is drawn back stays on its side, over the hips and before the body."""
+_HEAD_M, _BODY_M, _CAREFUL = 0.52, 0.18, 0.9
+"""Strokes that end above the shoulders or before the body are hardly quickened."""
+_HIGHEST_M = 0.36
+"""Gestures whose strokes end above this, at the head, are not lifted."""
+
+_LEVELS = (Level.LOW, Level.MEDIUM, Level.HIGH)
+
+
+def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -> PlacedGesture:
+    """The gesture with a stroke as fast as is drawn for it; unchanged where it is as fast already."""
+    clip = placed.clip
+    pace = float(rng.uniform(*strokes.variety))
+    level = _LEVELS.index(clip.level)
+    wanted_m_s = min(strokes.fastest_m_s[level], pace * strokes.speed_m_s[level] * _tenseness(placed))
+    way_m, fastest_m_s = _stroke_m(placed)
+    if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M:
+        return placed
+    stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
+    share = max(way_m / stroke_s / wanted_m_s, max(_LEAST_S, strokes.shortest_s / pace) / stroke_s)
+    share = max(share, fastest_m_s / _MOST_M_S)
+    share = max(share, _CAREFUL) if _is_close(placed) else share
+    return placed if share >= 1 else replace(placed, clip=quickened(clip, share))
+
+
+def _is_close(placed: PlacedGesture) -> bool:
+    """Whether a stroke ends at the head or at the body, which a hand does not strike."""
+    ends_m = (stroke_end_m(placed, side) for side in placed.arms)
+    return any(end_m[1] > _HEAD_M or end_m[2] < _BODY_M for end_m in ends_m)
+
+
+def _tenseness(placed: PlacedGesture) -> float:
+    """How the tension of the voice makes strokes faster."""
+    return float(np.sqrt(max(placed.request.manner.tension, _LEAST_TENSION)))
+
+
+def _stroke_m(placed: PlacedGesture) -> tuple[float, float]:
+    """The longest way of a hand in the stroke, along straight lines between its keys, and its fastest speed from key to
+    key."""
+    markers = placed.clip.markers
+    inner_s = {key.time_s for key in placed.clip.keys if markers.stroke_start < key.time_s < markers.stroke_end}
+    times_s = [markers.stroke_start, *sorted(inner_s), markers.stroke_end]
+    longest_m = fastest_m_s = 0.0
+    for side in placed.arms:
+        way = [wrist_m(placed, side, time_s) for time_s in times_s]
+        steps_m = [distance_m(one, other) for one, other in pairwise(way)]
+        speeds = (step_m / (to_s - from_s) for step_m, (from_s, to_s) in zip(steps_m, pairwise(times_s), strict=True))
+        longest_m, fastest_m_s = max(longest_m, sum(steps_m)), max(fastest_m_s, *speeds)
+    return longest_m, fastest_m_s
+
+
+def lifted(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
+    """The gesture a little higher or lower, as its level of agitation has it, if it is neither at the head nor shows a
+    place of its own."""
+    clip, up_m = placed.clip, strokes.lift_m[_LEVELS.index(placed.clip.level)]
+    ends_m = [stroke_end_m(placed, side) for side in placed.arms]
+    if not up_m or placed.request.slots or clip.aimed or max(float(end_m[1]) for end_m in ends_m) > _HIGHEST_M:
+        return placed
+    keys = tuple(replace(key, left=_raised(key.left, up_m), right=_raised(key.right, up_m)) for key in clip.keys)
+    return replace(placed, clip=replace(clip, keys=keys))
+
+
+def _raised(arm: ArmKey | None, up_m: float) -> ArmKey | None:
+    if arm is None or arm.place is None:
+        return arm
+    out, up, away = arm.place.offset_m
+    return replace(arm, place=replace(arm.place, offset_m=(out, up + up_m, away)))
+
+
+def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
+    """The gesture whose short strokes begin farther from where they end, if it shows no place and is not at the head:
+    a hand draws back before it strikes."""
+    clip = placed.clip
+    ends_m = {side: stroke_end_m(placed, side) for side in placed.arms}
+    free = not (placed.request.slots or clip.aimed) and max(end_m[1] for end_m in ends_m.values()) <= _HIGHEST_M
+    way_m = max(distance_m(stroke_start_m(placed, side), end_m) for side, end_m in ends_m.items())
+    level = _LEVELS.index(clip.level)
+    stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
+    longest_m = min(strokes.longest_m[level], _WOUND_UP_M_S * stroke_s)
+    factor = min(strokes.wind_up[level], longest_m / max(way_m, _SHORTEST_M))
+    if not free or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
+        return placed
+    begins = clip.markers.ready, clip.markers.stroke_start
+    keys = tuple(
+        replace(
+            key,
+            left=_drawn_back(key.left, ends_m.get(Hand.LEFT), factor, amplitude(placed)),
+            right=_drawn_back(key.right, ends_m.get(Hand.RIGHT), factor, amplitude(placed)),
+        )
+        if begins[0] <= key.time_s <= begins[1]
+        else key
+        for key in clip.keys
+    )
+    return replace(placed, clip=replace(clip, keys=keys))
+
+
+def _drawn_back(arm: ArmKey | None, end_m: FloatArray | None, factor: float, size: float) -> ArmKey | None:
+    if arm is None or arm.place is None or end_m is None:
+        return arm
+    start_m = sector_m(arm.place, size)
+    farther_m = end_m + factor * (start_m - end_m)
+    farther_m = np.maximum(farther_m, np.minimum(start_m, _NOT_NEARER_M))
+    moved = (farther_m - start_m) / size
+    out, up, away = (float(part + more) for part, more in zip(arm.place.offset_m, moved, strict=True))
+    return replace(arm, place=replace(arm.place, offset_m=(out, up, away)))
+
+
+def quickened(clip: Clip, share: float) -> Clip:
+    """The clip with that share of its stroke's time; what comes before and after lasts as long as before."""
+    markers = clip.markers
+    times_s = (in_less_time(markers, getattr(markers, name), share) for name in Markers.__slots__)
+    keys = tuple(replace(key, time_s=in_less_time(markers, key.time_s, share)) for key in clip.keys)
+    smooth = replace(clip.expressivity, power=min(clip.expressivity.power, _USUAL_POWER))
+    return replace(clip, markers=Markers(*times_s), keys=keys, expressivity=smooth)
