@@ -1,13 +1,13 @@
 """How well tones, activation, valence and dominance are told of speakers that were not trained on.
 
-    python -m benchmarks.acoustic.affect [--speech FOLDER] [--features FILE] [--corpora NAME...]
+    python -m benchmarks.acoustic.affect --spoken INDEX.jsonl … [--speech FOLDER] [--features FILE] [--corpora NAME...]
 
 Speakers are never on both sides: RAVDESS in four folds of four actors (two women, two men), EmoDB and nEMO one speaker
-at a time; each fold trains anew, as `training/affect` does. Figures: the balanced accuracy (mean recall) of the largest
-share among angry, sad, happy, afraid and neutral, of recordings of those tones (calm and bored ones are not tested as
-neutral); the same of the reference machines against ten other recordings of the speaker; the mean share of the right
-tone; the share of neutral; correlations of the three dimensions with what the emotions are rated. "Without it" is
-trained on the other corpora alone.
+at a time, synthetic voices one at a time; each fold trains anew, as `training/affect` does. Figures: the balanced
+accuracy (mean recall) of the largest share among angry, sad, happy, afraid and neutral, of recordings of those tones
+(calm and bored ones are not tested as neutral); the same of the reference machines against ten other recordings of the
+speaker; the mean share of the right tone; the share of neutral; correlations of the three dimensions with what the
+emotions are rated. "Without it" is trained on the other corpora alone.
 """
 
 import argparse
@@ -17,16 +17,15 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from training.affect.__main__ import CORPORA
-from training.affect.corpus import Taught, read_labelled, taught
+from training.affect.__main__ import CORPORA, acted, spoken
+from training.affect.corpus import SYNTHETIC, Taught, joined
 from training.affect.experts import AffectRecipe, train_affect
-from training.agitation.conditions import TRAINING_CONDITIONS
-from training.agitation.measuring import measured
 from understudy.acoustic.affect.affect_model import DIMENSIONS, FEATURE_SET, AffectModel
 from understudy.model import Affect, Tone
 from understudy.model.voice.speaker_reference import SpeakerReference
 
 SPEECH = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech"
+ALL = (*CORPORA, SYNTHETIC)
 TESTED = (Tone.NEUTRAL, Tone.HAPPY, Tone.SAD, Tone.ANGRY, Tone.AFRAID)
 RAVDESS_FOLDS = 4
 OF_A_SPEAKER = 10
@@ -37,14 +36,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--speech", type=Path, default=SPEECH, help="folder of labels.csv and the corpora it names")
     parser.add_argument("--features", type=Path, help="file that keeps the features from one time to the next (.npz)")
-    parser.add_argument("--corpora", nargs="+", default=list(CORPORA), choices=CORPORA, help="those that are tested")
+    parser.add_argument("--spoken", type=Path, nargs="+", required=True, help="indexes of synthetic recordings")
+    parser.add_argument("--spoken-features", type=Path, help="file that keeps those of synthetic recordings")
+    parser.add_argument("--corpora", nargs="+", default=list(ALL), choices=ALL, help="those that are tested")
     options = parser.parse_args()
-    labelled = read_labelled(options.speech, CORPORA)
-    features = measured([each.recording for each in labelled], TRAINING_CONDITIONS, options.features)
-    material = taught(labelled, features[FEATURE_SET])
+    people = acted(options.speech, options.features)
+    material = joined(people, spoken(options.spoken, options.spoken_features))
     for corpus in options.corpora:
         tested_in_folds(material, corpus)
-        others = [name for name in CORPORA if name != corpus]
+        others = [name for name in ALL if name != corpus]
         model = train_affect(material, others, AffectRecipe())
         rows = _clean(material, material.samples.corpora == corpus)
         report(f"{corpus}, trained without it", material, rows, [model.affect(f) for f in _features(material, rows)])
@@ -56,7 +56,7 @@ def tested_in_folds(material: Taught, corpus: str) -> None:
     heard: list[Affect] = []
     known: list[Affect] = []
     for held_out in folds(material.samples.speakers, material.samples.corpora == corpus):
-        model = train_affect(material.where(~held_out), CORPORA, AffectRecipe())
+        model = train_affect(material.where(~held_out), ALL, AffectRecipe())
         tested = _clean(material, held_out)
         rows += tested.tolist()
         heard += [model.affect(features) for features in _features(material, tested)]

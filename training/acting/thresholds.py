@@ -1,26 +1,31 @@
 """Sets the probabilities from which head movements and faces are made.
 
-    python -m training.acting.thresholds READINGS.npz … [--weights models/acting/weights.json]
+    python -m training.acting.thresholds CASES.pkl [--weights models/acting/weights.json]
 
-READINGS are those of `training.acting.encoder read`, of lines that were held out. Movements are to be made rather than
-missed, and those that say something of their own, a shake, a smile or a frown, must be right often enough: a wrong one
-says the contrary of what is meant, a wrong tilt hardly anything. Prints, for each kind, how many stretches of lines
-have it and how many of them get it, and how many of those that get it have it; and writes the thresholds among the
-weights.
+CASES are those of `training/acting/held_out.py`: lines that the reader was not trained on, by their words alone and as
+they were heard. Movements are to be made rather than missed. Those that say something of their own, a shake, a smile or
+a frown, say the contrary of what is meant where they are wrong: they are made from where they are as often right as
+they are made when wanted, the best F, and right often enough. Prints, for each kind and way of giving a line, how many
+stretches of lines have it and how many of them get it, and how many of those that get it have it; and writes the
+thresholds among the weights.
 """
 
 import argparse
 import json
+import pickle
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from understudy.behavior.reading.decoding import stretch_level, stretches_of
+from understudy.behavior.reading.delivery import Delivery
+from understudy.behavior.reading.encoder import Encoder
 from understudy.model import FloatArray, SingleArray
 
-from .directed import FACE, FAMILIES, HEAD, DirectedLine, read_lines, targets_of
+from .cases import Case
+from .directed import FACE, FAMILIES, HEAD, DirectedLine, targets_of
 
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
@@ -28,17 +33,21 @@ READ_AS = {"squint": "frown"}
 LEAST_LIKELY = {"head": 0.15, "face": 0.11}
 """No movement is made that is less likely wanted: it would be one among many that mean nothing."""
 
+NEVER = 0.9
+FEWEST = 10
+"""On fewer stretches than this nothing can be told."""
+
 BETA = 2.0
 """How much more it matters that a movement is made than that every director wants it."""
 
-TONED_PRECISION = {
-    "shake": 0.66,
+LEAST_RIGHT = {
+    "shake": 0.6,
     "still": 0.5,
-    **dict.fromkeys(("smile", "frown", "squint"), 0.45),
-    **dict.fromkeys(("sad", "disgust"), 0.35),
+    **dict.fromkeys(("smile", "frown", "squint", "sad", "disgust"), 1 / 3),
 }
-"""How often movements that say something of their own must be what the one director wanted; of three, another one wants
-most of the others. A wrong shake denies what is said."""
+"""How often movements that say something of their own must be what the one director wanted. Of two directors who each
+name a face, the second names some two fifths of the first's; of three, another one wants most of the others. A wrong
+shake denies what is said."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -82,38 +91,52 @@ def read_readings(path: Path) -> dict[str, SingleArray]:
 
 def _threshold(kind: str, least: float, likely: FloatArray, wanted: FloatArray) -> float:
     """The level (N,) of a stretch from which a movement is made: with F_beta on stretches at its best, for a toned one
-    where it is right often enough."""
-    best = (0.0, 0.9)
-    for threshold in np.arange(least, 0.9, 0.02):
+    with F, where it is right often enough; never where it is not."""
+    beta = 1.0 if kind in LEAST_RIGHT else BETA
+    best = (0.0, NEVER)
+    for threshold in np.arange(least, NEVER, 0.02):
         made = likely >= threshold
         right = float((made * wanted).sum())
-        if kind in TONED_PRECISION and right >= TONED_PRECISION[kind] * made.sum() and made.any():
-            return round(float(threshold), 2)
-        score = (1 + BETA**2) * right / max(BETA**2 * wanted.sum() + made.sum(), 1e-9)
-        if kind not in TONED_PRECISION:
-            best = max(best, (score, float(threshold)))
+        if right < LEAST_RIGHT.get(kind, 0.0) * made.sum() or made.sum() < FEWEST:
+            continue
+        score = (1 + beta**2) * right / max(beta**2 * wanted.sum() + made.sum(), 1e-9)
+        best = max(best, (score, float(threshold)))
     return round(best[1], 2)
 
 
-def _tell(found: Stretches, chosen: Mapping[str, float]) -> None:
+def readings_of(cases: Sequence[Case], encoder: Encoder) -> tuple[list[DirectedLine], dict[str, SingleArray]]:
+    """The cases as lines with names of their own, and what is read of each (W, outputs)."""
+    lines, readings = [], {}
+    for case in cases:
+        utterance = case.analysis.utterance
+        read = encoder.read([word.text for word in utterance.words], Delivery.of(utterance))
+        line = replace(case.line, name=f"{case.line.name}, {case.way}")
+        parts = (read.at_word, read.nearby, read.stroke[:, None], read.head, read.face, read.gaze)
+        lines.append(line)
+        readings[line.name] = np.concatenate(parts, axis=1)
+    return lines, readings
+
+
+def _tell(found: Stretches, chosen: Mapping[str, float], way: str) -> None:
     for place, kind in enumerate(found.kinds):
         made, asked = found.level[:, place] >= chosen[kind], found.asked[:, place] > 0
         done, right = (made & asked).sum() / max(asked.sum(), 1), (made & asked).sum() / max(made.sum(), 1)
-        print(f"{kind:12} from {chosen[kind]:.2f}: {asked.sum():4} asked, done {done:.2f}, right {right:.2f}")
+        print(f"{way}, {kind:12} from {chosen[kind]:.2f}: {asked.sum():4} asked, done {done:.2f}, right {right:.2f}")
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("readings", nargs="+", type=Path)
+    parser.add_argument("cases", type=Path)
     parser.add_argument("--weights", type=Path, default=Path("models/acting/weights.json"))
-    parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     arguments = parser.parse_args()
-    readings = {name: row for path in arguments.readings for name, row in read_readings(path).items()}
-    lines = [line for line in read_lines(arguments.directing) if line.name in readings]
+    cases: list[Case] = pickle.loads(arguments.cases.read_bytes())
+    lines, readings = readings_of(cases, Encoder.load(arguments.weights.parent / "encoder.onnx"))
     written = json.loads(arguments.weights.read_text(encoding="utf-8"))
     for channel in ("head", "face"):
         written[channel] = thresholds(lines, readings, channel)
-        _tell(stretches(lines, readings, channel), written[channel])
+        for way in dict.fromkeys(case.way for case in cases):
+            own = [line for line, case in zip(lines, cases, strict=True) if case.way == way]
+            _tell(stretches(own, readings, channel), written[channel], way)
     arguments.weights.write_text(json.dumps(written, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 

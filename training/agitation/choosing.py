@@ -20,7 +20,7 @@ from training.agitation.fuzzy_svm import (
     standards,
     typical_speaker,
 )
-from understudy.acoustic.agitation.agitation import squared_distances
+from understudy.acoustic.agitation.agitation import likeness_at, squared_distances
 from understudy.model import FloatArray
 
 FEATURES: Mapping[str, tuple[int, ...]] = {"paper": (12,), "full": (115, 149)}
@@ -53,9 +53,9 @@ def surprise(samples: Samples, recipe: Recipe) -> float:
     features = typical_speaker(samples).completed(samples.features)
     mean, scale = standards(features, recipe.features)
     points = (features - mean) / scale
-    kernel = np.exp(-recipe.gamma * squared_distances(points, points))
+    alike = likeness_at(squared_distances(points, points), recipe.gamma)
     weights = balanced_weights(samples, recipe.corpus_shares)
-    values = held_out_values(kernel, weights, samples.speakers, recipe.cost)
+    values = held_out_values(alike, weights, samples.speakers, recipe.cost)
     slopes, offsets = joint_logistic(values, weights)
     surprises = -np.sum(weights * log_softmax(values * slopes + offsets, axis=1), axis=1)
     return _over_corpora(surprises, weights, samples)

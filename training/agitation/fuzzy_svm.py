@@ -46,9 +46,16 @@ CONDITION_SHARES = {"clean": 0.4, "degraded": 0.2, "deeper": 0.2, "higher": 0.2}
 
 @dataclass(frozen=True, slots=True)
 class Recipe(Kernel):
-    """What is chosen, with what each corpus counts, all its recordings together."""
+    """What is chosen, with what each corpus counts, all its recordings together; the kernel is the mean of those whose
+    reach is so many times `reach`."""
 
     corpus_shares: Mapping[str, float]
+    scales: tuple[float, ...] = (1.0,)
+
+    @property
+    def gamma(self) -> FloatArray:
+        """The widths of the kernel (scales,)."""
+        return self.reach / self.features * np.array(self.scales)
 
 
 def train(samples: Samples, feature_set: str, recipe: Recipe) -> AgitationModel:

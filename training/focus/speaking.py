@@ -184,13 +184,19 @@ def speak(
 
 def say(text: str, voice: str, aligner: Aligner) -> Said | None:
     """The text as the voice says it by itself; None if the aligner cannot find it there."""
+    return take_apart(said_plainly(text, voice), text, aligner)
+
+
+def said_plainly(text: str, voice: str) -> FloatArray:
+    """The samples of the text as the voice says it by itself, at `SAMPLE_RATE_HZ`."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "said.wav"
         flite = ["flite", "-voice", voice, "-t", text, "-o", str(path)]
         espeak = ["espeak-ng", "-v", voice, "-s", "160", "-w", str(path), text]
         subprocess.run(flite if voice in FLITE else espeak, check=True, stdout=subprocess.DEVNULL)
         samples, rate_hz = soundfile.read(path)
-    return take_apart(soxr.resample(samples, rate_hz, SAMPLE_RATE_HZ), text, aligner)
+    resampled: FloatArray = soxr.resample(samples, rate_hz, SAMPLE_RATE_HZ)
+    return resampled
 
 
 def take_apart(samples: FloatArray, text: str, aligner: Aligner) -> Said | None:

@@ -37,6 +37,13 @@ _MANY = ("support_vectors", "coefficients")
 """Stored in single precision, since they are most of the file."""
 
 
+def likeness_at(distances: FloatArray, gamma: FloatArray) -> FloatArray:
+    """How alike points at these squared distances are, in [0, 1]: the mean of radial basis kernels of widths `gamma`
+    (scales,), so that both near and far neighbours have a say."""
+    alike: FloatArray = np.mean([np.exp(-each * distances) for each in gamma], axis=0)
+    return alike
+
+
 def squared_distances(points: FloatArray, others: FloatArray) -> FloatArray:
     """Squared Euclidean distances (n, m) between `points` (n, features) and `others` (m, features)."""
     lengths, other_lengths = np.sum(points**2, axis=1), np.sum(others**2, axis=1)
@@ -48,14 +55,15 @@ def squared_distances(points: FloatArray, others: FloatArray) -> FloatArray:
 class FuzzySvm:
     """A trained F²SVM; arrays with one value per class are in the order of `Level`, or of what else it was trained for.
 
-    `mean` and `scale` standardize the features (an infinite scale disables a feature). The machines share
+    `mean` and `scale` standardize the features (an infinite scale disables a feature), `gamma` (scales,) are the widths
+    of the kernel. The machines share
     `support_vectors` (n, features), with `coefficients` (n, classes), 0 where a vector does not support a machine, and
     `intercepts` (classes,). `slopes` and `offsets` (classes,) calibrate the decision values.
     """
 
     mean: FloatArray
     scale: FloatArray
-    gamma: float
+    gamma: FloatArray
     support_vectors: FloatArray
     coefficients: FloatArray
     intercepts: FloatArray
@@ -70,8 +78,7 @@ class FuzzySvm:
     def likeness(self, features: FloatArray) -> FloatArray:
         """The value of the kernel with each support vector (n,), in [0, 1]."""
         point = (features - self.mean) / self.scale
-        likeness: FloatArray = np.exp(-self.gamma * squared_distances(point[np.newaxis], self.support_vectors)[0])
-        return likeness
+        return likeness_at(squared_distances(point[np.newaxis], self.support_vectors)[0], self.gamma)
 
     def memberships(self, features: FloatArray) -> FloatArray:
         """The memberships in the order of the classes, which sum to 1."""
@@ -192,5 +199,5 @@ def _from_arrays(feature_set: str, arrays: Mapping[str, NDArray[Any]]) -> Agitat
 def svm_of(name: str, arrays: Mapping[str, NDArray[Any]]) -> FuzzySvm:
     """The machine in the arrays whose names begin with `name`."""
     parts: dict[str, Any] = {part.name: arrays[f"{name}_{part.name}"].astype(np.float64) for part in fields(FuzzySvm)}
-    parts["gamma"] = float(parts["gamma"])
+    parts["gamma"] = np.atleast_1d(parts["gamma"])
     return FuzzySvm(**parts)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from .agitation import FuzzySvm, squared_distances
+from .agitation import FuzzySvm, likeness_at, squared_distances
 
 CALIBRATION_FOLDS = 4
 
@@ -33,9 +33,9 @@ class Kernel:
     cost: float
 
     @property
-    def gamma(self) -> float:
-        """Of the kernel, exp(-gamma · squared distance)."""
-        return self.reach / self.features
+    def gamma(self) -> FloatArray:
+        """The widths of the kernel, exp(-gamma · squared distance)."""
+        return np.array([self.reach / self.features])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,7 +50,7 @@ def train_machines(features: FloatArray, weights: FloatArray, speakers: NDArray[
     """The F²SVM that samples with these features (N, F) and `weights` (N, C) of `speakers` (N,) teach."""
     mean, scale = standards(features, kernel.features)
     points = (features - mean) / scale
-    likeness = np.exp(-kernel.gamma * squared_distances(points, points))
+    likeness = likeness_at(squared_distances(points, points), kernel.gamma)
     slopes, offsets = joint_logistic(held_out_values(likeness, weights, speakers, kernel.cost), weights)
     surfaces = [fit_fuzzy(likeness, *_sides(weights, index), kernel.cost) for index in range(weights.shape[1])]
     coefficients = np.stack([surface.coefficients for surface in surfaces], axis=1)

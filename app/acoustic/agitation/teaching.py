@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ...errors import InputError
 from ...model import FloatArray, Level
 from ...model.voice.speaker_reference import SpeakerReference
-from .agitation import AgitationModel, squared_distances
+from .agitation import AgitationModel, likeness_at, squared_distances
 from .fuzzy_training import Kernel, held_out_values, joint_logistic, speaker_folds, standards, train_machines
 from .speaker import TypicalSpeaker
 
@@ -142,7 +142,7 @@ def _surprise(features: FloatArray, weights: FloatArray, groups: NDArray[np.str_
 
     mean, scale = standards(features, kernel.features)
     points = (features - mean) / scale
-    likeness = np.exp(-kernel.gamma * squared_distances(points, points))
+    likeness = likeness_at(squared_distances(points, points), kernel.gamma)
     values = held_out_values(likeness, weights, groups, kernel.cost)
     slopes, offsets = joint_logistic(values, weights)
     return -float(np.sum(weights * log_softmax(values * slopes + offsets, axis=1)) / weights.sum())

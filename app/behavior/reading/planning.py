@@ -43,9 +43,9 @@ from .worths import (
     summed,
 )
 
-AT_WORD_SHARE = 0.5
-"""The share of the words' own worths in the reading's expected worth, the rest coming from the nearby worths: measured
-by `python -m benchmarks.behavior.directing`."""
+AT_WORD_SHARE = 0.7
+"""The share of the words' own worths in the reading's expected worth, the rest coming from the nearby worths: chosen on
+held-out lines (`python -m training.acting.constants`)."""
 
 QUANTITY_WEIGHT = 0.5
 """How much a gesture's price falls as the quantity doubles, and rises as it halves, divided by ln 2."""
@@ -233,7 +233,7 @@ def _worths(planner: Planner, reading: Reading, line: Understood, player: Player
     mimes = [each for each in mimes_in(planner.mimes, utterance.parse.tokens) if each.name in player.behaviors]
     worth = worth_of(choice.log_odds(read, terms)) * _possible(planner, utterance, mimes)
     supports = _supports(planner, line.offers, player)
-    focus = focus_of([word.focus for word in utterance.words])
+    focus = focus_of(Delivery.of(utterance).focus, len(utterance.words))
     text = " ".join(word.text for word in utterance.words)
     chance = chance_of_lexemes(player.seed, text, len(worth), planner.shown)
     total = summed(lexeme_worth(worth, planner.shown), supports, planner.lexemes, chance + focus[:, None])

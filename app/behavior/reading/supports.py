@@ -3,7 +3,7 @@
 The paper decides by priority alone. Here a function's priority and an alternative's weight are two parts of one sum: an
 offer adds `OFFERED`, `PRIORITY_SCALE` for each unit of priority above the usual and `WEIGHT_SCALE` for the logarithm of
 the weight, and never speaks against a movement. The scales are those with
-which held-out directed lines are planned best (`python -m benchmarks.behavior.supports`).
+which held-out directed lines are planned best (`python -m training.acting.constants`).
 """
 
 from collections.abc import Iterable, Iterator

@@ -29,10 +29,10 @@ FOCUS_WEIGHT = 0.3
 LEAST_SHARE, MOST_SHARE = 0.25, 6.0
 """The focus counts between these multiples of an even share."""
 
-TEMPERATURE = 0.18
+TEMPERATURE = 0.14
 """The size of chance in log-odds: the scale of the logistic draws of every seed but 0, which takes the best set."""
 
-VARIETY = 4.0
+VARIETY = 6.0
 """How much larger chance is among gestures with the same meaning."""
 
 JUST_SHOWN, JUST_SHOWN_S = -1.5, 5.0
@@ -113,12 +113,11 @@ def shown_by_lexemes(shows: Mapping[str, Sequence[str]], names: Sequence[str]) -
     return shown
 
 
-def focus_of(shares: Sequence[float | None]) -> SingleArray:
-    """What the focus adds on each word (W,), by its share; 0 where the focus is not known."""
-    known = [share for share in shares if share is not None]
-    if not known or len(known) < len(shares):
-        return np.zeros(len(shares), np.float32)
-    relative = np.clip(np.array(known) * len(known), LEAST_SHARE, MOST_SHARE)
+def focus_of(shares: Sequence[float] | None, words: int) -> SingleArray:
+    """What the focus adds on each word (W,), by its share; 0 where no focus is heard."""
+    if shares is None:
+        return np.zeros(words, np.float32)
+    relative = np.clip(np.array(shares) * words, LEAST_SHARE, MOST_SHARE)
     return np.asarray(FOCUS_WEIGHT * np.log(relative), np.float32)
 
 

@@ -24,7 +24,7 @@ def machines(second: float) -> KernelMachines:
     svm = FuzzySvm(
         mean=np.zeros(2),
         scale=np.ones(2),
-        gamma=1.0,
+        gamma=np.array([1.0]),
         support_vectors=np.array([[-1.0, 0.0], [1.0, 0.0]]),
         coefficients=2 * np.eye(2),
         intercepts=-np.ones(2),

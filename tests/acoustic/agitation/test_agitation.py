@@ -28,7 +28,7 @@ def toy_svm() -> FuzzySvm:
     return FuzzySvm(
         mean=np.zeros(12),
         scale=np.ones(12),
-        gamma=1.0,
+        gamma=np.array([1.0]),
         support_vectors=np.array([at(-1.0), at(0.0), at(1.0)]),
         coefficients=2.0 * np.eye(3),
         intercepts=-np.ones(3),

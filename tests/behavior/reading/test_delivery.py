@@ -23,6 +23,11 @@ def test_a_delivery_has_what_was_measured() -> None:
     assert Delivery.of(heard) == Delivery(focus=(0.1, 0.7, 0.1, 0.1), affect=affect, loudness=0.5)
 
 
+def test_a_line_without_a_clear_focus_has_none() -> None:
+    words = tuple(replace(word, focus=share) for word, share in zip(WORDS, (0.3, 0.4, 0.2, 0.1), strict=True))
+    assert Delivery.of(replace(SILENT, words=words)).focus is None
+
+
 def test_a_focus_that_lacks_words_is_none() -> None:
     words = (*WORDS[:3], replace(WORDS[3], focus=1.0))
     assert Delivery.of(replace(SILENT, words=words)).focus is None

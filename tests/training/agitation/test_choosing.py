@@ -49,7 +49,7 @@ def test_run_time_decision_values_equal_scikit_learns() -> None:
     samples, unseen = clouds(), np.random.default_rng(1).normal(0, 2, (50, 12))
     svm = train_svm(samples, balanced_weights(samples, RECIPE.corpus_shares), RECIPE)
     points = (samples.features - svm.mean) / svm.scale
-    theirs = SVC(C=RECIPE.cost, gamma=RECIPE.gamma).fit(points, samples.levels == 0)
+    theirs = SVC(C=RECIPE.cost, gamma=float(RECIPE.gamma[0])).fit(points, samples.levels == 0)
     ours = [svm.decision_values(features)[0] for features in unseen]
     assert ours == pytest.approx(theirs.decision_function((unseen - svm.mean) / svm.scale), abs=5e-3)
 
