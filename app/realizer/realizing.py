@@ -36,6 +36,7 @@ from .scheduling.deviations import timing_deviations
 from .scheduling.gesture_controller import accents_of, apply_gestures
 from .scheduling.planning import plan_gestures
 from .scheduling.unplayable import unplayable_behaviors
+from .torso.aimed_arms import with_aimed_arms
 from .torso.hanging import with_hanging_arms
 from .torso.idle import idle_motion
 from .torso.neck import with_neck_reaching
@@ -190,6 +191,7 @@ def _moving_body(
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
     body = with_shrugs(skeleton, with_hanging_arms(skeleton, body), plan)
     body, stepped = with_steps(skeleton, body, schedule, seed=seed)
+    body = with_aimed_arms(skeleton, body, plan.gestures)
     looks = accompanying_looks(skeleton, body, schedule, plan)
     seen_m = {**targets_m, **{str(look.gaze.target): look.at_m for look in looks}}
     body, at_m = apply_gaze(skeleton, body, with_looks(schedule, looks), targets_m=seen_m, seed=seed)
