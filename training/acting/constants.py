@@ -111,7 +111,9 @@ class Measure:
     def planned(self, performer: Performer) -> tuple[list[Any], list[Any], list[Any]]:
         """Gestures, head movements and faces of a plan, as score.py reads them."""
         plan = plan_line(performer)
-        gestures, heads, faces = [], [], []
+        gestures: list[Any] = []
+        heads: list[Any] = []
+        faces: list[Any] = []
         for moment in (*plan.plan.moments, *(each.moment for each in plan.held if each.moment)):
             if moment.channel is Channel.GESTURE:
                 gestures.append((moment.stroke, self._families(plan.plan, moment)))

@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from understudy.errors import UnderstudyError
-from understudy.library import find_functions
+from understudy.library.language import find_functions
 from understudy.model import Analysis, Interval, Line
 from understudy.models import Understudy
 from understudy.performance import analyze

@@ -132,4 +132,4 @@ def joined(one: Taught, other: Taught) -> Taught:
 
 def _level(tones: Mapping[Tone, float]) -> int:
     """The place of the only tone; -1 where there is none, or a mixture."""
-    return list(Tone).index(*tones) if len(tones) == 1 else -1
+    return list(Tone).index(next(iter(tones))) if len(tones) == 1 else -1

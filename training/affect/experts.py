@@ -59,7 +59,7 @@ def train_affect(material: Taught, corpora: Collection[str], recipe: AffectRecip
     distances = np.mean(((material.samples.features - gate.mean) / gate.scale) ** 2, axis=1)
     experts = []
     for corpus in corpora:
-        own = material.samples.corpora == corpus
+        own = np.asarray(material.samples.corpora == corpus)
         tones, unknown = train_machines(material.where(own), recipe)
         experts.append(Expert(corpus, tones, unknown, train_machines(relative.where(own), recipe)[1]))
     return AffectModel(typical, gate, tuple(experts), float(np.percentile(distances, FAMILIAR_PERCENT)))
@@ -72,7 +72,7 @@ def train_machines(material: Taught, recipe: AffectRecipe) -> tuple[tuple[Tone, 
     samples = replace(toned.samples, memberships=toned.samples.memberships[:, present])
     told = recipe.of(str(samples.corpora[0]), samples.features.shape[1])
     tones = tuple(list(Tone)[place] for place in present)
-    counts = SELDOM | ({Tone.NEUTRAL: MEANT_PLAINLY} if SYNTHETIC in samples.corpora else {})
+    counts = dict(SELDOM) | ({Tone.NEUTRAL: MEANT_PLAINLY} if SYNTHETIC in samples.corpora else {})
     weights = balanced_weights(samples, told.corpus_shares) * [counts.get(tone, 1.0) for tone in tones]
     svm = train_svm(samples, weights, told)
     return tones, KernelMachines(svm, *fit_dimensions(svm, material))
