@@ -59,7 +59,7 @@ def train_affect(material: Taught, corpora: Collection[str], recipe: AffectRecip
     distances = np.mean(((material.samples.features - gate.mean) / gate.scale) ** 2, axis=1)
     experts = []
     for corpus in corpora:
-        own = np.atleast_1d(material.samples.corpora == corpus)
+        own = np.isin(material.samples.corpora, [corpus])
         tones, unknown = train_machines(material.where(own), recipe)
         experts.append(Expert(corpus, tones, unknown, train_machines(relative.where(own), recipe)[1]))
     return AffectModel(typical, gate, tuple(experts), float(np.percentile(distances, FAMILIAR_PERCENT)))
