@@ -59,7 +59,7 @@ def train_affect(material: Taught, corpora: Collection[str], recipe: AffectRecip
     distances = np.mean(((material.samples.features - gate.mean) / gate.scale) ** 2, axis=1)
     experts = []
     for corpus in corpora:
-        own = np.isin(material.samples.corpora, [corpus])
+        own = material.samples.corpora == corpus
         tones, unknown = train_machines(material.where(own), recipe)
         experts.append(Expert(corpus, tones, unknown, train_machines(relative.where(own), recipe)[1]))
     return AffectModel(typical, gate, tuple(experts), float(np.percentile(distances, FAMILIAR_PERCENT)))
@@ -67,7 +67,7 @@ def train_affect(material: Taught, corpora: Collection[str], recipe: AffectRecip
 
 def train_machines(material: Taught, recipe: AffectRecipe) -> tuple[tuple[Tone, ...], KernelMachines]:
     """The tones of one corpus, and the machines that it teaches."""
-    toned = material.where(material.samples.memberships.any(axis=1))
+    toned = material.where(np.atleast_1d(material.samples.memberships.any(axis=1)))
     present = np.flatnonzero(toned.samples.memberships.sum(axis=0))
     samples = replace(toned.samples, memberships=toned.samples.memberships[:, present])
     told = recipe.of(str(samples.corpora[0]), samples.features.shape[1])
