@@ -24,7 +24,7 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_it_is_one_typed_package_with_all_it_needs_and_nothing_called_app(installed: Path) -> None:
     assert {path.name.partition("-")[0] for path in installed.iterdir()} == {"understudy"}
     inside = {path.name for path in (installed / "understudy").iterdir()}
-    assert inside >= {"py.typed", "library.py", "lexicon", "models", "examples"}
+    assert inside >= {"py.typed", "library", "lexicon", "models", "examples"}
     assert (installed / "understudy/api/description/swagger/swagger-ui-bundle.js.gz").exists()
     assert inside.isdisjoint({"app", "tests", "benchmarks", "training"})
 

@@ -123,11 +123,9 @@ def test_a_gesture_that_is_moved_onto_another_says_which_and_what_would_help(
     understudy: Understudy, performance: Performance
 ) -> None:
     schedule = schedule_of(performance)
-    first, second = [each for each in schedule.behaviors if each.kind is Channel.GESTURE][:2]
-    assert first.sync.stroke is not None
-    assert second.sync.stroke is not None
-    moved = replace(second, sync=second.sync.shifted(first.sync.stroke - second.sync.stroke + 0.6))
-    behaviors = tuple(moved if each is second else each for each in schedule.behaviors)
+    first = next(each for each in schedule.behaviors if each.kind is Channel.GESTURE)
+    second = replace(first, id="second", sync=first.sync.shifted(0.6))
+    behaviors = (first, second)
     realized = realize_prepared(understudy.realizer, PreparedSchedule(replace(schedule, behaviors=behaviors), ()))
     (told,) = realized.motion.notices
     assert told.code == "gesture_not_played"

@@ -17,6 +17,8 @@ from understudy.realizer.geometry.rotations import angle_between
 
 AUDIO_FOLDER = Path(__file__).parents[1] / "audio"
 BREATHING = ("spine", "chest", "upperChest", "leftShoulder", "rightShoulder", "neck", "head", "leftEye", "rightEye")
+STILL_RAD = 2e-4
+"""Arms that hang are kept straight down while the breath moves the shoulders: by less than a hundredth of a degree."""
 """What breath moves: the trunk and the collarbones, and neck, head and eyes against it, so that the head is level."""
 SPEAKING = ("jaw", "mouth", "tongue", "eyeBlink")
 
@@ -48,7 +50,7 @@ def _joints(skeleton: Skeleton) -> list[int]:
 def test_at_one_no_joint_moves_but_those_that_breathe(motions: dict[float, Motion], understudy: Understudy) -> None:
     skeleton = understudy.realizer.skeleton
     turned = _turned(motions[1.0])
-    assert turned[_joints(skeleton)].max() < 1e-6
+    assert turned[_joints(skeleton)].max() < STILL_RAD
     assert np.ptp(motions[1.0].body.hips_m, axis=0).max() < 1e-6
     assert 0.005 < turned[skeleton.index["chest"]] < np.radians(2)
     assert turned[skeleton.chain("neck", "head")].max() < np.radians(2)
@@ -76,5 +78,5 @@ def test_in_between_the_body_does_less(motions: dict[float, Motion], understudy:
 def test_a_body_with_nothing_to_do_is_as_still(understudy: Understudy, seed: int) -> None:
     """A listener's schedule has no words; at 1 nothing is left of his either."""
     motion = realize(understudy.realizer, Schedule((), 4.0, stillness=1.0), frame_rate_hz=30, seed=seed)
-    assert _turned(motion)[_joints(understudy.realizer.skeleton)].max() < 1e-6
+    assert _turned(motion)[_joints(understudy.realizer.skeleton)].max() < STILL_RAD
     assert np.ptp(motion.shapes, axis=0).max() < 0.01

@@ -77,5 +77,5 @@ def test_a_body_that_would_fall_moves_without_physics() -> None:
 
 def test_without_mujoco_the_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "mujoco", None)
-    with pytest.raises(ServiceError, match=r"understudy\[physics\]"):
+    with pytest.raises(ServiceError, match=r"pip install .*\[physics\]"):
         require_physics()
