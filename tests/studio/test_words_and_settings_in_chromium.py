@@ -63,25 +63,41 @@ def test_an_edge_of_a_word_is_dragged_and_the_performance_follows(opened: Page) 
 
 
 def test_a_gesture_has_another_hand_is_muted_and_a_word_is_still(opened: Page) -> None:
-    """Undone to the beginning and done again it is the same."""
+    """Each concerns its own phrase. Undone to the beginning and done again it is the same."""
+    made = opened.locator("#items li:not(.dropped)[title*='gesture']")
+    negation = opened.locator("#items li:not(.dropped)[title*='gesture NEGATION']")
+    question = opened.locator("#items li:not(.dropped)[title*='gesture QUESTION']")
+    muted = opened.locator("#items li.dropped[title*='gesture QUESTION']")
+    expect(made).to_have_count(2)
     select(opened, "gesture NEGATION")
     opened.select_option("#selected label:has-text('Hand') select", "left")
     expect(opened.locator("#items li[title*='gesture NEGATION (left)']")).to_have_count(1)
     select(opened, "gesture QUESTION")
     opened.click("#mute")
-    expect(opened.locator("#items li.dropped[title*='gesture QUESTION']")).to_contain_text("muted by the author")
+    expect(muted).to_contain_text("muted by the author")
     expect(opened.locator("#mute")).to_have_attribute("aria-pressed", "true")
+    expect(negation).to_have_count(1)
     select(opened, "word never")
     opened.select_option("#word-mark", "still")
-    expect(opened.locator("#items li:not(.dropped)[title*='gesture']")).to_have_count(1)  # that of another phrase
-    for _change in range(3):
+    expect(made).to_have_count(0)
+    expect(muted).to_contain_text("muted by the author")
+    select(opened, "gesture QUESTION")
+    opened.click("#mute")
+    expect(question).to_have_count(1)
+    expect(made).to_have_count(1)
+    for _change in range(4):
         opened.click("#undo")
     expect(opened.locator("#undo")).to_be_disabled()
     expect(opened.locator("#items li:not(.dropped)[title*='gesture NEGATION (right)']")).to_have_count(1)
+    expect(made).to_have_count(2)
     for _change in range(3):
         opened.click("#redo")
+    expect(made).to_have_count(0)
+    expect(muted).to_contain_text("muted by the author")
+    opened.click("#redo")
     expect(opened.locator("#redo")).to_be_disabled()
-    expect(opened.locator("#items li:not(.dropped)[title*='gesture']")).to_have_count(1)
+    expect(question).to_have_count(1)
+    expect(made).to_have_count(1)
 
 
 def test_each_setting_of_the_line_is_performed_and_undone(page: Page) -> None:
