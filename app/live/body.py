@@ -102,9 +102,9 @@ class LiveBody:
             self._begin = self._next - round(BEFORE_S / self._frame_s)
         self._take = take = self._realized(self._begin * self._frame_s)
         self._due_s = inf
-        if len(self._shown) == 2:
+        if self._shown:
             at = self._next - self._begin
-            shown = Pose.of(self._shown)
+            shown = Pose.of((self._shown * 2)[-2:])
             at_s = (self._next - 1) * self._frame_s
             self._offset = Offset.between(shown, take.at(slice(at - 2, at)), at_s=at_s, frame_s=self._frame_s)
         return self._frames_left()
@@ -118,7 +118,8 @@ class LiveBody:
             stillness=self._performing.stillness,
         )
         seed = self._performing.seed + self._clocks
-        motion = realize(self._realizer, schedule, frame_rate_hz=self._performing.frame_rate_hz, seed=seed)
+        rate_hz = self._performing.frame_rate_hz
+        motion = realize(self._realizer, schedule, frame_rate_hz=rate_hz, seed=seed, open_ended=True)
         return Pose(motion.body.rotations, motion.body.hips_m, motion.shapes)
 
     def _on_clock(self, begin_s: float) -> list[Behavior]:

@@ -17,7 +17,7 @@ from ..model.figure import PLAIN, Figure, Looks
 from ..option_table import MOTION
 from .arms.collisions import resolve_collisions
 from .body.motion import BodyMotion, Decision, Motion
-from .body.movement_style import MovementStyle
+from .body.movement_style import Ends, MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
 from .exporting.retargeting import Rig, find_rig, load_rigs
@@ -126,18 +126,29 @@ def realize(
     seed: int = 0,
     tail_s: float = 0.0,
     physics: bool = False,
+    open_ended: bool = False,
 ) -> Motion:
     """The motion of a schedule, exactly as long as the schedule is, and `tail_s` more in which hands come to rest.
     Any integer is a seed; those that differ by a multiple of 2⁶⁴ are the same. With `physics` the body has mass.
+    An `open_ended` take is a piece of a longer performance: what it does hangs on neither its beginning nor its end.
 
     Raises InputError `value_wrong` for a tail that is not from 0 to 10, ServiceError `physics_missing`.
     """
     MOTION["tail_s"].check(tail_s)
     seed &= _LARGEST_SEED
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
-    performer, style = realizer.performer(schedule.character), realizer.style
+    performer = realizer.performer(schedule.character)
+    style = replace(realizer.style, ends=Ends()) if open_ended else realizer.style
     aims_m, leading = _targets_m(schedule, performer.skeleton), performer.leading
-    plan = plan_gestures(performer.library, schedule, seed=seed, targets_m=aims_m, leading=leading, style=style)
+    plan = plan_gestures(
+        performer.library,
+        schedule,
+        seed=seed,
+        targets_m=aims_m,
+        leading=leading,
+        style=style,
+        open_ended=open_ended,
+    )
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
     body, told = _moving_body(performer.skeleton, schedule, plan, times_s, style=style, targets_m=aims_m, seed=seed)
     body, moved = _apart(performer.skeleton, body, physics=physics)

@@ -64,7 +64,8 @@ def _joins(unit: Sequence[PlacedGesture], gesture: PlacedGesture, setting: Trans
 
 
 def rest_changes(units: Sequence[Sequence[PlacedGesture]], setting: TransitionContext) -> tuple[RestChange, ...]:
-    """The rest poses from the first frame on: they change at the end of a unit and with postures of the schedule."""
+    """The rest poses from the first frame on: they change at the end of a unit and with postures of the schedule.
+    Where no end is known, hands are not before the belly before the first unit, since it may be asked for late."""
     ends_s = [0.0, *(max(each.relax_s for each in unit) for unit in units)]
     starts_s = [min(each.stroke_start_s for each in unit) for unit in units]
     two_handed = [False, *(any(len(each.arms) == 2 for each in unit) for unit in units)]
@@ -73,6 +74,8 @@ def rest_changes(units: Sequence[Sequence[PlacedGesture]], setting: TransitionCo
         setting.gap_pose(gap_s, together=before or after)
         for gap_s, (before, after) in zip(gaps_s, pairwise(two_handed), strict=True)
     ]
+    if poses and setting.end_s == inf and poses[0] in LAPS:
+        poses[0] = AT_SIDE
     last = setting.gap_pose(setting.end_s - ends_s[-1], together=False) if units else AT_SIDE
     by_gap = tuple(zip(ends_s, [*poses, last if last in LAPS else AT_SIDE], strict=True))
     times_s = sorted({*ends_s, *(from_s for from_s, _pose in setting.postures)})

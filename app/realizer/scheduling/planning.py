@@ -9,7 +9,7 @@ together blend into units, and units end at rest (`arm_timelines`). Whatever is 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import isinf
+from math import inf, isinf
 from types import MappingProxyType
 
 import numpy as np
@@ -61,14 +61,16 @@ def plan_gestures(
     targets_m: Mapping[str, Position] = MappingProxyType({}),
     leading: Hand = Hand.RIGHT,
     style: MovementStyle = PLAIN,
+    open_ended: bool = False,
 ) -> GesturePlan:
     """What the arms do during a schedule. The stroke of every gesture that is played is at its time in the BML, except
     at the very start, where it may be late.
 
     `targets_m` has the world positions of pointing targets, as for the gaze; `leading` is the hand that the character
-    prefers.
+    prefers. In an `open_ended` take hands do not hurry to rest before the end.
     """
     setting = _setting(schedule, style, seed)
+    setting = replace(setting, end_s=inf) if open_ended else setting
     chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
     gestures = tuple(led_by(each, leading) for each in _repeated(chosen.kept, schedule, setting, style))
     units = units_of(gestures, setting)
