@@ -60,8 +60,11 @@ def _gesture(number: int, stroke_s: float) -> Behavior:
 
 
 def test_our_own_motion_is_found_again(understudy: Understudy) -> None:
-    strokes_s = (3.0, 7.0, 11.0)
-    schedule = Schedule(tuple(_gesture(*each) for each in enumerate(strokes_s)), 15.0)
+    """Gestures so far apart that hands go down between them. In shorter gaps they rest before the belly, where strokes
+    pass on their way out: a hand that passes its rest ends a unit there (as above), so that a unit may be found in two.
+    """
+    strokes_s = (8.0, 16.0, 24.0)
+    schedule = Schedule(tuple(_gesture(*each) for each in enumerate(strokes_s)), 32.0)
     realizer = understudy.realizer
     motion = realize(realizer, schedule)
     bvh = write_motion(Realized(schedule, motion), realizer, MotionFormat.BVH)
