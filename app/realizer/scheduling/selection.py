@@ -24,6 +24,8 @@ from ..gestures.gesture import Clip
 from ..gestures.gesture_plan import USUAL_MANNER, GestureRequest, PlacedGesture
 from ..gestures.mannered import mannered
 
+_ROUNDING_S = 0.002
+"""A stroke that is before the first frame by no more is not late: times of schedules are whole milliseconds."""
 TOLERANCE_S = 0.1
 
 
@@ -107,11 +109,13 @@ def place_clip(clip: Clip, request: GestureRequest) -> PlacedGesture:
 
 
 def in_time(placed: PlacedGesture, from_s: float = 0.0) -> PlacedGesture:
-    """The gesture delayed until its stroke begins at `from_s`, by default with the first frame, the hand raised;
-    if that would be more than `LATEST_S`, unchanged, with its stroke before the first frame."""
-    late_s = from_s - placed.stroke_start_s
+    """The gesture delayed until its stroke begins at `from_s`, by default with the first frame, the hand raised. A
+    stroke that can begin with the first frame keeps its time; one that would be later than `LATEST_S` is unchanged,
+    with its stroke before the first frame."""
+    late_s = -placed.stroke_start_s
     if not 0 < late_s <= LATEST_S:
         return placed
+    late_s = late_s if late_s <= _ROUNDING_S else min(late_s + from_s, LATEST_S)
     late = replace(placed, request=replace(placed.request, stroke_s=placed.request.stroke_s + late_s))
     return replace(late, relax_s=max(late.relax_s, late.stroke_end_s))
 
