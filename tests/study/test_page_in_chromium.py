@@ -7,6 +7,7 @@ import pytest
 from playwright.sync_api import Browser, Page, ViewportSize
 
 from tests.studio.conftest import PATIENCE_MS, browser
+from tests.studio.waiting import wait_until
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.resources import resource_folder
@@ -72,7 +73,7 @@ def test_ratings_are_asked_when_all_clips_are_seen_and_saved_as_they_were_given(
     for letter in "ABC":
         page.evaluate("window.playing = undefined")
         page.get_by_role("button", name=f"Play {letter}").click()
-        page.wait_for_function("window.playing?.currentTime > 0")
+        wait_until(page, "window.playing?.currentTime > 0")
         assert questions.is_disabled()
         page.evaluate("window.playing.playbackRate = 16")
         _see_to_the_end(page)
@@ -127,8 +128,11 @@ def test_nothing_on_the_page_tells_what_is_what(studies: dict[Comparison, Path])
 
 
 def _see_to_the_end(page: Page) -> None:
-    """Waits until the clip that plays is over, with its tail."""
-    page.wait_for_function("!document.querySelector('[aria-busy=true]')")
+    """Waits until the clip that plays is over, with its tail.
+
+    Playwright's own wait looks once a drawn frame, and frames are rare where processors are busy.
+    """
+    wait_until(page, "!document.querySelector('[aria-busy=true]')")
 
 
 def _saved(page: Page, folder: Path) -> Path:
