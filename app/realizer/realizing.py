@@ -138,34 +138,25 @@ def realize(
     seed &= _LARGEST_SEED
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
     performer = realizer.performer(schedule.character)
+    skeleton, aims_m = performer.skeleton, _targets_m(schedule, performer.skeleton)
     style = replace(realizer.style, ends=Ends()) if open_ended else realizer.style
-    aims_m, leading = _targets_m(schedule, performer.skeleton), performer.leading
     plan = plan_gestures(
         performer.library,
         schedule,
         seed=seed,
         targets_m=aims_m,
-        leading=leading,
+        leading=performer.leading,
         style=style,
         open_ended=open_ended,
     )
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
-    body, told = _moving_body(performer.skeleton, schedule, plan, times_s, style=style, targets_m=aims_m, seed=seed)
-    body, moved = _apart(performer.skeleton, body, physics=physics)
+    body, told = _moving_body(skeleton, schedule, plan, times_s, style=style, targets_m=aims_m, seed=seed)
+    body, moved = _apart(skeleton, body, physics=physics)
     realized = _realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz, end_s=float(times_s[-1]))
-    return Motion(
-        frame_rate_hz=frame_rate_hz,
-        body=body,
-        shapes=face_weights(realizer.face, schedule, body, performer.skeleton, seed=seed),
-        realized=realized,
-        decisions=(
-            *_decided(realizer, schedule, plan, realized, aims_m),
-            *told,
-            *moved,
-            *_unknown_body(realizer, schedule.character),
-        ),
-        lead_in_s=schedule.lead_in_s,
-    )
+    shapes = face_weights(realizer.face, schedule, body, skeleton, seed=seed)
+    unknown = _unknown_body(realizer, schedule.character)
+    decisions = (*_decided(realizer, schedule, plan, realized, aims_m), *told, *moved, *unknown)
+    return Motion(frame_rate_hz, body, shapes, realized, decisions, lead_in_s=schedule.lead_in_s)
 
 
 def _decided(
