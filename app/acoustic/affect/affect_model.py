@@ -41,9 +41,11 @@ class KernelMachines:
     coefficients: FloatArray
     intercepts: FloatArray
 
-    def dimensions(self, features: FloatArray) -> FloatArray:
-        """Activation, valence and dominance, in [-1, 1]."""
-        return np.clip(self.tones.likeness(features) @ self.coefficients + self.intercepts, -1.0, 1.0)
+    def hear(self, features: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """The shares of the tones, and activation, valence and dominance, in [-1, 1]."""
+        likeness = self.tones.likeness(features)
+        dimensions = np.clip(likeness @ self.coefficients + self.intercepts, -1.0, 1.0)
+        return self.tones.memberships_at(likeness), dimensions
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,8 +59,9 @@ class Expert:
 
     def affect(self, machines: KernelMachines, features: FloatArray) -> Affect:
         """The feeling that one of its machines hears."""
-        shares = dict(zip(self.tones, machines.tones.memberships(features).tolist(), strict=True))
-        activation, valence, dominance = machines.dimensions(features).tolist()
+        memberships, dimensions = machines.hear(features)
+        shares = dict(zip(self.tones, memberships.tolist(), strict=True))
+        activation, valence, dominance = dimensions.tolist()
         return Affect(activation, valence, dominance, tuple(shares.get(tone, 0.0) for tone in Tone))
 
 

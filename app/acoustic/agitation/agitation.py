@@ -16,7 +16,7 @@ On disk a model is `NAME.npz`, named after its feature set (`stored.py`).
 import io
 import zipfile
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
@@ -56,9 +56,9 @@ class FuzzySvm:
     """A trained F²SVM; arrays with one value per class are in the order of `Level`, or of what else it was trained for.
 
     `mean` and `scale` standardize the features (an infinite scale disables a feature), `gamma` (scales,) are the widths
-    of the kernel. The machines share
-    `support_vectors` (n, features), with `coefficients` (n, classes), 0 where a vector does not support a machine, and
-    `intercepts` (classes,). `slopes` and `offsets` (classes,) calibrate the decision values.
+    of the kernel. The machines share `support_vectors` (n, features), with `coefficients` (n, classes), 0 where a
+    vector does not support a machine, and `intercepts` (classes,). `slopes` and `offsets` (classes,) calibrate
+    the decision values.
     """
 
     mean: FloatArray
@@ -69,23 +69,36 @@ class FuzzySvm:
     intercepts: FloatArray
     slopes: FloatArray
     offsets: FloatArray
+    _squared_lengths: FloatArray = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        squared_lengths = np.sum(np.square(self.support_vectors), axis=1)
+        object.__setattr__(self, "_squared_lengths", squared_lengths)
 
     def decision_values(self, features: FloatArray) -> FloatArray:
         """The decision value of each machine (classes,), positive on its class's side."""
-        values: FloatArray = self.likeness(features) @ self.coefficients + self.intercepts
-        return values
+        return self._decided(self.likeness(features))
 
     def likeness(self, features: FloatArray) -> FloatArray:
         """The value of the kernel with each support vector (n,), in [0, 1]."""
         point = (features - self.mean) / self.scale
-        return likeness_at(squared_distances(point[np.newaxis], self.support_vectors)[0], self.gamma)
+        products = self.support_vectors @ point
+        return likeness_at(np.maximum(point @ point + self._squared_lengths - 2.0 * products, 0.0), self.gamma)
 
     def memberships(self, features: FloatArray) -> FloatArray:
         """The memberships in the order of the classes, which sum to 1."""
-        evidence = self.slopes * self.decision_values(features) + self.offsets
+        return self.memberships_at(self.likeness(features))
+
+    def memberships_at(self, likeness: FloatArray) -> FloatArray:
+        """The memberships of an utterance that is so like the support vectors (n,)."""
+        evidence = self.slopes * self._decided(likeness) + self.offsets
         shares = np.exp(evidence - evidence.max())
         memberships: FloatArray = shares / shares.sum()
         return memberships
+
+    def _decided(self, likeness: FloatArray) -> FloatArray:
+        values: FloatArray = likeness @ self.coefficients + self.intercepts
+        return values
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -185,9 +198,12 @@ def _path(folder: Path, feature_set: str) -> Path:
     return folder / f"{feature_set}.npz"
 
 
+_STORED = frozenset(part.name for part in fields(FuzzySvm) if part.init)
+
+
 def svm_arrays(name: str, svm: FuzzySvm) -> dict[str, NDArray[Any]]:
     """The machine as arrays whose names begin with `name`."""
-    arrays = {f"{name}_{part.name}": np.asarray(getattr(svm, part.name)) for part in fields(svm)}
+    arrays = {f"{name}_{part}": np.asarray(getattr(svm, part)) for part in _STORED}
     return arrays | {f"{name}_{part}": arrays[f"{name}_{part}"].astype(np.float32) for part in _MANY}
 
 
@@ -198,6 +214,6 @@ def _from_arrays(feature_set: str, arrays: Mapping[str, NDArray[Any]]) -> Agitat
 
 def svm_of(name: str, arrays: Mapping[str, NDArray[Any]]) -> FuzzySvm:
     """The machine in the arrays whose names begin with `name`."""
-    parts: dict[str, Any] = {part.name: arrays[f"{name}_{part.name}"].astype(np.float64) for part in fields(FuzzySvm)}
+    parts: dict[str, Any] = {part: arrays[f"{name}_{part}"].astype(np.float64) for part in _STORED}
     parts["gamma"] = np.atleast_1d(parts["gamma"])
     return FuzzySvm(**parts)

@@ -7,7 +7,8 @@ of what would have been enough: the worth of the gesture that has its place, els
 of a kind. `lost_to` names the behaviour that has its place, `limit` what forbade it otherwise.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import inf, log
 
@@ -41,11 +42,37 @@ class _Candidate:
 
 
 @dataclass(frozen=True, slots=True)
+class _Forms:
+    """What makes two behaviours the same movement: the kind of a head movement or face, else the lexeme. `lexemes` are
+    those of all behaviours of a form."""
+
+    kinds: Mapping[str, str]
+    by_name: Mapping[str, str]
+    lexemes: Mapping[str, frozenset[str]]
+
+    @classmethod
+    def of(cls, player: Player) -> "_Forms":
+        """The forms of the behaviours that a player has."""
+        listed = {Channel.HEAD: player.families.head, Channel.FACE: player.families.face}
+        kinds: dict[str, str] = {}
+        for channel, families in listed.items():
+            for name, kind in ((each.name, kind) for kind, shown in families.items() for each in shown):
+                if name in player.behaviors and player.behaviors[name].channel is channel:
+                    kinds.setdefault(name, kind)
+        by_name = {name: kinds.get(name, entry.lexeme) for name, entry in player.behaviors.items()}
+        lexemes = defaultdict[str, set[str]](set)
+        for name, form in by_name.items():
+            lexemes[form].add(player.behaviors[name].lexeme)
+        return cls(kinds, by_name, {form: frozenset(names) for form, names in lexemes.items()})
+
+
+@dataclass(frozen=True, slots=True)
 class _Shown:
     """What candidates are beside: the plan and who plays it, the movements that are made for its moments, the words."""
 
     planned: Plan
     player: Player
+    forms: _Forms
     winners: Sequence[Behavior]
     words: Sequence[Word]
 
@@ -65,9 +92,10 @@ def not_taken(
 ) -> tuple[Behavior, ...]:
     """The movements that rules offered for the line's functions, or that its moments were read as, that came `near`,
     and of which `behaviors`, the schedule, has nothing on their words; in order of their words."""
-    offered = (each for each in _offered(line, player) if not _is_scheduled(each, player, behaviors))
+    forms = _Forms.of(player)
+    offered = (each for each in _offered(line, player, forms) if not _is_scheduled(each, forms, behaviors))
     winners = [each for each in behaviors if each.kept and each.moment is not None]
-    shown = _Shown(planned, player, winners, line.utterance.words)
+    shown = _Shown(planned, player, forms, winners, line.utterance.words)
     told = (_told(each, shown, near) for each in (*_banned_moments(planned, player), *offered))
     in_order = sorted(filter(None, told), key=lambda each: (each.first, each.last, each.id))
     return tuple(replace(each, id=f"{each.kind}{_OFFERED}{number}") for number, each in enumerate(in_order, start=1))
@@ -78,14 +106,14 @@ def is_offered(behavior: Behavior) -> bool:
     return _OFFERED in behavior.id
 
 
-def _offered(line: Understood, player: Player) -> Iterator[_Candidate]:
+def _offered(line: Understood, player: Player, forms: _Forms) -> Iterator[_Candidate]:
     """What rules offer for hands, head and face, each movement once for an idea, about the strongest offer of it."""
     stretches = stretches_of([word.text for word in line.utterance.words])
     by_form: dict[tuple[Channel, str], list[Support]] = {}
     for support in supports_of(line.offers):
         entry = player.behaviors[support.name]
         if entry.channel in _PLANNED:
-            by_form.setdefault((entry.channel, _form(support.name, player)), []).append(support)
+            by_form.setdefault((entry.channel, forms.by_name[support.name]), []).append(support)
     for (channel, _), supports in by_form.items():
         left = sorted(supports, key=lambda each: -each.log_odds)
         while left:
@@ -97,29 +125,15 @@ def _offered(line: Understood, player: Player) -> Iterator[_Candidate]:
             yield _Candidate(joined[0].name, channel, first, last, tuple(joined))
 
 
-def _form(name: str, player: Player) -> str:
-    """What makes two movements the same: the kind of a head movement or face, else the lexeme."""
-    return _kind(name, player) or player.behaviors[name].lexeme
-
-
-def _kind(name: str, player: Player) -> str | None:
-    channel, families = player.behaviors[name].channel, player.families
-    if channel is Channel.GESTURE:
-        return None
-    listed = families.head if channel is Channel.HEAD else families.face
-    return next((kind for kind, shown in listed.items() if any(each.name == name for each in shown)), None)
-
-
 def _touches(support: Support, first: int, last: int, channel: Channel) -> bool:
     if channel is Channel.GESTURE:
         first, last = first - 1, last + 1
     return support.function.first <= last and first <= support.function.last
 
 
-def _is_scheduled(candidate: _Candidate, player: Player, behaviors: Iterable[Behavior]) -> bool:
+def _is_scheduled(candidate: _Candidate, forms: _Forms, behaviors: Iterable[Behavior]) -> bool:
     """Whether the schedule has the movement on words that touch, kept or with its own reason why not."""
-    form = _form(candidate.name, player)
-    same = {entry.lexeme for name, entry in player.behaviors.items() if _form(name, player) == form}
+    same = forms.lexemes[forms.by_name[candidate.name]]
     return any(
         each.kind is candidate.channel
         and each.lexeme in same
@@ -141,14 +155,14 @@ def _banned_moments(planned: Plan, player: Player) -> Iterator[_Candidate]:
 def _told(candidate: _Candidate, shown: _Shown, near: float) -> Behavior | None:
     """The candidate as a behaviour with its time and the reason; None where none of its words is spoken, or it did not
     come near."""
-    planned, player, words = shown.planned, shown.player, shown.words
+    player, words = shown.player, shown.words
     heard = [word.interval for word in words[candidate.first : candidate.last + 1] if word.interval]
     if not heard:
         return None
     interval = Interval(heard[0].start_s, heard[-1].end_s)
     ban = player.banned(candidate.name, candidate.first, candidate.last)
     winner = None if ban else _in_its_place(candidate.channel, shown.winners, interval)
-    weighed = _weighed(candidate, planned, player, winner)
+    weighed = _weighed(candidate, shown, winner)
     behavior = replace(_behavior(candidate, player, interval), decided_by=weighed.parts)
     if ban is not None:
         return replace(behavior, limit=NEVER, reason=ban.why)
@@ -186,14 +200,14 @@ def _behavior(candidate: _Candidate, player: Player, interval: Interval) -> Beha
     )
 
 
-def _weighed(candidate: _Candidate, planned: Plan, player: Player, winner: Behavior | None) -> _Weighed:
+def _weighed(candidate: _Candidate, shown: _Shown, winner: Behavior | None) -> _Weighed:
     """What the candidate is worth where it is worth most, and what would have been enough."""
     if candidate.moment is not None:
         return _Weighed(0.0, 0.0, candidate.moment.terms)
     own = candidate.supports[0].parts if candidate.supports else ()
     if candidate.channel is Channel.GESTURE:
-        return _as_gesture(candidate, planned, player, winner) or _Weighed(-inf, 0.0, own)
-    return _as_kind(candidate, planned, player) or _Weighed(-inf, 0.0, own)
+        return _as_gesture(candidate, shown.planned, shown.player, winner) or _Weighed(-inf, 0.0, own)
+    return _as_kind(candidate, shown.planned, shown.forms.kinds.get(candidate.name)) or _Weighed(-inf, 0.0, own)
 
 
 def _as_gesture(candidate: _Candidate, planned: Plan, player: Player, winner: Behavior | None) -> _Weighed | None:
@@ -209,9 +223,9 @@ def _as_gesture(candidate: _Candidate, planned: Plan, player: Player, winner: Be
     return _Weighed(by_word[word], enough, worths.parts(word, lexeme))
 
 
-def _as_kind(candidate: _Candidate, planned: Plan, player: Player) -> _Weighed | None:
+def _as_kind(candidate: _Candidate, planned: Plan, kind: str | None) -> _Weighed | None:
     """A head movement or face beside the threshold of its kind."""
-    worths, kind = planned.kinds.get(candidate.channel), _kind(candidate.name, player)
+    worths = planned.kinds.get(candidate.channel)
     if worths is None or kind is None or kind not in worths.kinds:
         return None
     margin, column = worths.margin(kind, candidate.first, candidate.last), worths.kinds.index(kind)
