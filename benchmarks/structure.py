@@ -13,6 +13,9 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks.figures import add_record_option, record
 
 ROOT = Path(__file__).resolve().parents[1]
 APP = ROOT / "app"
@@ -85,21 +88,37 @@ def _row(names: Sequence[str], top: int) -> Iterator[str]:
         yield f'<text x="{MARGIN + 6}" y="{top - 4}" font-size="11" fill="#667">{escape(title)}</text>'
 
 
+def record_figures(paths: Sequence[Path], filled: dict[Path, int], lengths: NDArray[np.int_]) -> None:
+    record("house", "modules of app/", len(paths), bar="≤ 667", aim="≤ 480")
+    record("house", "folders of app/", len(filled))
+    record("house", "levels of folders, app/ counted", levels(paths), bar="≤ 4", aim="≤ 3")
+    record("house", "modules in the largest room", max(filled.values()), bar="≤ 20", aim="≤ 16")
+    record("house", "lines of a function, 90 %", np.percentile(lengths, 90), bar="≤ 15")
+    record("house", "lines of the longest function", lengths.max(), bar="≤ 40")
+
+
+def levels(paths: Sequence[Path]) -> int:
+    """The most folders above a module, `app/` counted."""
+    return max(len(path.relative_to(APP).parts) for path in paths)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--draw", type=Path, help="write the picture of the layers")
+    add_record_option(parser)
     options = parser.parse_args()
     paths = modules()
     filled = rooms(paths)
     largest = max(filled, key=lambda folder: filled[folder])
     lengths = np.array(function_lengths(paths))
-    levels = max(len(path.relative_to(APP).parts) for path in paths)
     print(
-        f"{len(paths)} modules in {len(filled)} folders, up to {levels} levels; "
+        f"{len(paths)} modules in {len(filled)} folders, up to {levels(paths)} levels; "
         f"largest room {largest.relative_to(ROOT)} with {filled[largest]}; "
         f"{len(lengths)} functions, median {np.median(lengths):.0f}, p90 {np.percentile(lengths, 90):.0f}, "
         f"longest {lengths.max()} lines"
     )
+    if options.record:
+        record_figures(paths, filled, lengths)
     if options.draw:
         options.draw.write_text(picture(), encoding="utf-8")
 

@@ -3,7 +3,7 @@
 The most likely path up to the newest frame predicts what each part of the body does now. An animated character cannot
 wait, so a change of state is announced as soon as it is likely, `ANNOUNCED_S` after its sound, and may be revised.
 A stroke is often recognised only some time after it has begun, and a hand needs time to prepare it; so a preparation is
-announced while a gesture is still less likely than none (`EARLY`; its effect is in docs/measurements.md, "Live
+announced while a gesture is still less likely than none (`EARLY`; its effect is in docs/measurements/live.md, "Live
 streams").
 Decided phases are final and are sent at the latest `DECIDED_S` after their sound: the frame's window, the look-ahead
 of its context, and the decoder's bound.

@@ -2,7 +2,7 @@
 
 The scale is Slaney's (Auditory Toolbox, 1998), linear up to 1 kHz and logarithmic beyond; filters are triangles of area
 1 over hertz. Both are constants of librosa's, and importing librosa takes longer than analysing a line, and 180 MB
-(docs/measurements.md): so it is imported only if a matrix is not cached (`understudy.cache`).
+(docs/measurements/speed.md): so it is imported only if a matrix is not cached (`understudy.cache`).
 """
 
 from collections.abc import Callable

@@ -1,7 +1,7 @@
 """What lines cost the processor, for the estimate of a dry run.
 
 Seconds are those of one processor of the machine on which `python -m benchmarks.batch.costs` measured them
-(docs/measurements.md, "Batch").
+(docs/measurements/batch.md, "Batch").
 """
 
 from collections.abc import Iterable, Mapping

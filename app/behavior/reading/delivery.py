@@ -16,7 +16,7 @@ NEIGHBOURS = (-2, -1, 1, 2)
 CLEAR_FOCUS = 0.5
 """The least share of the likeliest word with which a focus is heard: a line that is said without one has its accents
 all the same. Half of synthetic voices' deliveries have a word over .84, nine of ten of their plain readings none over
-.5 (docs/measurements.md)."""
+.5 (docs/measurements/choice.md)."""
 
 _FOCUS, _AFFECT, _LOUDNESS = 3 + len(NEIGHBOURS), 4 + len(Tone), 2
 FEATURES = _FOCUS + _AFFECT + _LOUDNESS

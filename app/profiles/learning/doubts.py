@@ -9,7 +9,8 @@ from ..profile import Profile
 
 FEW_GESTURES = 100
 """Of the examples' gestures, any 25 on end have lexemes of which a quarter would have to be moved to be those of all,
-50 an eighth, 100 one in twenty (`docs/measurements.md`). NGS had about 200 of each speaker, in nine minutes."""
+50 an eighth, 100 one in twenty (`docs/measurements/profiles.md`). NGS had about 200 of each speaker, in nine
+minutes."""
 
 
 def doubts(profile: Profile, annotations: Sequence[Annotation], postures: Collection[str]) -> Iterator[Notice]:

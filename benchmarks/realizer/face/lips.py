@@ -6,8 +6,8 @@ FOLDER holds pairs NAME.flac and NAME.txt (default: examples/ and ../shared/data
 for which the mouth is shut (`understudy.realizer.face.lip_closure`) about a P, B, M, F or V. Closing is reckoned from
 the phone's start and parting from its end, before which is negative, where the mouth comes from or goes to a vowel;
 "apart" is the time between phone and closure, 0 where they overlap. The phones have errors of their own
-(docs/measurements.md). A vowel's peak is the widest opening between the middles of its neighbours, for vowels that are
-clearly more open than both.
+(docs/measurements/bodies.md). A vowel's peak is the widest opening between the middles of its neighbours, for vowels
+that are clearly more open than both.
 
 The opening is then held against the sound's energy, with which lips of talkers go (Chandrasekaran et al. 2009):
 Pearson's r within each line, in dB within 30 dB of the loudest, for the face as it is, without coarticulation (steps),
