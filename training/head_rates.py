@@ -17,8 +17,9 @@ TARGET = Path(__file__).resolve().parents[1] / "lexicon" / "acting" / "head_rate
 
 HEADER = """\
 # When a listener nods, as people do (AMI meetings, CC BY 4.0; fitted by training/head_rates.py, the figures are in
-# docs/measurements/bodies.md): the chance of a nod at a speaker's pause, of one at punctuation without a pause, and of a
-# head movement given back as in a mirror; the delay of a nod after the end of the phrase, its mean and spread, in seconds.
+# docs/measurements/bodies.md): the chance of a nod at a speaker's pause, of one at punctuation without a pause, and
+# of a head movement given back as in a mirror; the delay of a nod after the end of the phrase, its mean and spread,
+# in seconds.
 """
 
 

@@ -6,8 +6,8 @@ kernel is Gaussian without a bias, so that corrections vanish where the signal i
 `training/alignment` trains the model; `models/alignment/` documents its accuracy.
 
 It replaces a second decoder pass at another frame rate (two-rate refinement that snapped to the greatest spectral
-change: 72 % of words within 20 ms for twice the decoding time). It is more accurate (docs/measurements/hearing.md), at a tenth
-of the time.
+change: 72 % of words within 20 ms for twice the decoding time). It is more accurate (docs/measurements/hearing.md), at
+a tenth of the time.
 """
 
 import zipfile
