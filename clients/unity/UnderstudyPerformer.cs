@@ -13,21 +13,19 @@ namespace Understudy
         [SerializeField] private AudioSource voice;
         [SerializeField] private SkinnedMeshRenderer face;
 
-        private readonly Dictionary<string, Bone> _bones = new();
+        private readonly Dictionary<string, Bone> _bones = new Dictionary<string, Bone>();
         private UnderstudyClip _clip;
 
         private void Awake()
         {
             var animator = GetComponent<Animator>();
             animator.enabled = false;
-            var root = Quaternion.Inverse(transform.rotation);
             foreach (HumanBodyBones body in Enum.GetValues(typeof(HumanBodyBones)))
             {
                 var bone = body == HumanBodyBones.LastBone ? null : animator.GetBoneTransform(body);
                 if (bone != null)
                 {
-                    var above = bone.parent == null ? Quaternion.identity : root * bone.parent.rotation;
-                    _bones[JointName(body)] = new Bone(bone, above, root * bone.rotation);
+                    _bones[JointName(body)] = new Bone(bone, transform);
                 }
             }
         }
@@ -42,24 +40,44 @@ namespace Understudy
 
         private void LateUpdate()
         {
-            if (_clip == null)
+            if (_clip != null)
+            {
+                Show(_clip, voice.time - _clip.AudioOffsetS);
+            }
+        }
+
+        /// <summary>Shows the clip's pose at a time of the clip. Joints that the avatar lacks turn what is below them.</summary>
+        public void Show(UnderstudyClip clip, float timeS)
+        {
+            var turns = clip.Turns(timeS);
+            foreach (var joint in clip.Skeleton.Joints)
+            {
+                Bone bone;
+                if (_bones.TryGetValue(joint.Name, out bone))
+                {
+                    bone.Place.rotation = transform.rotation * turns[joint.Name] * bone.Rest;
+                }
+            }
+            Bone hips;
+            if (_bones.TryGetValue("hips", out hips))
+            {
+                hips.Place.position = transform.TransformPoint(hips.RestPlace + clip.HipsMoved(timeS, hips.RestPlace.y));
+            }
+            ShowFace(clip, timeS);
+        }
+
+        private void ShowFace(UnderstudyClip clip, float timeS)
+        {
+            if (face == null)
             {
                 return;
             }
-            var timeS = voice.time - _clip.AudioOffsetS;
-            foreach (var joint in _clip.Bones.Keys)
-            {
-                if (_bones.TryGetValue(joint, out var bone))
-                {
-                    bone.Place.localRotation = Quaternion.Inverse(bone.Above) * _clip.Rotation(joint, timeS) * bone.Rest;
-                }
-            }
-            foreach (var shape in face == null ? new List<string>() : new List<string>(_clip.BlendShapes.Keys))
+            foreach (var shape in clip.BlendShapes.Keys)
             {
                 var index = face.sharedMesh.GetBlendShapeIndex(shape);
                 if (index >= 0)
                 {
-                    face.SetBlendShapeWeight(index, 100 * _clip.Weight(shape, timeS));
+                    face.SetBlendShapeWeight(index, 100 * clip.Weight(shape, timeS));
                 }
             }
         }
@@ -72,13 +90,19 @@ namespace Understudy
             return char.ToLowerInvariant(name[0]) + name.Substring(1);
         }
 
-        /// <summary>A bone, and how its parent and it are turned in the T-pose, in the character's axes.</summary>
-        private readonly struct Bone
+        /// <summary>A bone, and how it is turned and where it is in the T-pose, in the character's axes.</summary>
+        private struct Bone
         {
             public readonly Transform Place;
-            public readonly Quaternion Above, Rest;
+            public readonly Quaternion Rest;
+            public readonly Vector3 RestPlace;
 
-            public Bone(Transform place, Quaternion above, Quaternion rest) => (Place, Above, Rest) = (place, above, rest);
+            public Bone(Transform place, Transform character)
+            {
+                Place = place;
+                Rest = Quaternion.Inverse(character.rotation) * place.rotation;
+                RestPlace = character.InverseTransformPoint(place.position);
+            }
         }
     }
 }

@@ -4,6 +4,7 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Text;
+using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 using UnityEngine.Networking;
 
@@ -39,20 +40,35 @@ namespace Understudy
                 new MultipartFormDataSection(field, Encoding.UTF8.GetBytes(value)),
                 new MultipartFormFileSection("audio", audio, "line.wav", "application/octet-stream"),
             };
-            using var request = UnityWebRequest.Post(_url + path, form);
-            request.SetRequestHeader("Accept", "application/json");
-            if (_apiKey != "")
+            using (var request = UnityWebRequest.Post(_url + path, form))
             {
-                request.SetRequestHeader("Authorization", "Bearer " + _apiKey);
+                request.SetRequestHeader("Accept", "application/json");
+                if (_apiKey != "")
+                {
+                    request.SetRequestHeader("Authorization", "Bearer " + _apiKey);
+                }
+                yield return request.SendWebRequest();
+                if (request.result == UnityWebRequest.Result.Success)
+                {
+                    done(request.downloadHandler.text);
+                }
+                else
+                {
+                    refused(Detail(request.downloadHandler.text) ?? request.error);
+                }
             }
-            yield return request.SendWebRequest();
-            if (request.result == UnityWebRequest.Result.Success)
+        }
+
+        /// <summary>What the service says is wrong; null where the answer is not the service's.</summary>
+        private static string Detail(string body)
+        {
+            try
             {
-                done(request.downloadHandler.text);
+                return (string)JObject.Parse(body ?? "")["detail"];
             }
-            else
+            catch (JsonException)
             {
-                refused(request.downloadHandler.text is { Length: > 0 } told ? told : request.error);
+                return null;
             }
         }
     }

@@ -252,6 +252,11 @@ def test_an_option_that_is_given_twice_is_named_with_what_to_do(capfdbinary: Cap
     assert told == "understudy: -o is given twice; give it once; see understudy perform --help\n"
 
 
+def test_a_wrong_choice_is_told_with_the_right_ones_as_they_are_typed(capfdbinary: Captured) -> None:
+    told = _run(capfdbinary, "perform", *LINE, "--agitation", "mid")[2]
+    assert "invalid choice: 'mid' (choose from 'low', 'medium', 'high')" in told
+
+
 def test_a_wrong_setting_is_a_mistake(capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("UNDERSTUDY_DEADLINE_S", "soon")
     code, _, err = _run(capfdbinary, "align", *LINE)

@@ -27,7 +27,6 @@ PLAIN: Mapping[str, tuple[str, str]] = MappingProxyType(
         "agitation_unsure": ("too much noise to judge the voice", "set agitation for the line, or record it again"),
         "flat_take": ("a flat reading", "listen; there may be a livelier take"),
         "no_gesture_left": ("no gesture is left", "look; lower stillness or note a gesture for the line"),
-        "gestures_dropped": ("many gestures gave way to others", "look whether the right ones are left"),
         "not_played_as_asked": (
             "a movement is missing or late",
             "look at it; the performance (json) says which and why",

@@ -1,7 +1,8 @@
 """Which lines somebody should check, why, and how urgently.
 
 A line that is performed a little otherwise than it was planned, as most are, needs no check; one of which a movement is
-missing or late does (`Measures.unplayed`).
+missing or late does (`Measures.unplayed`). Nor are gestures that were offered and gave way to others a reason: most
+lines have some.
 """
 
 from collections.abc import Iterator
@@ -13,8 +14,6 @@ FLAT_ST = 1.2
 
 SHORTEST_JUDGED_S = 1.0
 """Shorter lines are not called flat."""
-
-MANY_DROPPED = 3
 
 _WEIGHTS = {
     "transcript_suspect": 50,
@@ -33,7 +32,7 @@ _WEIGHTS = {
 """The urgency of warnings; others weigh 5. With 0 nobody has to look: the line says so itself."""
 
 _OTHER = 5
-_FAILED, _FLAT, _DROPPED, _UNPLAYED, _STILL = 1000, 20, 4, 3, 8
+_FAILED, _FLAT, _UNPLAYED, _STILL = 1000, 20, 3, 8
 
 
 def reasons(entry: Entry) -> tuple[tuple[int, str], ...]:
@@ -59,7 +58,5 @@ def _reasons(entry: Entry) -> Iterator[tuple[int, str]]:
         yield _FLAT, "flat_take"
     if measures.gestures == 0 and measures.gestures_dropped:
         yield _STILL, "no_gesture_left"
-    if measures.gestures_dropped >= MANY_DROPPED:
-        yield _DROPPED, "gestures_dropped"
     if measures.unplayed:
         yield _UNPLAYED, "not_played_as_asked"

@@ -1,7 +1,8 @@
 """Arguments for the options of a performance and of a motion, as `understudy.option_table` describes them."""
 
 import argparse
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from enum import Enum
 from typing import Any
 
 from ...option_table import MOTION, PERFORMANCE, Option
@@ -32,7 +33,12 @@ def _described(option: Option) -> dict[str, Any]:
     if isinstance(option.default, (tuple, Mapping)):
         return told | {"action": "append", "default": [], "metavar": option.metavar}
     told |= {"type": option.kind, "default": option.default}
-    return told | ({"choices": option.choices} if option.choices else {"metavar": option.metavar})
+    return told | ({"choices": _plain(option.choices)} if option.choices else {"metavar": option.metavar})
+
+
+def _plain(choices: Iterable[str | int]) -> tuple[str | int, ...]:
+    """The choices without their enumeration, whose members argparse would name as Python writes them."""
+    return tuple(choice.value if isinstance(choice, Enum) else choice for choice in choices)
 
 
 def add_manner(parser: argparse.ArgumentParser) -> None:

@@ -51,7 +51,7 @@ def service() -> Iterator[str]:
 
 
 def _wait_for(url: str) -> None:
-    for _try in range(600):
+    for _try in range(3000):
         try:
             if requests.get(f"{url}/readyz", timeout=5).ok:
                 return
