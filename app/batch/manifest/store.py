@@ -79,7 +79,7 @@ class Manifest:
         """The hashes of recordings, by path."""
         with _told(self._folder):
             rows = self._connection.execute("SELECT path, size, modified_ns, hash FROM recordings").fetchall()
-        return {path: KnownRecording(size, modified_ns, told) for path, size, modified_ns, told in rows}
+            return dict(map(_recording, rows))
 
     def know_recordings(self, known: Iterable[tuple[str, KnownRecording]]) -> None:
         """Saves the hashes of recordings."""
@@ -174,6 +174,14 @@ def _checked(row: tuple[object, ...], folder: Path, folders: dict[PurePath, bool
         if path.name in {"", ".."} or "\0" in path.name or not folders[path.parent]:
             raise _unreadable(folder, f"line {entry.id!r} names {file.path!r}, which is not in the folder")
     return entry
+
+
+def _recording(row: tuple[object, ...]) -> tuple[str, KnownRecording]:
+    """The path and hash of a recording. Raises ValueError for a row that is not ours."""
+    match row:
+        case (str(path), int(size), int(modified_ns), str(digest)):
+            return path, KnownRecording(size, modified_ns, digest)
+    raise ValueError(f"recording {row[0]!r}")
 
 
 def _lies_inside(folder: Path, parent: PurePath) -> bool:

@@ -125,6 +125,17 @@ def test_rows_that_nobody_of_us_wrote_are_told(column: str, value: str, tmp_path
     assert "\n" not in raised.value.message
 
 
+@pytest.mark.parametrize("column", ["path", "size", "modified_ns", "hash"])
+def test_recordings_that_nobody_of_us_wrote_are_reported(column: str, tmp_path: Path) -> None:
+    with Manifest(tmp_path) as manifest:
+        manifest.know_recordings([("a.wav", KnownRecording(1, 2, "3"))])
+    with closing(sqlite3.connect(tmp_path / FILE, isolation_level=None)) as other:
+        other.execute(f"UPDATE recordings SET {column} = x'00ff'")
+    with Manifest(tmp_path) as manifest, pytest.raises(InputError) as raised:
+        manifest.known_recordings()
+    assert raised.value.code == "manifest_unreadable"
+
+
 def test_the_manifest_of_a_later_version_is_refused_and_left_alone(tmp_path: Path) -> None:
     Manifest(tmp_path).close()
     with closing(sqlite3.connect(tmp_path / FILE)) as other, other:

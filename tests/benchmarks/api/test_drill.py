@@ -9,6 +9,8 @@ import pytest
 
 from benchmarks.api.asking import Told
 from benchmarks.api.breaking import json_changed
+from benchmarks.api.broken_files import KINDS as FILES
+from benchmarks.api.broken_files import files_broken
 from benchmarks.api.endurance import killed, soaked
 from benchmarks.api.fuzzing import fuzzed
 from benchmarks.api.inputs import KINDS, inputs
@@ -31,6 +33,10 @@ def test_the_service_holds(tmp_path: Path) -> None:
     assert [str(bar) for bar in missed] == []
     log = (tmp_path / "serve.log").read_text(encoding="utf-8")
     assert "Traceback" not in log
+
+
+def test_broken_files_end_in_a_result_or_an_error_of_ours() -> None:
+    assert [str(bar) for bar in files_broken(60 * len(FILES), seed=8) if not bar.met] == []
 
 
 def test_equal_seeds_give_equal_inputs_of_every_kind() -> None:
