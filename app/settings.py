@@ -1,17 +1,60 @@
 """The settings of an operator, from the environment (`UNDERSTUDY_…`); docs/settings.md lists them all."""
 
+import os
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Literal
 
 import psutil
-from pydantic import Field, SecretStr, ValidationError
+from pydantic import Field, SecretStr, ValidationError, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from .authored_folders import layers_of
 from .errors import InputError
 from .model.limits.motion_limits import MotionLimits
+from .suggestions import did_you_mean
 
 PREFIX = "UNDERSTUDY_"
+
+PART_BYTES: Mapping[str, int] = MappingProxyType(
+    {
+        "text": 100_000,
+        "options": 256 << 10,
+        "words": 4 << 20,
+        "functions": 1 << 20,
+        "direction": 2 << 20,
+        "rules": 1 << 20,
+        "edits": 512 << 10,
+        "profile": 256 << 10,
+        "bml": 2 << 20,
+        "avatar": 32 << 20,
+        "json": 512 << 10,
+        "live": 256 << 10,
+    }
+)
+"""The most bytes of each part of a form, of a JSON body and of a message of a live stream, unless `part_bytes` says
+otherwise."""
+
+CLOSEABLE = ("metrics", "docs", "studio")
+MOST_FRAMES_PER_S = 60
+"""The frames of the longest motion that is answered."""
+
+_REMOVED: Mapping[str, str] = MappingProxyType(
+    {
+        **{f"max_{part}_bytes": f"set {PREFIX}PART_BYTES={part}=BYTES" for part in PART_BYTES if part != "live"},
+        "live_message_bytes": f"set {PREFIX}PART_BYTES=live=BYTES",
+        **dict.fromkeys(CLOSEABLE, f"list it in {PREFIX}CLOSED to turn it off"),
+        **dict.fromkeys(("min_sample_rate_hz", "max_sample_rate_hz"), "8000 to 192000 Hz are accepted"),
+        "max_channels": "8 are accepted",
+        "max_motion_behaviors": "1000 are played",
+        "max_motion_frames": f"set {PREFIX}MAX_MOTION_S, of which each second has {MOST_FRAMES_PER_S}",
+        "max_motion_bytes": "32 MiB are answered",
+        "worker_jobs": "workers are replaced after 1000 requests",
+        "header_s": f"headers may take twice {PREFIX}IDLE_S",
+    }
+)
+"""Settings of former versions, and what to do instead."""
 
 
 class Settings(BaseSettings):
@@ -21,9 +64,6 @@ class Settings(BaseSettings):
 
     max_audio_s: float = Field(default=120.0, gt=0, description="longest audio accepted, seconds")
     max_audio_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest audio file accepted, bytes")
-    min_sample_rate_hz: int = Field(default=8_000, gt=0, description="lowest sample rate accepted, Hz")
-    max_sample_rate_hz: int = Field(default=192_000, gt=0, description="highest sample rate accepted, Hz")
-    max_channels: int = Field(default=8, gt=0, description="most channels accepted")
     max_body_bytes: int = Field(
         default=40 * 1024 * 1024, gt=0, description="largest HTTP request accepted, bytes, audio and words together"
     )
@@ -88,9 +128,9 @@ class Settings(BaseSettings):
         le=65535,
         description="another port, where alone metrics and docs are; no key is asked there",
     )
-    metrics: bool = Field(default=True, description="answer /metrics")
-    docs: bool = Field(default=True, description="answer /docs and /openapi.json")
-    studio: bool = Field(default=True, description="answer the studio page at /")
+    closed: str | None = Field(
+        default=None, description="what is not answered of metrics, docs and studio, separated by commas"
+    )
     workers: int | None = Field(
         default=None, gt=0, description="processes that perform lines, one line each at a time; one a core if unset"
     )
@@ -103,22 +143,11 @@ class Settings(BaseSettings):
     worker_memory_bytes: int = Field(
         default=384 * 1024 * 1024, gt=0, description="memory that a worker may take for a request; 413 beyond"
     )
-    worker_jobs: int = Field(default=1000, gt=0, description="requests after which a worker is replaced by a new one")
-    max_text_bytes: int = Field(default=100_000, gt=0, description="largest part `text` of a form, bytes")
-    max_options_bytes: int = Field(default=256 * 1024, gt=0, description="largest part `options` of a form, bytes")
-    max_words_bytes: int = Field(default=4 * 1024 * 1024, gt=0, description="largest part `words` of a form, bytes")
-    max_functions_bytes: int = Field(default=1024 * 1024, gt=0, description="largest part `functions`, bytes")
-    max_direction_bytes: int = Field(default=2 * 1024 * 1024, gt=0, description="largest part `direction`, bytes")
-    max_rules_bytes: int = Field(default=1024 * 1024, gt=0, description="largest part `rules` of a form, bytes")
-    max_edits_bytes: int = Field(default=512 * 1024, gt=0, description="largest part `edits`, bytes")
-    max_profile_bytes: int = Field(default=256 * 1024, gt=0, description="largest part `profile`, bytes")
-    max_bml_bytes: int = Field(default=2 * 1024 * 1024, gt=0, description="largest BML, bytes")
-    max_motion_behaviors: int = Field(default=1000, gt=0, description="most behaviours of BML that is realized")
+    part_bytes: str | None = Field(
+        default=None,
+        description="largest parts of a request, where they differ from `PART_BYTES`, as bml=4194304, rules=2097152",
+    )
     max_motion_s: float = Field(default=150.0, gt=0, description="longest motion answered, seconds")
-    max_motion_frames: int = Field(default=9_000, gt=0, description="most frames of motion answered")
-    max_motion_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest motion answered, bytes")
-    max_avatar_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest part `avatar`, bytes")
-    max_json_bytes: int = Field(default=512 * 1024, gt=0, description="largest JSON body of a request, bytes")
     max_uploads_bytes: int = Field(
         default=256 * 1024 * 1024, gt=0, description="all bodies in memory together, bytes; 503 beyond"
     )
@@ -126,7 +155,6 @@ class Settings(BaseSettings):
     idle_s: float = Field(
         default=5.0, gt=0, description="a connection on which nothing comes or goes for so long is ended"
     )
-    header_s: float = Field(default=10.0, gt=0, description="a request whose headers take longer ends its connection")
     max_connections: int = Field(default=512, gt=0, description="connections at the same time; 503 beyond")
     live_streams: int | None = Field(
         default=None, ge=0, description="live streams at the same time, refused beyond; eight a core if unset"
@@ -137,7 +165,6 @@ class Settings(BaseSettings):
         description="live streams of one key or address; if unset all, or three quarters where there are keys",
     )
     live_s: float = Field(default=14_400.0, gt=0, description="longest live stream, seconds of sound and by the clock")
-    live_message_bytes: int = Field(default=256 * 1024, gt=0, description="largest message of a live stream, bytes")
     live_message_s: float = Field(
         default=10.0, gt=0, description="processor time that a message of a live stream may take, seconds"
     )
@@ -152,6 +179,30 @@ class Settings(BaseSettings):
     rate_per_minute: int = Field(
         default=0, ge=0, description="requests for work a minute from one address, 429 beyond; 0 for any number"
     )
+
+    @field_validator("part_bytes")
+    @classmethod
+    def _check_parts(cls, given: str | None) -> str | None:
+        read_part_bytes(given or "")
+        return given
+
+    @field_validator("closed")
+    @classmethod
+    def _check_closed(cls, given: str | None) -> str | None:
+        for name in _listed(given):
+            if name not in CLOSEABLE:
+                raise ValueError(f"{name!r} cannot be closed; give some of {', '.join(CLOSEABLE)}")
+        return given
+
+    @property
+    def part_limits(self) -> Mapping[str, int]:
+        """The most bytes of each part of a request."""
+        return {**PART_BYTES, **read_part_bytes(self.part_bytes or "")}
+
+    @property
+    def closed_pages(self) -> tuple[str, ...]:
+        """Those of `CLOSEABLE` that are not answered."""
+        return _listed(self.closed)
 
     @property
     def lexicon_folders(self) -> tuple[Path, ...]:
@@ -178,12 +229,12 @@ class Settings(BaseSettings):
     @property
     def host_names(self) -> tuple[str, ...]:
         """The names that the service may be called by; any if there are none."""
-        return tuple((self.allowed_hosts or "").lower().replace(",", " ").split())
+        return _listed(self.allowed_hosts)
 
     @property
     def origins(self) -> tuple[str, ...]:
         """The origins of pages that may call the service besides its own."""
-        return tuple((self.allowed_origins or "").lower().replace(",", " ").split())
+        return _listed(self.allowed_origins)
 
     @property
     def has_keys(self) -> bool:
@@ -193,7 +244,7 @@ class Settings(BaseSettings):
     @property
     def motion_limits(self) -> MotionLimits:
         """The limits on the motion in one response of the service."""
-        return MotionLimits(self.max_motion_behaviors, self.max_motion_s, self.max_motion_frames, self.max_motion_bytes)
+        return MotionLimits(duration_s=self.max_motion_s, frames=round(MOST_FRAMES_PER_S * self.max_motion_s))
 
     @property
     def queue_length(self) -> int:
@@ -202,9 +253,38 @@ class Settings(BaseSettings):
 
 
 def read_settings() -> Settings:
-    """The settings of the environment; raises InputError `setting_wrong` naming every variable that is wrong."""
+    """The settings of the environment; raises InputError `setting_wrong` naming every variable that is wrong, or that
+    only former versions had."""
+    names = {name.upper() for name in os.environ}
+    wrong = [
+        f"{variable}: is no setting any more; {instead}"
+        for variable, instead in ((f"{PREFIX}{name}".upper(), instead) for name, instead in _REMOVED.items())
+        if variable in names
+    ]
     try:
-        return Settings()
+        settings = Settings()
     except ValidationError as error:
-        wrong = "; ".join(f"{PREFIX}{found['loc'][0]}".upper() + f": {found['msg']}" for found in error.errors())
-        raise InputError("setting_wrong", f"{wrong}; docs/settings.md lists what may be set") from None
+        wrong += [f"{PREFIX}{found['loc'][0]}".upper() + f": {found['msg']}" for found in error.errors()]
+    if wrong:
+        raise InputError("setting_wrong", f"{'; '.join(wrong)}; docs/settings.md lists what may be set")
+    return settings
+
+
+def read_part_bytes(text: str) -> Mapping[str, int]:
+    """The limits in a list such as "bml=4194304, rules=2097152". Raises ValueError."""
+    limits = {}
+    for each in text.replace(",", " ").split():
+        name, _, number = each.partition("=")
+        if name not in PART_BYTES:
+            raise ValueError(
+                f"no part is called {name!r}{did_you_mean(name, PART_BYTES)}; there are {', '.join(PART_BYTES)}"
+            )
+        if not number.isdecimal() or not int(number):
+            raise ValueError(f"{each!r} has no number of bytes; write {name}=BYTES")
+        limits[name] = int(number)
+    return limits
+
+
+def _listed(names: str | None) -> tuple[str, ...]:
+    """Names in lower case that are separated by commas or white space."""
+    return tuple((names or "").lower().replace(",", " ").split())

@@ -6,13 +6,10 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import InputError
-from understudy.settings import PREFIX, Settings, read_settings
+from understudy.settings import PART_BYTES, PREFIX, Settings, read_settings
 
-DOCUMENTED = dict(
-    re.findall(
-        rf"^\| `{PREFIX}(\w+)` \| (.*?) \|", (Path(__file__).parents[1] / "docs/settings.md").read_text(), re.MULTILINE
-    )
-)
+PAGE = (Path(__file__).parents[1] / "docs/settings.md").read_text()
+DOCUMENTED = dict(re.findall(rf"^\| `{PREFIX}(\w+)` \| (.*?) \|", PAGE, re.MULTILINE))
 
 
 def test_the_page_lists_the_settings_and_no_others() -> None:
@@ -50,3 +47,36 @@ def test_every_wrong_variable_is_named_in_one_line(monkeypatch: pytest.MonkeyPat
     assert "UNDERSTUDY_PORT" in caught.value.message
     assert "UNDERSTUDY_DEADLINE_S" in caught.value.message
     assert "\n" not in caught.value.message
+
+
+def test_the_page_has_the_table_of_parts() -> None:
+    rows = re.findall(r"^\| (\w+) \| (\d+) \|", PAGE, re.MULTILINE)
+    assert {name: int(most_bytes) for name, most_bytes in rows} == PART_BYTES
+
+
+def test_single_parts_may_be_larger_or_smaller() -> None:
+    limits = Settings(part_bytes="bml=5, text=7").part_limits
+    assert limits == {**PART_BYTES, "bml": 5, "text": 7}
+
+
+@pytest.mark.parametrize(
+    ("variable", "value", "reported"),
+    [
+        ("PART_BYTES", "bmll=5", "did you mean"),
+        ("PART_BYTES", "bml=0", "write bml=BYTES"),
+        ("PART_BYTES", "bml", "write bml=BYTES"),
+        ("CLOSED", "metrics,doc", "'doc' cannot be closed"),
+        ("MAX_BML_BYTES", "5", "set UNDERSTUDY_PART_BYTES=bml=BYTES"),
+        ("METRICS", "0", "list it in UNDERSTUDY_CLOSED"),
+        ("HEADER_S", "3", "UNDERSTUDY_IDLE_S"),
+    ],
+)
+def test_wrong_and_former_settings_say_what_to_write(
+    monkeypatch: pytest.MonkeyPatch, variable: str, value: str, reported: str
+) -> None:
+    monkeypatch.setenv(f"UNDERSTUDY_{variable}", value)
+    with pytest.raises(InputError) as caught:
+        read_settings()
+    assert caught.value.code == "setting_wrong"
+    assert f"UNDERSTUDY_{variable}: " in caught.value.message
+    assert reported in caught.value.message

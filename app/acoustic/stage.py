@@ -190,10 +190,4 @@ def align(acoustic: AcousticModels, line: Line) -> AlignedLine:
 
 def audio_limits(settings: Settings) -> AudioLimits:
     """The limits that the settings put on audio."""
-    return AudioLimits(
-        max_duration_s=settings.max_audio_s,
-        max_bytes=settings.max_audio_bytes,
-        min_sample_rate_hz=settings.min_sample_rate_hz,
-        max_sample_rate_hz=settings.max_sample_rate_hz,
-        max_channels=settings.max_channels,
-    )
+    return AudioLimits(max_duration_s=settings.max_audio_s, max_bytes=settings.max_audio_bytes)

@@ -80,7 +80,7 @@ async def put_rule_file(name: str, request: Request, shared: Shared) -> Response
         raise HTTPException(404, "no file of rules or words has that name; GET /rules/files lists them")
     if shared.rules_folder is not None and not _is_own_machine(request):
         raise ForbiddenError("rules_read_only", "rules are saved from this machine alone", field=FIELD)
-    most_bytes, declared = shared.settings.max_rules_bytes, declared_bytes(request.headers)
+    most_bytes, declared = shared.settings.part_limits["rules"], declared_bytes(request.headers)
     async with shared.uploads.body(request.receive, most_bytes=most_bytes, declared_bytes=declared) as body:
         try:
             text = bytes(body).decode("utf-8")

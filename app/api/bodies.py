@@ -18,20 +18,7 @@ def media_type_of(content_type: str) -> str:
 
 def form_limits(task: Task, settings: Settings) -> Mapping[str, int]:
     """The fields that a form may have, and the most bytes of each."""
-    limits = {
-        "audio": settings.max_audio_bytes,
-        "text": settings.max_text_bytes,
-        "options": settings.max_options_bytes,
-        "words": settings.max_words_bytes,
-        "functions": settings.max_functions_bytes,
-        "direction": settings.max_direction_bytes,
-        "rules": settings.max_rules_bytes,
-        "edits": settings.max_edits_bytes,
-        "profile": settings.max_profile_bytes,
-        "reference": settings.max_audio_bytes,
-        "bml": settings.max_bml_bytes,
-        "avatar": settings.max_avatar_bytes,
-    }
+    limits = {**settings.part_limits, "audio": settings.max_audio_bytes, "reference": settings.max_audio_bytes}
     return {name: limits[name] for name in FORM_FIELDS.get(task, ())}
 
 
@@ -51,5 +38,5 @@ def body_limit(task: Task, content_type: str, settings: Settings) -> int:
     if sent == "multipart/form-data":
         return min(settings.max_body_bytes, sum(form_limits(task, settings).values()) + _FORM_ROOM)
     if sent == JSON:
-        return min(settings.max_body_bytes, settings.max_json_bytes)
-    return min(settings.max_body_bytes, settings.max_bml_bytes)
+        return min(settings.max_body_bytes, settings.part_limits["json"])
+    return min(settings.max_body_bytes, settings.part_limits["bml"])

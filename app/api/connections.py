@@ -14,6 +14,9 @@ from .http_errors import bad_request, connections_full
 MOST_HEADERS = 100
 """They are counted before they are read, which takes milliseconds for hundreds."""
 
+HEADERS_IN = 2
+"""A request's headers may take so many times `idle_s`."""
+
 
 class LimitedProtocol(H11Protocol):
     """uvicorn's HTTP/1.1 within the limits of `settings`."""
@@ -24,7 +27,7 @@ class LimitedProtocol(H11Protocol):
         super().connection_made(transport)
         self._checking: asyncio.TimerHandle | None = None
         self._unread_bytes = 0
-        self._headers_due_s = self.loop.time() + self.settings.header_s
+        self._headers_due_s = self.loop.time() + HEADERS_IN * self.settings.idle_s
         if len(self.connections) > self.settings.max_connections:
             transport.write(connections_full())
             transport.close()
@@ -38,7 +41,7 @@ class LimitedProtocol(H11Protocol):
             self.send_400_response(f"a request has {MOST_HEADERS} headers at most")
             return
         if not self._is_in_request and self.timeout_keep_alive_task is not None:
-            self._headers_due_s = self.loop.time() + self.settings.header_s
+            self._headers_due_s = self.loop.time() + HEADERS_IN * self.settings.idle_s
         super().data_received(data)
 
     def handle_websocket_upgrade(self, event: h11.Request) -> None:

@@ -72,7 +72,7 @@ def serve(
         app,
         http=limited_protocol(settings),
         ws=limited_websocket(settings),
-        ws_max_size=settings.live_message_bytes,
+        ws_max_size=settings.part_limits["live"],
         ws_ping_interval=None,  # a client that sends ahead answers late, and those that are gone are noticed without
         server_header=False,
         log_config=log_config,

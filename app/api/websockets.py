@@ -8,18 +8,25 @@ is asked. Whoever serves the WebSocket finds an event of that in its scope, unde
 import asyncio
 import logging
 import select
+import socket
 from asyncio.transports import BaseTransport
+from http import HTTPStatus
 from typing import Any
 
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 
+from ..errors import LONGEST_SHOWN
 from ..settings import Settings
+from .connections import HEADERS_IN
 from .http_errors import bad_request
 
 GONE = "understudy.gone"
 """The extension of the ASGI scope that holds the event: set when the connection is lost."""
 
 LOOK_EVERY_S = 1.0
+SENT_AHEAD_BYTES = 1 << 18
+"""So much the kernel may hold for a client that reads slowly: a second of frames, not the minute that it would hold by
+itself, or one that reads nothing is noticed late."""
 
 _LOGGER = logging.getLogger("uvicorn.error.websocket")
 _LOGGER.setLevel(logging.WARNING)  # below that uvicorn logs queries, in which browsers' clients put their keys
@@ -43,7 +50,8 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
 
     def connection_made(self, transport: BaseTransport) -> None:
         super().connection_made(transport)
-        self._due_s = self.loop.time() + self.settings.header_s
+        transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SENT_AHEAD_BYTES)
+        self._due_s = self.loop.time() + HEADERS_IN * self.settings.idle_s
         self._look()
 
     def connection_lost(self, exc: Exception | None) -> None:
@@ -60,10 +68,14 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
         self.conn.receive_data(data)
         self.handle_events()
         if not self.handshake_initiated:
-            self.transport.write(bad_request("this request cannot become a WebSocket"))
-            self.transport.close()
+            self._refuse(str(self.conn.parser_exc or "its head is incomplete"))
 
     def handle_connect(self, event: Any) -> None:  # noqa: ANN401 - of websockets
+        """uvicorn would write the library's own refusal, which is no problem document."""
+        if self.conn.accept(event).status_code != HTTPStatus.SWITCHING_PROTOCOLS:
+            self.handshake_initiated = self.handshake_complete = self.close_sent = True
+            self._refuse(str(self.conn.handshake_exc))
+            return
         super().handle_connect(event)
         if not self.close_sent:
             self.scope["extensions"][GONE] = self._gone  # type: ignore[assignment]
@@ -81,6 +93,10 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
         await super().send(message)
         if self.close_sent:
             self.handshake_complete = True
+
+    def _refuse(self, why: str) -> None:
+        self.transport.write(bad_request(f"this request cannot become a WebSocket: {why[:LONGEST_SHOWN]}"))
+        self.transport.close()
 
     def _look(self) -> None:
         """Now and then: cuts off a connection that nobody is at the other end of."""

@@ -13,7 +13,7 @@ from ..models import Understudy
 from ..settings import Settings
 from .sources import FileSource, content_of, line_of
 
-__all__ = ["AcousticModels", "align", "analyze_signal", "make_reference", "read_audio"]
+__all__ = ["AcousticModels", "align", "analyze_signal", "audio_limits", "make_reference", "read_audio"]
 
 
 def align(

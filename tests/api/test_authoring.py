@@ -163,7 +163,7 @@ def test_rules_are_saved_from_this_machine_alone(saving: FastAPI, tmp_path: Path
 
 
 def test_a_file_to_be_saved_is_text_within_the_limit(nursery: Nursery, tmp_path: Path) -> None:
-    app = create_app(Settings(workers=1, max_rules_bytes=100), nursery, rules_folder=tmp_path)
+    app = create_app(Settings(workers=1, part_bytes="rules=100"), nursery, rules_folder=tmp_path)
     with TestClient(app, "http://localhost", client=("127.0.0.1", 50000)) as client:
         assert client.put(f"/rules/files/{WORDS}", content=b"\xff").json()["code"] == "text_not_utf8"
         assert client.put(f"/rules/files/{WORDS}", content=b"x" * 101).status_code == 413

@@ -12,7 +12,7 @@ import pytest
 import uvicorn
 from starlette.types import Receive, Scope, Send
 
-from understudy.api.connections import MOST_HEADERS, limited_protocol
+from understudy.api.connections import HEADERS_IN, MOST_HEADERS, limited_protocol
 from understudy.settings import Settings
 
 GET = b"GET / HTTP/1.1\r\nHost: x\r\n\r\n"
@@ -81,7 +81,7 @@ def test_so_many_headers_and_no_more(headers: int, status: bytes) -> None:
 
 @pytest.mark.parametrize("begun", [b"", b"POST / HTTP/1.1\r\nHost: x\r\nX-A: "])
 def test_headers_that_take_too_long_end_the_connection(begun: bytes) -> None:
-    with served(header_s=SOON_S, idle_s=SOON_S) as (_server, connect), connect() as client:
+    with served(idle_s=SOON_S) as (_server, connect), connect() as client:
         with suppress(ConnectionError):
             client.sendall(begun)
         assert ended(client)
@@ -98,7 +98,7 @@ def test_an_answer_that_nobody_reads_ends_the_connection() -> None:
 
 
 def test_a_kept_connection_may_ask_again_after_longer_than_headers_may_take() -> None:
-    with served(header_s=SENT_WITHIN_S, idle_s=SOON_S) as (_server, connect), closing(HTTPConnection("x")) as client:
+    with served(idle_s=SENT_WITHIN_S / HEADERS_IN) as (_server, connect), closing(HTTPConnection("x")) as client:
         client.sock = kept = connect()
         for wait_s in (1.1 * SENT_WITHIN_S, 0.0):
             client.request("GET", "/")

@@ -216,16 +216,16 @@ def test_little_is_told_of_a_long_path(client: TestClient) -> None:
 
 
 @pytest.mark.parametrize(
-    ("setting", "limit", "code"),
+    ("setting", "form", "limit", "code"),
     [
-        ("max_audio_bytes", len(AUDIO), "field_too_large"),
-        ("max_text_bytes", len(TEXT.encode()), "field_too_large"),
-        ("max_text_characters", len(TEXT), "text_too_long"),
+        ("max_audio_bytes", "{}", len(AUDIO), "field_too_large"),
+        ("part_bytes", "text={}", len(TEXT.encode()), "field_too_large"),
+        ("max_text_characters", "{}", len(TEXT), "text_too_long"),
     ],
 )
-def test_the_limits_of_the_parts(nursery: Nursery, setting: str, limit: int, code: str) -> None:
+def test_the_limits_of_the_parts(nursery: Nursery, setting: str, form: str, limit: int, code: str) -> None:
     for allowed, status in ((limit, 200), (limit - 1, 413)):
-        with _served(nursery, **{setting: allowed}) as client:
+        with _served(nursery, **{setting: form.format(allowed)}) as client:
             answer = _post(client)
         assert answer.status_code == status, answer.text
     _require_problem(answer, 413, code, "audio" if "audio" in setting else "text")

@@ -87,8 +87,9 @@ def until(holds: Callable[[], bool]) -> None:
         b"Transfer-Encoding: chunked\r\n\r\n",
         b"".join(b"X-%d: y\r\n" % number for number in range(200)) + b"\r\n",
         b"X: %s\r\n\r\n" % (b"y" * 9000),
+        b"Sec-WebSocket-Version: 12\r\n\r\n",
     ],
-    ids=["length", "chunked", "200 headers", "9 kB"],
+    ids=["length", "chunked", "200 headers", "9 kB", "two versions"],
 )
 def test_an_upgrade_that_cannot_finish_is_refused_and_its_connection_closed(more: bytes) -> None:
     with served() as (server, _application, connect), connect() as client:
@@ -102,12 +103,14 @@ def test_an_upgrade_that_cannot_finish_is_refused_and_its_connection_closed(more
 def test_a_method_that_cannot_be_upgraded_is_refused() -> None:
     with served() as (server, _application, connect), connect() as client:
         client.sendall(HEAD.replace(b"GET", b"POST") + b"\r\n")
-        assert client.recv(4096).startswith(b"HTTP/1.1 405 ")
+        head, _, body = b"".join(iter(lambda: client.recv(4096), b"")).partition(b"\r\n\r\n")
+        assert head.startswith(b"HTTP/1.1 400 ")
+        assert "unsupported HTTP method: POST" in json.loads(body)["detail"]
         until(lambda: not server.server_state.connections)
 
 
 def test_an_upgrade_that_nobody_answers_in_time_is_cut_off() -> None:
-    with served(header_s=SOON_S, idle_s=SOON_S) as (server, application, connect), connect() as client:
+    with served(idle_s=SOON_S) as (server, application, connect), connect() as client:
         client.sendall(HEAD.replace(b"/live", b"/late") + b"\r\n")
         until(lambda: application.left == 1)
         until(lambda: not server.server_state.connections)

@@ -20,7 +20,7 @@ Part = tuple[str | None, str | bytes]
 
 @pytest.fixture(scope="module")
 def client(nursery: Nursery) -> Iterator[TestClient]:
-    with TestClient(create_app(Settings(workers=1, max_profile_bytes=len(PROFILE.encode())), nursery)) as client:
+    with TestClient(create_app(Settings(workers=1, part_bytes=f"profile={len(PROFILE.encode())}"), nursery)) as client:
         yield client
 
 

@@ -108,7 +108,7 @@ def test_the_page_needs_no_key_and_the_line_that_was_opened_does(monkeypatch: py
 
 
 def test_it_can_be_left_out() -> None:
-    admission = Admission.of(Settings(studio=False))
+    admission = Admission.of(Settings(closed="studio"))
     headers = Headers({"host": "127.0.0.1"})
     closed = [
         path for path in ("/", "/studio/main.js", "/perform", "/healthz") if admission.refusal(Arrival(path, headers))

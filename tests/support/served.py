@@ -45,7 +45,7 @@ def served(nursery: Nursery, **settings: Any) -> Iterator[Served]:  # noqa: ANN4
         log_config=None,
         http=limited_protocol(whole),
         ws=limited_websocket(whole),
-        ws_max_size=whole.live_message_bytes,
+        ws_max_size=whole.part_limits["live"],
         ws_ping_interval=None,
         timeout_graceful_shutdown=1,
     )

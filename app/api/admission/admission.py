@@ -59,8 +59,8 @@ class Admission:
     @classmethod
     def of(cls, settings: Settings) -> Self:
         """Raises InputError `setting_wrong`."""
-        answered = {(METRICS,): settings.metrics, DOCS: settings.docs, STUDIO: settings.studio}
-        closed = tuple(path for paths, is_open in answered.items() if not is_open for path in paths)
+        pages = {"metrics": (METRICS,), "docs": DOCS, "studio": STUDIO}
+        closed = tuple(path for name in settings.closed_pages for path in pages[name])
         hosts, origins = settings.host_names, settings.origins
         return cls(KeyRing(settings), hosts, origins, settings.operations_port, closed, settings.allow_anonymous)
 

@@ -6,6 +6,7 @@ What is wrong with words or a silence is told and the stream goes on; anything e
 from collections.abc import Iterator
 
 from ...errors import InputError, TooLargeError, UnderstudyError
+from ...library.hearing import audio_limits
 from ...live.models import LiveModels
 from ...live.session import LiveSession
 from ...live.telling import Told
@@ -89,7 +90,8 @@ class Conversation:
         """Raises InputError `live_started`, `value_wrong`, `unknown_character`."""
         if self._session is not None:
             raise InputError("live_started", "this stream has begun already; open another for another start")
-        lowest, highest = self._settings.min_sample_rate_hz, self._settings.max_sample_rate_hz
+        limits = audio_limits(self._settings)
+        lowest, highest = limits.min_sample_rate_hz, limits.max_sample_rate_hz
         if not lowest <= message.sample_rate_hz <= highest:
             told = f"sample_rate_hz: {message.sample_rate_hz}; give {lowest} to {highest}"
             raise InputError("value_wrong", told, field="sample_rate_hz")

@@ -23,6 +23,9 @@ from .turns import Turns
 from .watch import Seen, is_stopped, look
 
 _LOGGER = logging.getLogger(__name__)
+JOBS_A_WORKER = 1000
+"""After so many jobs a worker is replaced by a new one."""
+
 _WATCH_EVERY_S = 0.5
 _FORK_WITHIN_S = 60.0
 """However busy the machine; processes that hang are noticed by the watch."""
@@ -39,8 +42,9 @@ _SPENT = frozenset({"work_too_large"})
 class Pool:
     """Runs jobs in worker processes. Belongs to the event loop that entered it."""
 
-    def __init__(self, nursery: Nursery, settings: Settings) -> None:
+    def __init__(self, nursery: Nursery, settings: Settings, *, jobs_each: int = JOBS_A_WORKER) -> None:
         """The nursery stays its giver's to close; one that replaces it when it ends is closed here."""
+        self._jobs_each = jobs_each
         self.nursery = self._given = nursery
         self._settings = settings
         self._idle: deque[Worker] = deque()
@@ -215,7 +219,7 @@ class Pool:
 
     def _give_back(self, worker: Worker, *, is_spent: bool) -> None:
         self._busy.discard(worker)
-        if is_spent or worker.jobs >= self._settings.worker_jobs or worker.process.pid in self._retired:
+        if is_spent or worker.jobs >= self._jobs_each or worker.process.pid in self._retired:
             self._dismiss(worker)
         else:
             self._offer(worker)

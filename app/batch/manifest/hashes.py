@@ -26,9 +26,6 @@ _OF_THE_RESULT = frozenset(
         "choice",
         "max_audio_s",
         "max_audio_bytes",
-        "min_sample_rate_hz",
-        "max_sample_rate_hz",
-        "max_channels",
         "max_text_characters",
     }
 )

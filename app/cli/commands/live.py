@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from typing import BinaryIO, TextIO
 
 from ...errors import InputError
-from ...library.hearing import read_audio
+from ...library.hearing import audio_limits, read_audio
 from ...live.avatars.sending import FrameSender
 from ...live.body import BodyFrame
 from ...live.models import LiveModels
@@ -82,7 +82,8 @@ def _opened(path: str) -> TextIO:
 
 
 def _check_rate(rate_hz: int | None, settings: Settings) -> None:
-    lowest, highest = settings.min_sample_rate_hz, settings.max_sample_rate_hz
+    limits = audio_limits(settings)
+    lowest, highest = limits.min_sample_rate_hz, limits.max_sample_rate_hz
     if rate_hz is not None and not lowest <= rate_hz <= highest:
         raise InputError("value_wrong", f"--rate {rate_hz}; give {lowest} to {highest} samples a second", field="rate")
 

@@ -39,7 +39,7 @@ def edits_of(arguments: argparse.Namespace, settings: Settings) -> Edits:
     """The edits of `--edits`; raises InputError for what cannot be read."""
     if arguments.edits is None:
         return NO_EDITS
-    return read_edits(read_bytes(arguments.edits, limit=settings.max_edits_bytes, field="edits"))
+    return read_edits(read_bytes(arguments.edits, limit=settings.part_limits["edits"], field="edits"))
 
 
 def _text(arguments: argparse.Namespace, settings: Settings) -> str:

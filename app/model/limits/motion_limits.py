@@ -11,10 +11,10 @@ from ..schedule import Schedule
 class MotionLimits:
     """The most behaviours, seconds, frames and bytes of a motion."""
 
-    behaviors: int
-    duration_s: float
-    frames: int
-    content_bytes: int
+    behaviors: int = 1000
+    duration_s: float = 150.0
+    frames: int = 9000
+    content_bytes: int = 32 << 20
 
     def check_count(self, behaviors: int) -> None:
         """Raises InputError `motion_too_large` for too many behaviours, before their times are known."""

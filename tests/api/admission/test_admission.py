@@ -96,7 +96,7 @@ def test_operators_have_a_port_of_their_own() -> None:
 
 
 def test_metrics_and_docs_can_be_off() -> None:
-    client = _client(metrics=False, docs=False)
+    client = _client(closed="metrics, docs")
     for path in ("/metrics", "/docs", "/docs/page.js", "/openapi.json"):
         assert client.get(path).status_code == 404
     assert client.get("/characters").status_code == 200

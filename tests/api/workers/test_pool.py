@@ -14,7 +14,7 @@ import pytest
 from tests.support.jobs import LONG, LONG_BML, SHORT, SHORT_TEXT
 from understudy.api.deadlines import Deadline
 from understudy.api.workers.messages import Answer
-from understudy.api.workers.pool import Pool
+from understudy.api.workers.pool import JOBS_A_WORKER, Pool
 from understudy.api.workers.processes import Nursery
 from understudy.api.workers.turns import Turns
 from understudy.errors import InputError, ServiceError, TooLargeError, UnderstudyError
@@ -27,8 +27,9 @@ on the way to it, cannot do with."""
 
 
 @asynccontextmanager
-async def _pool(nursery: Nursery, **settings: Any) -> AsyncIterator[Pool]:  # noqa: ANN401
-    async with Pool(nursery, Settings(**({"workers": 1, "queue_s": 3 * PATIENCE_S} | settings))) as pool:
+async def _pool(nursery: Nursery, *, jobs_each: int = JOBS_A_WORKER, **settings: Any) -> AsyncIterator[Pool]:  # noqa: ANN401
+    whole = Settings(**({"workers": 1, "queue_s": 3 * PATIENCE_S} | settings))
+    async with Pool(nursery, whole, jobs_each=jobs_each) as pool:
         yield pool
 
 
@@ -237,7 +238,7 @@ def test_a_job_may_take_only_so_much_memory(nursery: Nursery) -> None:
 
 def test_a_worker_is_replaced_after_so_many_jobs(nursery: Nursery) -> None:
     async def scenario() -> None:
-        async with _pool(nursery, worker_jobs=2) as pool:
+        async with _pool(nursery, jobs_each=2) as pool:
             before = _children(pool)
             await _short(pool)
             assert _children(pool) == before
